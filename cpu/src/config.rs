@@ -1,0 +1,271 @@
+//! The configuration file: `key: values` lines to a checked [`Config`] (statement, section 2.2; SPEC.md).
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+use crate::error::{Error, Picture};
+use crate::image::Size;
+use crate::text::{self, Tokens};
+use crate::vec3::Vec3;
+
+/// How a picture is to be made. Every value is in its range once it comes out of [`Config::parse`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Config {
+    /// Width to height of the picture, two positive integers.
+    pub aspect_ratio: [u64; 2],
+    /// Width of the picture in pixels, positive.
+    pub image_width: u64,
+    /// Exponent of the gamma correction, positive: a channel is its mean to the power `1 / gamma`.
+    pub gamma: f64,
+    /// Where the rays start.
+    pub camera_position: Vec3,
+    /// The point in the middle of the picture.
+    pub camera_target: Vec3,
+    /// The direction that is up in the picture; any length.
+    pub camera_north: Vec3,
+    /// Vertical opening of the view in degrees, between 0 and 180, both excluded.
+    pub field_of_view: f64,
+    /// Rays a pixel, positive.
+    pub samples_per_pixel: u64,
+    /// Most surfaces that a ray may meet, positive; beyond them it is black.
+    pub max_depth: u64,
+    /// Seed of the generator that all materials share, positive.
+    pub material_rng_seed: u64,
+    /// Seed of the generator that places the samples in their pixels, positive.
+    pub ray_rng_seed: u64,
+    /// Colour of the background where a ray points straight along +y, channels in `[0, 1]`.
+    pub background_dark_color: Vec3,
+    /// Colour of the background where a ray points straight along -y, channels in `[0, 1]`.
+    pub background_light_color: Vec3,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            aspect_ratio: [16, 9],
+            image_width: 1920,
+            gamma: 2.2,
+            camera_position: Vec3::new(0.0, 0.0, -10.0),
+            camera_target: Vec3::ZERO,
+            camera_north: Vec3::new(0.0, 1.0, 0.0),
+            field_of_view: 90.0,
+            samples_per_pixel: 20,
+            max_depth: 5,
+            material_rng_seed: 13,
+            ray_rng_seed: 19,
+            background_dark_color: Vec3::new(0.25, 0.5, 1.0),
+            background_light_color: Vec3::ONE,
+        }
+    }
+}
+
+/// Reads one key's values into the configuration; `None` when they are missing, unreadable or out of range.
+type Read = fn(&mut Config, &mut Tokens<'_>) -> Option<()>;
+
+/// Every key with its reader, in the statement's order.
+const KEYS: [(&str, Read); 13] = [
+    ("aspect_ratio:", |config, tokens| {
+        config.aspect_ratio = [tokens.positive_integer()?, tokens.positive_integer()?];
+        Some(())
+    }),
+    ("image_width:", |config, tokens| set(&mut config.image_width, tokens.positive_integer())),
+    ("gamma:", |config, tokens| set(&mut config.gamma, tokens.real().filter(|&value| value > 0.0))),
+    ("camera_position:", |config, tokens| set(&mut config.camera_position, vector(tokens))),
+    ("camera_target:", |config, tokens| set(&mut config.camera_target, vector(tokens))),
+    ("camera_north:", |config, tokens| set(&mut config.camera_north, vector(tokens))),
+    ("field_of_view:", |config, tokens| {
+        set(&mut config.field_of_view, tokens.real().filter(|&value| value > 0.0 && value < 180.0))
+    }),
+    ("samples_per_pixel:", |config, tokens| set(&mut config.samples_per_pixel, tokens.positive_integer())),
+    ("max_depth:", |config, tokens| set(&mut config.max_depth, tokens.positive_integer())),
+    ("material_rng_seed:", |config, tokens| set(&mut config.material_rng_seed, tokens.positive_integer())),
+    ("ray_rng_seed:", |config, tokens| set(&mut config.ray_rng_seed, tokens.positive_integer())),
+    ("background_dark_color:", |config, tokens| set(&mut config.background_dark_color, color(tokens))),
+    ("background_light_color:", |config, tokens| set(&mut config.background_light_color, color(tokens))),
+];
+
+fn set<T>(place: &mut T, value: Option<T>) -> Option<()> {
+    *place = value?;
+    Some(())
+}
+
+fn vector(tokens: &mut Tokens<'_>) -> Option<Vec3> {
+    tokens.reals().map(Vec3::from)
+}
+
+/// Three channels, each in `[0, 1]`: a background colour or a reflectance.
+pub(crate) fn color(tokens: &mut Tokens<'_>) -> Option<Vec3> {
+    tokens.reals().filter(|channels| channels.iter().all(|channel| (0.0..=1.0).contains(channel))).map(Vec3::from)
+}
+
+impl Config {
+    /// Reads a configuration: absent keys keep their defaults, and of a repeated key the last counts.
+    ///
+    /// ```
+    /// let config = cpu::Config::parse(&b"image_width: 640\ngamma: 2\n"[..])?;
+    /// assert_eq!((config.image_width, config.gamma, config.max_depth), (640, 2.0, 5));
+    /// # Ok::<(), cpu::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first line that is wrong: [`Error::UnknownKey`], [`Error::InvalidValue`] or [`Error::ExtraValue`]; or
+    /// [`Error::Input`] when `input` cannot be read.
+    pub fn parse(input: impl BufRead) -> Result<Self, Error> {
+        let mut config = Self::default();
+        text::for_each_line(input, |line| config.read_line(line))?;
+        Ok(config)
+    }
+
+    /// [`Config::parse`] of a file.
+    ///
+    /// # Errors
+    /// As [`Config::parse`], and [`Error::Read`] with the file's name.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        File::open(path)
+            .map_err(Error::from)
+            .and_then(|file| Self::parse(BufReader::new(file)))
+            .map_err(|error| error.in_file(path))
+    }
+
+    fn read_line(&mut self, line: &[u8]) -> Result<(), Error> {
+        let mut tokens = Tokens::new(line);
+        let Some(key) = tokens.next() else { return Ok(()) };
+        let Some((key, read)) = KEYS.iter().find(|(known, _)| known.as_bytes() == key) else {
+            return Err(Error::UnknownKey { key: key.to_vec() });
+        };
+        read(self, &mut tokens).ok_or_else(|| Error::InvalidValue { key, line: line.to_vec() })?;
+        match tokens.rest() {
+            [] => Ok(()),
+            extra => Err(Error::ExtraValue { key, extra: extra.to_vec() }),
+        }
+    }
+
+    /// The picture's size: `floor(width / (aspect width / aspect height))` rows, at least one.
+    ///
+    /// # Errors
+    /// [`Picture::TooLarge`] when it has more pixels than [`crate::image::MAX_PIXELS`].
+    pub fn image_size(&self) -> Result<Size, Picture> {
+        let [aspect_width, aspect_height] = self.aspect_ratio.map(|side| side as f64);
+        let height = (self.image_width as f64 / (aspect_width / aspect_height)).floor().max(1.0);
+        // A float-to-integer cast saturates: a height beyond u64 becomes u64::MAX, which no image may have.
+        Size::new(self.image_width, height as u64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<Config, Error> {
+        Config::parse(text.as_bytes())
+    }
+
+    fn message(text: &str) -> String {
+        parse(text).expect_err("the text is invalid").to_string()
+    }
+
+    #[test]
+    fn an_empty_file_gives_the_defaults() {
+        let config = parse("\n \t\r\n").expect("blank lines are ignored");
+        assert_eq!(config, Config::default());
+        assert_eq!((config.image_width, config.aspect_ratio, config.gamma), (1920, [16, 9], 2.2));
+        assert_eq!((config.samples_per_pixel, config.max_depth), (20, 5));
+        assert_eq!((config.material_rng_seed, config.ray_rng_seed), (13, 19));
+    }
+
+    #[test]
+    fn every_key_is_read() {
+        let config = parse(
+            "\taspect_ratio:\t4 3\r\nimage_width: 10\ngamma: 1.5 \ncamera_position: 1 2 3\ncamera_target: 4 5 6\n\
+             camera_north: 0 0 1\nfield_of_view: 20\nsamples_per_pixel: 7\nmax_depth: 8\nmaterial_rng_seed: 9\n\
+             ray_rng_seed: 11\nbackground_dark_color: 0 .5 1\nbackground_light_color: 1 1 0",
+        )
+        .expect("all lines are valid");
+        let expected = Config {
+            aspect_ratio: [4, 3],
+            image_width: 10,
+            gamma: 1.5,
+            camera_position: Vec3::new(1.0, 2.0, 3.0),
+            camera_target: Vec3::new(4.0, 5.0, 6.0),
+            camera_north: Vec3::new(0.0, 0.0, 1.0),
+            field_of_view: 20.0,
+            samples_per_pixel: 7,
+            max_depth: 8,
+            material_rng_seed: 9,
+            ray_rng_seed: 11,
+            background_dark_color: Vec3::new(0.0, 0.5, 1.0),
+            background_light_color: Vec3::new(1.0, 1.0, 0.0),
+        };
+        assert_eq!(config, expected);
+    }
+
+    #[test]
+    fn the_last_of_a_repeated_key_counts() {
+        assert_eq!(parse("gamma: 1.8\nimage_width: 900\ngamma: 2.5").map(|config| config.gamma).ok(), Some(2.5));
+    }
+
+    #[test]
+    fn unknown_keys_are_named() {
+        assert_eq!(message("image_xwidth: 3"), "Unknown configuration key: [image_xwidth:]");
+        assert_eq!(message("width 3"), "Unknown configuration key: [width:]");
+        assert_eq!(message("gamma 2"), "Unknown configuration key: [gamma:]");
+        assert_eq!(message("gamma:2"), "Unknown configuration key: [gamma:2:]");
+    }
+
+    #[test]
+    fn invalid_values_show_their_line() {
+        let cases = [
+            "aspect_ratio: nulo",
+            "aspect_ratio: 16",
+            "aspect_ratio: 0 9",
+            "image_width: -4",
+            "image_width: 1.5",
+            "gamma: 0",
+            "gamma: 2.2x",
+            "gamma: nan",
+            "camera_position: 500 500",
+            "camera_north: 1e999 0 0",
+            "field_of_view: 0",
+            "field_of_view: 180",
+            "samples_per_pixel: 0",
+            "max_depth: -1",
+            "material_rng_seed: 0",
+            "ray_rng_seed: 18446744073709551616",
+            "background_dark_color: 0 0 1.01",
+            "background_light_color: -0.1 0 0",
+            "gamma:",
+            "gamma: x 9",
+        ];
+        for line in cases {
+            let key = line.split(' ').next().expect("split yields at least one part");
+            assert_eq!(message(line), format!("Invalid value for key: [{key}]\nLine: \"{line}\""));
+        }
+        assert_eq!(message("\tgamma: a \r\n"), "Invalid value for key: [gamma:]\nLine: \"\tgamma: a \"");
+    }
+
+    #[test]
+    fn extra_data_is_shown_trimmed() {
+        let expected = "Extra data after configuration value for key: [gamma:]\nExtra: \"2.2 99\"";
+        assert_eq!(message("gamma: 2.1   2.2 99 \t"), expected);
+    }
+
+    #[test]
+    fn height_is_the_floor_of_width_over_the_ratio_and_at_least_one() {
+        let size = |width, aspect_ratio| {
+            let config = Config { image_width: width, aspect_ratio, ..Config::default() };
+            config.image_size().map(|size| (size.width(), size.height()))
+        };
+        assert_eq!(size(1800, [16, 9]), Ok((1800, 1012)));
+        assert_eq!(size(600, [1, 1]), Ok((600, 600)));
+        assert_eq!(size(2, [9, 1]), Ok((2, 1)));
+        assert!(matches!(size(1 << 20, [1, 1 << 40]), Err(Picture::TooLarge { .. })));
+        assert!(matches!(size(u64::MAX, [1, 1]), Err(Picture::TooLarge { .. })));
+    }
+
+    #[test]
+    fn a_missing_file_is_named() {
+        let error = Config::read(Path::new("/nowhere/config.txt")).expect_err("the file does not exist");
+        assert!(error.to_string().starts_with("Cannot read file [/nowhere/config.txt]: "), "{error}");
+    }
+}

@@ -1,0 +1,239 @@
+//! Ray against closed cylinder (statement, section 3.4.2).
+//!
+//! The curved side is part of the infinite cylinder `|r_c' + d' lambda|^2 = r^2`, where `'` takes the component
+//! perpendicular to the axis and `r_c = O - C`; with `h = r_c'.d'` its roots are `(-h -+ sqrt(h^2 - a c)) / a` (see
+//! [`crate::sphere`] for why half of `b` has the same bits). A root counts when its point is at most half the height
+//! from the centre, measured along the axis. The bases are discs in the planes at both ends.
+
+use crate::ray::{Ray, in_range};
+use crate::real::Real;
+use crate::vec3::Vec3;
+
+/// A plane whose direction and the ray's have a smaller product than this is never met (statement, 3.4.2).
+pub const PARALLEL: f64 = 1e-8;
+
+/// A cylinder with what its rays need computed once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct CylinderRecord<T = f64> {
+    /// The point halfway between the centres of its bases.
+    pub center: Vec3<T>,
+    /// Its axis, of length one, towards the upper base.
+    pub axis: Vec3<T>,
+    /// The centre of the upper base.
+    pub top: Vec3<T>,
+    /// The centre of the lower base.
+    pub bottom: Vec3<T>,
+    /// Its radius, positive.
+    pub radius: T,
+    /// Its radius squared.
+    pub radius_squared: T,
+    /// Half its height, positive.
+    pub half_height: T,
+}
+
+/// The part of a cylinder that a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Part {
+    /// The curved side.
+    Side = 0,
+    /// The base that the axis points to.
+    Top = 1,
+    /// The other base.
+    Bottom = 2,
+}
+
+impl<T: Real> CylinderRecord<T> {
+    /// The record of the cylinder whose `axis` is as long as it is high.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(center: Vec3<T>, radius: T, axis: Vec3<T>) -> Self {
+        let height = axis.length();
+        let (unit, half_height) = (axis / height, height / T::of(2.0));
+        let reach = unit * half_height;
+        let (top, bottom) = (center + reach, center - reach);
+        Self { center, axis: unit, top, bottom, radius, radius_squared: radius * radius, half_height }
+    }
+
+    /// `a`, half of `b` and a quarter of the discriminant of the ray's quadratic with the infinite cylinder.
+    #[inline(always)]
+    #[must_use]
+    pub fn quadratic(&self, ray: &Ray<T>) -> (T, T, T) {
+        let direction = ray.direction.perpendicular_to(self.axis);
+        let r_c = (ray.origin - self.center).perpendicular_to(self.axis);
+        let a = direction.dot(direction);
+        let h = r_c.dot(direction);
+        let c = r_c.dot(r_c) - self.radius_squared;
+        (a, h, h * h - a * c)
+    }
+
+    /// Whether the side's point at `lambda` lies between the bases.
+    #[inline(always)]
+    #[must_use]
+    pub fn within_height(&self, ray: &Ray<T>, lambda: T) -> T::Mask {
+        (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
+    }
+
+    /// Where the ray meets the plane through `base`, one of the two centres, and the product of ray and axis.
+    #[inline(always)]
+    #[must_use]
+    pub fn plane(&self, ray: &Ray<T>, base: Vec3<T>) -> (T, T) {
+        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
+        let slope = ray.direction.dot(self.axis);
+        ((base - ray.origin).dot(self.axis) / slope, slope)
+    }
+
+    /// Whether the point at `lambda` lies on the disc around `base`.
+    #[inline(always)]
+    #[must_use]
+    pub fn on_disc(&self, ray: &Ray<T>, base: Vec3<T>, lambda: T) -> T::Mask {
+        (ray.at(lambda) - base).length().less_equal(self.radius)
+    }
+
+    /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
+    #[inline(always)]
+    #[must_use]
+    pub fn outward(&self, part: Part, point: Vec3<T>) -> Vec3<T> {
+        match part {
+            Part::Side => (point - self.center).perpendicular_to(self.axis),
+            Part::Top => self.axis,
+            Part::Bottom => -self.axis,
+        }
+    }
+}
+
+impl<T: Real<Mask = bool>> CylinderRecord<T> {
+    /// Where the ray meets the cylinder first: the side, then the upper base, then the lower; of equals the later.
+    ///
+    /// ```
+    /// use cpu::{Ray, Vec3, cylinder::{CylinderRecord, Part}};
+    ///
+    /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
+    /// let ray = Ray { origin: Vec3::new(0.0, 5.0, 0.5), direction: Vec3::new(0.0, -1.0, 0.0) };
+    /// assert_eq!(cylinder.intersect(&ray), Some((3.0, Part::Top)));
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, Part)> {
+        let mut nearest = self.side(ray).map(|lambda| (lambda, Part::Side));
+        for (base, part) in [(self.top, Part::Top), (self.bottom, Part::Bottom)] {
+            if let Some(lambda) = self.base(ray, base)
+                && nearest.is_none_or(|(best, _)| lambda.less_equal(best))
+            {
+                nearest = Some((lambda, part));
+            }
+        }
+        nearest
+    }
+
+    /// The curved side: the smaller root that is in range and between the bases, else the larger.
+    #[inline(always)]
+    fn side(&self, ray: &Ray<T>) -> Option<T> {
+        let (a, h, discriminant) = self.quadratic(ray);
+        if discriminant.less(T::of(0.0)) {
+            return None;
+        }
+        let root = discriminant.sqrt();
+        let counts = |lambda: T| in_range(lambda) && self.within_height(ray, lambda);
+        let near = (-h - root) / a;
+        if counts(near) {
+            return Some(near);
+        }
+        let far = (-h + root) / a;
+        counts(far).then_some(far)
+    }
+
+    /// The disc around `base`.
+    #[inline(always)]
+    fn base(&self, ray: &Ray<T>, base: Vec3<T>) -> Option<T> {
+        let (lambda, slope) = self.plane(ray, base);
+        if slope.abs().less(T::of(PARALLEL)) {
+            return None;
+        }
+        (in_range(lambda) && self.on_disc(ray, base, lambda)).then_some(lambda)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn upright() -> CylinderRecord {
+        CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0))
+    }
+
+    fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+        Ray { origin: origin.into(), direction: direction.into() }
+    }
+
+    #[test]
+    fn the_record_holds_the_derived_values() {
+        let record = CylinderRecord::new(Vec3::ONE, 3.0, Vec3::new(0.0, 0.0, -4.0));
+        assert_eq!(record.axis, Vec3::new(0.0, 0.0, -1.0));
+        assert_eq!((record.half_height, record.radius_squared), (2.0, 9.0));
+        assert_eq!((record.top, record.bottom), (Vec3::new(1.0, 1.0, -1.0), Vec3::new(1.0, 1.0, 3.0)));
+    }
+
+    #[test]
+    fn the_side_is_met_from_outside_and_inside() {
+        let hit = upright().intersect(&ray([0.0, 0.0, -3.0], [0.0, 0.0, 1.0]));
+        assert_eq!(hit, Some((2.0, Part::Side)));
+        let hit = upright().intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 1.0]));
+        assert_eq!(hit, Some((1.0, Part::Side)));
+    }
+
+    #[test]
+    fn bases_are_met_from_outside_and_inside() {
+        let hit = upright().intersect(&ray([0.5, 5.0, 0.0], [0.0, -1.0, 0.0]));
+        assert_eq!(hit, Some((3.0, Part::Top)));
+        let hit = upright().intersect(&ray([0.5, -5.0, 0.0], [0.0, 1.0, 0.0]));
+        assert_eq!(hit, Some((3.0, Part::Bottom)));
+        let hit = upright().intersect(&ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]));
+        assert_eq!(hit, Some((2.0, Part::Top)));
+    }
+
+    #[test]
+    fn beyond_the_rim_nothing_is_met() {
+        assert_eq!(upright().intersect(&ray([1.1, 5.0, 0.0], [0.0, -1.0, 0.0])), None);
+        assert_eq!(upright().intersect(&ray([0.0, 2.1, -3.0], [0.0, 0.0, 1.0])), None);
+        assert_eq!(upright().intersect(&ray([0.0, 0.0, 3.0], [0.0, 0.0, 1.0])), None);
+    }
+
+    #[test]
+    fn a_ray_from_above_the_top_meets_the_base() {
+        // Enters the infinite cylinder above the top: the smaller root is out of bounds, the base comes first.
+        let hit = upright().intersect(&ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0]));
+        assert_eq!(hit, Some((2.0, Part::Top)), "on the rim side and base are equally near, and the later wins");
+        let hit = upright().intersect(&ray([0.0, 4.5, -3.0], [0.0, -1.0, 1.0]));
+        assert_eq!(hit, Some((2.5, Part::Top)));
+    }
+
+    #[test]
+    fn a_ray_along_the_axis_meets_only_bases() {
+        // The quadratic is 0/0 for the side; the base still counts.
+        let hit = upright().intersect(&ray([0.0, 5.0, 0.0], [0.0, -2.0, 0.0]));
+        assert_eq!(hit, Some((1.5, Part::Top)));
+        let hit = upright().intersect(&ray([0.0, 1.0, 0.0], [0.0, 2.0, 0.0]));
+        assert_eq!(hit, Some((0.5, Part::Top)));
+    }
+
+    #[test]
+    fn a_null_direction_meets_nothing() {
+        assert_eq!(upright().intersect(&ray([0.0, 1.0, 0.0], [0.0; 3])), None);
+    }
+
+    #[test]
+    fn a_ray_parallel_to_the_bases_skips_them() {
+        let hit = upright().intersect(&ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0]));
+        assert_eq!(hit, Some((2.0, Part::Side)));
+    }
+
+    #[test]
+    fn the_sides_normal_is_as_long_as_the_radius() {
+        let record = CylinderRecord::new(Vec3::ZERO, 2.0, Vec3::new(0.0, 4.0, 0.0));
+        assert_eq!(record.outward(Part::Side, Vec3::new(2.0, 1.5, 0.0)), Vec3::new(2.0, 0.0, 0.0));
+        assert_eq!(record.outward(Part::Top, Vec3::ONE), Vec3::new(0.0, 1.0, 0.0));
+        assert_eq!(record.outward(Part::Bottom, Vec3::ONE), Vec3::new(0.0, -1.0, 0.0));
+    }
+}

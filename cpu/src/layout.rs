@@ -1,0 +1,142 @@
+//! The two ways to lay out pixels and scene in memory, behind one set of traits.
+//!
+//! Only storage differs: every formula works on the records that [`Objects`] hands out, and the compiler makes a copy
+//! of the renderer for each layout, so that nothing is looked up at run time.
+
+mod aos;
+mod soa;
+
+pub use aos::{Aos, AosImage, AosObjects};
+pub use soa::{Soa, SoaImage, SoaObjects};
+
+use crate::cylinder::CylinderRecord;
+use crate::error::Error;
+use crate::image::Image;
+use crate::scene::{MaterialId, Scene};
+use crate::sphere::SphereRecord;
+
+/// A choice of layout.
+pub trait Layout {
+    /// How pixels are stored.
+    type Image: Image;
+    /// How the scene's objects are stored.
+    type Objects: Objects;
+}
+
+/// A sphere or a cylinder with its place in the file and its material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed<R> {
+    /// The shape, with what its rays need computed once.
+    pub record: R,
+    /// Position among all objects of the file, from 0.
+    pub order: u32,
+    /// Index into [`Scene::materials`].
+    pub material: MaterialId,
+}
+
+/// The objects of a scene, spheres and cylinders apart, each kind in the order of the file.
+pub trait Objects: Sized {
+    /// The objects of `scene`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`], also for more objects than `u32` counts.
+    fn build(scene: &Scene) -> Result<Self, Error>;
+    /// Number of spheres.
+    fn sphere_count(&self) -> usize;
+    /// Number of cylinders.
+    fn cylinder_count(&self) -> usize;
+    /// The sphere at `index` among the spheres.
+    ///
+    /// # Panics
+    /// When there is none.
+    fn sphere(&self, index: usize) -> Placed<SphereRecord>;
+    /// The cylinder at `index` among the cylinders.
+    ///
+    /// # Panics
+    /// When there is none.
+    fn cylinder(&self, index: usize) -> Placed<CylinderRecord>;
+}
+
+/// Calls `sphere` and `cylinder` for the objects of `scene`, in the order of the file.
+///
+/// # Errors
+/// What they return, or [`Error::OutOfMemory`] for more objects than `u32` counts.
+fn for_each_object(
+    scene: &Scene,
+    mut sphere: impl FnMut(Placed<SphereRecord>) -> Result<(), Error>,
+    mut cylinder: impl FnMut(Placed<CylinderRecord>) -> Result<(), Error>,
+) -> Result<(), Error> {
+    use crate::scene::Shape;
+    for (order, object) in scene.objects.iter().enumerate() {
+        let order = u32::try_from(order).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
+        let material = object.material;
+        match object.shape {
+            Shape::Sphere(shape) => {
+                let record = SphereRecord::new(shape.center, shape.radius);
+                sphere(Placed { record, order, material })?;
+            }
+            Shape::Cylinder(shape) => {
+                let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
+                cylinder(Placed { record, order, material })?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Numbers of spheres and of cylinders in `scene`.
+fn count_kinds(scene: &Scene) -> (usize, usize) {
+    let is_sphere = |object: &&crate::scene::Object| matches!(object.shape, crate::scene::Shape::Sphere(_));
+    let spheres = scene.objects.iter().filter(is_sphere).count();
+    (spheres, scene.objects.len() - spheres)
+}
+
+/// An empty list with room for `count` items.
+fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
+    Ok(list)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image::{Rgb, Size};
+
+    const SCENE: &str =
+        "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\nsphere: 0 0 0 1 b\n";
+
+    fn stores_objects<L: Layout>() {
+        let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
+        let objects = L::Objects::build(&scene).expect("three objects fit");
+        assert_eq!((objects.sphere_count(), objects.cylinder_count()), (2, 1));
+        let record = SphereRecord::new([1.0, 2.0, 3.0].into(), 4.0);
+        assert_eq!(objects.sphere(0), Placed { record, order: 0, material: 0 });
+        assert_eq!((objects.sphere(1).order, objects.sphere(1).material), (2, 1));
+        let record = CylinderRecord::new([5.0, 6.0, 7.0].into(), 8.0, [0.0, 2.0, 0.0].into());
+        assert_eq!(objects.cylinder(0), Placed { record, order: 1, material: 1 });
+        let empty = L::Objects::build(&Scene::default()).expect("nothing fits");
+        assert_eq!((empty.sphere_count(), empty.cylinder_count()), (0, 0));
+    }
+
+    fn stores_pixels<L: Layout>() {
+        let size = Size::new(3, 2).expect("six pixels are few");
+        let mut image = L::Image::black(size).expect("six pixels fit");
+        let color = Rgb { red: 1, green: 2, blue: 3 };
+        image.set_pixel(4, color);
+        assert_eq!(image.size(), size);
+        assert_eq!((image.pixel(4), image.pixel(3), image.pixel(5)), (color, Rgb::default(), Rgb::default()));
+    }
+
+    #[test]
+    fn both_layouts_store_the_same_objects() {
+        stores_objects::<Aos>();
+        stores_objects::<Soa>();
+    }
+
+    #[test]
+    fn both_layouts_store_the_same_pixels() {
+        stores_pixels::<Aos>();
+        stores_pixels::<Soa>();
+    }
+}

@@ -1,0 +1,85 @@
+//! Arrays of structures: a pixel's channels side by side, an object's values side by side.
+
+use super::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
+use crate::cylinder::CylinderRecord;
+use crate::error::Error;
+use crate::image::{Image, Rgb, Size, zeroed};
+use crate::scene::Scene;
+use crate::sphere::SphereRecord;
+
+/// Arrays of structures.
+#[derive(Clone, Copy, Debug)]
+pub enum Aos {}
+
+impl Layout for Aos {
+    type Image = AosImage;
+    type Objects = AosObjects;
+}
+
+/// One array of pixels.
+#[derive(Clone, Debug)]
+pub struct AosImage {
+    size: Size,
+    pixels: Vec<Rgb>,
+}
+
+impl Image for AosImage {
+    fn black(size: Size) -> Result<Self, Error> {
+        Ok(Self { size, pixels: zeroed(size.pixels())? })
+    }
+
+    fn size(&self) -> Size {
+        self.size
+    }
+
+    #[inline]
+    fn pixel(&self, index: usize) -> Rgb {
+        self.pixels[index]
+    }
+
+    #[inline]
+    fn set_pixel(&mut self, index: usize, color: Rgb) {
+        self.pixels[index] = color;
+    }
+}
+
+/// One array of spheres, one of cylinders.
+#[derive(Clone, Debug)]
+pub struct AosObjects {
+    spheres: Vec<Placed<SphereRecord>>,
+    cylinders: Vec<Placed<CylinderRecord>>,
+}
+
+impl Objects for AosObjects {
+    fn build(scene: &Scene) -> Result<Self, Error> {
+        let (sphere_count, cylinder_count) = count_kinds(scene);
+        let (mut spheres, mut cylinders) = (with_room(sphere_count)?, with_room(cylinder_count)?);
+        let add_sphere = |sphere| {
+            spheres.push(sphere);
+            Ok(())
+        };
+        for_each_object(scene, add_sphere, |cylinder| {
+            cylinders.push(cylinder);
+            Ok(())
+        })?;
+        Ok(Self { spheres, cylinders })
+    }
+
+    fn sphere_count(&self) -> usize {
+        self.spheres.len()
+    }
+
+    fn cylinder_count(&self) -> usize {
+        self.cylinders.len()
+    }
+
+    #[inline(always)]
+    fn sphere(&self, index: usize) -> Placed<SphereRecord> {
+        self.spheres[index]
+    }
+
+    #[inline(always)]
+    fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
+        self.cylinders[index]
+    }
+}

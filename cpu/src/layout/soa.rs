@@ -1,0 +1,175 @@
+//! Structures of arrays: a channel of all pixels side by side, a value of all objects side by side.
+
+use super::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
+use crate::cylinder::CylinderRecord;
+use crate::error::Error;
+use crate::image::{Image, Rgb, Size, zeroed};
+use crate::scene::{MaterialId, Scene};
+use crate::sphere::SphereRecord;
+use crate::vec3::Vec3;
+
+/// Structures of arrays.
+#[derive(Clone, Copy, Debug)]
+pub enum Soa {}
+
+impl Layout for Soa {
+    type Image = SoaImage;
+    type Objects = SoaObjects;
+}
+
+/// An array for each channel.
+#[derive(Clone, Debug)]
+pub struct SoaImage {
+    size: Size,
+    red: Vec<u8>,
+    green: Vec<u8>,
+    blue: Vec<u8>,
+}
+
+impl Image for SoaImage {
+    fn black(size: Size) -> Result<Self, Error> {
+        let count = size.pixels();
+        Ok(Self { size, red: zeroed(count)?, green: zeroed(count)?, blue: zeroed(count)? })
+    }
+
+    fn size(&self) -> Size {
+        self.size
+    }
+
+    #[inline]
+    fn pixel(&self, index: usize) -> Rgb {
+        Rgb { red: self.red[index], green: self.green[index], blue: self.blue[index] }
+    }
+
+    #[inline]
+    fn set_pixel(&mut self, index: usize, color: Rgb) {
+        self.red[index] = color.red;
+        self.green[index] = color.green;
+        self.blue[index] = color.blue;
+    }
+}
+
+/// Three arrays, one a component.
+#[derive(Clone, Debug)]
+struct Vectors {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    z: Vec<f64>,
+}
+
+impl Vectors {
+    fn with_room(count: usize) -> Result<Self, Error> {
+        Ok(Self { x: with_room(count)?, y: with_room(count)?, z: with_room(count)? })
+    }
+
+    fn push(&mut self, vector: Vec3) {
+        self.x.push(vector.x);
+        self.y.push(vector.y);
+        self.z.push(vector.z);
+    }
+
+    #[inline(always)]
+    fn get(&self, index: usize) -> Vec3 {
+        Vec3::new(self.x[index], self.y[index], self.z[index])
+    }
+}
+
+/// What spheres and cylinders have in common.
+#[derive(Clone, Debug)]
+struct Common {
+    center: Vectors,
+    radius: Vec<f64>,
+    radius_squared: Vec<f64>,
+    order: Vec<u32>,
+    material: Vec<MaterialId>,
+}
+
+impl Common {
+    fn with_room(count: usize) -> Result<Self, Error> {
+        Ok(Self {
+            center: Vectors::with_room(count)?,
+            radius: with_room(count)?,
+            radius_squared: with_room(count)?,
+            order: with_room(count)?,
+            material: with_room(count)?,
+        })
+    }
+
+    fn push(&mut self, center: Vec3, radius: f64, order: u32, material: MaterialId) {
+        self.center.push(center);
+        self.radius.push(radius);
+        self.radius_squared.push(radius * radius);
+        self.order.push(order);
+        self.material.push(material);
+    }
+}
+
+/// An array for each value of the spheres and of the cylinders.
+#[derive(Clone, Debug)]
+pub struct SoaObjects {
+    spheres: Common,
+    cylinders: Common,
+    axis: Vectors,
+    top: Vectors,
+    bottom: Vectors,
+    half_height: Vec<f64>,
+}
+
+impl Objects for SoaObjects {
+    fn build(scene: &Scene) -> Result<Self, Error> {
+        let (sphere_count, cylinder_count) = count_kinds(scene);
+        let mut spheres = Common::with_room(sphere_count)?;
+        let mut cylinders = Common::with_room(cylinder_count)?;
+        let mut axis = Vectors::with_room(cylinder_count)?;
+        let mut top = Vectors::with_room(cylinder_count)?;
+        let mut bottom = Vectors::with_room(cylinder_count)?;
+        let mut half_height = with_room(cylinder_count)?;
+        let add_sphere = |Placed { record, order, material }: Placed<SphereRecord>| {
+            spheres.push(record.center, record.radius, order, material);
+            Ok(())
+        };
+        for_each_object(scene, add_sphere, |Placed { record, order, material }| {
+            cylinders.push(record.center, record.radius, order, material);
+            axis.push(record.axis);
+            top.push(record.top);
+            bottom.push(record.bottom);
+            half_height.push(record.half_height);
+            Ok(())
+        })?;
+        Ok(Self { spheres, cylinders, axis, top, bottom, half_height })
+    }
+
+    fn sphere_count(&self) -> usize {
+        self.spheres.order.len()
+    }
+
+    fn cylinder_count(&self) -> usize {
+        self.cylinders.order.len()
+    }
+
+    #[inline(always)]
+    fn sphere(&self, index: usize) -> Placed<SphereRecord> {
+        let spheres = &self.spheres;
+        let record = SphereRecord {
+            center: spheres.center.get(index),
+            radius: spheres.radius[index],
+            radius_squared: spheres.radius_squared[index],
+        };
+        Placed { record, order: spheres.order[index], material: spheres.material[index] }
+    }
+
+    #[inline(always)]
+    fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
+        let cylinders = &self.cylinders;
+        let record = CylinderRecord {
+            center: cylinders.center.get(index),
+            axis: self.axis.get(index),
+            top: self.top.get(index),
+            bottom: self.bottom.get(index),
+            radius: cylinders.radius[index],
+            radius_squared: cylinders.radius_squared[index],
+            half_height: self.half_height[index],
+        };
+        Placed { record, order: cylinders.order[index], material: cylinders.material[index] }
+    }
+}

@@ -1,0 +1,225 @@
+//! Writing a file so that it is either the old one or the new one, never a mixture.
+//!
+//! A regular file is written beside its place under a temporary name and renamed over it. Anything else that can be
+//! written to (`/dev/stdout`, `/dev/null`, a pipe) takes the bytes directly.
+
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+
+/// A place to write to that was found writable when it was opened.
+#[derive(Debug)]
+pub struct Output {
+    /// As the caller named it, for messages.
+    named: PathBuf,
+    place: Place,
+}
+
+#[derive(Debug)]
+enum Place {
+    /// This process' standard output, under any of its names.
+    Stdout,
+    /// Something that exists and is no regular file.
+    Special,
+    /// A regular file, or a name that is free: where links lead to, and what it may be done with once it is there.
+    Regular { target: PathBuf, permissions: Option<Permissions> },
+}
+
+const STDOUT_NAMES: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+
+impl Output {
+    /// Checks that `path` can be written, and changes nothing: a long rendering should not end in a refusal that could
+    /// have come at its start.
+    ///
+    /// # Errors
+    /// [`Error::Write`]: it is a folder, its folder does not exist or takes no file, or it is read-only.
+    pub fn open(path: &Path) -> Result<Self, Error> {
+        let place = Place::find(path).map_err(|cause| Error::Write { path: path.to_owned(), cause })?;
+        Ok(Self { named: path.to_owned(), place })
+    }
+
+    /// Replaces the content by what `write` writes.
+    ///
+    /// # Errors
+    /// [`Error::Write`] when `write` or the system fails; a regular file is then as it was.
+    pub fn write(self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
+        let named = self.named;
+        let result = match self.place {
+            Place::Stdout => write(&mut io::stdout().lock()),
+            Place::Special => OpenOptions::new().write(true).open(&named).and_then(|mut file| write(&mut file)),
+            Place::Regular { target, permissions } => replace(&target, permissions, write),
+        };
+        result.map_err(|cause| Error::Write { path: named, cause })
+    }
+}
+
+impl Place {
+    fn find(path: &Path) -> io::Result<Self> {
+        if STDOUT_NAMES.iter().any(|name| path == Path::new(name)) {
+            return Ok(Self::Stdout);
+        }
+        let target = match fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+            Ok(metadata) if !metadata.is_file() => return Ok(Self::Special),
+            // Through symbolic links: the file that they lead to is replaced, not the link.
+            Ok(_) => fs::canonicalize(path)?,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => free_name(path)?,
+            Err(error) => return Err(error),
+        };
+        // Opening for writing, without truncating, asks whether the old file may be changed at all.
+        let permissions = match OpenOptions::new().write(true).open(&target) {
+            Ok(file) => Some(file.metadata()?.permissions()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        let (file, temporary) = create_beside(&target)?;
+        drop(file);
+        fs::remove_file(temporary)?;
+        Ok(Self::Regular { target, permissions })
+    }
+}
+
+/// The place that a name which leads to no file stands for: itself, or where a dangling link points.
+fn free_name(path: &Path) -> io::Result<PathBuf> {
+    let target = match fs::read_link(path) {
+        Ok(target) => path.parent().unwrap_or(Path::new("")).join(target),
+        Err(_) => path.to_owned(),
+    };
+    if target.file_name().is_none() || path.as_os_str().as_encoded_bytes().ends_with(b"/") {
+        return Err(io::Error::new(io::ErrorKind::InvalidFilename, "it is not the name of a file"));
+    }
+    Ok(target)
+}
+
+/// A new file in the folder of `target`, hidden, with a name that no other has.
+fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
+    const TRIES: u32 = 1000;
+
+    let process = std::process::id();
+    for attempt in 0..TRIES {
+        // Short and without the target's own name, which may be as long as a name can be.
+        let temporary = target.with_file_name(format!(".render-{process}-{attempt}.tmp"));
+        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
+            Ok(file) => return Ok((file, temporary)),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
+}
+
+fn replace(
+    target: &Path,
+    permissions: Option<Permissions>,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let (mut file, temporary) = create_beside(target)?;
+    let result = write(&mut file)
+        .and_then(|()| permissions.map_or(Ok(()), |permissions| file.set_permissions(permissions)))
+        .and_then(|()| fs::rename(&temporary, target));
+    if result.is_err() {
+        // The first failure is the one to report; a leftover that cannot be removed either is named by it.
+        let _ = fs::remove_file(&temporary);
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A folder of its own for each test, removed at its end.
+    struct Folder(PathBuf);
+
+    impl Folder {
+        fn new(name: &str) -> Self {
+            let path = std::env::temp_dir().join(format!("render-output-{name}-{}", std::process::id()));
+            fs::create_dir_all(&path).expect("the temporary folder is writable");
+            Self(path)
+        }
+
+        fn names(&self) -> Vec<String> {
+            let entries = fs::read_dir(&self.0).expect("the folder exists");
+            let mut names: Vec<_> =
+                entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned()).collect();
+            names.sort();
+            names
+        }
+    }
+
+    impl Drop for Folder {
+        fn drop(&mut self) {
+            let _ = fs::remove_dir_all(&self.0);
+        }
+    }
+
+    fn write(path: &Path, text: &str) -> Result<(), Error> {
+        Output::open(path)?.write(|out| out.write_all(text.as_bytes()))
+    }
+
+    #[test]
+    fn a_file_is_made_and_replaced_whole() {
+        let folder = Folder::new("replace");
+        let path = folder.0.join("out.ppm");
+        write(&path, "a longer first text").expect("the folder is writable");
+        write(&path, "second").expect("the folder is writable");
+        assert_eq!(fs::read_to_string(&path).expect("written"), "second");
+        assert_eq!(folder.names(), ["out.ppm"]);
+    }
+
+    #[test]
+    fn after_a_failure_the_old_file_stands_alone() {
+        let folder = Folder::new("failure");
+        let path = folder.0.join("out.ppm");
+        write(&path, "old").expect("the folder is writable");
+        let result = Output::open(&path).expect("the folder is writable").write(|out| {
+            out.write_all(b"half of the ne")?;
+            Err(io::ErrorKind::StorageFull.into())
+        });
+        assert!(matches!(result, Err(Error::Write { .. })));
+        assert_eq!(fs::read_to_string(&path).expect("still there"), "old");
+        assert_eq!(folder.names(), ["out.ppm"]);
+    }
+
+    #[test]
+    fn opening_changes_nothing() {
+        let folder = Folder::new("open");
+        let path = folder.0.join("out.ppm");
+        Output::open(&path).expect("the folder is writable");
+        assert!(folder.names().is_empty());
+    }
+
+    #[test]
+    fn folders_and_missing_folders_are_refused_at_once() {
+        let folder = Folder::new("refused");
+        assert!(Output::open(&folder.0).is_err());
+        assert!(Output::open(&folder.0.join("missing/out.ppm")).is_err());
+        assert!(Output::open(&folder.0.join("out.ppm/")).is_err());
+        assert!(Output::open(Path::new("")).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_permissions_kept() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = Folder::new("links");
+        let (path, link) = (folder.0.join("out.ppm"), folder.0.join("link.ppm"));
+        symlink("out.ppm", &link).expect("links are allowed");
+        write(&link, "through a dangling link").expect("the folder is writable");
+        fs::set_permissions(&path, Permissions::from_mode(0o640)).expect("it is ours");
+        write(&link, "through a link").expect("the folder is writable");
+        assert_eq!(fs::read_to_string(&path).expect("written"), "through a link");
+        assert!(fs::symlink_metadata(&link).expect("there").is_symlink());
+        assert_eq!(fs::metadata(&path).expect("there").permissions().mode() & 0o777, 0o640);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn special_files_take_the_bytes_directly() {
+        write(Path::new("/dev/null"), "nothing").expect("/dev/null takes everything");
+        let error = write(Path::new("/dev/full"), "too much").expect_err("/dev/full is always full");
+        assert!(error.to_string().starts_with("Cannot write file [/dev/full]: "), "{error}");
+    }
+}

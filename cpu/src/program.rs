@@ -1,0 +1,62 @@
+//! What the programs do, from three names to a written file.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use crate::config::Config;
+use crate::error::Error;
+use crate::layout::Layout;
+use crate::output::Output;
+use crate::ppm::write_ppm;
+use crate::scatter::Scatter;
+use crate::scene::Scene;
+
+/// Renders `SCENE` as `CONFIG` asks into `OUT.ppm`, given these three names.
+///
+/// # Errors
+/// [`Error::ArgumentCount`] for another number of arguments, then whatever is wrong with the configuration, the scene,
+/// the picture or the output, in this order. The output is as it was.
+pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let [config, scene, out] = &arguments[..] else {
+        return Err(Error::ArgumentCount(arguments.len()));
+    };
+    render_files::<L>(Path::new(config), Path::new(scene), Path::new(out), Scatter::Statement)
+}
+
+/// Renders the files named.
+///
+/// # Errors
+/// As [`run`], but for the number of arguments.
+pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
+    let config_path = config;
+    let config = Config::read(config_path)?;
+    let scene = Scene::read(scene)?;
+    // A camera that cannot be is a fault of the configuration: say so before the output is touched.
+    crate::Camera::new(&config, config.image_size().map_err(|error| Error::from(error).in_file(config_path))?)
+        .map_err(|error| Error::from(error).in_file(config_path))?;
+    let output = Output::open(out)?;
+    let image = crate::render::<L>(&config, &scene, scatter).map_err(|error| error.in_file(config_path))?;
+    output.write(|file| write_ppm(&image, file))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::Aos;
+
+    #[test]
+    fn three_arguments_are_needed() {
+        for count in [0, 1, 2, 4, 9] {
+            let error = run::<Aos>(vec![OsString::from("x"); count]).expect_err("the number is wrong");
+            assert_eq!(error.to_string(), format!("Invalid number of arguments: {count}"));
+        }
+    }
+
+    #[test]
+    fn the_configuration_is_read_first() {
+        let names = ["/nowhere/config", "/nowhere/scene", "/nowhere/out"].map(OsString::from);
+        let error = run::<Aos>(names).expect_err("no file exists");
+        assert!(error.to_string().starts_with("Cannot read file [/nowhere/config]: "), "{error}");
+    }
+}

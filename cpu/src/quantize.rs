@@ -1,0 +1,144 @@
+//! A linear channel to a byte: `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for what is not a number.
+//!
+//! The power function is slow, and a byte has only 256 values: [`Quantizer`] keeps the interval of means that give each
+//! byte and finds the right one by its position in a table. Close to a boundary, where the power function's own rounding
+//! decides, it calls the power function, so the two always agree.
+
+/// The byte of a channel by the definition: one power a call.
+#[must_use]
+pub fn quantize(mean: f64, gamma: f64) -> u8 {
+    // A float-to-integer cast truncates, saturates at 0 and 255, and turns "not a number" into 0.
+    (255.0 * mean.powf(1.0 / gamma)) as u8
+}
+
+/// Cells of the first-guess table over `[0, 1)`.
+const CELLS: usize = 4096;
+
+/// The same bytes as [`quantize`] for one gamma, mostly without a power.
+#[derive(Clone, Debug)]
+pub struct Quantizer {
+    gamma: f64,
+    /// `bounds[k] = (below, from)`: a mean at most `below` gives less than `k`, one of at least `from` gives `k` or more.
+    bounds: Box<[(f64, f64); 256]>,
+    /// The byte of the lowest mean of each cell.
+    first_guess: Box<[u8; CELLS]>,
+}
+
+impl Quantizer {
+    /// The table for a positive `gamma`.
+    #[must_use]
+    pub fn new(gamma: f64) -> Self {
+        let mut bounds = Box::new([(f64::NEG_INFINITY, f64::NEG_INFINITY); 256]);
+        for (byte, bound) in bounds.iter_mut().enumerate().skip(1) {
+            *bound = bound_of(byte as f64 / 255.0, gamma);
+        }
+        let mut first_guess = Box::new([0; CELLS]);
+        let mut byte = 0;
+        for (cell, guess) in first_guess.iter_mut().enumerate() {
+            let mean = cell as f64 / CELLS as f64;
+            while byte < 255 && mean >= bounds[byte + 1].1 {
+                byte += 1;
+            }
+            *guess = byte as u8;
+        }
+        Self { gamma, bounds, first_guess }
+    }
+
+    /// The byte of a channel.
+    #[inline]
+    #[must_use]
+    pub fn quantize(&self, mean: f64) -> u8 {
+        // Negative means and NaN land in cell 0 and fail the comparisons there.
+        let cell = ((mean * CELLS as f64) as usize).min(CELLS - 1);
+        let mut byte = usize::from(self.first_guess[cell]);
+        while byte < 255 {
+            let (below, from) = self.bounds[byte + 1];
+            if mean >= from {
+                byte += 1;
+            } else if mean > below {
+                return self.at_a_boundary(mean);
+            } else {
+                break;
+            }
+        }
+        byte as u8
+    }
+
+    #[cold]
+    fn at_a_boundary(&self, mean: f64) -> u8 {
+        quantize(mean, self.gamma)
+    }
+}
+
+/// Means that are certainly below, and certainly not below, the boundary `root^gamma`.
+///
+/// With `y = mean^(1 / gamma)`, the byte changes where `255 y` crosses an integer. `1 / gamma`, the power and the
+/// product are each rounded: together they move `y` by less than `SLACK` relatively (the power function of any common
+/// platform is right to a few units in the last place; `1 / gamma`'s rounding enters times `ln mean`, and
+/// `|ln mean| / gamma = |ln y| <= ln 255`). The bounds themselves come from a power, hence the second factor.
+fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
+    const SLACK: f64 = 64.0 * f64::EPSILON;
+    let power_slack = SLACK * (1.0 + gamma) * 8.0;
+    let below = (root * (1.0 - SLACK)).powf(gamma) * (1.0 - power_slack);
+    let from = (root * (1.0 + SLACK)).powf(gamma) * (1.0 + power_slack);
+    // An extreme gamma leaves nothing certain: every mean then takes the power function.
+    if below.is_finite() && from > f64::MIN_POSITIVE && power_slack < 0.5 {
+        (below, from)
+    } else {
+        (f64::NEG_INFINITY, f64::INFINITY)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GAMMAS: [f64; 12] = [1.0, 2.2, 2.1, 2.6, 2.5, 1.8, 0.45, 0.1, 10.0, 100.0, 1e-3, 3.0];
+
+    #[test]
+    fn the_definition_truncates_and_clips() {
+        assert_eq!(quantize(0.5, 1.0), 127);
+        assert_eq!(quantize(1.0, 2.2), 255);
+        assert_eq!(quantize(1.5, 1.0), 255);
+        assert_eq!(quantize(-1e-17, 1.0), 0);
+        assert_eq!(quantize(-1e-17, 2.2), 0);
+        assert_eq!(quantize(f64::NAN, 2.2), 0);
+        assert_eq!(quantize(0.25, 2.0), 127);
+    }
+
+    #[test]
+    fn the_table_agrees_around_every_boundary() {
+        for gamma in GAMMAS.into_iter().chain([1e300, 1e-300, f64::MIN_POSITIVE, f64::MAX]) {
+            let table = Quantizer::new(gamma);
+            for byte in 1..=255 {
+                let boundary = (f64::from(byte) / 255.0).powf(gamma);
+                for steps in -300_i64..=300 {
+                    let mean = f64::from_bits(boundary.to_bits().saturating_add_signed(steps));
+                    assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_table_agrees_everywhere_else() {
+        let mut draws = crate::rng::Uniform::new(7);
+        for gamma in GAMMAS {
+            let table = Quantizer::new(gamma);
+            for _ in 0..20_000 {
+                let mean = draws.canonical();
+                assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+            }
+            for mean in [0.0, -0.0, 1.0, 1.0_f64.next_up(), 2.0, -1e-17, f64::INFINITY, f64::NAN] {
+                assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_common_gamma_hardly_ever_needs_the_power() {
+        let table = Quantizer::new(2.2);
+        let uncertain: f64 = table.bounds[1..].iter().map(|(below, from)| from - below).sum();
+        assert!(uncertain < 1e-9, "{uncertain:e} of all means");
+    }
+}

@@ -1,0 +1,244 @@
+//! The renderer by the definition: SPEC.md line by line, slow and plain for good.
+//!
+//! A loop over all objects in the order of the file, for every ray. It shares no formula with the real
+//! renderer, only the vector arithmetic, the random numbers, the camera's window and the definition of a byte, so that
+//! each of the two tells when the other is wrong. Every fast path must give its bytes.
+
+use crate::config::Config;
+use crate::error::Error;
+use crate::image::{Image, Rgb};
+use crate::material::Material;
+use crate::quantize::quantize;
+use crate::rng::Uniform;
+use crate::scatter::{Scatter, ScatterVectors};
+use crate::scene::{Cylinder, Scene, Shape, Sphere};
+use crate::{Camera, Vec3};
+
+/// A ray's nearest hit so far.
+struct Nearest {
+    lambda: f64,
+    point: Vec3,
+    /// The normal that leaves the object.
+    outward: Vec3,
+}
+
+/// Renders by the definition.
+///
+/// # Errors
+/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
+pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
+    let size = config.image_size()?;
+    let mut image = I::black(size)?;
+    render_linear(config, scene, scatter, |index, mean| {
+        let [red, green, blue] = mean.to_array().map(|channel| quantize(channel, config.gamma));
+        image.set_pixel(index, Rgb { red, green, blue });
+    })?;
+    Ok(image)
+}
+
+/// Renders by the definition and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
+///
+/// # Errors
+/// [`Error::Picture`] when the configuration makes no picture.
+pub fn render_linear(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    mut pixel: impl FnMut(usize, Vec3),
+) -> Result<(), Error> {
+    let size = config.image_size()?;
+    let camera = Camera::new(config, size)?;
+    let deterministic = scatter == Scatter::Deterministic;
+    let samples = if deterministic { 1 } else { config.samples_per_pixel };
+    let mut offsets = Uniform::new(config.ray_rng_seed);
+    let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
+    let mut path = Path { config, scene, vectors, reflectances: Vec::new() };
+    for row in 0..size.height() {
+        for column in 0..size.width() {
+            let mut sum = Vec3::ZERO;
+            for _ in 0..samples {
+                let (mut x, mut y) = (0.0, 0.0);
+                if !deterministic {
+                    x = offsets.draw(-0.5, 0.5);
+                    y = offsets.draw(-0.5, 0.5);
+                }
+                let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
+                sum = sum + path.color(camera.position, target - camera.position, config.max_depth);
+            }
+            pixel(row * size.width() + column, sum / samples as f64);
+        }
+    }
+    Ok(())
+}
+
+/// What all rays of a picture share.
+struct Path<'a> {
+    config: &'a Config,
+    scene: &'a Scene,
+    vectors: ScatterVectors,
+    /// Reflectances met by the ray being followed, first hit first. Empty between rays.
+    reflectances: Vec<Vec3>,
+}
+
+impl Path<'_> {
+    /// The colour that arrives along a ray: the recursion of SPEC.md, unrolled so that no depth overflows the stack.
+    fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Vec3 {
+        let mut reflectances = std::mem::take(&mut self.reflectances);
+        let mut color = Vec3::ZERO;
+        for _ in 0..max_depth {
+            let Some((nearest, material)) = self.nearest(origin, direction) else {
+                color = self.background(direction);
+                break;
+            };
+            let front = direction.dot(nearest.outward) < 0.0;
+            let normal = if front { nearest.outward } else { -nearest.outward };
+            let (reflectance, scattered) = self.scatter(material, direction, normal, front);
+            reflectances.push(reflectance);
+            (origin, direction) = (nearest.point, scattered);
+        }
+        // From the last hit back to the first, as the recursion returns.
+        for reflectance in reflectances.drain(..).rev() {
+            color = color.attenuate(reflectance);
+        }
+        self.reflectances = reflectances;
+        color
+    }
+
+    /// The nearest hit over all objects, in the order of the file, and what is hit.
+    fn nearest(&self, origin: Vec3, direction: Vec3) -> Option<(Nearest, Material)> {
+        let mut nearest = Nearest { lambda: f64::INFINITY, point: Vec3::ZERO, outward: Vec3::ZERO };
+        let mut hit = None;
+        for object in &self.scene.objects {
+            let met = match &object.shape {
+                Shape::Sphere(sphere) => meets_sphere(sphere, origin, direction, &mut nearest),
+                Shape::Cylinder(cylinder) => meets_cylinder(cylinder, origin, direction, &mut nearest),
+            };
+            if met {
+                hit = Some(object.material);
+            }
+        }
+        Some((nearest, self.scene.materials[hit? as usize]))
+    }
+
+    fn background(&self, direction: Vec3) -> Vec3 {
+        let m = (direction.unit().y + 1.0) / 2.0;
+        self.config.background_light_color * (1.0 - m) + self.config.background_dark_color * m
+    }
+
+    /// The reflectance of a hit and the direction in which it sends light.
+    fn scatter(&mut self, material: Material, direction: Vec3, normal: Vec3, front: bool) -> (Vec3, Vec3) {
+        match material {
+            Material::Matte { reflectance } => {
+                let scattered = normal + self.vectors.next(1.0);
+                (reflectance, if scattered.is_negligible() { normal } else { scattered })
+            }
+            Material::Metal { reflectance, diffusion } => {
+                let mirrored = direction - normal * (2.0 * direction.dot(normal));
+                (reflectance, mirrored.unit() + self.vectors.next(diffusion))
+            }
+            Material::Refractive { index } => {
+                let u = direction.unit();
+                let cos = (-u.dot(normal)).min(1.0);
+                let sin = (1.0 - cos * cos).sqrt();
+                let ratio = if front { 1.0 / index } else { index };
+                let scattered = if ratio * sin > 1.0 {
+                    u - normal * (2.0 * u.dot(normal))
+                } else {
+                    let p = (u + normal * cos) * ratio;
+                    p - normal * (1.0 - p.dot(p)).abs().sqrt()
+                };
+                (Vec3::ONE, scattered)
+            }
+        }
+    }
+}
+
+/// Whether `lambda` is in range and not farther than the nearest so far. Not a number is neither.
+fn counts(lambda: f64, nearest: &Nearest) -> bool {
+    lambda >= 1e-3 && lambda <= nearest.lambda
+}
+
+fn meets_sphere(sphere: &Sphere, origin: Vec3, direction: Vec3, nearest: &mut Nearest) -> bool {
+    let r_c = sphere.center - origin;
+    let a = direction.dot(direction);
+    let b = -2.0 * direction.dot(r_c);
+    let c = r_c.dot(r_c) - sphere.radius * sphere.radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return false;
+    }
+    for root in [-discriminant.sqrt(), discriminant.sqrt()] {
+        let lambda = (-b + root) / (2.0 * a);
+        if counts(lambda, nearest) {
+            let point = origin + direction * lambda;
+            *nearest = Nearest { lambda, point, outward: (point - sphere.center) / sphere.radius };
+            return true;
+        }
+    }
+    false
+}
+
+fn meets_cylinder(cylinder: &Cylinder, origin: Vec3, direction: Vec3, nearest: &mut Nearest) -> bool {
+    let height = cylinder.axis.length();
+    let axis = cylinder.axis / height;
+    let side = meets_side(cylinder, height, axis, origin, direction, nearest);
+    let top = meets_base(cylinder, height, axis, origin, direction, nearest);
+    let bottom = meets_base(cylinder, height, -axis, origin, direction, nearest);
+    side || top || bottom
+}
+
+fn meets_side(
+    cylinder: &Cylinder,
+    height: f64,
+    axis: Vec3,
+    origin: Vec3,
+    direction: Vec3,
+    nearest: &mut Nearest,
+) -> bool {
+    let perpendicular = |vector: Vec3| vector - axis * vector.dot(axis);
+    let r_c = perpendicular(origin - cylinder.center);
+    let d = perpendicular(direction);
+    let a = d.dot(d);
+    let b = 2.0 * r_c.dot(d);
+    let c = r_c.dot(r_c) - cylinder.radius * cylinder.radius;
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return false;
+    }
+    for root in [-discriminant.sqrt(), discriminant.sqrt()] {
+        let lambda = (-b + root) / (2.0 * a);
+        let point = origin + direction * lambda;
+        let along = (point - cylinder.center).dot(axis);
+        if lambda >= 1e-3 && along.abs() <= height / 2.0 {
+            if !counts(lambda, nearest) {
+                return false;
+            }
+            *nearest = Nearest { lambda, point, outward: (point - cylinder.center) - axis * along };
+            return true;
+        }
+    }
+    false
+}
+
+/// The base whose normal leaves the cylinder along `normal`.
+fn meets_base(
+    cylinder: &Cylinder,
+    height: f64,
+    normal: Vec3,
+    origin: Vec3,
+    direction: Vec3,
+    nearest: &mut Nearest,
+) -> bool {
+    let base = cylinder.center + normal * (height / 2.0);
+    let slope = direction.dot(normal);
+    if slope.abs() < 1e-8 {
+        return false;
+    }
+    let lambda = (base - origin).dot(normal) / slope;
+    let point = origin + direction * lambda;
+    if counts(lambda, nearest) && (point - base).length() <= cylinder.radius {
+        *nearest = Nearest { lambda, point, outward: normal };
+        return true;
+    }
+    false
+}

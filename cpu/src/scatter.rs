@@ -1,0 +1,163 @@
+//! How surfaces send light on (statement, section 3.5), and the random vectors that they need.
+
+use crate::real::Real;
+use crate::rng::Uniform;
+use crate::vec3::Vec3;
+
+/// Where the random vectors come from: the two conventions of SPEC.md, and none at all.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scatter {
+    /// The statement's: a vector in a cube, three draws. What `render-aos` and `render-soa` follow.
+    #[default]
+    Statement,
+    /// The published images': a vector of length one, drawn by rejection, times the diffusion.
+    Published,
+    /// Deterministic mode, for comparing implementations: one ray a pixel, through its middle, whatever
+    /// `samples_per_pixel` says, and null vectors. Nothing is drawn.
+    Deterministic,
+}
+
+/// The stream of random vectors that all materials share.
+#[derive(Clone, Debug)]
+pub struct ScatterVectors {
+    convention: Scatter,
+    draws: Uniform,
+}
+
+impl ScatterVectors {
+    /// The stream of `convention` from a seed.
+    #[must_use]
+    pub fn new(convention: Scatter, seed: u64) -> Self {
+        Self { convention, draws: Uniform::new(seed) }
+    }
+
+    /// The next vector, of half side or length `extent`: 1 for matte, the diffusion for metal.
+    #[inline]
+    pub fn next(&mut self, extent: f64) -> Vec3 {
+        match self.convention {
+            Scatter::Statement => Vec3::from([(); 3].map(|()| self.draws.draw(-extent, extent))),
+            Scatter::Published => self.unit_vector() * extent,
+            Scatter::Deterministic => Vec3::ZERO,
+        }
+    }
+
+    /// A vector of length one: draws in the cube until one falls in the unit ball, away from its middle.
+    fn unit_vector(&mut self) -> Vec3 {
+        loop {
+            let vector = Vec3::from([(); 3].map(|()| self.draws.draw(-1.0, 1.0)));
+            let length_squared = vector.dot(vector);
+            if length_squared > 1e-160 && length_squared <= 1.0 {
+                return vector / length_squared.sqrt();
+            }
+        }
+    }
+}
+
+/// Where a matte surface sends light: around the normal (statement, section 3.5.1).
+#[inline(always)]
+#[must_use]
+pub fn matte(normal: Vec3, vector: Vec3) -> Vec3 {
+    let direction = normal + vector;
+    if direction.is_negligible() { normal } else { direction }
+}
+
+/// The mirror image of `direction` in a surface.
+#[inline(always)]
+#[must_use]
+pub fn reflect<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
+    direction - normal * (direction.dot(normal) * T::of(2.0))
+}
+
+/// Where a metal surface sends light: the mirror image's direction, spread (statement, section 3.5.2).
+#[inline(always)]
+#[must_use]
+pub fn metal<T: Real>(direction: Vec3<T>, normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> {
+    reflect(direction, normal).unit() + vector
+}
+
+/// Where a refractive surface sends light (statement, section 3.5.3). `ratio` is `1 / index` where the ray enters and
+/// `index` where it leaves; beyond the critical angle the ray is reflected instead.
+#[inline(always)]
+#[must_use]
+pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {
+    let one = T::of(1.0);
+    let u = direction.unit();
+    let cos = -u.dot(normal);
+    let cos = T::select(cos.less(one), cos, one);
+    let sin = (one - cos * cos).sqrt();
+    let reflected = reflect(u, normal);
+    let p = (u + normal * cos) * ratio;
+    let refracted = p - normal * (one - p.dot(p)).abs().sqrt();
+    let beyond = one.less(ratio * sin);
+    Vec3::new(
+        T::select(beyond, reflected.x, refracted.x),
+        T::select(beyond, reflected.y, refracted.y),
+        T::select(beyond, reflected.z, refracted.z),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    #[test]
+    fn the_statements_vectors_fill_a_cube_three_draws_each() {
+        let mut vectors = ScatterVectors::new(Scatter::Statement, 13);
+        let mut draws = Uniform::new(13);
+        for extent in [1.0, 2.0, 0.0] {
+            let expected = Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)));
+            assert_eq!(vectors.next(extent), expected);
+        }
+    }
+
+    #[test]
+    fn the_published_vectors_have_the_length_asked_for() {
+        let mut vectors = ScatterVectors::new(Scatter::Published, 13);
+        for _ in 0..1000 {
+            assert!((vectors.next(1.0).length() - 1.0).abs() < 1e-15);
+            assert!((vectors.next(2.5).length() - 2.5).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn deterministic_vectors_are_null() {
+        assert_eq!(ScatterVectors::new(Scatter::Deterministic, 1).next(3.0), Vec3::ZERO);
+    }
+
+    #[test]
+    fn matte_falls_back_to_the_normal() {
+        let vector = Vec3::new(0.5, 0.0, 0.0);
+        assert_eq!(matte(UP, vector), Vec3::new(0.5, 1.0, 0.0));
+        assert_eq!(matte(UP, -UP), UP);
+        assert_eq!(matte(UP, Vec3::new(9e-9, -1.0, 0.0)), UP);
+        assert_eq!(matte(UP, Vec3::new(2e-8, -1.0, 0.0)), Vec3::new(2e-8, 0.0, 0.0));
+    }
+
+    #[test]
+    fn metal_mirrors_and_spreads() {
+        let down = Vec3::new(3.0, -4.0, 0.0);
+        assert_eq!(reflect(down, UP), Vec3::new(3.0, 4.0, 0.0));
+        assert_eq!(metal(down, UP, Vec3::ZERO), Vec3::new(0.6, 0.8, 0.0));
+        assert_eq!(metal(down, UP, Vec3::ONE), Vec3::new(1.6, 1.8, 1.0));
+    }
+
+    #[test]
+    fn light_is_bent_by_snells_law() {
+        let incoming = Vec3::new(3.0, -4.0, 0.0);
+        let bent = refract(incoming, UP, 1.0 / 1.5);
+        assert!((bent.length() - 1.0).abs() < 1e-15);
+        assert!((bent.x - 0.6 / 1.5).abs() < 1e-15, "sine of refraction is sine of incidence over the index");
+        assert!(bent.y < 0.0);
+    }
+
+    #[test]
+    fn straight_light_stays_straight_and_beyond_the_critical_angle_it_is_reflected() {
+        assert_eq!(refract(-UP, UP, 1.5), -UP);
+        assert_eq!(refract(Vec3::new(3.0, -4.0, 0.0), UP, 2.0), Vec3::new(0.6, 0.8, 0.0));
+        // At the critical angle itself, ratio sin = 1 is not beyond it: the light leaves along the surface.
+        let grazing = refract(Vec3::new(1.0, 0.0, 0.0), UP, 1.0);
+        assert_eq!(grazing, Vec3::new(1.0, 0.0, 0.0));
+    }
+}

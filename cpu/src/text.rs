@@ -1,0 +1,228 @@
+//! Reading text: lines with a bounded length, tokens between blanks, numbers that must be whole tokens.
+//!
+//! Both input files share these rules (SPEC.md, "Configuration file"): blanks and tabs separate tokens, a line ends in
+//! LF or CRLF, and bytes need not be valid UTF-8.
+
+use std::io::{self, BufRead, Read};
+
+/// Longest accepted line, in bytes. A longer one is refused before it is held in memory.
+pub const MAX_LINE_BYTES: usize = 1 << 20;
+
+/// Largest accepted input file, in bytes. Reading stops there, so that an endless input ends in an error.
+pub const MAX_FILE_BYTES: u64 = 1 << 30;
+
+/// Calls `visit` with every line of `input`, without its line end (LF or CRLF).
+///
+/// # Errors
+/// The first error that `visit` returns, or one made from [`io::Error`]: the input cannot be read, a line is longer
+/// than [`MAX_LINE_BYTES`], or the whole is longer than [`MAX_FILE_BYTES`].
+pub fn for_each_line<E: From<io::Error>>(
+    input: impl BufRead,
+    mut visit: impl FnMut(&[u8]) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut input = input.take(MAX_FILE_BYTES + 1);
+    let mut line = Vec::new();
+    let mut total = 0_u64;
+    for number in 1_u64.. {
+        line.clear();
+        let length = (&mut input).take(MAX_LINE_BYTES as u64 + 2).read_until(b'\n', &mut line)?;
+        total += length as u64;
+        if length == 0 {
+            break;
+        }
+        let content = without_line_end(&line);
+        if content.len() > MAX_LINE_BYTES {
+            let text = format!("line {number} is longer than {MAX_LINE_BYTES} bytes");
+            return Err(io::Error::new(io::ErrorKind::InvalidData, text).into());
+        }
+        if total > MAX_FILE_BYTES {
+            let text = format!("it is larger than {MAX_FILE_BYTES} bytes");
+            return Err(io::Error::new(io::ErrorKind::FileTooLarge, text).into());
+        }
+        visit(content)?;
+    }
+    Ok(())
+}
+
+/// The line without a closing LF or CRLF.
+fn without_line_end(line: &[u8]) -> &[u8] {
+    match line.strip_suffix(b"\n") {
+        Some(line) => line.strip_suffix(b"\r").unwrap_or(line),
+        None => line.strip_suffix(b"\r").unwrap_or(line),
+    }
+}
+
+const fn is_blank(byte: u8) -> bool {
+    byte == b' ' || byte == b'\t'
+}
+
+/// `text` without blanks and tabs at both ends.
+#[must_use]
+pub fn trim(text: &[u8]) -> &[u8] {
+    let start = text.iter().position(|&byte| !is_blank(byte)).unwrap_or(text.len());
+    let end = text.iter().rposition(|&byte| !is_blank(byte)).map_or(start, |last| last + 1);
+    &text[start..end]
+}
+
+/// The tokens of a line, one at a time, and what is left of it.
+#[derive(Clone, Debug)]
+pub struct Tokens<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Tokens<'a> {
+    /// The tokens of `line`.
+    #[must_use]
+    pub const fn new(line: &'a [u8]) -> Self {
+        Self { rest: line }
+    }
+
+    /// What has not been read, without blanks at both ends; empty when nothing is left.
+    #[must_use]
+    pub fn rest(&self) -> &'a [u8] {
+        trim(self.rest)
+    }
+
+    /// The next token as a real number; see [`parse_real`].
+    pub fn real(&mut self) -> Option<f64> {
+        parse_real(self.next()?)
+    }
+
+    /// The next three tokens as real numbers.
+    pub fn reals(&mut self) -> Option<[f64; 3]> {
+        Some([self.real()?, self.real()?, self.real()?])
+    }
+
+    /// The next token as a positive integer of at most 64 bits.
+    pub fn positive_integer(&mut self) -> Option<u64> {
+        parse_positive_integer(self.next()?)
+    }
+}
+
+impl<'a> Iterator for Tokens<'a> {
+    type Item = &'a [u8];
+
+    #[inline]
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let start = self.rest.iter().position(|&byte| !is_blank(byte))?;
+        let rest = &self.rest[start..];
+        let length = rest.iter().position(|&byte| is_blank(byte)).unwrap_or(rest.len());
+        let (token, rest) = rest.split_at(length);
+        self.rest = rest;
+        Some(token)
+    }
+}
+
+/// A plain decimal or scientific number that fills the token: `1`, `-2.`, `.25`, `+1e-3`.
+///
+/// Correctly rounded. `None` for anything else: `nan`, `inf`, hexadecimal, trailing text, or a value that overflows.
+#[must_use]
+pub fn parse_real(token: &[u8]) -> Option<f64> {
+    // The standard library also reads `inf`, `infinity` and `nan`; no other accepted spelling has a letter but `e`.
+    if !token.iter().all(|byte| matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E')) {
+        return None;
+    }
+    let text = std::str::from_utf8(token).ok()?;
+    text.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// A decimal integer in `1..=u64::MAX` that fills the token; a leading `+` is allowed.
+#[must_use]
+pub fn parse_positive_integer(token: &[u8]) -> Option<u64> {
+    let text = std::str::from_utf8(token).ok()?;
+    text.parse().ok().filter(|&value| value > 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::BufReader;
+
+    fn lines(input: &[u8]) -> Vec<Vec<u8>> {
+        let mut all = Vec::new();
+        for_each_line::<io::Error>(input, |line| {
+            all.push(line.to_vec());
+            Ok(())
+        })
+        .expect("the input is short and in memory");
+        all
+    }
+
+    #[test]
+    fn lines_end_in_lf_crlf_or_the_end_of_the_file() {
+        assert_eq!(lines(b""), Vec::<Vec<u8>>::new());
+        assert_eq!(lines(b"a\nb\r\n\nc"), [b"a".to_vec(), b"b".to_vec(), b"".to_vec(), b"c".to_vec()]);
+        assert_eq!(lines(b"a\r\r\nb\r"), [b"a\r".to_vec(), b"b".to_vec()]);
+    }
+
+    #[test]
+    fn an_endless_line_is_refused_within_bounded_memory() {
+        let error = for_each_line::<io::Error>(BufReader::new(io::repeat(0)), |_| Ok(())).unwrap_err();
+        assert_eq!(error.to_string(), "line 1 is longer than 1048576 bytes");
+    }
+
+    #[test]
+    fn the_longest_line_is_accepted() {
+        let mut text = vec![b'x'; MAX_LINE_BYTES];
+        text.extend_from_slice(b"\r\ny");
+        let lengths: Vec<usize> = lines(&text).iter().map(Vec::len).collect();
+        assert_eq!(lengths, [MAX_LINE_BYTES, 1]);
+        text.insert(0, b'x');
+        assert!(for_each_line::<io::Error>(&text[..], |_| Ok(())).is_err());
+    }
+
+    #[test]
+    fn an_endless_file_is_refused() {
+        struct Endless;
+        impl Read for Endless {
+            fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+                buffer.fill(b' ');
+                buffer.iter_mut().step_by(MAX_LINE_BYTES / 2).for_each(|byte| *byte = b'\n');
+                Ok(buffer.len())
+            }
+        }
+        let input = BufReader::with_capacity(MAX_LINE_BYTES, Endless);
+        let error = for_each_line::<io::Error>(input, |_| Ok(())).unwrap_err();
+        assert_eq!(error.to_string(), "it is larger than 1073741824 bytes");
+    }
+
+    #[test]
+    fn tokens_are_separated_by_blanks_and_tabs() {
+        let mut tokens = Tokens::new(b" \ta:  1\t2 x y ");
+        assert_eq!(tokens.next(), Some(&b"a:"[..]));
+        assert_eq!(tokens.real(), Some(1.0));
+        assert_eq!(tokens.rest(), b"2 x y");
+        assert_eq!(tokens.positive_integer(), Some(2));
+        assert_eq!(tokens.reals(), None);
+        assert_eq!(Tokens::new(b" \t").next(), None);
+        assert_eq!(Tokens::new(b"1 2 3").reals(), Some([1.0, 2.0, 3.0]));
+        assert_eq!(Tokens::new(b" ").rest(), b"");
+    }
+
+    #[test]
+    fn reals_are_plain_decimal_or_scientific() {
+        for (text, value) in [(".25", 0.25), ("1e-3", 1e-3), ("-2.", -2.0), ("+1", 1.0), ("1E2", 100.0)] {
+            assert_eq!(parse_real(text.as_bytes()), Some(value), "{text}");
+        }
+        let smallest = parse_real(b"1e-400").expect("a number too small to hold rounds to zero");
+        assert_eq!(smallest, 0.0);
+    }
+
+    #[test]
+    fn reals_that_are_not_whole_plain_or_finite_are_refused() {
+        for text in ["", "nan", "inf", "-infinity", "0x10", "1.5x", "1e400", ".", "e3", "1e", "--1", "1,5", "1_0"] {
+            assert_eq!(parse_real(text.as_bytes()), None, "{text}");
+        }
+        assert_eq!(parse_real(b"1\0"), None);
+        assert_eq!(parse_real(b"\xff"), None);
+    }
+
+    #[test]
+    fn integers_are_positive_and_whole() {
+        assert_eq!(parse_positive_integer(b"+7"), Some(7));
+        assert_eq!(parse_positive_integer(b"18446744073709551615"), Some(u64::MAX));
+        for text in ["0", "-1", "1.0", "1e3", "18446744073709551616", "", "x", "0x1"] {
+            assert_eq!(parse_positive_integer(text.as_bytes()), None, "{text}");
+        }
+    }
+}
