@@ -16,8 +16,8 @@
 //! # Ok::<(), cpu::Error>(())
 //! ```
 //!
-//! Two renderers live here. The module [`mod@reference`] follows the specification line by line and stays slow and plain; the real one
-//! ([`render`](crate::render())) takes every shortcut that gives the same bytes.
+//! Two renderers live here. The module [`mod@reference`] follows the specification line by line and stays slow and
+//! plain; the real one ([`render`](crate::render())) takes every shortcut that gives the same bytes.
 
 pub mod background;
 pub mod camera;
