@@ -75,20 +75,27 @@ impl<T: Real> CylinderRecord<T> {
         (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
     }
 
-    /// Where the ray meets the plane through `base`, one of the two centres, and the product of ray and axis.
+    /// The curved side, given the quadratic: the smaller root that is in range and between the bases, else the larger;
+    /// and whether that counts. Where the discriminant is negative nothing does.
     #[inline(always)]
     #[must_use]
-    pub fn plane(&self, ray: &Ray<T>, base: Vec3<T>) -> (T, T) {
-        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
-        let slope = ray.direction.dot(self.axis);
-        ((base - ray.origin).dot(self.axis) / slope, slope)
+    pub fn side(&self, ray: &Ray<T>, (a, h, discriminant): (T, T, T)) -> (T, T::Mask) {
+        let root = discriminant.sqrt();
+        let (near, far) = ((-h - root) / a, (-h + root) / a);
+        let near_counts = in_range(near) & self.within_height(ray, near);
+        let far_counts = in_range(far) & self.within_height(ray, far);
+        (T::select(near_counts, near, far), near_counts | far_counts)
     }
 
-    /// Whether the point at `lambda` lies on the disc around `base`.
+    /// The disc around `base`, one of the two centres: where the ray meets its plane, and whether that counts.
     #[inline(always)]
     #[must_use]
-    pub fn on_disc(&self, ray: &Ray<T>, base: Vec3<T>, lambda: T) -> T::Mask {
-        (ray.at(lambda) - base).length().less_equal(self.radius)
+    pub fn base(&self, ray: &Ray<T>, base: Vec3<T>) -> (T, T::Mask) {
+        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
+        let slope = ray.direction.dot(self.axis);
+        let lambda = (base - ray.origin).dot(self.axis) / slope;
+        let on_disc = (ray.at(lambda) - base).length().less_equal(self.radius);
+        (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & on_disc)
     }
 
     /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
@@ -116,42 +123,19 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     #[inline(always)]
     #[must_use]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, Part)> {
-        let mut nearest = self.side(ray).map(|lambda| (lambda, Part::Side));
+        let quadratic = self.quadratic(ray);
+        let mut nearest = None;
+        if !quadratic.2.less(T::of(0.0)) {
+            let (lambda, met) = self.side(ray, quadratic);
+            nearest = met.then_some((lambda, Part::Side));
+        }
         for (base, part) in [(self.top, Part::Top), (self.bottom, Part::Bottom)] {
-            if let Some(lambda) = self.base(ray, base)
-                && nearest.is_none_or(|(best, _)| lambda.less_equal(best))
-            {
+            let (lambda, met) = self.base(ray, base);
+            if met && nearest.is_none_or(|(best, _)| lambda.less_equal(best)) {
                 nearest = Some((lambda, part));
             }
         }
         nearest
-    }
-
-    /// The curved side: the smaller root that is in range and between the bases, else the larger.
-    #[inline(always)]
-    fn side(&self, ray: &Ray<T>) -> Option<T> {
-        let (a, h, discriminant) = self.quadratic(ray);
-        if discriminant.less(T::of(0.0)) {
-            return None;
-        }
-        let root = discriminant.sqrt();
-        let counts = |lambda: T| in_range(lambda) && self.within_height(ray, lambda);
-        let near = (-h - root) / a;
-        if counts(near) {
-            return Some(near);
-        }
-        let far = (-h + root) / a;
-        counts(far).then_some(far)
-    }
-
-    /// The disc around `base`.
-    #[inline(always)]
-    fn base(&self, ray: &Ray<T>, base: Vec3<T>) -> Option<T> {
-        let (lambda, slope) = self.plane(ray, base);
-        if slope.abs().less(T::of(PARALLEL)) {
-            return None;
-        }
-        (in_range(lambda) && self.on_disc(ray, base, lambda)).then_some(lambda)
     }
 }
 

@@ -39,6 +39,7 @@ mod render;
 pub mod rng;
 pub mod scatter;
 pub mod scene;
+pub mod simd;
 pub mod sphere;
 pub mod text;
 pub mod vec3;

@@ -39,6 +39,23 @@ impl<T: Real> SphereRecord<T> {
         (h, h * h - a * c)
     }
 
+    /// Both roots of the quadratic; not numbers where the discriminant is negative.
+    #[inline(always)]
+    #[must_use]
+    pub fn roots(a: T, h: T, discriminant: T) -> (T, T) {
+        let root = discriminant.sqrt();
+        ((h - root) / a, (h + root) / a)
+    }
+
+    /// The smaller root that is in range, else the larger, and whether that is in range; without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_root(a: T, h: T, discriminant: T) -> (T, T::Mask) {
+        let (near, far) = Self::roots(a, h, discriminant);
+        let lambda = T::select(in_range(near), near, far);
+        (lambda, in_range(lambda))
+    }
+
     /// The normal at `point` that leaves the sphere, of length one.
     #[inline(always)]
     #[must_use]
@@ -65,13 +82,8 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
         if discriminant.less(T::of(0.0)) {
             return None;
         }
-        let root = discriminant.sqrt();
-        let near = (h - root) / a;
-        if in_range(near) {
-            return Some(near);
-        }
-        let far = (h + root) / a;
-        in_range(far).then_some(far)
+        let (lambda, met) = Self::first_root(a, h, discriminant);
+        met.then_some(lambda)
     }
 }
 
