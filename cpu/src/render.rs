@@ -67,7 +67,7 @@ impl<L: Layout, P: FnMut(usize, Vec3)> Kernel for Picture<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self) {
+    fn call<S: Simd>(self, simd: S) {
         let Self { prepared, mut pixel } = self;
         let mut offsets = BlockUniform::new(prepared.ray_seed);
         let mut batch = Batch::new();
@@ -78,11 +78,11 @@ impl<L: Layout, P: FnMut(usize, Vec3)> Kernel for Picture<'_, L, P> {
             candidates.begin_row(prepared, row);
             for span in Spans::of_row(prepared.size.width(), prepared.samples) {
                 candidates.narrow(prepared, row, &span);
-                batch.draw(prepared, &span, &mut offsets);
-                primary::trace::<S, L>(prepared, row, &candidates, &mut batch);
-                glass::trace::<S, L>(prepared, &mut batch);
-                walk.follow::<S, L>(prepared, &mut batch);
-                ends::color::<S, L>(prepared, &mut walk.ended, &mut batch);
+                simd.run(batch::Draw { prepared, span: &span, offsets: &mut offsets, batch: &mut batch });
+                simd.run(primary::Trace { prepared, row, candidates: &candidates, batch: &mut batch });
+                simd.run(glass::Trace { prepared, batch: &mut batch });
+                simd.run(walk::Follow { prepared, walk: &mut walk, batch: &mut batch });
+                simd.run(ends::Color { prepared, ended: &mut walk.ended, batch: &mut batch });
                 sums.add(&span, &batch, |column, mean| pixel(row * prepared.size.width() + column, mean));
             }
         }

@@ -5,6 +5,7 @@ use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
 use crate::search::ObjectId;
+use crate::simd::{Kernel, Simd};
 use crate::vec3::Vec3;
 
 use super::span::Span;
@@ -44,6 +45,23 @@ impl Vectors {
         self.x[sample] = vector.x;
         self.y[sample] = vector.y;
         self.z[sample] = vector.z;
+    }
+}
+
+/// Begins a span: places its samples in their pixels.
+pub struct Draw<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub span: &'a Span,
+    pub offsets: &'a mut BlockUniform,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Draw<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.batch.draw(self.prepared, self.span, self.offsets);
     }
 }
 
@@ -92,9 +110,8 @@ impl Batch {
         })
     }
 
-    /// Begins a span: places its samples in their pixels.
     #[inline(always)]
-    pub fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+    fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
         self.count = span.count;
         let mut left_in_pixel = prepared.samples - span.first_sample;
         let (mut column, mut from) = (span.first, 0);

@@ -4,7 +4,7 @@ use super::batch::Batch;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::scene::MaterialId;
-use crate::simd::{Lanes, Simd};
+use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
 /// Paths that have left the scene, in the order in which they did.
@@ -51,8 +51,23 @@ impl Ended {
 }
 
 /// Gives every path that has left the scene its colour, and forgets it.
+pub struct Color<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub ended: &'a mut Ended,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Color<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        color::<S, L>(self.prepared, self.ended, self.batch);
+    }
+}
+
 #[inline(always)]
-pub fn color<S: Simd, L: Layout>(prepared: &Prepared<L>, ended: &mut Ended, batch: &mut Batch) {
+fn color<S: Simd, L: Layout>(prepared: &Prepared<L>, ended: &mut Ended, batch: &mut Batch) {
     let background = prepared.background.lanes::<S::F64>();
     let count = ended.sample.len();
     let padded = count.next_multiple_of(S::F64::LANES);
