@@ -15,7 +15,7 @@ mod leaving;
 pub use bounds::Bounds;
 pub use filter::Filter;
 pub use found::Found;
-pub use hierarchy::Hierarchy;
+pub use hierarchy::{Hierarchy, Stack};
 
 use crate::error::Error;
 use crate::layout::Objects;
@@ -59,11 +59,11 @@ impl Search {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
         match self {
             Self::Plain => plain(objects, ray),
             Self::Flat(filter) => filter.nearest::<S, O>(objects, ray, from),
-            Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O>(objects, ray, from),
+            Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O>(objects, ray, from, stack),
             Self::Tree(_) => plain(objects, ray),
         }
     }

@@ -4,7 +4,7 @@ use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
-use crate::search::ObjectId;
+use crate::search::{ObjectId, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::vec3::Vec3;
 
@@ -31,7 +31,8 @@ pub struct Vectors {
 }
 
 impl Vectors {
-    const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
+    /// All null.
+    pub const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
 
     /// The vector of a sample.
     #[inline(always)]
@@ -89,6 +90,8 @@ pub struct Batch {
     pub waiting: Vec<u32>,
     /// Colours of the samples, linear.
     pub color: Vectors,
+    /// Room for the search.
+    pub stack: Stack,
     draws: [f64; 2 * CAPACITY],
 }
 
@@ -106,6 +109,7 @@ impl Batch {
             in_glass: Vec::with_capacity(CAPACITY),
             waiting: Vec::with_capacity(CAPACITY),
             color: Vectors::ZERO,
+            stack: Stack::EMPTY,
             draws: [0.0; 2 * CAPACITY],
         })
     }

@@ -41,7 +41,7 @@ fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, sample:
     let mut ray = Ray { origin: batch.point.get(sample), direction: batch.base.get(sample) };
     let mut from = batch.object[sample];
     for passed in 1..prepared.max_depth {
-        let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from);
+        let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut batch.stack);
         if !found.is_hit() {
             batch.color.set(sample, prepared.background.color(ray.direction));
             return;

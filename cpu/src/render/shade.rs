@@ -95,6 +95,12 @@ pub fn select<V: Real>(mask: V::Mask, yes: Vec3<V>, no: Vec3<V>) -> Vec3<V> {
     Vec3::new(V::select(mask, yes.x, no.x), V::select(mask, yes.y, no.y), V::select(mask, yes.z, no.z))
 }
 
+/// Loads the lanes of three arrays from `at` on.
+#[inline(always)]
+pub fn load<V: Lanes>(vectors: &super::batch::Vectors, at: usize) -> Vec3<V> {
+    Vec3::new(V::load(&vectors.x[at..]), V::load(&vectors.y[at..]), V::load(&vectors.z[at..]))
+}
+
 /// Stores lanes into three arrays from `at` on.
 #[inline(always)]
 pub fn store<V: Lanes>(vector: Vec3<V>, vectors: &mut super::batch::Vectors, at: usize) {

@@ -9,7 +9,7 @@ use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
 use crate::scatter;
 use crate::scene::MaterialId;
-use crate::search::ObjectId;
+use crate::search::{ObjectId, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::surface::{Onward, Surface};
 
@@ -19,12 +19,17 @@ pub struct Walk {
     triples: Triples,
     /// The paths of the present batch that have left the scene.
     pub ended: Ended,
+    stack: Stack,
 }
 
 impl Walk {
     /// At the beginning of the stream.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
-        Self { triples: Triples::new(prepared.scatter, prepared.material_seed), ended: Ended::default() }
+        Self {
+            triples: Triples::new(prepared.scatter, prepared.material_seed),
+            ended: Ended::new(),
+            stack: Stack::EMPTY,
+        }
     }
 
     /// Follows every waiting sample to its end.
@@ -62,7 +67,7 @@ impl Walk {
                     return self.ended.forget();
                 }
                 depth_left -= 1;
-                let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from);
+                let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut self.stack);
                 if !found.is_hit() {
                     return self.ended.leave(sample, ray.direction);
                 }

@@ -102,6 +102,15 @@ pub struct Hierarchy {
     reach: f64,
 }
 
+/// Nodes that wait to be visited, with their distances; kept between rays, for clearing it would cost more than a visit.
+#[derive(Clone, Debug)]
+pub struct Stack([(u32, f32); STACK]);
+
+impl Stack {
+    /// Nothing waits.
+    pub const EMPTY: Self = Self([(0, 0.0); STACK]);
+}
+
 /// A ray as the boxes see it.
 struct BoxRay<F> {
     /// The origin, rounded so that near planes are not farther, and far planes not nearer, than they are.
@@ -171,7 +180,13 @@ impl Hierarchy {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
+    pub fn nearest<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        from: ObjectId,
+        Stack(stack): &mut Stack,
+    ) -> Found {
         let mut found = Found::NOTHING;
         let a = ray.direction.dot(ray.direction);
         // A direction of no length, or of no number, has no distances; every object that it could meet is none.
@@ -179,11 +194,11 @@ impl Hierarchy {
             return found;
         }
         let box_ray = BoxRay::<S::F32>::new(ray);
-        let mut stack = [(0_u32, 0.0_f32); STACK];
+        stack[0] = (0, 0.0);
         let mut waiting = 1;
         while waiting > 0 {
             waiting -= 1;
-            let (index, distance) = stack[waiting];
+            let (index, distance) = stack[waiting % STACK];
             // The nearest hit so far, rounded up; infinite at first.
             let farthest = (found.lambda as f32).next_up();
             if distance > farthest {
