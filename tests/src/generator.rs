@@ -16,6 +16,9 @@ use draws::Draws;
 /// Materials in every scene, each kind as often as the options say.
 const PALETTE: usize = 24;
 
+/// What the ground of a grid is made of: a warm grey that leaves the colours to the objects.
+const GROUND: Material = Material::Matte { reflectance: Vec3::new(0.5, 0.47, 0.42) };
+
 /// Where objects are put.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arrangement {
@@ -64,10 +67,14 @@ impl Default for Options {
 #[must_use]
 pub fn scene(options: &Options) -> Scene {
     let mut draws = Draws::new(options.seed);
-    let materials = (0..PALETTE).map(|_| material(&mut draws, options.materials)).collect();
+    let mut materials: Vec<_> = (0..PALETTE).map(|_| material(&mut draws, options.materials)).collect();
     let shapes = arrange::shapes(&mut draws, options);
-    let objects =
+    let mut objects: Vec<_> =
         shapes.into_iter().map(|shape| Object { shape, material: draws.index(PALETTE) as MaterialId }).collect();
+    if let (Arrangement::Grid, Some(ground)) = (options.arrangement, objects.first_mut()) {
+        ground.material = materials.len() as MaterialId;
+        materials.push(GROUND);
+    }
     Scene { materials, objects }
 }
 
@@ -75,17 +82,23 @@ pub fn scene(options: &Options) -> Scene {
 #[must_use]
 pub fn view(options: &Options) -> Config {
     let [position, target] = match options.arrangement {
-        Arrangement::Grid => [[0.35, 0.55, -1.35], [0.0, 0.0, -0.15]],
+        Arrangement::Grid => {
+            // From before the near edge, a few squares up, so that a board of any size is seen from among its objects.
+            let square = 2.0 / arrange::squares_a_side(options.objects) as f64;
+            [[0.7 * square, 3.2 * square, -1.0 - 2.6 * square], [0.0, 0.0, -1.0 + 2.8 * square]]
+        }
         _ => [[1.2, 0.9, -2.2], [0.0; 3]],
     };
     let place = |point: [f64; 3]| Vec3::from(point.map(|component| draws::round(component * options.extent)));
     Config {
-        image_width: 480,
+        image_width: 400,
         camera_position: place(position),
         camera_target: place(target),
         field_of_view: 50.0,
-        samples_per_pixel: 16,
+        samples_per_pixel: 8,
         max_depth: 8,
+        background_dark_color: Vec3::new(0.25, 0.45, 0.85),
+        background_light_color: Vec3::new(1.0, 0.92, 0.82),
         ..Config::default()
     }
 }
@@ -122,7 +135,7 @@ mod tests {
             for objects in [0, 1, 2, 100, 1000] {
                 let scene = scene(&Options { objects, arrangement, ..Options::default() });
                 assert_eq!(scene.objects.len(), objects);
-                assert_eq!(scene.materials.len(), PALETTE);
+                assert!(scene.materials.len() >= PALETTE);
             }
         }
     }

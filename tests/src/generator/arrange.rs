@@ -39,6 +39,11 @@ fn scattered(draws: &mut Draws, options: &Options) -> Shape {
     }
 }
 
+/// Squares along each side of a board that holds so many objects, the ground among them.
+pub(super) fn squares_a_side(objects: usize) -> usize {
+    (1..).find(|side| side * side + 1 >= objects).unwrap_or(1)
+}
+
 /// The ground first, then one object on each square of the board, row by row.
 fn on_the_grid(draws: &mut Draws, options: &Options, index: usize) -> Shape {
     /// The ground's radius over the extent: flat enough to stand on.
@@ -48,11 +53,11 @@ fn on_the_grid(draws: &mut Draws, options: &Options, index: usize) -> Shape {
     let Some(square) = index.checked_sub(1) else {
         return shape(Vec3::new(0.0, -GROUND * extent, 0.0), GROUND * extent, None);
     };
-    let side = (1..).find(|side| side * side + 1 >= options.objects).unwrap_or(1);
+    let side = squares_a_side(options.objects);
     let step = 2.0 * extent / side as f64;
     let middle = |position: usize| (position as f64 + 0.5) * step - extent;
-    let [x, z] = [square % side, square / side].map(|at| round(middle(at) + step * draws.between(-0.15, 0.15)));
-    let size = step * draws.between(0.15, 0.32);
+    let [x, z] = [square % side, square / side].map(|at| round(middle(at) + step * draws.between(-0.1, 0.1)));
+    let size = step * draws.between(0.2, 0.42);
     if draws.chance(options.cylinders) {
         let lean = draws.direction(0.5 * size);
         let height = round(2.0 * size);
