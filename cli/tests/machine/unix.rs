@@ -21,6 +21,7 @@ pub fn trials() -> Vec<Trial> {
     let can_mount = is_root && mounts();
     vec![
         Trial::test("a_limit_on_file_sizes_leaves_the_old_file", a_limit_on_file_sizes_leaves_the_old_file),
+        Trial::test("too_little_memory_is_an_error", too_little_memory_is_an_error),
         Trial::test("a_read_only_folder_takes_no_file", move || a_read_only_folder_takes_no_file(is_root)),
         Trial::test("a_read_only_file_is_not_replaced", move || a_read_only_file_is_not_replaced(is_root)),
         Trial::test("a_full_disk_leaves_the_old_file", a_full_disk_leaves_the_old_file)
@@ -91,15 +92,34 @@ fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
     let out = place.path("d/out.ppm");
     fs::write(&out, "old")?;
     for program in PROGRAMS {
-        let render = place.render(program, &out);
-        // A limit of 16 blocks; with its signal ignored the write fails as on a full disk.
-        let mut limited = Command::new("bash");
-        limited.args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$@\"", "limited"]);
-        let output = limited.arg(render.get_program()).args(render.get_args()).output()?;
+        // Of 16 blocks; with the limit's signal ignored the write fails as on a full disk.
+        let output = limited("trap '' XFSZ; ulimit -f 16", &place.render(program, &out))?;
         check_refusal(&output, &out, "File too large")?;
         check_old(&out)?;
     }
     Ok(())
+}
+
+fn too_little_memory_is_an_error() -> Result<(), Failed> {
+    let place = Place::new()?;
+    // Allowed, and 1.2 GB large, where a process may have a fifth of that.
+    fs::write(place.path("config.txt"), "image_width: 20000\naspect_ratio: 1 1\n")?;
+    let out = place.path("out.ppm");
+    for program in PROGRAMS {
+        let output = limited("ulimit -v 250000", &place.render(program, &out))?;
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        if output.status.code() != Some(1) || stderr != "Error: Not enough memory for the image\n" || out.exists() {
+            return Err(format!("{output:?}").into());
+        }
+    }
+    Ok(())
+}
+
+/// Runs a command after a shell has limited itself.
+fn limited(limits: &str, command: &Command) -> std::io::Result<Output> {
+    let mut shell = Command::new("bash");
+    shell.args(["-c", &format!("{limits}; exec \"$@\""), "limited"]);
+    shell.arg(command.get_program()).args(command.get_args()).output()
 }
 
 fn a_full_disk_leaves_the_old_file() -> Result<(), Failed> {
