@@ -64,6 +64,20 @@ impl Quantizer {
         byte as u8
     }
 
+    /// The byte of every mean from `low` to `high`, if they certainly have one in common.
+    #[inline]
+    #[must_use]
+    pub fn quantize_interval(&self, low: f64, high: f64) -> Option<u8> {
+        let cell = ((low * CELLS as f64) as usize).min(CELLS - 1);
+        let mut byte = usize::from(self.first_guess[cell]);
+        while byte < 255 && low >= self.bounds[byte + 1].1 {
+            byte += 1;
+        }
+        let certainly_from = byte == 0 || low >= self.bounds[byte].1;
+        let certainly_below = byte == 255 || high <= self.bounds[byte + 1].0;
+        (certainly_from && certainly_below && low <= high).then_some(byte as u8)
+    }
+
     #[cold]
     fn at_a_boundary(&self, mean: f64) -> u8 {
         quantize(mean, self.gamma)
@@ -133,6 +147,28 @@ mod tests {
                 assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
             }
         }
+    }
+
+    #[test]
+    fn an_interval_has_a_byte_where_its_ends_and_all_between_share_it() {
+        let mut draws = crate::rng::Uniform::new(8);
+        let mut known = 0;
+        for gamma in GAMMAS {
+            let table = Quantizer::new(gamma);
+            for _ in 0..5000 {
+                let low = draws.draw(-0.01, 1.01);
+                let high = low + draws.draw(0.0, 0.01);
+                if let Some(byte) = table.quantize_interval(low, high) {
+                    known += 1;
+                    for step in 0..=8 {
+                        let mean = low + (high - low) * f64::from(step) / 8.0;
+                        assert_eq!(quantize(mean.max(0.0), gamma), byte, "gamma {gamma}, {low:e} to {high:e}");
+                    }
+                }
+            }
+        }
+        assert!(known > 1000, "{known} intervals have a byte");
+        assert_eq!(Quantizer::new(2.2).quantize_interval(f64::NAN, f64::NAN), None);
     }
 
     #[test]

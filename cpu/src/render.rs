@@ -12,6 +12,7 @@ mod glass;
 mod pixels;
 mod primary;
 mod shade;
+mod sky;
 mod span;
 mod vectors;
 mod walk;
@@ -23,15 +24,14 @@ use crate::error::Error;
 use crate::image::{Image, Rgb};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
-use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
 use crate::scene::Scene;
 use crate::simd::{InstructionSet, Kernel, Simd};
-use crate::vec3::Vec3;
 
-use batch::Batch;
+use batch::{Batch, Draw};
 use pixels::Sums;
-use span::{Candidates, Spans};
+use sky::{Known, Look, Offsets};
+use span::{Candidates, Span, Spans};
 use walk::Walk;
 
 /// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
@@ -61,45 +61,95 @@ pub fn render_into<L: Layout>(
     image: &mut L::Image,
     after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    let quantizer = &prepared.quantizer;
-    let pixel = |index: usize, mean: Vec3| {
-        let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
-        image.set_pixel(index, Rgb { red, green, blue });
-    };
-    set.run(Picture { prepared, pixel, after_row })
+    set.run(Picture { prepared, image, after_row })
 }
 
-/// The whole picture, every pixel's mean handed to `pixel` with its index.
-struct Picture<'a, L: Layout, P, R> {
+/// The whole picture.
+struct Picture<'a, L: Layout, R> {
     prepared: &'a Prepared<L>,
-    pixel: P,
+    image: &'a mut L::Image,
     after_row: R,
 }
 
-impl<L: Layout, P: FnMut(usize, Vec3), R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, R> {
+impl<L: Layout, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, R> {
     type Output = ControlFlow<()>;
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) -> ControlFlow<()> {
-        let Self { prepared, mut pixel, mut after_row } = self;
-        let mut offsets = BlockUniform::new(prepared.ray_seed);
-        let mut batch = Batch::new();
-        let mut walk = Walk::new(prepared);
-        let mut candidates = Candidates::new(prepared);
-        let mut sums = Sums::new(prepared.samples);
+        let Self { prepared, image, mut after_row } = self;
+        let mut painter = Painter {
+            prepared,
+            image,
+            offsets: Offsets::new(prepared.ray_seed),
+            batch: Batch::new(),
+            walk: Walk::new(prepared),
+            candidates: Candidates::new(prepared),
+            sums: Sums::new(prepared.samples),
+        };
         for row in 0..prepared.size.height() {
-            candidates.begin_row(prepared, row);
-            for span in Spans::of_row(prepared.size.width(), prepared.samples) {
-                candidates.narrow(prepared, row, &span);
-                simd.run(batch::Draw { prepared, span: &span, offsets: &mut offsets, batch: &mut batch });
-                simd.run(primary::Trace { prepared, row, candidates: &candidates, batch: &mut batch });
-                simd.run(glass::Trace { prepared, batch: &mut batch });
-                simd.run(walk::Follow { prepared, walk: &mut walk, batch: &mut batch });
-                simd.run(ends::Color { prepared, ended: &mut walk.ended, batch: &mut batch });
-                sums.add(&span, &batch, |column, mean| pixel(row * prepared.size.width() + column, mean));
-            }
+            painter.row(simd, row);
             after_row(row + 1)?;
         }
         ControlFlow::Continue(())
+    }
+}
+
+/// What goes on from span to span.
+struct Painter<'a, L: Layout> {
+    prepared: &'a Prepared<L>,
+    image: &'a mut L::Image,
+    offsets: Offsets,
+    batch: Box<Batch>,
+    walk: Walk,
+    candidates: Candidates,
+    sums: Sums,
+}
+
+impl<L: Layout> Painter<'_, L> {
+    fn row<S: Simd>(&mut self, simd: S, row: usize) {
+        let prepared = self.prepared;
+        self.candidates.begin_row(prepared, row);
+        for span in Spans::of_row(prepared.size.width(), prepared.samples) {
+            self.candidates.narrow(prepared, row, &span);
+            if self.candidates.span.is_empty()
+                && let Some(pixels) = span.pixels(prepared.samples)
+            {
+                for pixel in pixels {
+                    self.sky(simd, row, &pixel);
+                }
+            } else {
+                simd.run(Draw { prepared, span: &span, offsets: self.offsets.stream(), batch: &mut self.batch });
+                self.trace(simd, row, &span);
+            }
+        }
+    }
+
+    /// A pixel that no object can reach.
+    fn sky<S: Simd>(&mut self, simd: S, row: usize, pixel: &Span) {
+        let (prepared, offsets, batch) = (self.prepared, &mut self.offsets, &mut self.batch);
+        match simd.run(Look { prepared, row, pixel, offsets, batch }) {
+            Known::Bytes([red, green, blue]) => {
+                self.image.set_pixel(row * prepared.size.width() + pixel.first, Rgb { red, green, blue });
+            }
+            Known::Drawn => self.trace(simd, row, pixel),
+        }
+    }
+
+    /// A span whose samples have been drawn.
+    fn trace<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
+        let (prepared, batch) = (self.prepared, &mut *self.batch);
+        simd.run(primary::Trace { prepared, row, candidates: &self.candidates, batch });
+        if !batch.in_glass.is_empty() {
+            simd.run(glass::Trace { prepared, batch });
+        }
+        if !batch.waiting.is_empty() {
+            simd.run(walk::Follow { prepared, walk: &mut self.walk, batch });
+            simd.run(ends::Color { prepared, ended: &mut self.walk.ended, batch });
+        }
+        let first_pixel = row * prepared.size.width();
+        self.sums.add(span, batch, |column, mean| {
+            let [red, green, blue] = mean.to_array().map(|channel| prepared.quantizer.quantize(channel));
+            self.image.set_pixel(first_pixel + column, Rgb { red, green, blue });
+        });
     }
 }

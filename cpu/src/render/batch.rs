@@ -114,8 +114,9 @@ impl Batch {
         })
     }
 
+    /// See [`Draw`].
     #[inline(always)]
-    fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+    pub fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
         self.count = span.count;
         let mut left_in_pixel = prepared.samples - span.first_sample;
         let (mut column, mut from) = (span.first, 0);

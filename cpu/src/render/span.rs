@@ -25,6 +25,17 @@ pub struct Span {
     pub last: usize,
 }
 
+impl Span {
+    /// Its pixels one by one, when it is made of whole pixels.
+    pub fn pixels(self, samples: u64) -> Option<impl Iterator<Item = Self>> {
+        let whole = self.first_sample == 0 && self.count as u64 == (self.last - self.first + 1) as u64 * samples;
+        whole.then(|| {
+            let one = move |column| Self { first: column, first_sample: 0, count: samples as usize, last: column };
+            (self.first..=self.last).map(one)
+        })
+    }
+}
+
 /// The spans of a row, in order: no more than the batch holds, no wider than [`WIDEST`].
 #[derive(Clone, Debug)]
 pub struct Spans {
@@ -215,6 +226,16 @@ mod tests {
                 assert!(span.count <= CAPACITY && span.last - span.first < WIDEST);
             }
         }
+    }
+
+    #[test]
+    fn a_span_of_whole_pixels_falls_into_them() {
+        let span = Span { first: 3, first_sample: 0, count: 40, last: 4 };
+        let pixels: Vec<_> = span.pixels(20).expect("two pixels of 20").collect();
+        let one = |column| Span { first: column, first_sample: 0, count: 20, last: column };
+        assert_eq!(pixels, [one(3), one(4)]);
+        assert!(span.pixels(30).is_none());
+        assert!(Span { first_sample: 20, count: 20, ..span }.pixels(20).is_none());
     }
 
     #[test]

@@ -12,12 +12,8 @@ const MIDDLE: usize = 156;
 #[derive(Clone, Debug)]
 pub struct BlockUniform {
     state: Box<[u64; LENGTH]>,
-    /// The state's words as draws, where they have been asked for.
-    draws: Box<[f64; LENGTH]>,
     /// Words of the state already given away.
     used: usize,
-    /// Whether `draws` belongs to the present state.
-    converted: bool,
 }
 
 impl BlockUniform {
@@ -30,17 +26,22 @@ impl BlockUniform {
             let before = state[index - 1];
             state[index] = (before ^ (before >> 62)).wrapping_mul(MULTIPLIER).wrapping_add(index as u64);
         }
-        Self { state, draws: Box::new([0.0; LENGTH]), used: LENGTH, converted: false }
+        Self { state, used: LENGTH }
     }
 
     /// Fills `place` with the next draws.
     #[inline(always)]
     pub fn fill(&mut self, mut place: &mut [f64]) {
         while !place.is_empty() {
-            self.provide();
+            if self.used == LENGTH {
+                renew(&mut self.state);
+                self.used = 0;
+            }
             let count = place.len().min(LENGTH - self.used);
             let (now, later) = place.split_at_mut(count);
-            now.copy_from_slice(&self.draws[self.used..self.used + count]);
+            for (draw, &word) in now.iter_mut().zip(&self.state[self.used..self.used + count]) {
+                *draw = canonical(temper(word));
+            }
             self.used += count;
             place = later;
         }
@@ -49,35 +50,15 @@ impl BlockUniform {
     /// Passes over `count` draws, for less than drawing them.
     #[inline(always)]
     pub fn skip(&mut self, mut count: u64) {
-        let left = (LENGTH - self.used) as u64;
-        if count <= left {
-            self.used += count as usize;
-            return;
-        }
-        count -= left;
-        self.used = LENGTH;
-        while count > LENGTH as u64 {
-            renew(&mut self.state);
-            count -= LENGTH as u64;
-        }
-        renew(&mut self.state);
-        self.converted = false;
-        self.used = count as usize;
-    }
-
-    /// Makes sure that a converted draw is there to be given.
-    #[inline(always)]
-    fn provide(&mut self) {
-        if self.used == LENGTH {
+        loop {
+            let left = (LENGTH - self.used) as u64;
+            if count <= left {
+                self.used += count as usize;
+                return;
+            }
+            count -= left;
             renew(&mut self.state);
             self.used = 0;
-            self.converted = false;
-        }
-        if !self.converted {
-            for (draw, &word) in self.draws.iter_mut().zip(self.state.iter()) {
-                *draw = canonical(temper(word));
-            }
-            self.converted = true;
         }
     }
 }
