@@ -7,12 +7,14 @@
 
 mod bounds;
 mod build;
+mod few;
 mod filter;
 mod found;
 mod hierarchy;
 mod leaving;
 
 pub use bounds::Bounds;
+pub use few::Few;
 pub use filter::Filter;
 pub use found::Found;
 pub use hierarchy::{Hierarchy, Stack};
@@ -35,6 +37,8 @@ pub const NOWHERE: ObjectId = ObjectId::MAX;
 pub enum Search {
     /// Every object is asked: for scenes whose magnitudes no filter bears.
     Plain,
+    /// All objects at once: for a handful.
+    Few(Box<Few>),
     /// A filter over all objects, several at once.
     Flat(Filter),
     /// A tree of boxes.
@@ -50,6 +54,8 @@ impl Search {
         let count = objects.sphere_count().max(objects.cylinder_count());
         Ok(if !extent.moderate {
             Self::Plain
+        } else if few::suits(objects) {
+            Self::Few(Box::new(Few::new(objects)))
         } else if count <= filter::CAPACITY {
             Self::Flat(Filter::new(objects)?)
         } else {
@@ -62,6 +68,7 @@ impl Search {
     pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
         match self {
             Self::Plain => plain(objects, ray),
+            Self::Few(few) => few.nearest::<S, O>(objects, ray),
             Self::Flat(filter) => filter.nearest::<S, O>(objects, ray, from),
             Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O>(objects, ray, from, stack),
             Self::Tree(_) => plain(objects, ray),

@@ -80,12 +80,12 @@ struct FilterRay<F> {
 impl<F: FilterLanes> FilterRay<F> {
     #[inline(always)]
     fn new(ray: &Ray, middle: Vec3, a: f64) -> Self {
-        let origin = ray.origin - middle;
+        let (origin, direction) = (ray.origin - middle, ray.direction);
         let distance_squared = origin.dot(origin) as f32;
         let a = a as f32;
         Self {
-            origin: origin.to_array().map(|value| F::splat(value as f32)),
-            direction: ray.direction.to_array().map(|value| F::splat(value as f32)),
+            origin: [F::splat(origin.x as f32), F::splat(origin.y as f32), F::splat(origin.z as f32)],
+            direction: [F::splat(direction.x as f32), F::splat(direction.y as f32), F::splat(direction.z as f32)],
             minus_a: F::splat(-a),
             a_t_t: F::splat(a * (LAMBDA_MIN * LAMBDA_MIN) as f32),
             minus_two_t: F::splat((-2.0 * LAMBDA_MIN) as f32),
