@@ -26,8 +26,10 @@ pub use portable::Portable;
 /// An instruction set, as a type that kernels are compiled for. A value of it is the proof that the machine has it:
 /// only [`InstructionSet::run`] makes one, after asking.
 pub trait Simd: Copy + 'static {
-    /// Lanes of `f64`.
+    /// Lanes of `f64`, for work on many rays, where throughput counts.
     type F64: Lanes;
+    /// Lanes of `f64`, for work on one ray, where latency counts.
+    type Narrow: Lanes;
     /// Lanes of `f32`, for filters.
     type F32: FilterLanes;
 

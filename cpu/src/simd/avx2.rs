@@ -25,6 +25,7 @@ impl Avx2 {
 
 impl Simd for Avx2 {
     type F64 = F64;
+    type Narrow = F64;
     type F32 = F32;
 
     #[inline(always)]

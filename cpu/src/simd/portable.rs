@@ -12,6 +12,7 @@ pub struct Portable;
 
 impl Simd for Portable {
     type F64 = F64x4;
+    type Narrow = F64x4;
     type F32 = F32x4;
 
     #[inline(never)]

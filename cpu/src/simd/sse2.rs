@@ -25,6 +25,7 @@ impl Sse2 {
 
 impl Simd for Sse2 {
     type F64 = F64;
+    type Narrow = F64;
     type F32 = F32;
 
     #[inline(always)]
