@@ -76,6 +76,23 @@ impl Search {
     }
 }
 
+/// All objects, in the order of the file.
+#[must_use]
+pub fn in_order(objects: &impl Objects) -> Vec<ObjectId> {
+    let mut all: Vec<ObjectId> = (0..(objects.sphere_count() + objects.cylinder_count()) as ObjectId).collect();
+    all.sort_by_key(|&id| order_of(objects, id));
+    all
+}
+
+/// An object's place in the file.
+#[must_use]
+pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
+    match (id as usize).checked_sub(objects.sphere_count()) {
+        None => objects.sphere(id as usize).order,
+        Some(index) => objects.cylinder(index).order,
+    }
+}
+
 /// The nearest object, by asking every one.
 #[inline(never)]
 fn plain<O: Objects>(objects: &O, ray: &Ray) -> Found {

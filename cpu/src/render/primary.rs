@@ -7,8 +7,7 @@ use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::simd::{Kernel, LaneMask, Lanes, Simd};
-use crate::sphere::SphereRecord;
+use crate::simd::{Kernel, Lanes, Simd};
 
 /// Traces the batch's primary rays: the samples that meet nothing have their colour, the others their point, base and
 /// object.
@@ -73,43 +72,21 @@ pub fn valid_lanes<V: Lanes>(left: usize) -> u32 {
     if left >= V::LANES { all } else { all & ((1_u32 << left) - 1) }
 }
 
-/// The nearest hits among the candidates, which are in the order of the file: of equals the later counts.
+/// The nearest hits among the candidates, which are in the order of the file.
 #[inline(always)]
 fn nearest<V: Lanes>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<V> {
-    let mut hits = Hits { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 };
+    let mut hits = Hits::none();
     if candidates.span.is_empty() {
         return hits;
     }
     let a = ray.direction.dot(ray.direction);
     for (id, candidate) in &candidates.span {
         match candidate {
-            Candidate::Sphere(view) => {
-                let (h, discriminant) = view.lanes::<V>().quadratic(ray.direction, a);
-                if V::of(0.0).less_equal(discriminant).bits() & valid == 0 {
-                    continue;
-                }
-                let (lambda, met) = SphereRecord::first_root(a, h, discriminant);
-                hits.offer(f64::from(*id), lambda, met, V::of(0.0), valid);
-            }
+            Candidate::Sphere(view) => hits.ask_sphere(*id, &view.lanes(), ray, a, valid),
             Candidate::Cylinder(record, view) => {
-                let (record, view) = (record.lanes::<V>(), view.lanes::<V>());
-                let quadratic = record.quadratic(&view, ray.direction);
-                let (lambda, met, part) = record.first_part(&view, ray, quadratic);
-                hits.offer(f64::from(*id), lambda, met, part, valid);
+                hits.ask_cylinder(*id, &record.lanes(), &view.lanes(), ray, valid);
             }
         }
     }
     hits
-}
-
-impl<V: Lanes> Hits<V> {
-    /// Takes hits with an object later in the file into account.
-    #[inline(always)]
-    fn offer(&mut self, object: f64, lambda: V, met: V::Mask, part: V, valid: u32) {
-        let closer = met & lambda.less_equal(self.lambda);
-        self.lambda = V::select(closer, lambda, self.lambda);
-        self.object = V::select(closer, V::of(object), self.object);
-        self.part = V::select(closer, part, self.part);
-        self.bits |= closer.bits() & valid;
-    }
 }

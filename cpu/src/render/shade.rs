@@ -1,6 +1,6 @@
 //! What a surface does to rays that have just met it, several at once.
 
-use crate::cylinder::Part;
+use crate::cylinder::{CylinderRecord, CylinderView, Part};
 use crate::layout::{Layout, Objects};
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
@@ -8,6 +8,7 @@ use crate::real::Real;
 use crate::scatter;
 use crate::search::ObjectId;
 use crate::simd::{LaneMask, Lanes};
+use crate::sphere::{SphereRecord, SphereView};
 use crate::vec3::Vec3;
 
 /// The hits of as many rays as there are lanes; object and part are whole numbers.
@@ -21,6 +22,49 @@ pub struct Hits<V: Lanes> {
     pub part: V,
     /// Lanes that meet something, as bits.
     pub bits: u32,
+}
+
+impl<V: Lanes> Hits<V> {
+    /// No hits.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 }
+    }
+
+    /// Takes hits with an object later in the file into account, in the `valid` lanes: of equals the later counts.
+    #[inline(always)]
+    pub fn offer(&mut self, object: ObjectId, lambda: V, met: V::Mask, part: V, valid: u32) {
+        let closer = met & lambda.less_equal(self.lambda);
+        self.lambda = V::select(closer, lambda, self.lambda);
+        self.object = V::select(closer, V::of(f64::from(object)), self.object);
+        self.part = V::select(closer, part, self.part);
+        self.bits |= closer.bits() & valid;
+    }
+
+    /// Takes the hits with a sphere into account, given its view and the directions' squares.
+    #[inline(always)]
+    pub fn ask_sphere(&mut self, id: ObjectId, view: &SphereView<V>, ray: &Ray<V>, a: V, valid: u32) {
+        let (h, discriminant) = view.quadratic(ray.direction, a);
+        if V::of(0.0).less_equal(discriminant).bits() & valid != 0 {
+            let (lambda, met) = SphereRecord::first_root(a, h, discriminant);
+            self.offer(id, lambda, met, V::of(0.0), valid);
+        }
+    }
+
+    /// Takes the hits with a cylinder into account, given its view.
+    #[inline(always)]
+    pub fn ask_cylinder(
+        &mut self,
+        id: ObjectId,
+        record: &CylinderRecord<V>,
+        view: &CylinderView<V>,
+        ray: &Ray<V>,
+        valid: u32,
+    ) {
+        let quadratic = record.quadratic(view, ray.direction);
+        let (lambda, met, part) = record.first_part(view, ray, quadratic);
+        self.offer(id, lambda, met, part, valid);
+    }
 }
 
 /// Most lanes of any instruction set.

@@ -3,7 +3,7 @@
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
-use crate::search::{Bounds, ObjectId, Search};
+use crate::search::{self, Bounds, ObjectId, Search};
 use crate::sphere::SphereView;
 use crate::vec3::Vec3;
 
@@ -103,10 +103,7 @@ pub struct Candidates {
 impl Candidates {
     /// No candidates yet.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
-        let objects = &prepared.objects;
-        let (spheres, cylinders) = (objects.sphere_count(), objects.cylinder_count());
-        let mut all: Vec<ObjectId> = (0..(spheres + cylinders) as ObjectId).collect();
-        all.sort_by_key(|&id| order_of(objects, id));
+        let all = search::in_order(&prepared.objects);
         Self { all, row: Vec::new(), span: Vec::new(), culls: !matches!(prepared.search, Search::Plain) }
     }
 
@@ -120,7 +117,7 @@ impl Candidates {
         match &prepared.search {
             Search::Tree(tree) => {
                 tree.visit(|bounds| box_reaches(bounds, camera.position, &walls), |id| self.row.push(id));
-                self.row.sort_unstable_by_key(|&id| order_of(&prepared.objects, id));
+                self.row.sort_unstable_by_key(|&id| search::order_of(&prepared.objects, id));
             }
             _ => {
                 let meets = |id: &&ObjectId| !self.culls || reaches(prepared, **id, &walls);
@@ -149,13 +146,6 @@ impl Candidates {
             };
             self.span.push((id, candidate));
         }
-    }
-}
-
-fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
-    match (id as usize).checked_sub(objects.sphere_count()) {
-        None => objects.sphere(id as usize).order,
-        Some(index) => objects.cylinder(index).order,
     }
 }
 
