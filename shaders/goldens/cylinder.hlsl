@@ -1,0 +1,534 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct CylinderRecord {
+    float3 center_;
+    int _pad1_0;
+    float3 axis;
+    int _pad2_0;
+    float3 top;
+    int _pad3_0;
+    float3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+
+struct PlaneMeeting {
+    float lambda;
+    float slope;
+};
+
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
+struct HitReport {
+    float some;
+    float lambda;
+    float part;
+    float front;
+    PackedVec3_ point_;
+    PackedVec3_ normal;
+};
+
+struct CylinderCase {
+    PackedRay ray;
+    PackedVec3_ center_;
+    float radius;
+    PackedVec3_ axis;
+};
+
+static const uint SIDE = 0u;
+static const uint TOP = 1u;
+static const uint BOTTOM = 2u;
+
+ByteAddressBuffer cases : register(t0);
+RWByteAddressBuffer reports : register(u1);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_unit(float3 v_1)
+{
+    const float _e1 = vec3_length(v_1);
+    return (v_1 / (_e1).xxx);
+}
+
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
+{
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_3)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+float3 ray_at(Ray ray, float lambda)
+{
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Root root_when(bool counts, float lambda_2)
+{
+    if (counts) {
+        const Root root_1 = ConstructRoot(true, lambda_2);
+        return root_1;
+    }
+    const Root _e4 = root_none();
+    const Root root_2 = _e4;
+    return root_2;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        const Hit hit_1 = ConstructHit(point_, outward, front);
+        return hit_1;
+    }
+    const Hit hit_2 = ConstructHit(point_, -(outward), front);
+    return hit_2;
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
+{
+    const float _e3 = vec3_length(axis_1);
+    float3 unit = (axis_1 / (_e3).xxx);
+    float half_height = (_e3 / 2.0);
+    float3 reach = (unit * half_height);
+    float3 top = (center_ + reach);
+    float3 bottom = (center_ - reach);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, unit, top, bottom, radius, (radius * radius), half_height);
+    return cylinderrecord;
+}
+
+CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
+    CylinderQuadratic ret = (CylinderQuadratic)0;
+    ret.a = arg0;
+    ret.h = arg1;
+    ret.discriminant = arg2;
+    return ret;
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, Ray ray_1)
+{
+    const float3 _e4 = vec3_perpendicular_to(ray_1.direction, cylinder_1.axis);
+    const float3 _e9 = vec3_perpendicular_to((ray_1.origin - cylinder_1.center_), cylinder_1.axis);
+    const float _e10 = vec3_dot(_e4, _e4);
+    const float _e11 = vec3_dot(_e9, _e4);
+    const float _e12 = vec3_dot(_e9, _e9);
+    float c = (_e12 - cylinder_1.radius_squared);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e10, _e11, ((_e11 * _e11) - (_e10 * c)));
+    return cylinderquadratic;
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_3)
+{
+    const float3 _e3 = ray_at(ray_2, lambda_3);
+    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+PlaneMeeting ConstructPlaneMeeting(float arg0, float arg1) {
+    PlaneMeeting ret = (PlaneMeeting)0;
+    ret.lambda = arg0;
+    ret.slope = arg1;
+    return ret;
+}
+
+PlaneMeeting cylinder_plane(CylinderRecord cylinder_3, Ray ray_3, float3 base)
+{
+    const float _e5 = vec3_dot(ray_3.direction, cylinder_3.axis);
+    const float _e9 = vec3_dot((base - ray_3.origin), cylinder_3.axis);
+    const PlaneMeeting planemeeting = ConstructPlaneMeeting((_e9 / _e5), _e5);
+    return planemeeting;
+}
+
+bool cylinder_on_disc(CylinderRecord cylinder_4, Ray ray_4, float3 base_1, float lambda_4)
+{
+    const float3 _e4 = ray_at(ray_4, lambda_4);
+    const float _e6 = vec3_length((_e4 - base_1));
+    return (_e6 <= cylinder_4.radius);
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_1)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center_), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+Root cylinder_side(CylinderRecord cylinder_6, Ray ray_5)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+
+    const CylinderQuadratic _e2 = cylinder_quadratic(cylinder_6, ray_5);
+    if ((_e2.discriminant < 0.0)) {
+        const Root _e6 = root_none();
+        const Root root_3 = _e6;
+        return root_3;
+    }
+    float root_4 = sqrt(_e2.discriminant);
+    float near = ((-(_e2.h) - root_4) / _e2.a);
+    const bool _e14 = in_range(near);
+    if (_e14) {
+        const bool _e17 = cylinder_within_height(cylinder_6, ray_5, near);
+        local_2 = _e17;
+    } else {
+        local_2 = false;
+    }
+    bool _e19 = local_2;
+    if (_e19) {
+        const Root root_5 = ConstructRoot(true, near);
+        return root_5;
+    }
+    float far = ((-(_e2.h) + root_4) / _e2.a);
+    const bool _e27 = in_range(far);
+    if (_e27) {
+        const bool _e30 = cylinder_within_height(cylinder_6, ray_5, far);
+        local_3 = _e30;
+    } else {
+        local_3 = false;
+    }
+    bool _e32 = local_3;
+    const Root _e33 = root_when(_e32, far);
+    const Root root_6 = _e33;
+    return root_6;
+}
+
+Root cylinder_base(CylinderRecord cylinder_7, Ray ray_6, float3 base_2)
+{
+    bool local_4 = (bool)0;
+
+    const PlaneMeeting _e3 = cylinder_plane(cylinder_7, ray_6, base_2);
+    if ((abs(_e3.slope) < 1e-8)) {
+        const Root _e8 = root_none();
+        const Root root_7 = _e8;
+        return root_7;
+    }
+    const bool _e10 = in_range(_e3.lambda);
+    if (_e10) {
+        const bool _e14 = cylinder_on_disc(cylinder_7, ray_6, base_2, _e3.lambda);
+        local_4 = _e14;
+    } else {
+        local_4 = false;
+    }
+    bool _e16 = local_4;
+    const Root _e18 = root_when(_e16, _e3.lambda);
+    const Root root_8 = _e18;
+    return root_8;
+}
+
+CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
+    CylinderRoot ret = (CylinderRoot)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    return ret;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_8, Ray ray_7)
+{
+    CylinderRoot nearest = (CylinderRoot)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+
+    const Root _e2 = cylinder_side(cylinder_8, ray_7);
+    nearest = ConstructCylinderRoot(_e2.some, _e2.lambda, SIDE);
+    const Root _e9 = cylinder_base(cylinder_8, ray_7, cylinder_8.top);
+    if (_e9.some) {
+        bool _e14 = nearest.some;
+        if (!(!(_e14))) {
+            float _e21 = nearest.lambda;
+            local_6 = (_e9.lambda <= _e21);
+        } else {
+            local_6 = true;
+        }
+        bool _e24 = local_6;
+        local_5 = _e24;
+    } else {
+        local_5 = false;
+    }
+    bool _e26 = local_5;
+    if (_e26) {
+        nearest = ConstructCylinderRoot(true, _e9.lambda, TOP);
+    }
+    const Root _e32 = cylinder_base(cylinder_8, ray_7, cylinder_8.bottom);
+    if (_e32.some) {
+        bool _e37 = nearest.some;
+        if (!(!(_e37))) {
+            float _e44 = nearest.lambda;
+            local_8 = (_e32.lambda <= _e44);
+        } else {
+            local_8 = true;
+        }
+        bool _e47 = local_8;
+        local_7 = _e47;
+    } else {
+        local_7 = false;
+    }
+    bool _e49 = local_7;
+    if (_e49) {
+        nearest = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
+    }
+    CylinderRoot _e54 = nearest;
+    const CylinderRoot cylinderroot = _e54;
+    return cylinderroot;
+}
+
+float3 vec3_load(PackedVec3_ v_4)
+{
+    return float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_5)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    return packedvec3_;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray ray_load(PackedRay ray_8)
+{
+    const float3 _e2 = vec3_load(ray_8.origin);
+    const float3 _e4 = vec3_load(ray_8.direction);
+    const Ray ray_9 = ConstructRay(_e2, _e4);
+    return ray_9;
+}
+
+HitReport ConstructHitReport(float arg0, float arg1, float arg2, float arg3, PackedVec3_ arg4, PackedVec3_ arg5) {
+    HitReport ret = (HitReport)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    ret.front = arg3;
+    ret.point_ = arg4;
+    ret.normal = arg5;
+    return ret;
+}
+
+float3 ZeroValuefloat3() {
+    return (float3)0;
+}
+
+HitReport hit_report_none()
+{
+    const PackedVec3_ _e1 = vec3_store(ZeroValuefloat3());
+    const HitReport hitreport = ConstructHitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
+    return hitreport;
+}
+
+HitReport hit_report(float lambda_5, uint part_1, Hit hit)
+{
+    float front_1 = (hit.front ? 1.0 : 0.0);
+    const PackedVec3_ _e10 = vec3_store(hit.point_);
+    const PackedVec3_ _e12 = vec3_store(hit.normal);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
+    return hitreport_1;
+}
+
+uint NagaBufferLength(ByteAddressBuffer buffer)
+{
+    uint ret;
+    buffer.GetDimensions(ret);
+    return ret;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+[numthreads(64, 1, 1)]
+void cylinder(uint3 id : SV_DispatchThreadID)
+{
+    if ((id.x >= ((NagaBufferLength(cases) - 0) / 52))) {
+        return;
+    }
+    PackedRay _e9 = ConstructPackedRay(ConstructPackedVec3_(asfloat(cases.Load(0+id.x*52+0+0)), asfloat(cases.Load(0+id.x*52+0+4)), asfloat(cases.Load(0+id.x*52+0+8))), ConstructPackedVec3_(asfloat(cases.Load(0+id.x*52+12+0)), asfloat(cases.Load(0+id.x*52+12+4)), asfloat(cases.Load(0+id.x*52+12+8))));
+    const Ray _e10 = ray_load(_e9);
+    PackedVec3_ _e15 = ConstructPackedVec3_(asfloat(cases.Load(24+id.x*52+0)), asfloat(cases.Load(24+id.x*52+4)), asfloat(cases.Load(24+id.x*52+8)));
+    const float3 _e16 = vec3_load(_e15);
+    float _e21 = asfloat(cases.Load(36+id.x*52));
+    PackedVec3_ _e26 = ConstructPackedVec3_(asfloat(cases.Load(40+id.x*52+0)), asfloat(cases.Load(40+id.x*52+4)), asfloat(cases.Load(40+id.x*52+8)));
+    const float3 _e27 = vec3_load(_e26);
+    const CylinderRecord _e28 = cylinder_new(_e16, _e21, _e27);
+    const CylinderRoot _e29 = cylinder_intersect(_e28, _e10);
+    if (!(_e29.some)) {
+        const HitReport _e35 = hit_report_none();
+        {
+            HitReport _value3 = _e35;
+            reports.Store(id.x*40+0, asuint(_value3.some));
+            reports.Store(id.x*40+4, asuint(_value3.lambda));
+            reports.Store(id.x*40+8, asuint(_value3.part));
+            reports.Store(id.x*40+12, asuint(_value3.front));
+            {
+                PackedVec3_ _value4 = _value3.point_;
+                reports.Store(id.x*40+16+0, asuint(_value4.x));
+                reports.Store(id.x*40+16+4, asuint(_value4.y));
+                reports.Store(id.x*40+16+8, asuint(_value4.z));
+            }
+            {
+                PackedVec3_ _value4 = _value3.normal;
+                reports.Store(id.x*40+28+0, asuint(_value4.x));
+                reports.Store(id.x*40+28+4, asuint(_value4.y));
+                reports.Store(id.x*40+28+8, asuint(_value4.z));
+            }
+        }
+        return;
+    }
+    const float3 _e37 = ray_at(_e10, _e29.lambda);
+    const float3 _e40 = cylinder_outward(_e28, _e29.part, _e37);
+    const Hit _e41 = hit_facing(_e10.direction, _e37, _e40);
+    const HitReport _e47 = hit_report(_e29.lambda, _e29.part, _e41);
+    {
+        HitReport _value2 = _e47;
+        reports.Store(id.x*40+0, asuint(_value2.some));
+        reports.Store(id.x*40+4, asuint(_value2.lambda));
+        reports.Store(id.x*40+8, asuint(_value2.part));
+        reports.Store(id.x*40+12, asuint(_value2.front));
+        {
+            PackedVec3_ _value3 = _value2.point_;
+            reports.Store(id.x*40+16+0, asuint(_value3.x));
+            reports.Store(id.x*40+16+4, asuint(_value3.y));
+            reports.Store(id.x*40+16+8, asuint(_value3.z));
+        }
+        {
+            PackedVec3_ _value3 = _value2.normal;
+            reports.Store(id.x*40+28+0, asuint(_value3.x));
+            reports.Store(id.x*40+28+4, asuint(_value3.y));
+            reports.Store(id.x*40+28+8, asuint(_value3.z));
+        }
+    }
+    return;
+}
