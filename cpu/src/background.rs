@@ -20,6 +20,13 @@ impl Background {
     pub const fn new(config: &Config) -> Self {
         Self { dark: config.background_dark_color, light: config.background_light_color }
     }
+
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> Background<V> {
+        Background { dark: self.dark.map(V::of), light: self.light.map(V::of) }
+    }
 }
 
 impl<T: Real> Background<T> {

@@ -60,6 +60,20 @@ impl Camera {
     }
 }
 
+impl Camera {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> Camera<V> {
+        Camera {
+            position: self.position.map(V::of),
+            origin: self.origin.map(V::of),
+            delta_x: self.delta_x.map(V::of),
+            delta_y: self.delta_y.map(V::of),
+        }
+    }
+}
+
 impl<T: Real> Camera<T> {
     /// The ray from the camera through the point `offset` pixels from the middle of pixel (`row`, `column`);
     /// `offset` is to the right, then down, each in `[-1/2, 1/2)`. The direction is not normalised.

@@ -32,6 +32,50 @@ pub struct CylinderRecord<T = f64> {
     pub half_height: T,
 }
 
+/// What the rays from one point share: they need only their directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CylinderView<T = f64> {
+    /// From the centre to the origin, perpendicular to the axis.
+    pub r_c: Vec3<T>,
+    /// `r_c.r_c - r^2`: negative inside the infinite cylinder.
+    pub c: T,
+    /// From the origin to the upper base's plane, along the axis.
+    pub to_top: T,
+    /// From the origin to the lower base's plane, along the axis.
+    pub to_bottom: T,
+}
+
+impl CylinderView {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> CylinderView<V> {
+        CylinderView {
+            r_c: self.r_c.map(V::of),
+            c: V::of(self.c),
+            to_top: V::of(self.to_top),
+            to_bottom: V::of(self.to_bottom),
+        }
+    }
+}
+
+impl CylinderRecord {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> CylinderRecord<V> {
+        CylinderRecord {
+            center: self.center.map(V::of),
+            axis: self.axis.map(V::of),
+            top: self.top.map(V::of),
+            bottom: self.bottom.map(V::of),
+            radius: V::of(self.radius),
+            radius_squared: V::of(self.radius_squared),
+            half_height: V::of(self.half_height),
+        }
+    }
+}
+
 /// The part of a cylinder that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
@@ -56,16 +100,27 @@ impl<T: Real> CylinderRecord<T> {
         Self { center, axis: unit, top, bottom, radius, radius_squared: radius * radius, half_height }
     }
 
-    /// `a`, half of `b` and a quarter of the discriminant of the ray's quadratic with the infinite cylinder.
+    /// The cylinder as rays from `origin` see it.
     #[inline(always)]
     #[must_use]
-    pub fn quadratic(&self, ray: &Ray<T>) -> (T, T, T) {
-        let direction = ray.direction.perpendicular_to(self.axis);
-        let r_c = (ray.origin - self.center).perpendicular_to(self.axis);
+    pub fn seen_from(&self, origin: Vec3<T>) -> CylinderView<T> {
+        let r_c = (origin - self.center).perpendicular_to(self.axis);
+        CylinderView {
+            r_c,
+            c: r_c.dot(r_c) - self.radius_squared,
+            to_top: (self.top - origin).dot(self.axis),
+            to_bottom: (self.bottom - origin).dot(self.axis),
+        }
+    }
+
+    /// `a`, half of `b` and a quarter of the discriminant of the quadratic with the infinite cylinder.
+    #[inline(always)]
+    #[must_use]
+    pub fn quadratic(&self, view: &CylinderView<T>, direction: Vec3<T>) -> (T, T, T) {
+        let direction = direction.perpendicular_to(self.axis);
         let a = direction.dot(direction);
-        let h = r_c.dot(direction);
-        let c = r_c.dot(r_c) - self.radius_squared;
-        (a, h, h * h - a * c)
+        let h = view.r_c.dot(direction);
+        (a, h, h * h - a * view.c)
     }
 
     /// Whether the side's point at `lambda` lies between the bases.
@@ -75,20 +130,47 @@ impl<T: Real> CylinderRecord<T> {
         (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
     }
 
-    /// Where the ray meets the plane through `base`, one of the two centres, and the product of ray and axis.
+    /// The curved side, given the quadratic: the smaller root that is in range and between the bases, else the larger;
+    /// and whether that counts. Where the discriminant is negative nothing does.
     #[inline(always)]
     #[must_use]
-    pub fn plane(&self, ray: &Ray<T>, base: Vec3<T>) -> (T, T) {
-        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
-        let slope = ray.direction.dot(self.axis);
-        ((base - ray.origin).dot(self.axis) / slope, slope)
+    pub fn side(&self, ray: &Ray<T>, (a, h, discriminant): (T, T, T)) -> (T, T::Mask) {
+        let root = discriminant.sqrt();
+        let (near, far) = ((-h - root) / a, (-h + root) / a);
+        let near_counts = in_range(near) & self.within_height(ray, near);
+        let far_counts = in_range(far) & self.within_height(ray, far);
+        (T::select(near_counts, near, far), near_counts | far_counts)
     }
 
-    /// Whether the point at `lambda` lies on the disc around `base`.
+    /// The disc around `base`, one of the two centres, `distance` along the axis from the ray's origin: where the ray
+    /// meets its plane, and whether that counts.
     #[inline(always)]
     #[must_use]
-    pub fn on_disc(&self, ray: &Ray<T>, base: Vec3<T>, lambda: T) -> T::Mask {
-        (ray.at(lambda) - base).length().less_equal(self.radius)
+    pub fn base(&self, ray: &Ray<T>, base: Vec3<T>, distance: T) -> (T, T::Mask) {
+        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
+        let slope = ray.direction.dot(self.axis);
+        let lambda = distance / slope;
+        let on_disc = (ray.at(lambda) - base).length().less_equal(self.radius);
+        (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & on_disc)
+    }
+
+    /// The first of the three parts that the ray meets, whether it meets any, and which one, as [`Part`]'s number;
+    /// without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_part(&self, view: &CylinderView<T>, ray: &Ray<T>, quadratic: (T, T, T)) -> (T, T::Mask, T) {
+        let (mut lambda, mut met) = self.side(ray, quadratic);
+        let mut part = T::of(f64::from(Part::Side as u32));
+        for (base, distance, number) in
+            [(self.top, view.to_top, Part::Top), (self.bottom, view.to_bottom, Part::Bottom)]
+        {
+            let (base_lambda, base_met) = self.base(ray, base, distance);
+            let closer = base_met & (!met | base_lambda.less_equal(lambda));
+            lambda = T::select(closer, base_lambda, lambda);
+            part = T::select(closer, T::of(f64::from(number as u32)), part);
+            met = met | base_met;
+        }
+        (lambda, met, part)
     }
 
     /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
@@ -116,42 +198,21 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     #[inline(always)]
     #[must_use]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, Part)> {
-        let mut nearest = self.side(ray).map(|lambda| (lambda, Part::Side));
-        for (base, part) in [(self.top, Part::Top), (self.bottom, Part::Bottom)] {
-            if let Some(lambda) = self.base(ray, base)
-                && nearest.is_none_or(|(best, _)| lambda.less_equal(best))
-            {
+        let view = self.seen_from(ray.origin);
+        let quadratic = self.quadratic(&view, ray.direction);
+        let mut nearest = None;
+        if !quadratic.2.less(T::of(0.0)) {
+            let (lambda, met) = self.side(ray, quadratic);
+            nearest = met.then_some((lambda, Part::Side));
+        }
+        for (base, distance, part) in [(self.top, view.to_top, Part::Top), (self.bottom, view.to_bottom, Part::Bottom)]
+        {
+            let (lambda, met) = self.base(ray, base, distance);
+            if met && nearest.is_none_or(|(best, _)| lambda.less_equal(best)) {
                 nearest = Some((lambda, part));
             }
         }
         nearest
-    }
-
-    /// The curved side: the smaller root that is in range and between the bases, else the larger.
-    #[inline(always)]
-    fn side(&self, ray: &Ray<T>) -> Option<T> {
-        let (a, h, discriminant) = self.quadratic(ray);
-        if discriminant.less(T::of(0.0)) {
-            return None;
-        }
-        let root = discriminant.sqrt();
-        let counts = |lambda: T| in_range(lambda) && self.within_height(ray, lambda);
-        let near = (-h - root) / a;
-        if counts(near) {
-            return Some(near);
-        }
-        let far = (-h + root) / a;
-        counts(far).then_some(far)
-    }
-
-    /// The disc around `base`.
-    #[inline(always)]
-    fn base(&self, ray: &Ray<T>, base: Vec3<T>) -> Option<T> {
-        let (lambda, slope) = self.plane(ray, base);
-        if slope.abs().less(T::of(PARALLEL)) {
-            return None;
-        }
-        (in_range(lambda) && self.on_disc(ray, base, lambda)).then_some(lambda)
     }
 }
 

@@ -1,15 +1,21 @@
 //! From checked values to what the rendering needs and nothing more.
 
+mod extent;
+mod finish;
+
+pub use extent::Extent;
+pub use finish::{Finish, Kind};
+
 use crate::background::Background;
 use crate::camera::Camera;
 use crate::config::Config;
 use crate::error::Error;
 use crate::image::Size;
 use crate::layout::{Layout, Objects};
-use crate::material::Material;
 use crate::quantize::Quantizer;
 use crate::scatter::Scatter;
 use crate::scene::Scene;
+use crate::search::Search;
 
 /// Everything that is the same for all rays, computed once. After it nothing can fail.
 #[derive(Debug)]
@@ -22,8 +28,10 @@ pub struct Prepared<L: Layout> {
     pub background: Background,
     /// The scene's objects, in the layout's storage.
     pub objects: L::Objects,
-    /// The scene's materials.
-    pub materials: Vec<Material>,
+    /// The scene's materials, ready to scatter.
+    pub finishes: Vec<Finish>,
+    /// How the nearest object of a ray is found.
+    pub search: Search,
     /// Means to bytes.
     pub quantizer: Quantizer,
     /// Rays a pixel.
@@ -45,13 +53,17 @@ impl<L: Layout> Prepared<L> {
     /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when the scene does not fit.
     pub fn new(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Self, Error> {
         let size = config.image_size()?;
+        let camera = Camera::new(config, size)?;
+        let objects = L::Objects::build(scene)?;
+        let extent = Extent::new(&objects, &camera, &scene.materials);
         let deterministic = scatter == Scatter::Deterministic;
         Ok(Self {
             size,
-            camera: Camera::new(config, size)?,
+            camera,
             background: Background::new(config),
-            objects: L::Objects::build(scene)?,
-            materials: scene.materials.clone(),
+            search: Search::new(&objects, &extent)?,
+            objects,
+            finishes: scene.materials.iter().map(|material| Finish::new(material, scatter)).collect(),
             quantizer: Quantizer::new(config.gamma),
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,

@@ -2,14 +2,14 @@
 //!
 //! Every operation is one correctly rounded IEEE operation, so a formula gives the same bits in every lane as alone.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// A real number, or a lane of them.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The answer of a comparison: one `bool`, or one a lane.
-    type Mask: Copy;
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
     /// The number nearest to `value`, in every lane.
     fn of(value: f64) -> Self;

@@ -3,7 +3,11 @@
 //! `std::mt19937_64` under libstdc++'s `uniform_real_distribution<double>`: one 64-bit word a draw, converted to `f64`
 //! (which rounds), divided by 2^64 and clipped below one. Crate `rand_mt` is the generator.
 
+mod block;
+
 use rand_mt::Mt64;
+
+pub use block::BlockUniform;
 
 /// The largest number below one, which replaces a quotient that rounds to one.
 pub(crate) const BELOW_ONE: f64 = 1.0_f64.next_down();
@@ -35,7 +39,7 @@ impl Uniform {
 }
 
 /// A word of the generator as a number in `[0, 1)`.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn canonical(word: u64) -> f64 {
     const SCALE: f64 = 1.0 / 18_446_744_073_709_551_616.0;

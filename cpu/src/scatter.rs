@@ -68,11 +68,18 @@ pub fn reflect<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
     direction - normal * (direction.dot(normal) * T::of(2.0))
 }
 
+/// The direction, of length one, in which a metal surface without diffusion sends light.
+#[inline(always)]
+#[must_use]
+pub fn mirror<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
+    reflect(direction, normal).unit()
+}
+
 /// Where a metal surface sends light: the mirror image's direction, spread (statement, section 3.5.2).
 #[inline(always)]
 #[must_use]
 pub fn metal<T: Real>(direction: Vec3<T>, normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> {
-    reflect(direction, normal).unit() + vector
+    mirror(direction, normal) + vector
 }
 
 /// Where a refractive surface sends light (statement, section 3.5.3). `ratio` is `1 / index` where the ray enters and

@@ -21,6 +21,47 @@ pub struct SphereRecord<T = f64> {
     pub radius_squared: T,
 }
 
+/// What the rays from one point share: they need only their directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereView<T = f64> {
+    /// From the origin to the centre.
+    pub r_c: Vec3<T>,
+    /// `r_c.r_c - r^2`: negative inside.
+    pub c: T,
+}
+
+impl<T: Real> SphereView<T> {
+    /// Half of `-b`, and a quarter of the discriminant, of the quadratic; `a` is `direction . direction`.
+    #[inline(always)]
+    #[must_use]
+    pub fn quadratic(&self, direction: Vec3<T>, a: T) -> (T, T) {
+        let h = direction.dot(self.r_c);
+        (h, h * h - a * self.c)
+    }
+}
+
+impl SphereView {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> SphereView<V> {
+        SphereView { r_c: self.r_c.map(V::of), c: V::of(self.c) }
+    }
+}
+
+impl SphereRecord {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> SphereRecord<V> {
+        SphereRecord {
+            center: self.center.map(V::of),
+            radius: V::of(self.radius),
+            radius_squared: V::of(self.radius_squared),
+        }
+    }
+}
+
 impl<T: Real> SphereRecord<T> {
     /// The record of the sphere at `center`.
     #[inline(always)]
@@ -29,14 +70,36 @@ impl<T: Real> SphereRecord<T> {
         Self { center, radius, radius_squared: radius * radius }
     }
 
+    /// The sphere as rays from `origin` see it.
+    #[inline(always)]
+    #[must_use]
+    pub fn seen_from(&self, origin: Vec3<T>) -> SphereView<T> {
+        let r_c = self.center - origin;
+        SphereView { r_c, c: r_c.dot(r_c) - self.radius_squared }
+    }
+
     /// Half of `-b`, and a quarter of the discriminant, of the ray's quadratic; `a` is `direction . direction`.
     #[inline(always)]
     #[must_use]
     pub fn quadratic(&self, ray: &Ray<T>, a: T) -> (T, T) {
-        let r_c = self.center - ray.origin;
-        let h = ray.direction.dot(r_c);
-        let c = r_c.dot(r_c) - self.radius_squared;
-        (h, h * h - a * c)
+        self.seen_from(ray.origin).quadratic(ray.direction, a)
+    }
+
+    /// Both roots of the quadratic; not numbers where the discriminant is negative.
+    #[inline(always)]
+    #[must_use]
+    pub fn roots(a: T, h: T, discriminant: T) -> (T, T) {
+        let root = discriminant.sqrt();
+        ((h - root) / a, (h + root) / a)
+    }
+
+    /// The smaller root that is in range, else the larger, and whether that is in range; without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_root(a: T, h: T, discriminant: T) -> (T, T::Mask) {
+        let (near, far) = Self::roots(a, h, discriminant);
+        let lambda = T::select(in_range(near), near, far);
+        (lambda, in_range(lambda))
     }
 
     /// The normal at `point` that leaves the sphere, of length one.
@@ -65,13 +128,8 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
         if discriminant.less(T::of(0.0)) {
             return None;
         }
-        let root = discriminant.sqrt();
-        let near = (h - root) / a;
-        if in_range(near) {
-            return Some(near);
-        }
-        let far = (h + root) / a;
-        in_range(far).then_some(far)
+        let (lambda, met) = Self::first_root(a, h, discriminant);
+        met.then_some(lambda)
     }
 }
 

@@ -1,0 +1,117 @@
+//! A span's samples on their way: an array for each value, so that several are worked on at once.
+
+use crate::layout::Layout;
+use crate::prepare::Prepared;
+use crate::rng::BlockUniform;
+use crate::scatter::Scatter;
+use crate::search::ObjectId;
+use crate::vec3::Vec3;
+
+use super::span::Span;
+
+/// Most samples of a batch.
+pub const CAPACITY: usize = 1024;
+
+/// Room beyond the last sample for lanes that no sample fills.
+pub const SLACK: usize = 16;
+
+/// Room for a value of each sample.
+pub type Values = [f64; CAPACITY + SLACK];
+
+/// Three arrays: points, directions or colours.
+#[derive(Clone, Debug)]
+pub struct Vectors {
+    /// First components.
+    pub x: Values,
+    /// Second components.
+    pub y: Values,
+    /// Third components.
+    pub z: Values,
+}
+
+impl Vectors {
+    const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
+
+    /// The vector of a sample.
+    #[inline(always)]
+    pub fn get(&self, sample: usize) -> Vec3 {
+        Vec3::new(self.x[sample], self.y[sample], self.z[sample])
+    }
+
+    /// Replaces the vector of a sample.
+    #[inline(always)]
+    pub fn set(&mut self, sample: usize, vector: Vec3) {
+        self.x[sample] = vector.x;
+        self.y[sample] = vector.y;
+        self.z[sample] = vector.z;
+    }
+}
+
+/// The samples of a span.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// Number of samples.
+    pub count: usize,
+    /// Column of each sample's pixel.
+    pub column: Values,
+    /// Places in their pixels, to the right and down.
+    pub offset: [Values; 2],
+    /// Where each sample's ray last met a surface.
+    pub point: Vectors,
+    /// What is known of the ray's way on before a random vector is added: a matte surface's normal, a metal one's mirror
+    /// direction; the whole direction at a refractive one.
+    pub base: Vectors,
+    /// The object met there.
+    pub object: [ObjectId; CAPACITY + SLACK],
+    /// Refractive surfaces passed before it.
+    pub passed: [u64; CAPACITY + SLACK],
+    /// Samples whose ray has just met a refractive surface.
+    pub in_glass: Vec<u32>,
+    /// Samples that wait for a random vector, in order.
+    pub waiting: Vec<u32>,
+    /// Colours of the samples, linear.
+    pub color: Vectors,
+    draws: [f64; 2 * CAPACITY],
+}
+
+impl Batch {
+    /// Room for a batch.
+    pub fn new() -> Box<Self> {
+        Box::new(Self {
+            count: 0,
+            column: [0.0; CAPACITY + SLACK],
+            offset: [[0.0; CAPACITY + SLACK]; 2],
+            point: Vectors::ZERO,
+            base: Vectors::ZERO,
+            object: [0; CAPACITY + SLACK],
+            passed: [0; CAPACITY + SLACK],
+            in_glass: Vec::with_capacity(CAPACITY),
+            waiting: Vec::with_capacity(CAPACITY),
+            color: Vectors::ZERO,
+            draws: [0.0; 2 * CAPACITY],
+        })
+    }
+
+    /// Begins a span: places its samples in their pixels.
+    #[inline(always)]
+    pub fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+        self.count = span.count;
+        let mut left_in_pixel = prepared.samples - span.first_sample;
+        let (mut column, mut from) = (span.first, 0);
+        while from < span.count {
+            let to =
+                span.count.min(usize::try_from(left_in_pixel).map_or(span.count, |left| left.saturating_add(from)));
+            self.column[from..to].fill(column as f64);
+            (from, column, left_in_pixel) = (to, column + 1, prepared.samples);
+        }
+        if prepared.scatter == Scatter::Deterministic {
+            return;
+        }
+        offsets.fill(&mut self.draws[..2 * span.count]);
+        for (sample, pair) in self.draws[..2 * span.count].chunks_exact(2).enumerate() {
+            // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing.
+            self.offset[0][sample] = pair[0] - 0.5;
+            self.offset[1][sample] = pair[1] - 0.5;
+        }
+    }
+}

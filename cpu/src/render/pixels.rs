@@ -1,0 +1,41 @@
+//! The mean of a pixel's samples, summed in their order.
+
+use super::batch::Batch;
+use super::span::Span;
+use crate::vec3::Vec3;
+
+/// The sum of the pixel that is under way.
+#[derive(Debug)]
+pub struct Sums {
+    samples: u64,
+    sum: Vec3,
+}
+
+impl Sums {
+    /// No sample yet, of `samples` a pixel.
+    pub const fn new(samples: u64) -> Self {
+        Self { samples, sum: Vec3::ZERO }
+    }
+
+    /// Adds the span's samples and hands every pixel that is complete to `pixel`, with its column.
+    #[inline(always)]
+    pub fn add(&mut self, span: &Span, batch: &Batch, mut pixel: impl FnMut(usize, Vec3)) {
+        let mut taken = span.first_sample;
+        let (mut column, mut from) = (span.first, 0);
+        while from < span.count {
+            let left = usize::try_from(self.samples - taken).unwrap_or(usize::MAX);
+            let to = span.count.min(from.saturating_add(left));
+            let mut sum = self.sum;
+            for sample in from..to {
+                sum = sum + batch.color.get(sample);
+            }
+            if to - from == left {
+                pixel(column, sum / self.samples as f64);
+                self.sum = Vec3::ZERO;
+            } else {
+                self.sum = sum;
+            }
+            (from, column, taken) = (to, column + 1, 0);
+        }
+    }
+}

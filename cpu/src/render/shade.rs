@@ -1,0 +1,110 @@
+//! What a surface does to rays that have just met it, several at once.
+
+use crate::cylinder::Part;
+use crate::layout::{Layout, Objects};
+use crate::prepare::{Kind, Prepared};
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::scatter;
+use crate::search::ObjectId;
+use crate::simd::{LaneMask, Lanes};
+use crate::vec3::Vec3;
+
+/// The hits of as many rays as there are lanes; object and part are whole numbers.
+#[derive(Clone, Copy)]
+pub struct Hits<V: Lanes> {
+    /// Where on the ray; infinite in lanes that meet nothing.
+    pub lambda: V,
+    /// The object met.
+    pub object: V,
+    /// The part of a cylinder.
+    pub part: V,
+    /// Lanes that meet something, as bits.
+    pub bits: u32,
+}
+
+/// Most lanes of any instruction set.
+pub const MOST_LANES: usize = 8;
+
+/// The points met, and where the surfaces send light before a random vector is added (see
+/// [`Batch::base`](super::batch::Batch::base)); the object and its material's kind of each lane that meets something.
+pub struct Shaded<V> {
+    pub point: Vec3<V>,
+    pub base: Vec3<V>,
+    pub object: [ObjectId; MOST_LANES],
+    /// Lanes whose surface is refractive, as bits.
+    pub glass: u32,
+}
+
+/// Shades the lanes that meet something.
+#[inline(always)]
+pub fn shade<V: Lanes, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &Hits<V>) -> Shaded<V> {
+    let objects = &prepared.objects;
+    let mut numbers = [0.0; MOST_LANES];
+    hits.object.store(&mut numbers);
+    let mut shaded =
+        Shaded { point: ray.at(hits.lambda), base: Vec3::splat(V::of(0.0)), object: [0; MOST_LANES], glass: 0 };
+    let mut left = hits.bits;
+    while left != 0 {
+        // Neighbours mostly meet the same object: all lanes that meet this one are done together.
+        let number = numbers[left.trailing_zeros() as usize % MOST_LANES];
+        let object = number as ObjectId;
+        let same = V::of(number).less_equal(hits.object) & hits.object.less_equal(V::of(number));
+        let same_bits = same.bits() & left;
+        left &= !same_bits;
+        let (outward, material) = match (object as usize).checked_sub(objects.sphere_count()) {
+            None => {
+                let sphere = objects.sphere(object as usize);
+                (sphere.record.lanes::<V>().outward(shaded.point), sphere.material)
+            }
+            Some(index) => {
+                let cylinder = objects.cylinder(index);
+                let record = cylinder.record.lanes::<V>();
+                let side = record.outward(Part::Side, shaded.point);
+                let is_side = hits.part.less(V::of(0.5));
+                let is_top = hits.part.less(V::of(1.5));
+                let base = select(is_top, record.outward(Part::Top, side), record.outward(Part::Bottom, side));
+                (select(is_side, side, base), cylinder.material)
+            }
+        };
+        let front = ray.direction.dot(outward).less(V::of(0.0));
+        let normal = select(front, outward, -outward);
+        let finish = &prepared.finishes[material as usize];
+        let base = match finish.kind {
+            Kind::Matte => normal,
+            Kind::Metal => scatter::mirror(ray.direction, normal),
+            Kind::Refractive => {
+                shaded.glass |= same_bits;
+                let ratio = V::select(front, V::of(finish.inverse_index), V::of(finish.index));
+                scatter::refract(ray.direction, normal, ratio)
+            }
+        };
+        shaded.base = select(same, base, shaded.base);
+        let mut lanes = same_bits;
+        while lanes != 0 {
+            shaded.object[lanes.trailing_zeros() as usize % MOST_LANES] = object;
+            lanes &= lanes - 1;
+        }
+    }
+    shaded
+}
+
+/// `yes` where `mask` holds, `no` elsewhere.
+#[inline(always)]
+pub fn select<V: Real>(mask: V::Mask, yes: Vec3<V>, no: Vec3<V>) -> Vec3<V> {
+    Vec3::new(V::select(mask, yes.x, no.x), V::select(mask, yes.y, no.y), V::select(mask, yes.z, no.z))
+}
+
+/// Loads the lanes of three arrays from `at` on.
+#[inline(always)]
+pub fn load<V: Lanes>(vectors: &super::batch::Vectors, at: usize) -> Vec3<V> {
+    Vec3::new(V::load(&vectors.x[at..]), V::load(&vectors.y[at..]), V::load(&vectors.z[at..]))
+}
+
+/// Stores lanes into three arrays from `at` on.
+#[inline(always)]
+pub fn store<V: Lanes>(vector: Vec3<V>, vectors: &mut super::batch::Vectors, at: usize) {
+    vector.x.store(&mut vectors.x[at..]);
+    vector.y.store(&mut vectors.y[at..]);
+    vector.z.store(&mut vectors.z[at..]);
+}

@@ -1,0 +1,205 @@
+//! Spans: runs of samples along a row, and the objects that their rays may meet.
+
+use crate::cylinder::{CylinderRecord, CylinderView};
+use crate::layout::{Layout, Objects};
+use crate::prepare::Prepared;
+use crate::search::{ObjectId, Search};
+use crate::sphere::{SphereRecord, SphereView};
+use crate::vec3::Vec3;
+
+use super::batch::CAPACITY;
+
+/// Widest span, in pixels: narrow enough that few objects are candidates.
+const WIDEST: usize = 32;
+
+/// A run of samples: from `first_sample` of pixel `first` on, `count` in all, over consecutive pixels of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// Column of the first pixel.
+    pub first: usize,
+    /// Samples of the first pixel that earlier spans have taken.
+    pub first_sample: u64,
+    /// Samples.
+    pub count: usize,
+    /// Column of the last pixel.
+    pub last: usize,
+}
+
+/// The spans of a row, in order: no more than the batch holds, no wider than [`WIDEST`].
+#[derive(Clone, Debug)]
+pub struct Spans {
+    width: usize,
+    samples: u64,
+    column: usize,
+    sample: u64,
+}
+
+impl Spans {
+    /// The spans of a row of `width` pixels with `samples` samples each.
+    pub const fn of_row(width: usize, samples: u64) -> Self {
+        Self { width, samples, column: 0, sample: 0 }
+    }
+}
+
+impl Iterator for Spans {
+    type Item = Span;
+
+    fn next(&mut self) -> Option<Span> {
+        if self.column == self.width {
+            return None;
+        }
+        let (first, first_sample) = (self.column, self.sample);
+        let room = CAPACITY as u64;
+        let left_in_pixel = self.samples - first_sample;
+        if left_in_pixel > room {
+            self.sample += room;
+            return Some(Span { first, first_sample, count: CAPACITY, last: first });
+        }
+        // The rest of the first pixel, then as many whole pixels as fit.
+        let whole = ((room - left_in_pixel) / self.samples).min(WIDEST as u64 - 1) as usize;
+        let whole = whole.min(self.width - first - 1);
+        self.column = first + 1 + whole;
+        self.sample = 0;
+        let count = (left_in_pixel + whole as u64 * self.samples) as usize;
+        Some(Span { first, first_sample, count, last: first + whole })
+    }
+}
+
+/// An object that a span's rays may meet, as the camera sees it.
+#[derive(Clone, Copy, Debug)]
+pub enum Candidate {
+    /// A sphere.
+    Sphere(SphereRecord, SphereView),
+    /// A cylinder.
+    Cylinder(CylinderRecord, CylinderView),
+}
+
+/// The half-space of the points `v`, relative to the camera, with `normal.v >= 0`; the normal has length one.
+type HalfSpace = Vec3;
+
+/// The candidates of a row and of a span.
+#[derive(Debug)]
+pub struct Candidates {
+    /// All objects, in the order of the file.
+    all: Vec<ObjectId>,
+    row: Vec<ObjectId>,
+    /// The span's candidates, in the order of the file.
+    pub span: Vec<(ObjectId, Candidate)>,
+    /// Whether the scene's magnitudes bear a cull at all.
+    culls: bool,
+}
+
+impl Candidates {
+    /// No candidates yet.
+    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
+        let objects = &prepared.objects;
+        let (spheres, cylinders) = (objects.sphere_count(), objects.cylinder_count());
+        let mut all: Vec<ObjectId> = (0..(spheres + cylinders) as ObjectId).collect();
+        all.sort_by_key(|&id| order_of(objects, id));
+        Self { all, row: Vec::new(), span: Vec::new(), culls: !matches!(prepared.search, Search::Plain) }
+    }
+
+    /// Finds the objects that the rays of `row` may meet.
+    pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
+        let camera = &prepared.camera;
+        let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
+        let inside = at(row as f64);
+        let walls = [-0.5, 0.5].map(|side| wall(camera.delta_x, at(row as f64 + side), inside));
+        self.row.clear();
+        let meets = |id: &&ObjectId| !self.culls || reaches(prepared, **id, &walls);
+        self.row.extend(self.all.iter().filter(meets));
+    }
+
+    /// Finds those among the row's objects that the rays of `span` may meet.
+    pub fn narrow<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
+        let camera = &prepared.camera;
+        let center = camera.origin - camera.position + camera.delta_y * row as f64;
+        let at = |column: f64| center + camera.delta_x * column;
+        let inside = at((span.first + span.last) as f64 / 2.0);
+        let walls =
+            [span.first as f64 - 0.5, span.last as f64 + 0.5].map(|side| wall(camera.delta_y, at(side), inside));
+        self.span.clear();
+        for &id in self.row.iter().filter(|&&id| !self.culls || reaches(prepared, id, &walls)) {
+            let (objects, spheres) = (&prepared.objects, prepared.objects.sphere_count());
+            let candidate = if (id as usize) < spheres {
+                let record = objects.sphere(id as usize).record;
+                Candidate::Sphere(record, record.seen_from(camera.position))
+            } else {
+                let record = objects.cylinder(id as usize - spheres).record;
+                Candidate::Cylinder(record, record.seen_from(camera.position))
+            };
+            self.span.push((id, candidate));
+        }
+    }
+}
+
+fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
+    match (id as usize).checked_sub(objects.sphere_count()) {
+        None => objects.sphere(id as usize).order,
+        Some(index) => objects.cylinder(index).order,
+    }
+}
+
+/// The half-space bounded by the plane through the camera along `first` and `second` that holds `inside`.
+fn wall(first: Vec3, second: Vec3, inside: Vec3) -> HalfSpace {
+    let normal = first.cross(second).unit();
+    if normal.dot(inside) < 0.0 { -normal } else { normal }
+}
+
+/// Whether an object reaches into all half-spaces; true when in doubt.
+fn reaches<L: Layout>(prepared: &Prepared<L>, id: ObjectId, walls: &[HalfSpace; 2]) -> bool {
+    // Relative to distance and size: covers the rounding here, of the rays and of the exact formulas many times over.
+    const MARGIN: f64 = 1e-9;
+    let objects = &prepared.objects;
+    let from = prepared.camera.position;
+    match (id as usize).checked_sub(objects.sphere_count()) {
+        None => {
+            let record = objects.sphere(id as usize).record;
+            let middle = record.center - from;
+            let scale = middle.length() + from.length() + record.radius;
+            walls.iter().all(|wall| !(wall.dot(middle) < -record.radius - MARGIN * scale))
+        }
+        Some(index) => {
+            let record = objects.cylinder(index).record;
+            let middle = record.center - from;
+            let scale = middle.length() + from.length() + record.radius + record.half_height;
+            walls.iter().all(|wall| {
+                let along = wall.dot(record.axis);
+                let across = (1.0 - along * along).max(0.0).sqrt();
+                let reach = record.half_height * along.abs() + record.radius * across;
+                !(wall.dot(middle) < -reach - MARGIN * scale - 1e-7 * record.radius)
+            })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn spans(width: usize, samples: u64) -> Vec<Span> {
+        Spans::of_row(width, samples).collect()
+    }
+
+    #[test]
+    fn spans_cover_a_row_in_order() {
+        for (width, samples) in [(1, 1), (100, 1), (33, 20), (7, 300), (3, CAPACITY as u64), (2, 5000), (5, 1025)] {
+            let all = spans(width, samples);
+            let total: u64 = all.iter().map(|span| span.count as u64).sum();
+            assert_eq!(total, width as u64 * samples, "{width} pixels of {samples}");
+            let mut position = 0;
+            for span in &all {
+                assert_eq!(span.first as u64 * samples + span.first_sample, position);
+                position += span.count as u64;
+                assert_eq!(span.last as u64, (position - 1) / samples);
+                assert!(span.count <= CAPACITY && span.last - span.first < WIDEST);
+            }
+        }
+    }
+
+    #[test]
+    fn a_pixel_of_more_samples_than_any_memory_begins() {
+        let first = Spans::of_row(1, u64::MAX).next();
+        assert_eq!(first, Some(Span { first: 0, first_sample: 0, count: CAPACITY, last: 0 }));
+    }
+}

@@ -1,0 +1,101 @@
+//! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
+//! each taking its random vectors from one stream.
+
+use super::batch::Batch;
+use super::ends::Ended;
+use super::vectors::Triples;
+use crate::layout::{Layout, Objects};
+use crate::prepare::{Kind, Prepared};
+use crate::ray::Ray;
+use crate::scatter;
+use crate::scene::MaterialId;
+use crate::search::ObjectId;
+use crate::simd::Simd;
+use crate::surface::surface;
+
+/// Walks paths; holds the stream and what waits for its background.
+#[derive(Debug)]
+pub struct Walk {
+    triples: Triples,
+    /// The paths of the present batch that have left the scene.
+    pub ended: Ended,
+}
+
+impl Walk {
+    /// At the beginning of the stream.
+    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
+        Self { triples: Triples::new(prepared.scatter, prepared.material_seed), ended: Ended::default() }
+    }
+
+    /// Follows every waiting sample to its end.
+    #[inline(always)]
+    pub fn follow<S: Simd, L: Layout>(&mut self, prepared: &Prepared<L>, batch: &mut Batch) {
+        for &sample in &batch.waiting {
+            let sample = sample as usize;
+            let object = batch.object[sample];
+            let depth_left = prepared.max_depth - 1 - batch.passed[sample];
+            let at = Standing { point: batch.point.get(sample), base: batch.base.get(sample), object };
+            self.follow_one::<S, L>(prepared, at, depth_left, sample);
+        }
+    }
+
+    #[inline(always)]
+    fn follow_one<S: Simd, L: Layout>(
+        &mut self,
+        prepared: &Prepared<L>,
+        mut at: Standing,
+        mut depth_left: u64,
+        sample: usize,
+    ) {
+        self.ended.begin();
+        loop {
+            let material = material_of(&prepared.objects, at.object);
+            let finish = &prepared.finishes[material as usize];
+            let vector = finish.vector(self.triples.next());
+            let direction = if finish.kind == Kind::Matte { scatter::matte(at.base, vector) } else { at.base + vector };
+            self.ended.meet(material);
+            let mut ray = Ray { origin: at.point, direction };
+            let mut from = at.object;
+            // On through refractive surfaces to the next one that scatters.
+            at = loop {
+                if depth_left == 0 {
+                    return self.ended.forget();
+                }
+                depth_left -= 1;
+                let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from);
+                if !found.is_hit() {
+                    return self.ended.leave(sample, ray.direction);
+                }
+                let (hit, material) = surface(&prepared.objects, &ray, &found);
+                let finish = &prepared.finishes[material as usize];
+                from = found.object;
+                let base = match finish.kind {
+                    Kind::Matte => hit.normal,
+                    Kind::Metal => scatter::mirror(ray.direction, hit.normal),
+                    Kind::Refractive => {
+                        let ratio = if hit.front { finish.inverse_index } else { finish.index };
+                        ray = Ray { origin: hit.point, direction: scatter::refract(ray.direction, hit.normal, ratio) };
+                        continue;
+                    }
+                };
+                break Standing { point: hit.point, base, object: from };
+            };
+        }
+    }
+}
+
+/// A path on a surface that scatters.
+struct Standing {
+    point: crate::Vec3,
+    /// The direction in which the surface sends light before the random vector is added.
+    base: crate::Vec3,
+    object: ObjectId,
+}
+
+#[inline(always)]
+fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
+    match (object as usize).checked_sub(objects.sphere_count()) {
+        None => objects.sphere(object as usize).material,
+        Some(index) => objects.cylinder(index).material,
+    }
+}

@@ -1,0 +1,67 @@
+//! Finding the nearest object of a ray without asking every one.
+//!
+//! Everything here only decides which objects are asked, and in which order. Whether and where a ray meets an object is
+//! decided by the exact formulas of [`crate::sphere`] and [`crate::cylinder`] alone, and the nearest of all hits (the
+//! later object of two at the same lambda) does not depend on the order. A filter may let an object pass that the ray
+//! misses; it never stops one that the exact formulas would hit (docs/performance.md derives the margins).
+
+mod filter;
+mod found;
+mod leaving;
+
+pub use filter::Filter;
+pub use found::Found;
+
+use crate::error::Error;
+use crate::layout::Objects;
+use crate::prepare::Extent;
+use crate::ray::Ray;
+use crate::simd::Simd;
+
+/// Position of an object in the search: its index among the spheres, or the number of spheres plus its index among the
+/// cylinders.
+pub type ObjectId = u32;
+
+/// No object: where primary rays come from.
+pub const NOWHERE: ObjectId = ObjectId::MAX;
+
+/// How the nearest object is found; chosen once for a scene.
+#[derive(Debug)]
+pub enum Search {
+    /// Every object is asked: for scenes whose magnitudes no filter bears.
+    Plain,
+    /// A filter over all objects, several at once.
+    Flat(Filter),
+}
+
+impl Search {
+    /// The search that fits the objects.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+        Ok(if extent.moderate { Self::Flat(Filter::new(objects, extent)?) } else { Self::Plain })
+    }
+
+    /// The nearest object that a ray from the surface of `from` meets.
+    #[inline(always)]
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
+        match self {
+            Self::Plain => plain(objects, ray),
+            Self::Flat(filter) => filter.nearest::<S, O>(objects, ray, from),
+        }
+    }
+}
+
+/// The nearest object, by asking every one.
+#[inline(never)]
+fn plain<O: Objects>(objects: &O, ray: &Ray) -> Found {
+    let mut found = Found::NOTHING;
+    for index in 0..objects.sphere_count() {
+        found.ask_sphere(objects, index, ray);
+    }
+    for index in 0..objects.cylinder_count() {
+        found.ask_cylinder(objects, index, ray);
+    }
+    found
+}

@@ -1,0 +1,83 @@
+//! The nearest hit so far.
+
+use super::{NOWHERE, ObjectId};
+use crate::cylinder::Part;
+use crate::layout::Objects;
+use crate::ray::Ray;
+
+/// The nearest hit among the objects asked so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// Where on the ray; infinite when there is none.
+    pub lambda: f64,
+    /// What is met, or [`NOWHERE`].
+    pub object: ObjectId,
+    /// The object's place in the file: of two hits at the same lambda the later object counts.
+    pub order: u32,
+    /// The part of a cylinder; the side for a sphere.
+    pub part: Part,
+}
+
+impl Found {
+    /// Nothing yet.
+    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NOWHERE, order: 0, part: Part::Side };
+
+    /// Whether anything is met.
+    #[inline(always)]
+    #[must_use]
+    pub const fn is_hit(&self) -> bool {
+        self.object != NOWHERE
+    }
+
+    /// Takes a hit into account.
+    #[inline(always)]
+    pub fn offer(&mut self, lambda: f64, object: ObjectId, order: u32, part: Part) {
+        if lambda < self.lambda || (lambda == self.lambda && (order > self.order || !self.is_hit())) {
+            *self = Self { lambda, object, order, part };
+        }
+    }
+
+    /// Takes the sphere at `index` into account.
+    #[inline(always)]
+    pub fn ask_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let sphere = objects.sphere(index);
+        if let Some(lambda) = sphere.record.intersect(ray) {
+            self.offer(lambda, index as ObjectId, sphere.order, Part::Side);
+        }
+    }
+
+    /// Takes the cylinder at `index` among the cylinders into account.
+    #[inline(always)]
+    pub fn ask_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let cylinder = objects.cylinder(index);
+        if let Some((lambda, part)) = cylinder.record.intersect(ray) {
+            self.offer(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_counts_and_of_equals_the_later_in_the_file() {
+        let mut found = Found::NOTHING;
+        assert!(!found.is_hit());
+        found.offer(2.0, 7, 3, Part::Side);
+        found.offer(2.0, 8, 1, Part::Side);
+        assert_eq!(found.object, 7);
+        found.offer(2.0, 9, 4, Part::Top);
+        assert_eq!((found.object, found.part), (9, Part::Top));
+        found.offer(1.0, 1, 0, Part::Side);
+        found.offer(1.5, 2, 9, Part::Side);
+        assert_eq!((found.object, found.lambda), (1, 1.0));
+    }
+
+    #[test]
+    fn even_a_hit_at_infinity_is_a_hit() {
+        let mut found = Found::NOTHING;
+        found.offer(f64::INFINITY, 5, 0, Part::Side);
+        assert_eq!(found.object, 5);
+    }
+}

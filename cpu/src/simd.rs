@@ -1,0 +1,202 @@
+//! Several numbers at once, on whatever the machine offers.
+//!
+//! A kernel is written once, over [`Simd`], and compiled for each instruction set by [`Simd::run`]. The set is chosen
+//! once, at run time ([`InstructionSet::best`]); every operation on `f64` lanes is one correctly rounded IEEE operation,
+//! so the choice never changes a byte. Only the `f32` lanes, which serve filters, may fuse.
+//!
+//! The portable implementation is always compiled and tested; the others are held against it.
+
+#![allow(unsafe_code)]
+
+mod portable;
+
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+#[cfg(target_arch = "x86_64")]
+mod avx512;
+#[cfg(target_arch = "x86_64")]
+mod sse2;
+
+use std::ops::{Add, Mul, Sub};
+
+use crate::real::Real;
+
+pub use portable::Portable;
+
+/// An instruction set, as a type that kernels are compiled for.
+pub trait Simd: Copy + 'static {
+    /// Lanes of `f64`.
+    type F64: Lanes;
+    /// Lanes of `f32`, for filters.
+    type F32: FilterLanes;
+
+    /// Runs `kernel`, compiled for this instruction set.
+    ///
+    /// # Safety
+    /// The machine must have the instruction set. Inside a kernel it does.
+    unsafe fn run<K: Kernel>(kernel: K) -> K::Output;
+}
+
+/// Work that is compiled once for each instruction set.
+pub trait Kernel {
+    /// What the work gives.
+    type Output;
+
+    /// The work. Implementations, and all that handles lanes in them, must be `#[inline(always)]`: a function of its
+    /// own would be compiled without the instruction set.
+    fn call<S: Simd>(self) -> Self::Output;
+}
+
+/// A comparison's answer, a bit a lane.
+pub trait LaneMask: Copy {
+    /// The lanes as bits, lane 0 lowest; bits beyond the lanes are 0.
+    fn bits(self) -> u32;
+}
+
+/// Lanes of `f64`.
+pub trait Lanes: Real<Mask: LaneMask> {
+    /// Their number.
+    const LANES: usize;
+
+    /// The first lanes of `values`.
+    ///
+    /// # Panics
+    /// When there are fewer.
+    fn load(values: &[f64]) -> Self;
+    /// Stores the lanes at the beginning of `place`.
+    ///
+    /// # Panics
+    /// When it is shorter.
+    fn store(self, place: &mut [f64]);
+}
+
+/// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.
+pub trait FilterLanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// Their number; it divides 16.
+    const LANES: usize;
+
+    /// `value` in every lane.
+    fn splat(value: f32) -> Self;
+    /// The first lanes of `values`.
+    ///
+    /// # Panics
+    /// When there are fewer.
+    fn load(values: &[f32]) -> Self;
+    /// Stores the lanes at the beginning of `place`.
+    ///
+    /// # Panics
+    /// When it is shorter.
+    fn store(self, place: &mut [f32]);
+    /// `self * factor + term`, rounded once or twice.
+    fn mul_add(self, factor: Self, term: Self) -> Self;
+    /// The smaller; `other` when either is not a number.
+    fn min(self, other: Self) -> Self;
+    /// The larger; `other` when either is not a number.
+    fn max(self, other: Self) -> Self;
+    /// Whether `self <= other`, a bit a lane; 0 when either is not a number.
+    fn less_equal(self, other: Self) -> u32;
+}
+
+/// The instruction sets that kernels are compiled for, the plainest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum InstructionSet {
+    /// Arrays, for any machine.
+    Portable,
+    /// 128 bits, on every x86-64.
+    Sse2,
+    /// 256 bits with fused multiply-add.
+    Avx2,
+    /// 512 bits.
+    Avx512,
+}
+
+impl InstructionSet {
+    /// All of them, whether this machine has them or not.
+    pub const ALL: [Self; 4] = [Self::Portable, Self::Sse2, Self::Avx2, Self::Avx512];
+
+    /// The environment variable that forces one of them, by [`InstructionSet::name`].
+    pub const VARIABLE: &'static str = "RENDER_INSTRUCTION_SET";
+
+    /// Its name in lower case.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Portable => "portable",
+            Self::Sse2 => "sse2",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+
+    /// Whether this machine has it.
+    #[must_use]
+    pub fn is_available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        return match self {
+            Self::Portable | Self::Sse2 => true,
+            Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
+            Self::Avx512 => {
+                is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512vl")
+                    && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("fma")
+            }
+        };
+        #[cfg(not(target_arch = "x86_64"))]
+        return matches!(self, Self::Portable);
+    }
+
+    /// The widest that this machine has.
+    #[must_use]
+    pub fn best() -> Self {
+        let available = Self::ALL.into_iter().filter(|set| set.is_available());
+        available.max().unwrap_or(Self::Portable)
+    }
+
+    /// What [`InstructionSet::VARIABLE`] names, where it is set to one that this machine has; else the best.
+    #[must_use]
+    pub fn chosen() -> Self {
+        let named = std::env::var_os(Self::VARIABLE);
+        Self::ALL
+            .into_iter()
+            .find(|set| named.as_ref().is_some_and(|name| name == set.name()) && set.is_available())
+            .unwrap_or_else(Self::best)
+    }
+
+    /// Runs `kernel` compiled for it; for the portable one when this machine lacks it.
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        let set = if self.is_available() { self } else { Self::Portable };
+        // SAFETY: the machine has the instruction set, as was just asked.
+        unsafe {
+            match set {
+                Self::Portable => Portable::run(kernel),
+                #[cfg(target_arch = "x86_64")]
+                Self::Sse2 => sse2::Sse2::run(kernel),
+                #[cfg(target_arch = "x86_64")]
+                Self::Avx2 => avx2::Avx2::run(kernel),
+                #[cfg(target_arch = "x86_64")]
+                Self::Avx512 => avx512::Avx512::run(kernel),
+                #[cfg(not(target_arch = "x86_64"))]
+                _ => Portable::run(kernel),
+            }
+        }
+    }
+}
+
+/// Implements arithmetic operators of a one-field lane type through functions of `std::arch`.
+macro_rules! operators {
+    ($type:ident, $($trait:ident $method:ident $function:path),+ $(,)?) => {
+        $(impl std::ops::$trait for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                // SAFETY: lanes exist only inside kernels, where the machine has the instruction set.
+                Self(unsafe { $function(self.0, other.0) })
+            }
+        })+
+    };
+}
+#[cfg(target_arch = "x86_64")]
+use operators;

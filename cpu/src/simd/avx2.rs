@@ -1,0 +1,160 @@
+//! 256-bit lanes with fused multiply-add for the filters.
+//!
+//! Each function is one or two instructions. They are sound because a lane value exists only inside a kernel, and a
+//! kernel is compiled for this instruction set only where [`InstructionSet::run`](super::InstructionSet::run) has found
+//! that the machine has it.
+
+use std::arch::x86_64::*;
+
+use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
+use crate::real::Real;
+
+/// AVX2 and FMA.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx2;
+
+impl Simd for Avx2 {
+    type F64 = F64;
+    type F32 = F32;
+
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
+        kernel.call::<Self>()
+    }
+}
+
+/// Lanes of `f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct F64(__m256d);
+
+/// Lanes of `f32`.
+#[derive(Clone, Copy, Debug)]
+pub struct F32(__m256);
+
+/// Answers of comparisons.
+#[derive(Clone, Copy, Debug)]
+pub struct Mask(__m256d);
+
+operators!(F64, Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
+operators!(F32, Add add _mm256_add_ps, Sub sub _mm256_sub_ps, Mul mul _mm256_mul_ps);
+operators!(Mask, BitAnd bitand _mm256_and_pd, BitOr bitor _mm256_or_pd);
+
+impl std::ops::Not for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_xor_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi32(-1))) })
+    }
+}
+
+impl LaneMask for Mask {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { _mm256_movemask_pd(self.0) as u32 }
+    }
+}
+
+impl std::ops::Neg for F64 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) })
+    }
+}
+
+impl Real for F64 {
+    type Mask = Mask;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_set1_pd(value) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> Mask {
+        // SAFETY: see the module's head.
+        Mask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> Mask {
+        // SAFETY: see the module's head.
+        Mask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select(mask: Mask, yes: Self, no: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
+    }
+}
+
+impl Lanes for F64 {
+    const LANES: usize = 4;
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        Self(unsafe { _mm256_loadu_pd(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f64]) {
+        let place = &mut place[..Self::LANES];
+        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
+        unsafe { _mm256_storeu_pd(place.as_mut_ptr(), self.0) }
+    }
+}
+
+impl FilterLanes for F32 {
+    const LANES: usize = 8;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_set1_ps(value) })
+    }
+    #[inline(always)]
+    fn load(values: &[f32]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        Self(unsafe { _mm256_loadu_ps(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f32]) {
+        let place = &mut place[..Self::LANES];
+        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
+        unsafe { _mm256_storeu_ps(place.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_fmadd_ps(self.0, factor.0, term.0) })
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_min_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_max_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
+    }
+}

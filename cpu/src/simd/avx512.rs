@@ -1,0 +1,173 @@
+//! 512-bit lanes.
+//!
+//! Each function is one or two instructions. They are sound because a lane value exists only inside a kernel, and a
+//! kernel is compiled for this instruction set only where [`InstructionSet::run`](super::InstructionSet::run) has found
+//! that the machine has it.
+
+use std::arch::x86_64::*;
+
+use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
+use crate::real::Real;
+
+/// AVX-512 F, DQ, BW and VL.
+#[derive(Clone, Copy, Debug)]
+pub struct Avx512;
+
+impl Simd for Avx512 {
+    type F64 = F64;
+    type F32 = F32;
+
+    #[target_feature(enable = "avx512f,avx512dq,avx512bw,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
+        kernel.call::<Self>()
+    }
+}
+
+/// Lanes of `f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct F64(__m512d);
+
+/// Lanes of `f32`.
+#[derive(Clone, Copy, Debug)]
+pub struct F32(__m512);
+
+/// Answers of comparisons.
+#[derive(Clone, Copy, Debug)]
+pub struct Mask(__mmask8);
+
+operators!(F64, Add add _mm512_add_pd, Sub sub _mm512_sub_pd, Mul mul _mm512_mul_pd, Div div _mm512_div_pd);
+operators!(F32, Add add _mm512_add_ps, Sub sub _mm512_sub_ps, Mul mul _mm512_mul_ps);
+
+impl std::ops::BitAnd for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+}
+
+impl std::ops::BitOr for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl std::ops::Not for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(!self.0)
+    }
+}
+
+impl LaneMask for Mask {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        u32::from(self.0)
+    }
+}
+
+impl std::ops::Neg for F64 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_xor_pd(self.0, _mm512_set1_pd(-0.0)) })
+    }
+}
+
+impl Real for F64 {
+    type Mask = Mask;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_set1_pd(value) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_andnot_pd(_mm512_set1_pd(-0.0), self.0) })
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> Mask {
+        // SAFETY: see the module's head.
+        Mask(unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> Mask {
+        // SAFETY: see the module's head.
+        Mask(unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select(mask: Mask, yes: Self, no: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_mask_blend_pd(mask.0, no.0, yes.0) })
+    }
+}
+
+impl Lanes for F64 {
+    const LANES: usize = 8;
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        Self(unsafe { _mm512_loadu_pd(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f64]) {
+        let place = &mut place[..Self::LANES];
+        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
+        unsafe { _mm512_storeu_pd(place.as_mut_ptr(), self.0) }
+    }
+}
+
+impl FilterLanes for F32 {
+    const LANES: usize = 16;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_set1_ps(value) })
+    }
+    #[inline(always)]
+    fn load(values: &[f32]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        Self(unsafe { _mm512_loadu_ps(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f32]) {
+        let place = &mut place[..Self::LANES];
+        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
+        unsafe { _mm512_storeu_ps(place.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_fmadd_ps(self.0, factor.0, term.0) })
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_min_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_max_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)) }
+    }
+}

@@ -1,0 +1,147 @@
+//! Lanes as arrays, for machines without a kernel of their own, and as the twin that the others are held against.
+
+use std::array;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
+use crate::real::Real;
+
+/// The portable implementation.
+#[derive(Clone, Copy, Debug)]
+pub struct Portable;
+
+impl Simd for Portable {
+    type F64 = F64x4;
+    type F32 = F32x4;
+
+    #[inline]
+    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
+        kernel.call::<Self>()
+    }
+}
+
+/// Four numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct F64x4([f64; 4]);
+
+/// Four answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Mask4([bool; 4]);
+
+/// Four numbers for filters.
+#[derive(Clone, Copy, Debug)]
+pub struct F32x4([f32; 4]);
+
+macro_rules! elementwise {
+    ($type:ident: $($trait:ident $method:ident $operator:tt),+) => {
+        $(impl $trait for $type {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(array::from_fn(|lane| self.0[lane] $operator other.0[lane]))
+            }
+        })+
+    };
+}
+
+elementwise!(F64x4: Add add +, Sub sub -, Mul mul *, Div div /);
+elementwise!(F32x4: Add add +, Sub sub -, Mul mul *);
+elementwise!(Mask4: BitAnd bitand &, BitOr bitor |);
+
+impl Not for Mask4 {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        Self(self.0.map(|lane| !lane))
+    }
+}
+
+impl Neg for F64x4 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.map(|lane| -lane))
+    }
+}
+
+impl LaneMask for Mask4 {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.0.iter().enumerate().map(|(lane, &set)| u32::from(set) << lane).sum()
+    }
+}
+
+impl Real for F64x4 {
+    type Mask = Mask4;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        Self([value; 4])
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.map(f64::sqrt))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.map(f64::abs))
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> Mask4 {
+        Mask4(array::from_fn(|lane| self.0[lane] < other.0[lane]))
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> Mask4 {
+        Mask4(array::from_fn(|lane| self.0[lane] <= other.0[lane]))
+    }
+    #[inline(always)]
+    fn select(mask: Mask4, yes: Self, no: Self) -> Self {
+        Self(array::from_fn(|lane| if mask.0[lane] { yes.0[lane] } else { no.0[lane] }))
+    }
+}
+
+impl Lanes for F64x4 {
+    const LANES: usize = 4;
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Self {
+        Self([values[0], values[1], values[2], values[3]])
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f64]) {
+        place[..4].copy_from_slice(&self.0);
+    }
+}
+
+impl FilterLanes for F32x4 {
+    const LANES: usize = 4;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        Self([value; 4])
+    }
+    #[inline(always)]
+    fn load(values: &[f32]) -> Self {
+        Self([values[0], values[1], values[2], values[3]])
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f32]) {
+        place[..4].copy_from_slice(&self.0);
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(array::from_fn(|lane| if self.0[lane] < other.0[lane] { self.0[lane] } else { other.0[lane] }))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(array::from_fn(|lane| if self.0[lane] > other.0[lane] { self.0[lane] } else { other.0[lane] }))
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> u32 {
+        (0..4).map(|lane| u32::from(self.0[lane] <= other.0[lane]) << lane).sum()
+    }
+}

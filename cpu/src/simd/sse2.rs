@@ -1,0 +1,160 @@
+//! 128-bit lanes, which every x86-64 machine has.
+//!
+//! Each function is one or two instructions. They are sound because a lane value exists only inside a kernel, and a
+//! kernel is compiled for this instruction set only where [`InstructionSet::run`](super::InstructionSet::run) has found
+//! that the machine has it.
+
+use std::arch::x86_64::*;
+
+use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
+use crate::real::Real;
+
+/// SSE2.
+#[derive(Clone, Copy, Debug)]
+pub struct Sse2;
+
+impl Simd for Sse2 {
+    type F64 = F64;
+    type F32 = F32;
+
+    #[target_feature(enable = "sse2")]
+    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
+        kernel.call::<Self>()
+    }
+}
+
+/// Lanes of `f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct F64(__m128d);
+
+/// Lanes of `f32`.
+#[derive(Clone, Copy, Debug)]
+pub struct F32(__m128);
+
+/// Answers of comparisons.
+#[derive(Clone, Copy, Debug)]
+pub struct Mask(__m128d);
+
+operators!(F64, Add add _mm_add_pd, Sub sub _mm_sub_pd, Mul mul _mm_mul_pd, Div div _mm_div_pd);
+operators!(F32, Add add _mm_add_ps, Sub sub _mm_sub_ps, Mul mul _mm_mul_ps);
+operators!(Mask, BitAnd bitand _mm_and_pd, BitOr bitor _mm_or_pd);
+
+impl std::ops::Not for Mask {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_xor_pd(self.0, _mm_castsi128_pd(_mm_set1_epi32(-1))) })
+    }
+}
+
+impl LaneMask for Mask {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { _mm_movemask_pd(self.0) as u32 }
+    }
+}
+
+impl std::ops::Neg for F64 {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_xor_pd(self.0, _mm_set1_pd(-0.0)) })
+    }
+}
+
+impl Real for F64 {
+    type Mask = Mask;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_set1_pd(value) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_andnot_pd(_mm_set1_pd(-0.0), self.0) })
+    }
+    #[inline(always)]
+    fn less(self, other: Self) -> Mask {
+        // SAFETY: see the module's head.
+        Mask(unsafe { _mm_cmplt_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> Mask {
+        // SAFETY: see the module's head.
+        Mask(unsafe { _mm_cmple_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select(mask: Mask, yes: Self, no: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_or_pd(_mm_and_pd(mask.0, yes.0), _mm_andnot_pd(mask.0, no.0)) })
+    }
+}
+
+impl Lanes for F64 {
+    const LANES: usize = 2;
+
+    #[inline(always)]
+    fn load(values: &[f64]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        Self(unsafe { _mm_loadu_pd(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f64]) {
+        let place = &mut place[..Self::LANES];
+        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
+        unsafe { _mm_storeu_pd(place.as_mut_ptr(), self.0) }
+    }
+}
+
+impl FilterLanes for F32 {
+    const LANES: usize = 4;
+
+    #[inline(always)]
+    fn splat(value: f32) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_set1_ps(value) })
+    }
+    #[inline(always)]
+    fn load(values: &[f32]) -> Self {
+        let values = &values[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        Self(unsafe { _mm_loadu_ps(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, place: &mut [f32]) {
+        let place = &mut place[..Self::LANES];
+        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
+        unsafe { _mm_storeu_ps(place.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_add_ps(_mm_mul_ps(self.0, factor.0), term.0) })
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_min_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm_max_ps(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { _mm_movemask_ps(_mm_cmple_ps(self.0, other.0)) as u32 }
+    }
+}
