@@ -34,4 +34,4 @@ pub use error::Error;
 pub use features::Features;
 pub use precision::Precision;
 pub use translate::{Target, Translation, translate};
-pub use validate::Validated;
+pub use validate::{Binding, Validated};

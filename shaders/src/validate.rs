@@ -1,14 +1,35 @@
 //! naga's opinion of a composition.
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::{AddressSpace, Module, StorageAccess, Type};
 
 use crate::{Composition, Diagnostic, Error, Precision};
+
+/// A buffer that a shader binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// Its number, within group 0.
+    pub number: u32,
+    /// Whether the shader writes it.
+    pub written: bool,
+}
+
+/// Every buffer that `module` binds.
+pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
+    module.global_variables.iter().filter_map(|(_, variable)| {
+        let written = match variable.space {
+            AddressSpace::Storage { access } => access.contains(StorageAccess::STORE),
+            _ => false,
+        };
+        variable.binding.map(|binding| Binding { number: binding.binding, written })
+    })
+}
 
 /// A composition that naga has read and found valid.
 #[derive(Clone, Debug)]
 pub struct Validated {
     /// naga's form of it.
-    pub module: naga::Module,
+    pub module: Module,
     /// What the validator found out about it.
     pub info: ModuleInfo,
     /// What `real` stands for.
@@ -28,6 +49,18 @@ impl Validated {
             .validate(&module)
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;
         Ok(Self { module, info, precision: composition.precision() })
+    }
+
+    /// Every buffer that the shader binds in group 0.
+    pub fn bindings(&self) -> impl Iterator<Item = Binding> {
+        bindings(&self.module)
+    }
+
+    /// Bytes that the structure of this name takes in a buffer, with what separates it from the next of its kind.
+    #[must_use]
+    pub fn size_of(&self, structure: &str) -> Option<u32> {
+        let is_it = |inner: &Type| inner.name.as_deref() == Some(structure);
+        self.module.types.iter().find(|(_, inner)| is_it(inner)).map(|(_, inner)| inner.inner.size(self.module.to_ctx()))
     }
 
     /// Names of the entry points.
@@ -81,6 +114,13 @@ mod tests {
             checked += 1;
         }
         assert!(checked >= 10, "{checked} kernels");
+    }
+
+    #[test]
+    fn bindings_tell_what_is_written() {
+        let composition = Library::standard().compose("kernels/sphere", Precision::F32).expect("it exists");
+        let bindings: Vec<_> = composition.validate().expect("it is valid").bindings().collect();
+        assert_eq!(bindings, [Binding { number: 0, written: false }, Binding { number: 1, written: true }]);
     }
 
     #[test]

@@ -27,6 +27,29 @@ fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderR
     return CylinderRecord(center, unit, top, bottom, radius, radius * radius, half_height);
 }
 
+// CylinderView: what the rays from one point share.
+struct CylinderView {
+    // From the centre to the origin, perpendicular to the axis.
+    r_c: vec3<real>,
+    // `r_c.r_c - r^2`: negative inside the infinite cylinder.
+    c: real,
+    // From the origin to the upper base's plane, along the axis.
+    to_top: real,
+    // From the origin to the lower base's plane, along the axis.
+    to_bottom: real,
+}
+
+// CylinderRecord::seen_from
+fn cylinder_seen_from(cylinder: CylinderRecord, origin: vec3<real>) -> CylinderView {
+    let r_c = vec3_perpendicular_to(origin - cylinder.center, cylinder.axis);
+    return CylinderView(
+        r_c,
+        vec3_dot(r_c, r_c) - cylinder.radius_squared,
+        vec3_dot(cylinder.top - origin, cylinder.axis),
+        vec3_dot(cylinder.bottom - origin, cylinder.axis),
+    );
+}
+
 struct CylinderQuadratic {
     a: real,
     h: real,
@@ -34,13 +57,11 @@ struct CylinderQuadratic {
 }
 
 // CylinderRecord::quadratic: `a`, half of `b` and a quarter of the discriminant for the infinite cylinder.
-fn cylinder_quadratic(cylinder: CylinderRecord, ray: Ray) -> CylinderQuadratic {
-    let direction = vec3_perpendicular_to(ray.direction, cylinder.axis);
-    let r_c = vec3_perpendicular_to(ray.origin - cylinder.center, cylinder.axis);
+fn cylinder_quadratic(cylinder: CylinderRecord, view: CylinderView, along: vec3<real>) -> CylinderQuadratic {
+    let direction = vec3_perpendicular_to(along, cylinder.axis);
     let a = vec3_dot(direction, direction);
-    let h = vec3_dot(r_c, direction);
-    let c = vec3_dot(r_c, r_c) - cylinder.radius_squared;
-    return CylinderQuadratic(a, h, h * h - a * c);
+    let h = vec3_dot(view.r_c, direction);
+    return CylinderQuadratic(a, h, h * h - a * view.c);
 }
 
 // CylinderRecord::within_height: whether the side's point at `lambda` lies between the bases.
@@ -48,20 +69,23 @@ fn cylinder_within_height(cylinder: CylinderRecord, ray: Ray, lambda: real) -> b
     return abs(vec3_dot(ray_at(ray, lambda) - cylinder.center, cylinder.axis)) <= cylinder.half_height;
 }
 
-struct PlaneMeeting {
-    lambda: real,
-    slope: real,
+// CylinderRecord::side: the smaller root that is in range and between the bases, else the larger; and whether that
+// counts.
+fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadratic) -> Root {
+    let root = sqrt(quadratic.discriminant);
+    let near = (-quadratic.h - root) / quadratic.a;
+    let far = (-quadratic.h + root) / quadratic.a;
+    let near_counts = in_range(near) && cylinder_within_height(cylinder, ray, near);
+    let far_counts = in_range(far) && cylinder_within_height(cylinder, ray, far);
+    return Root(near_counts || far_counts, select(far, near, near_counts));
 }
 
-// CylinderRecord::plane: where the ray meets the plane through `base`, and the product of ray and axis.
-fn cylinder_plane(cylinder: CylinderRecord, ray: Ray, base: vec3<real>) -> PlaneMeeting {
+// CylinderRecord::base: the disc around `base`, `distance` along the axis from the ray's origin; PARALLEL is 1e-8.
+fn cylinder_base(cylinder: CylinderRecord, ray: Ray, base: vec3<real>, distance: real) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
-    return PlaneMeeting(vec3_dot(base - ray.origin, cylinder.axis) / slope, slope);
-}
-
-// CylinderRecord::on_disc: whether the point at `lambda` lies on the disc around `base`.
-fn cylinder_on_disc(cylinder: CylinderRecord, ray: Ray, base: vec3<real>, lambda: real) -> bool {
-    return vec3_length(ray_at(ray, lambda) - base) <= cylinder.radius;
+    let lambda = distance / slope;
+    let on_disc = vec3_length(ray_at(ray, lambda) - base) <= cylinder.radius;
+    return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
 }
 
 // CylinderRecord::outward: the normal at `point` that leaves `part`. The side's is as long as the radius.
@@ -88,39 +112,20 @@ struct CylinderRoot {
 
 // CylinderRecord::intersect: the side, then the upper base, then the lower; of equals the later.
 fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
-    let side = cylinder_side(cylinder, ray);
-    var nearest = CylinderRoot(side.some, side.lambda, SIDE);
-    let top = cylinder_base(cylinder, ray, cylinder.top);
+    let view = cylinder_seen_from(cylinder, ray.origin);
+    let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
+    var nearest: CylinderRoot;
+    if !(quadratic.discriminant < real(0.0)) {
+        let side = cylinder_side(cylinder, ray, quadratic);
+        nearest = CylinderRoot(side.some, side.lambda, SIDE);
+    }
+    let top = cylinder_base(cylinder, ray, cylinder.top, view.to_top);
     if top.some && (!nearest.some || top.lambda <= nearest.lambda) {
         nearest = CylinderRoot(true, top.lambda, TOP);
     }
-    let bottom = cylinder_base(cylinder, ray, cylinder.bottom);
+    let bottom = cylinder_base(cylinder, ray, cylinder.bottom, view.to_bottom);
     if bottom.some && (!nearest.some || bottom.lambda <= nearest.lambda) {
         nearest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
     return nearest;
-}
-
-// CylinderRecord::side: the smaller root that is in range and between the bases, else the larger.
-fn cylinder_side(cylinder: CylinderRecord, ray: Ray) -> Root {
-    let quadratic = cylinder_quadratic(cylinder, ray);
-    if quadratic.discriminant < real(0.0) {
-        return root_none();
-    }
-    let root = sqrt(quadratic.discriminant);
-    let near = (-quadratic.h - root) / quadratic.a;
-    if in_range(near) && cylinder_within_height(cylinder, ray, near) {
-        return Root(true, near);
-    }
-    let far = (-quadratic.h + root) / quadratic.a;
-    return root_when(in_range(far) && cylinder_within_height(cylinder, ray, far), far);
-}
-
-// CylinderRecord::base: the disc around `base`; PARALLEL is 1e-8.
-fn cylinder_base(cylinder: CylinderRecord, ray: Ray, base: vec3<real>) -> Root {
-    let plane = cylinder_plane(cylinder, ray, base);
-    if abs(plane.slope) < real(1e-8) {
-        return root_none();
-    }
-    return root_when(in_range(plane.lambda) && cylinder_on_disc(cylinder, ray, base, plane.lambda), plane.lambda);
 }

@@ -26,14 +26,6 @@ fn root_none() -> Root {
     return Root(false, real(0.0));
 }
 
-// bool::then_some
-fn root_when(counts: bool, lambda: real) -> Root {
-    if counts {
-        return Root(true, lambda);
-    }
-    return root_none();
-}
-
 // Hit: a point where a ray meets a surface.
 struct Hit {
     point: vec3<real>,

@@ -14,9 +14,14 @@ fn scatter_reflect(direction: vec3<real>, normal: vec3<real>) -> vec3<real> {
     return direction - normal * (vec3_dot(direction, normal) * real(2.0));
 }
 
+// scatter::mirror: the direction, of length one, in which a metal surface without diffusion sends light.
+fn scatter_mirror(direction: vec3<real>, normal: vec3<real>) -> vec3<real> {
+    return vec3_unit(scatter_reflect(direction, normal));
+}
+
 // scatter::metal: the mirror image's direction, spread.
 fn scatter_metal(direction: vec3<real>, normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
-    return vec3_unit(scatter_reflect(direction, normal)) + vector;
+    return scatter_mirror(direction, normal) + vector;
 }
 
 // scatter::refract: bent by Snell's law, or reflected beyond the critical angle. `ratio` is `1 / index` where the ray

@@ -12,17 +12,38 @@ fn sphere_new(center: vec3<real>, radius: real) -> SphereRecord {
     return SphereRecord(center, radius, radius * radius);
 }
 
+// SphereView: what the rays from one point share.
+struct SphereView {
+    // From the origin to the centre.
+    r_c: vec3<real>,
+    // `r_c.r_c - r^2`: negative inside.
+    c: real,
+}
+
+// SphereRecord::seen_from
+fn sphere_seen_from(sphere: SphereRecord, origin: vec3<real>) -> SphereView {
+    let r_c = sphere.center - origin;
+    return SphereView(r_c, vec3_dot(r_c, r_c) - sphere.radius_squared);
+}
+
 struct SphereQuadratic {
     h: real,
     discriminant: real,
 }
 
-// SphereRecord::quadratic: half of `-b`, and a quarter of the discriminant; `a` is `direction . direction`.
-fn sphere_quadratic(sphere: SphereRecord, ray: Ray, a: real) -> SphereQuadratic {
-    let r_c = sphere.center - ray.origin;
-    let h = vec3_dot(ray.direction, r_c);
-    let c = vec3_dot(r_c, r_c) - sphere.radius_squared;
-    return SphereQuadratic(h, h * h - a * c);
+// SphereView::quadratic: half of `-b`, and a quarter of the discriminant; `a` is `direction . direction`.
+fn sphere_quadratic(view: SphereView, direction: vec3<real>, a: real) -> SphereQuadratic {
+    let h = vec3_dot(direction, view.r_c);
+    return SphereQuadratic(h, h * h - a * view.c);
+}
+
+// SphereRecord::first_root: the smaller root that is in range, else the larger, and whether that is in range.
+fn sphere_first_root(a: real, h: real, discriminant: real) -> Root {
+    let root = sqrt(discriminant);
+    let near = (h - root) / a;
+    let far = (h + root) / a;
+    let lambda = select(far, near, in_range(near));
+    return Root(in_range(lambda), lambda);
 }
 
 // SphereRecord::outward: the normal at `point` that leaves the sphere, of length one.
@@ -30,18 +51,12 @@ fn sphere_outward(sphere: SphereRecord, point: vec3<real>) -> vec3<real> {
     return (point - sphere.center) / sphere.radius;
 }
 
-// SphereRecord::intersect: the smaller root that is in range, else the larger; none when neither is.
+// SphereRecord::intersect: where the ray meets the sphere, if it does.
 fn sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     let a = vec3_dot(ray.direction, ray.direction);
-    let quadratic = sphere_quadratic(sphere, ray, a);
+    let quadratic = sphere_quadratic(sphere_seen_from(sphere, ray.origin), ray.direction, a);
     if quadratic.discriminant < real(0.0) {
         return root_none();
     }
-    let root = sqrt(quadratic.discriminant);
-    let near = (quadratic.h - root) / a;
-    if in_range(near) {
-        return Root(true, near);
-    }
-    let far = (quadratic.h + root) / a;
-    return root_when(in_range(far), far);
+    return sphere_first_root(a, quadratic.h, quadratic.discriminant);
 }

@@ -3,7 +3,9 @@
 use naga::back::{glsl, hlsl, msl, spv};
 use naga::proc::BoundsCheckPolicies;
 use naga::valid::ModuleInfo;
-use naga::{AddressSpace, Module, ResourceBinding, ShaderStage, StorageAccess};
+use naga::{Module, ResourceBinding, ShaderStage};
+
+use crate::validate::{Binding, bindings};
 
 /// One entry point, its constants settled.
 pub struct Input<'a> {
@@ -13,15 +15,9 @@ pub struct Input<'a> {
 }
 
 impl Input<'_> {
-    /// Every bound variable: its binding, and whether the shader writes it.
-    fn bindings(&self) -> impl Iterator<Item = (ResourceBinding, bool)> {
-        self.module.global_variables.iter().filter_map(|(_, variable)| {
-            let written = match variable.space {
-                AddressSpace::Storage { access } => access.contains(StorageAccess::STORE),
-                _ => false,
-            };
-            variable.binding.map(|binding| (binding, written))
-        })
+    /// Every buffer as naga names it, its number, and whether the shader writes it.
+    fn bindings(&self) -> impl Iterator<Item = (ResourceBinding, Binding)> {
+        bindings(self.module).map(|binding| (ResourceBinding { group: 0, binding: binding.number }, binding))
     }
 
     pub fn spirv(&self) -> Result<Vec<u32>, String> {
@@ -34,10 +30,10 @@ impl Input<'_> {
     pub fn msl(&self) -> Result<String, String> {
         let mut slots = msl::EntryPointResources::default();
         let mut last = 0;
-        for (binding, mutable) in self.bindings() {
-            let slot = binding.binding as msl::Slot;
+        for (key, Binding { number, written }) in self.bindings() {
+            let slot = number as msl::Slot;
             last = last.max(slot);
-            slots.resources.insert(binding, msl::BindTarget { buffer: Some(slot), mutable, ..Default::default() });
+            slots.resources.insert(key, msl::BindTarget { buffer: Some(slot), mutable: written, ..Default::default() });
         }
         // Metal does not tell a shader how long its buffers are: one more buffer holds their lengths.
         slots.sizes_buffer = Some(last + 1);
@@ -55,7 +51,7 @@ impl Input<'_> {
     pub fn hlsl(&self) -> Result<String, String> {
         let binding_map = self
             .bindings()
-            .map(|(binding, _)| (binding, hlsl::BindTarget { register: binding.binding, ..Default::default() }))
+            .map(|(key, binding)| (key, hlsl::BindTarget { register: binding.number, ..Default::default() }))
             .collect();
         let options = hlsl::Options { binding_map, fake_missing_bindings: false, ..hlsl::Options::default() };
         let entry = hlsl::PipelineOptions::default();
@@ -67,7 +63,7 @@ impl Input<'_> {
     }
 
     pub fn glsl(&self, version: glsl::Version) -> Result<String, String> {
-        let binding_map = self.bindings().map(|(binding, _)| (binding, binding.binding as u8)).collect();
+        let binding_map = self.bindings().map(|(key, binding)| (key, binding.number as u8)).collect();
         let options = glsl::Options { version, binding_map, ..glsl::Options::default() };
         let entry = glsl::PipelineOptions {
             shader_stage: ShaderStage::Compute,
