@@ -16,8 +16,7 @@ const LAVAPIPE: &str = "llvmpipe";
 /// [`Error::NoAdapter`], with what was there instead.
 pub fn choose() -> Result<Adapter, Error> {
     let backends = Backends::from_env().unwrap_or(Backends::VULKAN);
-    let instance =
-        Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
+    let instance = Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
     let wanted = std::env::var("WGPU_ADAPTER_NAME").ok();
     let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
     let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();

@@ -47,10 +47,9 @@ impl Spread {
     fn add(&mut self, wide: Running, actual: f64) {
         let distance = (wide.value - actual).abs();
         self.compared += 1;
-        // Written so that a result that is not a number counts as beyond.
-        if !(distance <= wide.bound) {
-            self.beyond += 1;
-        }
+        // A result that is not a number is not within, either.
+        let within = distance <= wide.bound;
+        self.beyond += usize::from(!within);
         if distance > 0.0 {
             self.closest = self.closest.max(distance / wide.bound);
         }

@@ -61,8 +61,7 @@ pub fn results<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases:
 pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     let formula = T::formula(kernel);
     let mut expected = vec![T::of(0.0); kernel.outputs.len()];
-    let mut tally =
-        Tally { kernel: kernel.module, cases: 0, numbers: 0, nonzero: 0, differing: 0, shown: Vec::new() };
+    let mut tally = Tally { kernel: kernel.module, cases: 0, numbers: 0, nonzero: 0, differing: 0, shown: Vec::new() };
     for (case, actual) in cases.chunks(kernel.inputs).zip(results.chunks(kernel.outputs.len())) {
         formula(case, &mut expected);
         tally.cases += 1;

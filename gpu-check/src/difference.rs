@@ -71,7 +71,8 @@ pub fn write_png<A: Float, B: Float>(
     let path = folder.join(format!("{}.png", tame.trim_matches('-')));
     let failed = |cause| Error::File { path: path.clone(), cause };
     let byte = |channel: f64| (255.0 * channel.max(0.0).sqrt()) as u8;
-    let mut bytes: Vec<u8> = one.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))).collect();
+    let mut bytes: Vec<u8> =
+        one.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))).collect();
     bytes.extend(other.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))));
     for (a, b) in one.iter().zip(other) {
         let pairs = a.to_array().into_iter().zip(b.to_array());

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::{Arc, Mutex};
 
-use wgpu::{AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, Queue};
+use wgpu::{AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
 
 use crate::{Error, adapter};
 
@@ -70,6 +70,8 @@ impl Gpu {
     /// Gives the device back: what is asked of it later is an [`Error::DeviceLost`].
     pub fn close(&self) {
         self.device.destroy();
+        // The news arrives with the next poll, which has nothing else to tell.
+        let _ = self.device.poll(PollType::Poll);
     }
 
     /// Does `work` and turns what wgpu finds wrong with it into an error.

@@ -105,7 +105,8 @@ fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
 /// # Errors
 /// [`Error::TooLarge`] for a depth that no device can follow.
 pub fn features_of(config: &Config, scene: &Scene) -> Result<Features, Error> {
-    let of_shape = |spheres: bool| scene.objects.iter().any(|object| matches!(object.shape, Shape::Sphere(_)) == spheres);
+    let of_shape =
+        |spheres: bool| scene.objects.iter().any(|object| matches!(object.shape, Shape::Sphere(_)) == spheres);
     let of_kind = |kind: Kind| {
         let mut materials = scene.objects.iter().map(|object| &scene.materials[object.material as usize]);
         materials.any(|material| pack::<f64>(material).kind == kind)
@@ -119,7 +120,6 @@ pub fn features_of(config: &Config, scene: &Scene) -> Result<Features, Error> {
         max_depth: depth(config)?,
     })
 }
-
 
 #[cfg(test)]
 mod tests {

@@ -3,12 +3,11 @@
 use std::time::{Duration, Instant};
 
 use shaders::{Composition, Features, Precision};
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType,
     Buffer, BufferBindingType, BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor,
-    ComputePipeline, ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor, PollType,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    ComputePipeline, ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor,
+    PollType, ShaderModuleDescriptor, ShaderSource, ShaderStages,
 };
 
 use crate::{Error, Gpu};
@@ -106,9 +105,8 @@ impl Pipeline {
         let (buffers, time) = gpu.scoped(|| self.dispatch(gpu, contents, invocations))?;
         let mut outputs = Vec::new();
         for (buffer, content) in buffers.iter().zip(contents) {
-            if let Content::Output(size) = content {
-                let mut bytes = self.read(gpu, buffer)?;
-                bytes.truncate(*size as usize);
+            if matches!(content, Content::Output(_)) {
+                let bytes = self.read(gpu, buffer)?;
                 self.check_written(&bytes)?;
                 outputs.push(bytes);
             }
@@ -209,20 +207,26 @@ fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
     }
 }
 
+/// A buffer with its content. It is written through the queue and not mapped: mapping panics on a lost device.
 fn create(gpu: &Gpu, content: Content<'_>) -> Buffer {
-    let usage = BufferUsages::STORAGE | BufferUsages::COPY_SRC;
-    let init = |contents: &[u8]| gpu.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage });
-    match content {
-        Content::Input([]) => init(&[0; SMALLEST]),
-        Content::Input(bytes) => init(bytes),
-        Content::Scratch(size) => gpu.device.create_buffer(&BufferDescriptor {
-            label: None,
-            size: size.max(SMALLEST as u64),
-            usage,
-            mapped_at_creation: false,
-        }),
-        Content::Output(size) => init(&vec![SENTINEL; (size as usize).max(SMALLEST)]),
-    }
+    let filler;
+    let (size, bytes) = match content {
+        Content::Input([]) => (SMALLEST, &[][..]),
+        Content::Input(bytes) => (bytes.len(), bytes),
+        Content::Scratch(size) => ((size as usize).max(SMALLEST), &[][..]),
+        Content::Output(size) => {
+            filler = vec![SENTINEL; size as usize];
+            (filler.len(), &filler[..])
+        }
+    };
+    let buffer = gpu.device.create_buffer(&BufferDescriptor {
+        label: None,
+        size: size as u64,
+        usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.queue.write_buffer(&buffer, 0, bytes);
+    buffer
 }
 
 fn wait(gpu: &Gpu) -> Result<(), Error> {

@@ -41,7 +41,8 @@ pub fn in_folder(folder: &Path) -> Result<Vec<Case>, Error> {
 fn read(folder: &Path) -> Result<Case, Error> {
     let config = Config::read(&folder.join("config.txt"))?;
     let scene = Scene::read(&folder.join("scene.txt"))?;
-    Ok(Case { name: folder.display().to_string(), config, scene })
+    let parts: Vec<_> = folder.iter().rev().take(2).map(|part| part.to_string_lossy()).collect();
+    Ok(Case { name: format!("{}/{}", parts[1], parts[0]), config, scene })
 }
 
 /// The repository's folder of this name.
@@ -81,7 +82,8 @@ pub fn edges() -> Vec<Case> {
         ("glass in air in glass", "sphere: 0 0 0 3 glass\nsphere: 0 0 0 2 air\ncylinder: 0 0 0 .8 1 1 0 glass\n"),
         ("nothing", ""),
     ];
-    let config = Config { image_width: 65, aspect_ratio: [1, 1], field_of_view: 40.0, max_depth: 9, ..Config::default() };
+    let config =
+        Config { image_width: 65, aspect_ratio: [1, 1], field_of_view: 40.0, max_depth: 9, ..Config::default() };
     let parse = |text: &str| {
         let text = format!("{MATERIALS}{text}sphere: 0 -1003 0 1000 red\n");
         Scene::parse(text.as_bytes()).expect("the scene is valid")
@@ -147,7 +149,8 @@ mod tests {
     #[test]
     fn random_scenes_have_every_material_shape_and_depth() {
         let cases: Vec<_> = (0..40).map(random).collect();
-        let materials = |wanted: fn(&Material) -> bool| cases.iter().any(|case| case.scene.materials.iter().any(wanted));
+        let materials =
+            |wanted: fn(&Material) -> bool| cases.iter().any(|case| case.scene.materials.iter().any(wanted));
         assert!(materials(|material| matches!(material, Material::Matte { .. })));
         assert!(materials(|material| matches!(material, Material::Metal { .. })));
         assert!(materials(|material| matches!(material, Material::Refractive { .. })));

@@ -13,18 +13,18 @@ pub const NUMBERS: [f64; 21] = [
     1e-3,
     1e-8,
     -3.0,
-    5e-324,           // smallest of f64
-    -2.2e-308,        // largest subnormals of f64
-    1e-45,            // smallest of f32
-    -1.17e-38,        // largest subnormals of f32
+    5e-324,    // smallest of f64
+    -2.2e-308, // largest subnormals of f64
+    1e-45,     // smallest of f32
+    -1.17e-38, // largest subnormals of f32
     1e-30,
     1e-160,
     1e8,
     -1e12,
     1e30,
-    3.4e38,           // largest of f32
+    3.4e38, // largest of f32
     1e160,
-    -1.79e308,        // largest of f64
+    -1.79e308, // largest of f64
     f64::INFINITY,
 ];
 

@@ -80,9 +80,9 @@ impl<T: Real<Mask = bool>> Picture<T> {
 }
 
 fn offer<T: Real<Mask = bool>>(nearest: &mut Option<Nearest<T>>, lambda: T, order: u32, surface: Surface) {
-    let closer = nearest.as_ref().is_none_or(|best| {
-        lambda.less(best.lambda) || (!best.lambda.less(lambda) && order > best.order)
-    });
+    let closer = nearest
+        .as_ref()
+        .is_none_or(|best| lambda.less(best.lambda) || (!best.lambda.less(lambda) && order > best.order));
     if closer {
         *nearest = Some(Nearest { lambda, order, surface });
     }

@@ -19,11 +19,9 @@ layout(std430, binding = 1) buffer type_1_block_1Compute { ExactSum _group_0_bin
 
 ExactSum exact_two_sum(float a, float b, float one) {
     float sum = ((a * one) + b);
-    float b_part = ((sum * one) - a);
-    float a_part = (sum - (b_part * one));
-    float a_error = (a - (a_part * one));
-    float b_error = (b - (b_part * one));
-    return ExactSum(sum, (a_error + b_error));
+    float b_part = (sum - a);
+    float a_part = (sum - b_part);
+    return ExactSum(sum, ((a - a_part) + (b - b_part)));
 }
 
 void main() {

@@ -22,11 +22,9 @@ ExactSum ConstructExactSum(float arg0, float arg1) {
 ExactSum exact_two_sum(float a, float b, float one)
 {
     float sum = ((a * one) + b);
-    float b_part = ((sum * one) - a);
-    float a_part = (sum - (b_part * one));
-    float a_error = (a - (a_part * one));
-    float b_error = (b - (b_part * one));
-    const ExactSum exactsum = ConstructExactSum(sum, (a_error + b_error));
+    float b_part = (sum - a);
+    float a_part = (sum - b_part);
+    const ExactSum exactsum = ConstructExactSum(sum, ((a - a_part) + (b - b_part)));
     return exactsum;
 }
 

@@ -28,11 +28,9 @@ ExactSum exact_two_sum(
     real one
 ) {
     real sum = (a * one) + b;
-    real b_part = (sum * one) - a;
-    real a_part = sum - (b_part * one);
-    real a_error = a - (a_part * one);
-    real b_error = b - (b_part * one);
-    return ExactSum {sum, a_error + b_error};
+    real b_part = sum - a;
+    real a_part = sum - b_part;
+    return ExactSum {sum, (a - a_part) + (b - b_part)};
 }
 
 struct barrierInput {

@@ -95,14 +95,6 @@ Root root_none() {
     return Root(false, 0.0);
 }
 
-Root root_when(bool counts, float lambda_2) {
-    if (counts) {
-        return Root(true, lambda_2);
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);

@@ -119,17 +119,6 @@ Root root_none()
     return root;
 }
 
-Root root_when(bool counts, float lambda_2)
-{
-    if (counts) {
-        const Root root_1 = ConstructRoot(true, lambda_2);
-        return root_1;
-    }
-    const Root _e4 = root_none();
-    const Root root_2 = _e4;
-    return root_2;
-}
-
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
     Hit ret = (Hit)0;
     ret.point_ = arg0;

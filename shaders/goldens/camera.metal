@@ -120,17 +120,6 @@ Root root_none(
     return Root {false, {}, 0.0};
 }
 
-Root root_when(
-    bool counts,
-    real lambda_2
-) {
-    if (counts) {
-        return Root {true, {}, lambda_2};
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,

@@ -25,14 +25,16 @@ struct CylinderRecord {
     float radius_squared;
     float half_height;
 };
+struct CylinderView {
+    vec3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+};
 struct CylinderQuadratic {
     float a;
     float h;
     float discriminant;
-};
-struct PlaneMeeting {
-    float lambda;
-    float slope;
 };
 struct CylinderRoot {
     bool some;
@@ -120,14 +122,6 @@ Root root_none() {
     return Root(false, 0.0);
 }
 
-Root root_when(bool counts, float lambda_2) {
-    if (counts) {
-        return Root(true, lambda_2);
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
@@ -147,148 +141,148 @@ CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
     return CylinderRecord(center, unit, top, bottom, radius, (radius * radius), half_height);
 }
 
-CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, Ray ray_1) {
-    vec3 _e4 = vec3_perpendicular_to(ray_1.direction, cylinder_1.axis);
-    vec3 _e9 = vec3_perpendicular_to((ray_1.origin - cylinder_1.center), cylinder_1.axis);
-    float _e10 = vec3_dot(_e4, _e4);
-    float _e11 = vec3_dot(_e9, _e4);
-    float _e12 = vec3_dot(_e9, _e9);
-    float c = (_e12 - cylinder_1.radius_squared);
-    return CylinderQuadratic(_e10, _e11, ((_e11 * _e11) - (_e10 * c)));
+CylinderView cylinder_seen_from(CylinderRecord cylinder_1, vec3 origin) {
+    vec3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center), cylinder_1.axis);
+    float _e6 = vec3_dot(_e5, _e5);
+    float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
+    float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
+    return CylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_3) {
-    vec3 _e3 = ray_at(ray_2, lambda_3);
-    float _e7 = vec3_dot((_e3 - cylinder_2.center), cylinder_2.axis);
-    return (abs(_e7) <= cylinder_2.half_height);
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView view, vec3 along) {
+    vec3 _e4 = vec3_perpendicular_to(along, cylinder_2.axis);
+    float _e5 = vec3_dot(_e4, _e4);
+    float _e7 = vec3_dot(view.r_c, _e4);
+    return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view.c)));
 }
 
-PlaneMeeting cylinder_plane(CylinderRecord cylinder_3, Ray ray_3, vec3 base) {
-    float _e5 = vec3_dot(ray_3.direction, cylinder_3.axis);
-    float _e9 = vec3_dot((base - ray_3.origin), cylinder_3.axis);
-    return PlaneMeeting((_e9 / _e5), _e5);
+bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_2) {
+    vec3 _e3 = ray_at(ray_1, lambda_2);
+    float _e7 = vec3_dot((_e3 - cylinder_3.center), cylinder_3.axis);
+    return (abs(_e7) <= cylinder_3.half_height);
 }
 
-bool cylinder_on_disc(CylinderRecord cylinder_4, Ray ray_4, vec3 base_1, float lambda_4) {
-    vec3 _e4 = ray_at(ray_4, lambda_4);
-    float _e6 = vec3_length((_e4 - base_1));
-    return (_e6 <= cylinder_4.radius);
-}
-
-vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_1) {
-    switch(part) {
-        case 0u: {
-            vec3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
-}
-
-Root cylinder_side(CylinderRecord cylinder_6, Ray ray_5) {
+Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic) {
     bool local_2 = false;
     bool local_3 = false;
-    CylinderQuadratic _e2 = cylinder_quadratic(cylinder_6, ray_5);
-    if ((_e2.discriminant < 0.0)) {
-        Root _e6 = root_none();
-        return _e6;
-    }
-    float root = sqrt(_e2.discriminant);
-    float near = ((-(_e2.h) - root) / _e2.a);
-    bool _e14 = in_range(near);
-    if (_e14) {
-        bool _e17 = cylinder_within_height(cylinder_6, ray_5, near);
-        local_2 = _e17;
+    bool local_4 = false;
+    float root = sqrt(quadratic.discriminant);
+    float near = ((-(quadratic.h) - root) / quadratic.a);
+    float far = ((-(quadratic.h) + root) / quadratic.a);
+    bool _e15 = in_range(near);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
+        local_2 = _e18;
     } else {
         local_2 = false;
     }
-    bool _e19 = local_2;
-    if (_e19) {
-        return Root(true, near);
-    }
-    float far = ((-(_e2.h) + root) / _e2.a);
-    bool _e27 = in_range(far);
-    if (_e27) {
-        bool _e30 = cylinder_within_height(cylinder_6, ray_5, far);
-        local_3 = _e30;
+    bool near_counts = local_2;
+    bool _e21 = in_range(far);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
+        local_3 = _e24;
     } else {
         local_3 = false;
     }
-    bool _e32 = local_3;
-    Root _e33 = root_when(_e32, far);
-    return _e33;
-}
-
-Root cylinder_base(CylinderRecord cylinder_7, Ray ray_6, vec3 base_2) {
-    bool local_4 = false;
-    PlaneMeeting _e3 = cylinder_plane(cylinder_7, ray_6, base_2);
-    if ((abs(_e3.slope) < 1e-8)) {
-        Root _e8 = root_none();
-        return _e8;
-    }
-    bool _e10 = in_range(_e3.lambda);
-    if (_e10) {
-        bool _e14 = cylinder_on_disc(cylinder_7, ray_6, base_2, _e3.lambda);
-        local_4 = _e14;
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
     } else {
-        local_4 = false;
+        local_4 = true;
     }
-    bool _e16 = local_4;
-    Root _e18 = root_when(_e16, _e3.lambda);
-    return _e18;
+    bool _e31 = local_4;
+    return Root(_e31, (near_counts ? near : far));
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_8, Ray ray_7) {
-    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, vec3 base, float distance_) {
     bool local_5 = false;
     bool local_6 = false;
-    bool local_7 = false;
-    bool local_8 = false;
-    Root _e2 = cylinder_side(cylinder_8, ray_7);
-    nearest = CylinderRoot(_e2.some, _e2.lambda, SIDE);
-    Root _e9 = cylinder_base(cylinder_8, ray_7, cylinder_8.top);
-    if (_e9.some) {
-        bool _e14 = nearest.some;
-        if (!(!(_e14))) {
-            float _e21 = nearest.lambda;
-            local_6 = (_e9.lambda <= _e21);
-        } else {
-            local_6 = true;
-        }
-        bool _e24 = local_6;
-        local_5 = _e24;
+    float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    float lambda_4 = (distance_ / _e6);
+    vec3 _e8 = ray_at(ray_3, lambda_4);
+    float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_5.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        bool _e19 = in_range(lambda_4);
+        local_5 = _e19;
     } else {
         local_5 = false;
     }
-    bool _e26 = local_5;
-    if (_e26) {
-        nearest = CylinderRoot(true, _e9.lambda, TOP);
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
     }
-    Root _e32 = cylinder_base(cylinder_8, ray_7, cylinder_8.bottom);
-    if (_e32.some) {
-        bool _e37 = nearest.some;
-        if (!(!(_e37))) {
-            float _e44 = nearest.lambda;
-            local_8 = (_e32.lambda <= _e44);
+    bool _e25 = local_6;
+    return Root(_e25, lambda_4);
+}
+
+vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
+    switch(part) {
+        case 0u: {
+            vec3 _e6 = vec3_perpendicular_to((point_1 - cylinder_6.center), cylinder_6.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_6.axis;
+        }
+        default: {
+            return -(cylinder_6.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
+    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
+    CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
+        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
         }
-        bool _e47 = local_8;
-        local_7 = _e47;
+        bool _e33 = local_8;
+        local_7 = _e33;
     } else {
         local_7 = false;
     }
-    bool _e49 = local_7;
-    if (_e49) {
-        nearest = CylinderRoot(true, _e32.lambda, BOTTOM);
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = CylinderRoot(true, _e18.lambda, TOP);
     }
-    CylinderRoot _e54 = nearest;
-    return _e54;
+    Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    return _e64;
 }
 
 vec3 vec3_load(PackedVec3_ v_4) {
@@ -299,9 +293,9 @@ PackedVec3_ vec3_store(vec3 v_5) {
     return PackedVec3_(v_5.x, v_5.y, v_5.z);
 }
 
-Ray ray_load(PackedRay ray_8) {
-    vec3 _e2 = vec3_load(ray_8.origin);
-    vec3 _e4 = vec3_load(ray_8.direction);
+Ray ray_load(PackedRay ray_5) {
+    vec3 _e2 = vec3_load(ray_5.origin);
+    vec3 _e4 = vec3_load(ray_5.direction);
     return Ray(_e2, _e4);
 }
 
@@ -310,11 +304,11 @@ HitReport hit_report_none() {
     return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
 }
 
-HitReport hit_report(float lambda_5, uint part_1, Hit hit) {
+HitReport hit_report(float lambda_3, uint part_1, Hit hit) {
     float front_1 = (hit.front ? 1.0 : 0.0);
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
+    return HitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
 }
 
 void main() {

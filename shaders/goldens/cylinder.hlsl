@@ -32,15 +32,19 @@ struct CylinderRecord {
     int _end_pad_1;
 };
 
+struct CylinderView {
+    float3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
 struct CylinderQuadratic {
     float a;
     float h;
     float discriminant;
-};
-
-struct PlaneMeeting {
-    float lambda;
-    float slope;
 };
 
 struct CylinderRoot {
@@ -149,17 +153,6 @@ Root root_none()
     return root;
 }
 
-Root root_when(bool counts, float lambda_2)
-{
-    if (counts) {
-        const Root root_1 = ConstructRoot(true, lambda_2);
-        return root_1;
-    }
-    const Root _e4 = root_none();
-    const Root root_2 = _e4;
-    return root_2;
-}
-
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
     Hit ret = (Hit)0;
     ret.point_ = arg0;
@@ -204,6 +197,25 @@ CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
     return cylinderrecord;
 }
 
+CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    ret.to_top = arg2;
+    ret.to_bottom = arg3;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder_1, float3 origin)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center_), cylinder_1.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
+    const float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
+    return cylinderview;
+}
+
 CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
     CylinderQuadratic ret = (CylinderQuadratic)0;
     ret.a = arg0;
@@ -212,123 +224,98 @@ CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2)
     return ret;
 }
 
-CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, Ray ray_1)
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView view, float3 along)
 {
-    const float3 _e4 = vec3_perpendicular_to(ray_1.direction, cylinder_1.axis);
-    const float3 _e9 = vec3_perpendicular_to((ray_1.origin - cylinder_1.center_), cylinder_1.axis);
-    const float _e10 = vec3_dot(_e4, _e4);
-    const float _e11 = vec3_dot(_e9, _e4);
-    const float _e12 = vec3_dot(_e9, _e9);
-    float c = (_e12 - cylinder_1.radius_squared);
-    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e10, _e11, ((_e11 * _e11) - (_e10 * c)));
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_2.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view.c)));
     return cylinderquadratic;
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_3)
+bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_2)
 {
-    const float3 _e3 = ray_at(ray_2, lambda_3);
-    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
-    return (abs(_e7) <= cylinder_2.half_height);
+    const float3 _e3 = ray_at(ray_1, lambda_2);
+    const float _e7 = vec3_dot((_e3 - cylinder_3.center_), cylinder_3.axis);
+    return (abs(_e7) <= cylinder_3.half_height);
 }
 
-PlaneMeeting ConstructPlaneMeeting(float arg0, float arg1) {
-    PlaneMeeting ret = (PlaneMeeting)0;
-    ret.lambda = arg0;
-    ret.slope = arg1;
-    return ret;
-}
-
-PlaneMeeting cylinder_plane(CylinderRecord cylinder_3, Ray ray_3, float3 base)
-{
-    const float _e5 = vec3_dot(ray_3.direction, cylinder_3.axis);
-    const float _e9 = vec3_dot((base - ray_3.origin), cylinder_3.axis);
-    const PlaneMeeting planemeeting = ConstructPlaneMeeting((_e9 / _e5), _e5);
-    return planemeeting;
-}
-
-bool cylinder_on_disc(CylinderRecord cylinder_4, Ray ray_4, float3 base_1, float lambda_4)
-{
-    const float3 _e4 = ray_at(ray_4, lambda_4);
-    const float _e6 = vec3_length((_e4 - base_1));
-    return (_e6 <= cylinder_4.radius);
-}
-
-float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_1)
-{
-    switch(part) {
-        case 0u: {
-            const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center_), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
-}
-
-Root cylinder_side(CylinderRecord cylinder_6, Ray ray_5)
+Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic)
 {
     bool local_2 = (bool)0;
     bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
-    const CylinderQuadratic _e2 = cylinder_quadratic(cylinder_6, ray_5);
-    if ((_e2.discriminant < 0.0)) {
-        const Root _e6 = root_none();
-        const Root root_3 = _e6;
-        return root_3;
-    }
-    float root_4 = sqrt(_e2.discriminant);
-    float near = ((-(_e2.h) - root_4) / _e2.a);
-    const bool _e14 = in_range(near);
-    if (_e14) {
-        const bool _e17 = cylinder_within_height(cylinder_6, ray_5, near);
-        local_2 = _e17;
+    float root_1 = sqrt(quadratic.discriminant);
+    float near = ((-(quadratic.h) - root_1) / quadratic.a);
+    float far = ((-(quadratic.h) + root_1) / quadratic.a);
+    const bool _e15 = in_range(near);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
+        local_2 = _e18;
     } else {
         local_2 = false;
     }
-    bool _e19 = local_2;
-    if (_e19) {
-        const Root root_5 = ConstructRoot(true, near);
-        return root_5;
-    }
-    float far = ((-(_e2.h) + root_4) / _e2.a);
-    const bool _e27 = in_range(far);
-    if (_e27) {
-        const bool _e30 = cylinder_within_height(cylinder_6, ray_5, far);
-        local_3 = _e30;
+    bool near_counts = local_2;
+    const bool _e21 = in_range(far);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
+        local_3 = _e24;
     } else {
         local_3 = false;
     }
-    bool _e32 = local_3;
-    const Root _e33 = root_when(_e32, far);
-    const Root root_6 = _e33;
-    return root_6;
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    const Root root_2 = ConstructRoot(_e31, (near_counts ? near : far));
+    return root_2;
 }
 
-Root cylinder_base(CylinderRecord cylinder_7, Ray ray_6, float3 base_2)
+Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, float3 base, float distance_)
 {
-    bool local_4 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
 
-    const PlaneMeeting _e3 = cylinder_plane(cylinder_7, ray_6, base_2);
-    if ((abs(_e3.slope) < 1e-8)) {
-        const Root _e8 = root_none();
-        const Root root_7 = _e8;
-        return root_7;
-    }
-    const bool _e10 = in_range(_e3.lambda);
-    if (_e10) {
-        const bool _e14 = cylinder_on_disc(cylinder_7, ray_6, base_2, _e3.lambda);
-        local_4 = _e14;
+    const float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    float lambda_4 = (distance_ / _e6);
+    const float3 _e8 = ray_at(ray_3, lambda_4);
+    const float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_5.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        const bool _e19 = in_range(lambda_4);
+        local_5 = _e19;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e16 = local_4;
-    const Root _e18 = root_when(_e16, _e3.lambda);
-    const Root root_8 = _e18;
-    return root_8;
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    const Root root_3 = ConstructRoot(_e25, lambda_4);
+    return root_3;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_6, uint part, float3 point_1)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_6.center_), cylinder_6.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_6.axis;
+        }
+        default: {
+            return -(cylinder_6.axis);
+        }
+    }
 }
 
 CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
@@ -339,54 +326,58 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_8, Ray ray_7)
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
 {
     CylinderRoot nearest = (CylinderRoot)0;
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
 
-    const Root _e2 = cylinder_side(cylinder_8, ray_7);
-    nearest = ConstructCylinderRoot(_e2.some, _e2.lambda, SIDE);
-    const Root _e9 = cylinder_base(cylinder_8, ray_7, cylinder_8.top);
-    if (_e9.some) {
-        bool _e14 = nearest.some;
-        if (!(!(_e14))) {
-            float _e21 = nearest.lambda;
-            local_6 = (_e9.lambda <= _e21);
-        } else {
-            local_6 = true;
-        }
-        bool _e24 = local_6;
-        local_5 = _e24;
-    } else {
-        local_5 = false;
+    const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
+        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    bool _e26 = local_5;
-    if (_e26) {
-        nearest = ConstructCylinderRoot(true, _e9.lambda, TOP);
-    }
-    const Root _e32 = cylinder_base(cylinder_8, ray_7, cylinder_8.bottom);
-    if (_e32.some) {
-        bool _e37 = nearest.some;
-        if (!(!(_e37))) {
-            float _e44 = nearest.lambda;
-            local_8 = (_e32.lambda <= _e44);
+    const Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
         }
-        bool _e47 = local_8;
-        local_7 = _e47;
+        bool _e33 = local_8;
+        local_7 = _e33;
     } else {
         local_7 = false;
     }
-    bool _e49 = local_7;
-    if (_e49) {
-        nearest = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
     }
-    CylinderRoot _e54 = nearest;
-    const CylinderRoot cylinderroot = _e54;
+    const Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    const CylinderRoot cylinderroot = _e64;
     return cylinderroot;
 }
 
@@ -416,12 +407,12 @@ Ray ConstructRay(float3 arg0, float3 arg1) {
     return ret;
 }
 
-Ray ray_load(PackedRay ray_8)
+Ray ray_load(PackedRay ray_5)
 {
-    const float3 _e2 = vec3_load(ray_8.origin);
-    const float3 _e4 = vec3_load(ray_8.direction);
-    const Ray ray_9 = ConstructRay(_e2, _e4);
-    return ray_9;
+    const float3 _e2 = vec3_load(ray_5.origin);
+    const float3 _e4 = vec3_load(ray_5.direction);
+    const Ray ray_6 = ConstructRay(_e2, _e4);
+    return ray_6;
 }
 
 HitReport ConstructHitReport(float arg0, float arg1, float arg2, float arg3, PackedVec3_ arg4, PackedVec3_ arg5) {
@@ -446,12 +437,12 @@ HitReport hit_report_none()
     return hitreport;
 }
 
-HitReport hit_report(float lambda_5, uint part_1, Hit hit)
+HitReport hit_report(float lambda_3, uint part_1, Hit hit)
 {
     float front_1 = (hit.front ? 1.0 : 0.0);
     const PackedVec3_ _e10 = vec3_store(hit.point_);
     const PackedVec3_ _e12 = vec3_store(hit.normal);
-    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
     return hitreport_1;
 }
 

@@ -21,6 +21,10 @@ struct SphereRecord {
     float radius;
     float radius_squared;
 };
+struct SphereView {
+    vec3 r_c;
+    float c;
+};
 struct SphereQuadratic {
     float h;
     float discriminant;
@@ -34,14 +38,16 @@ struct CylinderRecord {
     float radius_squared;
     float half_height;
 };
+struct CylinderView {
+    vec3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+};
 struct CylinderQuadratic {
     float a;
     float h;
     float discriminant;
-};
-struct PlaneMeeting {
-    float lambda;
-    float slope;
 };
 struct CylinderRoot {
     bool some;
@@ -203,14 +209,6 @@ Root root_none() {
     return Root(false, 0.0);
 }
 
-Root root_when(bool counts, float lambda_2) {
-    if (counts) {
-        return Root(true, lambda_2);
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
@@ -220,179 +218,185 @@ Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     return Hit(point, -(outward), front);
 }
 
-SphereQuadratic sphere_quadratic(SphereRecord sphere, Ray ray_1, float a_1) {
-    vec3 r_c = (sphere.center - ray_1.origin);
-    float _e7 = vec3_dot(ray_1.direction, r_c);
-    float _e8 = vec3_dot(r_c, r_c);
-    float c = (_e8 - sphere.radius_squared);
-    return SphereQuadratic(_e7, ((_e7 * _e7) - (a_1 * c)));
+SphereView sphere_seen_from(SphereRecord sphere, vec3 origin) {
+    vec3 r_c = (sphere.center - origin);
+    float _e4 = vec3_dot(r_c, r_c);
+    return SphereView(r_c, (_e4 - sphere.radius_squared));
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, vec3 direction_1, float a_1) {
+    float _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant) {
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
+    bool _e8 = in_range(near);
+    float lambda_4 = (_e8 ? near : far);
+    bool _e10 = in_range(lambda_4);
+    return Root(_e10, lambda_4);
 }
 
 vec3 sphere_outward(SphereRecord sphere_1, vec3 point_1) {
     return ((point_1 - sphere_1.center) / vec3(sphere_1.radius));
 }
 
-Root sphere_intersect(SphereRecord sphere_2, Ray ray_2) {
-    float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
-    SphereQuadratic _e5 = sphere_quadratic(sphere_2, ray_2, _e4);
-    if ((_e5.discriminant < 0.0)) {
-        Root _e9 = root_none();
-        return _e9;
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_1) {
+    float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        Root _e12 = root_none();
+        return _e12;
     }
-    float root = sqrt(_e5.discriminant);
-    float near = ((_e5.h - root) / _e4);
-    bool _e15 = in_range(near);
-    if (_e15) {
-        return Root(true, near);
-    }
-    float far = ((_e5.h + root) / _e4);
-    bool _e21 = in_range(far);
-    Root _e22 = root_when(_e21, far);
-    return _e22;
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
 }
 
-CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder, Ray ray_3) {
-    vec3 _e4 = vec3_perpendicular_to(ray_3.direction, cylinder.axis);
-    vec3 _e9 = vec3_perpendicular_to((ray_3.origin - cylinder.center), cylinder.axis);
-    float _e10 = vec3_dot(_e4, _e4);
-    float _e11 = vec3_dot(_e9, _e4);
-    float _e12 = vec3_dot(_e9, _e9);
-    float c_1 = (_e12 - cylinder.radius_squared);
-    return CylinderQuadratic(_e10, _e11, ((_e11 * _e11) - (_e10 * c_1)));
+CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin_1) {
+    vec3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center), cylinder.axis);
+    float _e6 = vec3_dot(_e5, _e5);
+    float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
+    float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
+    return CylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_1, Ray ray_4, float lambda_3) {
-    vec3 _e3 = ray_at(ray_4, lambda_3);
-    float _e7 = vec3_dot((_e3 - cylinder_1.center), cylinder_1.axis);
-    return (abs(_e7) <= cylinder_1.half_height);
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, vec3 along) {
+    vec3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    float _e5 = vec3_dot(_e4, _e4);
+    float _e7 = vec3_dot(view_1.r_c, _e4);
+    return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
 }
 
-PlaneMeeting cylinder_plane(CylinderRecord cylinder_2, Ray ray_5, vec3 base) {
-    float _e5 = vec3_dot(ray_5.direction, cylinder_2.axis);
-    float _e9 = vec3_dot((base - ray_5.origin), cylinder_2.axis);
-    return PlaneMeeting((_e9 / _e5), _e5);
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2) {
+    vec3 _e3 = ray_at(ray_2, lambda_2);
+    float _e7 = vec3_dot((_e3 - cylinder_2.center), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
 }
 
-bool cylinder_on_disc(CylinderRecord cylinder_3, Ray ray_6, vec3 base_1, float lambda_4) {
-    vec3 _e4 = ray_at(ray_6, lambda_4);
-    float _e6 = vec3_length((_e4 - base_1));
-    return (_e6 <= cylinder_3.radius);
-}
-
-vec3 cylinder_outward(CylinderRecord cylinder_4, uint part, vec3 point_2) {
-    switch(part) {
-        case 0u: {
-            vec3 _e6 = vec3_perpendicular_to((point_2 - cylinder_4.center), cylinder_4.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_4.axis;
-        }
-        default: {
-            return -(cylinder_4.axis);
-        }
-    }
-}
-
-Root cylinder_side(CylinderRecord cylinder_5, Ray ray_7) {
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic) {
     bool local_2 = false;
     bool local_3 = false;
-    CylinderQuadratic _e2 = cylinder_quadratic(cylinder_5, ray_7);
-    if ((_e2.discriminant < 0.0)) {
-        Root _e6 = root_none();
-        return _e6;
-    }
-    float root_1 = sqrt(_e2.discriminant);
-    float near_1 = ((-(_e2.h) - root_1) / _e2.a);
-    bool _e14 = in_range(near_1);
-    if (_e14) {
-        bool _e17 = cylinder_within_height(cylinder_5, ray_7, near_1);
-        local_2 = _e17;
+    bool local_4 = false;
+    float root_1 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_1) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_1) / quadratic.a);
+    bool _e15 = in_range(near_1);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_2 = _e18;
     } else {
         local_2 = false;
     }
-    bool _e19 = local_2;
-    if (_e19) {
-        return Root(true, near_1);
-    }
-    float far_1 = ((-(_e2.h) + root_1) / _e2.a);
-    bool _e27 = in_range(far_1);
-    if (_e27) {
-        bool _e30 = cylinder_within_height(cylinder_5, ray_7, far_1);
-        local_3 = _e30;
+    bool near_counts = local_2;
+    bool _e21 = in_range(far_1);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_3 = _e24;
     } else {
         local_3 = false;
     }
-    bool _e32 = local_3;
-    Root _e33 = root_when(_e32, far_1);
-    return _e33;
-}
-
-Root cylinder_base(CylinderRecord cylinder_6, Ray ray_8, vec3 base_2) {
-    bool local_4 = false;
-    PlaneMeeting _e3 = cylinder_plane(cylinder_6, ray_8, base_2);
-    if ((abs(_e3.slope) < 1e-8)) {
-        Root _e8 = root_none();
-        return _e8;
-    }
-    bool _e10 = in_range(_e3.lambda);
-    if (_e10) {
-        bool _e14 = cylinder_on_disc(cylinder_6, ray_8, base_2, _e3.lambda);
-        local_4 = _e14;
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
     } else {
-        local_4 = false;
+        local_4 = true;
     }
-    bool _e16 = local_4;
-    Root _e18 = root_when(_e16, _e3.lambda);
-    return _e18;
+    bool _e31 = local_4;
+    return Root(_e31, (near_counts ? near_1 : far_1));
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_9) {
-    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+Root cylinder_base(CylinderRecord cylinder_4, Ray ray_4, vec3 base, float distance_) {
     bool local_5 = false;
     bool local_6 = false;
-    bool local_7 = false;
-    bool local_8 = false;
-    Root _e2 = cylinder_side(cylinder_7, ray_9);
-    nearest = CylinderRoot(_e2.some, _e2.lambda, SIDE);
-    Root _e9 = cylinder_base(cylinder_7, ray_9, cylinder_7.top);
-    if (_e9.some) {
-        bool _e14 = nearest.some;
-        if (!(!(_e14))) {
-            float _e21 = nearest.lambda;
-            local_6 = (_e9.lambda <= _e21);
-        } else {
-            local_6 = true;
-        }
-        bool _e24 = local_6;
-        local_5 = _e24;
+    float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    float lambda_5 = (distance_ / _e6);
+    vec3 _e8 = ray_at(ray_4, lambda_5);
+    float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_4.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
     } else {
         local_5 = false;
     }
-    bool _e26 = local_5;
-    if (_e26) {
-        nearest = CylinderRoot(true, _e9.lambda, TOP);
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
     }
-    Root _e32 = cylinder_base(cylinder_7, ray_9, cylinder_7.bottom);
-    if (_e32.some) {
-        bool _e37 = nearest.some;
-        if (!(!(_e37))) {
-            float _e44 = nearest.lambda;
-            local_8 = (_e32.lambda <= _e44);
+    bool _e25 = local_6;
+    return Root(_e25, lambda_5);
+}
+
+vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
+    switch(part) {
+        case 0u: {
+            vec3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5) {
+    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
+    CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
+        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
         }
-        bool _e47 = local_8;
-        local_7 = _e47;
+        bool _e33 = local_8;
+        local_7 = _e33;
     } else {
         local_7 = false;
     }
-    bool _e49 = local_7;
-    if (_e49) {
-        nearest = CylinderRoot(true, _e32.lambda, BOTTOM);
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = CylinderRoot(true, _e18.lambda, TOP);
     }
-    CylinderRoot _e54 = nearest;
-    return _e54;
+    Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    return _e64;
 }
 
 Ray camera_ray(Camera camera, float row, float column, vec2 offset) {
@@ -402,42 +406,47 @@ Ray camera_ray(Camera camera, float row, float column, vec2 offset) {
     return Ray(camera.position, (window_point - camera.position));
 }
 
-vec3 background_color(Background background, vec3 direction_1) {
-    float _e3 = vec3_length(direction_1);
-    float m = (((direction_1.y / _e3) + 1.0) / 2.0);
+vec3 background_color(Background background, vec3 direction_2) {
+    float _e3 = vec3_length(direction_2);
+    float m = (((direction_2.y / _e3) + 1.0) / 2.0);
     return ((background.light * (1.0 - m)) + (background.dark * m));
 }
 
 vec3 scatter_matte(vec3 normal, vec3 vector) {
-    vec3 direction_6 = (normal + vector);
-    bool _e3 = vec3_is_negligible(direction_6);
+    vec3 direction_8 = (normal + vector);
+    bool _e3 = vec3_is_negligible(direction_8);
     if (_e3) {
         return normal;
     }
-    return direction_6;
+    return direction_8;
 }
 
-vec3 scatter_reflect(vec3 direction_2, vec3 normal_1) {
-    float _e2 = vec3_dot(direction_2, normal_1);
-    return (direction_2 - (normal_1 * (_e2 * 2.0)));
+vec3 scatter_reflect(vec3 direction_3, vec3 normal_1) {
+    float _e2 = vec3_dot(direction_3, normal_1);
+    return (direction_3 - (normal_1 * (_e2 * 2.0)));
 }
 
-vec3 scatter_metal(vec3 direction_3, vec3 normal_2, vec3 vector_1) {
-    vec3 _e3 = scatter_reflect(direction_3, normal_2);
-    vec3 _e4 = vec3_unit(_e3);
-    return (_e4 + vector_1);
+vec3 scatter_mirror(vec3 direction_4, vec3 normal_2) {
+    vec3 _e2 = scatter_reflect(direction_4, normal_2);
+    vec3 _e3 = vec3_unit(_e2);
+    return _e3;
 }
 
-vec3 scatter_refract(vec3 direction_4, vec3 normal_3, float ratio) {
-    vec3 _e4 = vec3_unit(direction_4);
-    float _e5 = vec3_dot(_e4, normal_3);
+vec3 scatter_metal(vec3 direction_5, vec3 normal_3, vec3 vector_1) {
+    vec3 _e3 = scatter_mirror(direction_5, normal_3);
+    return (_e3 + vector_1);
+}
+
+vec3 scatter_refract(vec3 direction_6, vec3 normal_4, float ratio) {
+    vec3 _e4 = vec3_unit(direction_6);
+    float _e5 = vec3_dot(_e4, normal_4);
     float product = -(_e5);
     float cos_ = ((product < 1.0) ? product : 1.0);
     float sin_ = sqrt((1.0 - (cos_ * cos_)));
-    vec3 _e12 = scatter_reflect(_e4, normal_3);
-    vec3 p = ((_e4 + (normal_3 * cos_)) * ratio);
+    vec3 _e12 = scatter_reflect(_e4, normal_4);
+    vec3 p = ((_e4 + (normal_4 * cos_)) * ratio);
     float _e16 = vec3_dot(p, p);
-    vec3 refracted = (p - (normal_3 * sqrt(abs((1.0 - _e16)))));
+    vec3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
     bool beyond = (1.0 < (ratio * sin_));
     return (beyond ? _e12 : refracted);
 }
@@ -455,12 +464,12 @@ SphereRecord sphere_load(PlacedSphere sphere_3) {
     return SphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
 }
 
-CylinderRecord cylinder_load(PlacedCylinder cylinder_8) {
-    vec3 _e2 = vec3_load(cylinder_8.center);
-    vec3 _e4 = vec3_load(cylinder_8.axis);
-    vec3 _e6 = vec3_load(cylinder_8.top);
-    vec3 _e8 = vec3_load(cylinder_8.bottom);
-    return CylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
+CylinderRecord cylinder_load(PlacedCylinder cylinder_7) {
+    vec3 _e2 = vec3_load(cylinder_7.center);
+    vec3 _e4 = vec3_load(cylinder_7.axis);
+    vec3 _e6 = vec3_load(cylinder_7.top);
+    vec3 _e8 = vec3_load(cylinder_7.bottom);
+    return CylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
 }
 
 Material material_load(PackedMaterial material) {
@@ -488,40 +497,40 @@ Background picture_background() {
     return Background(_e4, _e9);
 }
 
-bool nearest_is_beaten_by(Nearest nearest_1, float lambda_5, uint order) {
-    bool local_9 = false;
-    bool local_10 = false;
+bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order) {
     bool local_11 = false;
+    bool local_12 = false;
+    bool local_13 = false;
     if (!(!(nearest_1.some))) {
-        local_9 = (lambda_5 < nearest_1.lambda);
+        local_11 = (lambda_3 < nearest_1.lambda);
     } else {
-        local_9 = true;
+        local_11 = true;
     }
-    bool _e11 = local_9;
+    bool _e11 = local_11;
     if (!(_e11)) {
-        if ((lambda_5 == nearest_1.lambda)) {
-            local_11 = (order > nearest_1.order);
+        if ((lambda_3 == nearest_1.lambda)) {
+            local_13 = (order > nearest_1.order);
         } else {
-            local_11 = false;
+            local_13 = false;
         }
-        bool _e22 = local_11;
-        local_10 = _e22;
+        bool _e22 = local_13;
+        local_12 = _e22;
     } else {
-        local_10 = true;
+        local_12 = true;
     }
-    bool _e24 = local_10;
+    bool _e24 = local_12;
     return _e24;
 }
 
-SurfaceHit nearest_hit(Ray ray_10) {
+SurfaceHit nearest_hit(Ray ray_6) {
     Nearest nearest_2 = Nearest(false, 0.0, 0u, false, 0u, 0u);
     uint index = 0u;
-    bool local_12 = false;
-    uint index_1 = 0u;
-    bool local_13 = false;
-    SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u);
     bool local_14 = false;
+    uint index_1 = 0u;
     bool local_15 = false;
+    SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u);
+    bool local_16 = false;
+    bool local_17 = false;
     if (has_spheres) {
         bool loop_init = true;
         while(true) {
@@ -540,17 +549,17 @@ SurfaceHit nearest_hit(Ray ray_10) {
                 uint _e11 = index;
                 PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_10);
+                Root _e15 = sphere_intersect(_e14, ray_6);
                 uint _e17 = index;
                 uint order_1 = _group_0_binding_1_cs[_e17].order;
                 if (_e15.some) {
                     Nearest _e24 = nearest_2;
                     bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
-                    local_12 = _e26;
+                    local_14 = _e26;
                 } else {
-                    local_12 = false;
+                    local_14 = false;
                 }
-                bool _e28 = local_12;
+                bool _e28 = local_14;
                 if (_e28) {
                     uint _e32 = index;
                     nearest_2 = Nearest(true, _e15.lambda, order_1, false, _e32, SIDE);
@@ -576,17 +585,17 @@ SurfaceHit nearest_hit(Ray ray_10) {
                 uint _e47 = index_1;
                 PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_10);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_6);
                 uint _e53 = index_1;
                 uint order_2 = _group_0_binding_2_cs[_e53].order;
                 if (_e51.some) {
                     Nearest _e60 = nearest_2;
                     bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
-                    local_13 = _e62;
+                    local_15 = _e62;
                 } else {
-                    local_13 = false;
+                    local_15 = false;
                 }
-                bool _e64 = local_13;
+                bool _e64 = local_15;
                 if (_e64) {
                     uint _e68 = index_1;
                     nearest_2 = Nearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
@@ -600,38 +609,38 @@ SurfaceHit nearest_hit(Ray ray_10) {
         return _e78;
     }
     float _e80 = nearest_2.lambda;
-    vec3 _e81 = ray_at(ray_10, _e80);
+    vec3 _e81 = ray_at(ray_6, _e80);
     if (has_spheres) {
         bool _e86 = nearest_2.is_cylinder;
-        local_14 = !(_e86);
+        local_16 = !(_e86);
     } else {
-        local_14 = false;
+        local_16 = false;
     }
-    bool _e89 = local_14;
+    bool _e89 = local_16;
     if (_e89) {
         uint _e92 = nearest_2.index;
         PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         vec3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e99 = hit_facing(ray_10.direction, _e81, _e96);
+        Hit _e99 = hit_facing(ray_6.direction, _e81, _e96);
         uint _e102 = nearest_2.index;
         uint _e105 = _group_0_binding_1_cs[_e102].material;
         surface = SurfaceHit(true, _e99, _e105);
     }
     if (has_cylinders) {
         bool _e111 = nearest_2.is_cylinder;
-        local_15 = _e111;
+        local_17 = _e111;
     } else {
-        local_15 = false;
+        local_17 = false;
     }
-    bool _e113 = local_15;
+    bool _e113 = local_17;
     if (_e113) {
         uint _e116 = nearest_2.index;
         PlacedCylinder _e118 = _group_0_binding_2_cs[_e116];
         CylinderRecord _e119 = cylinder_load(_e118);
         uint _e121 = nearest_2.part;
         vec3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        Hit _e125 = hit_facing(ray_10.direction, _e81, _e122);
+        Hit _e125 = hit_facing(ray_6.direction, _e81, _e122);
         uint _e128 = nearest_2.index;
         uint _e131 = _group_0_binding_2_cs[_e128].material;
         surface = SurfaceHit(true, _e125, _e131);
@@ -671,15 +680,15 @@ vec3 trace_attenuated(vec3 color, uint first, uint met_count) {
 }
 
 vec3 trace_color(Ray primary, uint slot) {
-    Ray ray_11 = Ray(vec3(0.0), vec3(0.0));
+    Ray ray_7 = Ray(vec3(0.0), vec3(0.0));
     uint met_count_1 = 0u;
     uint depth = 0u;
-    vec3 direction_5 = vec3(0.0);
-    bool local_16 = false;
-    bool local_17 = false;
+    vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
+    bool local_19 = false;
+    bool local_20 = false;
     float ratio_1 = 0.0;
-    ray_11 = primary;
+    ray_7 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -696,11 +705,11 @@ vec3 trace_color(Ray primary, uint slot) {
             break;
         }
         {
-            Ray _e16 = ray_11;
+            Ray _e16 = ray_7;
             SurfaceHit _e17 = nearest_hit(_e16);
             if (!(_e17.some)) {
                 Background _e20 = picture_background();
-                vec3 _e22 = ray_11.direction;
+                vec3 _e22 = ray_7.direction;
                 vec3 _e23 = background_color(_e20, _e22);
                 uint _e24 = met_count_1;
                 vec3 _e25 = trace_attenuated(_e23, first_1, _e24);
@@ -709,54 +718,54 @@ vec3 trace_color(Ray primary, uint slot) {
             Hit hit = _e17.hit;
             PackedMaterial _e30 = _group_0_binding_3_cs[_e17.material];
             Material _e31 = material_load(_e30);
-            direction_5 = vec3(0.0);
+            direction_7 = vec3(0.0);
             if (has_matte) {
-                local_16 = (_e31.kind == MATTE);
+                local_18 = (_e31.kind == MATTE);
             } else {
-                local_16 = false;
+                local_18 = false;
             }
-            bool _e41 = local_16;
+            bool _e41 = local_18;
             if (_e41) {
                 uint _e43 = met_count_1;
                 _group_0_binding_4_cs[(first_1 + _e43)] = _e17.material;
                 uint _e48 = met_count_1;
                 met_count_1 = (_e48 + 1u);
                 vec3 _e51 = scatter_matte(hit.normal, _e6);
-                direction_5 = _e51;
+                direction_7 = _e51;
             }
             if (has_metal) {
-                local_17 = (_e31.kind == METAL);
+                local_19 = (_e31.kind == METAL);
             } else {
-                local_17 = false;
+                local_19 = false;
             }
-            bool _e59 = local_17;
+            bool _e59 = local_19;
             if (_e59) {
                 uint _e61 = met_count_1;
                 _group_0_binding_4_cs[(first_1 + _e61)] = _e17.material;
                 uint _e66 = met_count_1;
                 met_count_1 = (_e66 + 1u);
-                vec3 _e69 = ray_11.direction;
+                vec3 _e69 = ray_7.direction;
                 vec3 _e71 = scatter_metal(_e69, hit.normal, _e6);
-                direction_5 = _e71;
+                direction_7 = _e71;
             }
             if (has_refraction) {
-                local_18 = (_e31.kind == REFRACTIVE);
+                local_20 = (_e31.kind == REFRACTIVE);
             } else {
-                local_18 = false;
+                local_20 = false;
             }
-            bool _e79 = local_18;
+            bool _e79 = local_20;
             if (_e79) {
                 ratio_1 = _e31.index;
                 if (hit.front) {
                     ratio_1 = (1.0 / _e31.index);
                 }
-                vec3 _e87 = ray_11.direction;
+                vec3 _e87 = ray_7.direction;
                 float _e89 = ratio_1;
                 vec3 _e90 = scatter_refract(_e87, hit.normal, _e89);
-                direction_5 = _e90;
+                direction_7 = _e90;
             }
-            vec3 _e92 = direction_5;
-            ray_11 = Ray(hit.point, _e92);
+            vec3 _e92 = direction_7;
+            ray_7 = Ray(hit.point, _e92);
         }
     }
     return vec3(0.0);

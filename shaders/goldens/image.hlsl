@@ -26,6 +26,11 @@ struct SphereRecord {
     int _end_pad_2;
 };
 
+struct SphereView {
+    float3 r_c;
+    float c;
+};
+
 struct SphereQuadratic {
     float h;
     float discriminant;
@@ -46,15 +51,19 @@ struct CylinderRecord {
     int _end_pad_1;
 };
 
+struct CylinderView {
+    float3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
 struct CylinderQuadratic {
     float a;
     float h;
     float discriminant;
-};
-
-struct PlaneMeeting {
-    float lambda;
-    float slope;
 };
 
 struct CylinderRoot {
@@ -256,17 +265,6 @@ Root root_none()
     return root;
 }
 
-Root root_when(bool counts, float lambda_2)
-{
-    if (counts) {
-        const Root root_1 = ConstructRoot(true, lambda_2);
-        return root_1;
-    }
-    const Root _e4 = root_none();
-    const Root root_2 = _e4;
-    return root_2;
-}
-
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
     Hit ret = (Hit)0;
     ret.point_ = arg0;
@@ -287,6 +285,21 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
     return hit_1;
 }
 
+SphereView ConstructSphereView(float3 arg0, float arg1) {
+    SphereView ret = (SphereView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, float3 origin)
+{
+    float3 r_c = (sphere.center_ - origin);
+    const float _e4 = vec3_dot(r_c, r_c);
+    const SphereView sphereview = ConstructSphereView(r_c, (_e4 - sphere.radius_squared));
+    return sphereview;
+}
+
 SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
     SphereQuadratic ret = (SphereQuadratic)0;
     ret.h = arg0;
@@ -294,14 +307,23 @@ SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
     return ret;
 }
 
-SphereQuadratic sphere_quadratic(SphereRecord sphere, Ray ray_1, float a_1)
+SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
 {
-    float3 r_c = (sphere.center_ - ray_1.origin);
-    const float _e7 = vec3_dot(ray_1.direction, r_c);
-    const float _e8 = vec3_dot(r_c, r_c);
-    float c = (_e8 - sphere.radius_squared);
-    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e7, ((_e7 * _e7) - (a_1 * c)));
+    const float _e4 = vec3_dot(direction_1, view.r_c);
+    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
     return spherequadratic;
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant)
+{
+    float root_1 = sqrt(discriminant);
+    float near = ((h - root_1) / a_2);
+    float far = ((h + root_1) / a_2);
+    const bool _e8 = in_range(near);
+    float lambda_4 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_4);
+    const Root root_2 = ConstructRoot(_e10, lambda_4);
+    return root_2;
 }
 
 float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
@@ -309,27 +331,38 @@ float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
     return ((point_1 - sphere_1.center_) / (sphere_1.radius).xxx);
 }
 
-Root sphere_intersect(SphereRecord sphere_2, Ray ray_2)
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
 {
-    const float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
-    const SphereQuadratic _e5 = sphere_quadratic(sphere_2, ray_2, _e4);
-    if ((_e5.discriminant < 0.0)) {
-        const Root _e9 = root_none();
-        const Root root_3 = _e9;
+    const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    const SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        const Root _e12 = root_none();
+        const Root root_3 = _e12;
         return root_3;
     }
-    float root_4 = sqrt(_e5.discriminant);
-    float near = ((_e5.h - root_4) / _e4);
-    const bool _e15 = in_range(near);
-    if (_e15) {
-        const Root root_5 = ConstructRoot(true, near);
-        return root_5;
-    }
-    float far = ((_e5.h + root_4) / _e4);
-    const bool _e21 = in_range(far);
-    const Root _e22 = root_when(_e21, far);
-    const Root root_6 = _e22;
-    return root_6;
+    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_4 = _e15;
+    return root_4;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    ret.to_top = arg2;
+    ret.to_bottom = arg3;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
+    const float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    return cylinderview;
 }
 
 CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
@@ -340,123 +373,98 @@ CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2)
     return ret;
 }
 
-CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder, Ray ray_3)
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, float3 along)
 {
-    const float3 _e4 = vec3_perpendicular_to(ray_3.direction, cylinder.axis);
-    const float3 _e9 = vec3_perpendicular_to((ray_3.origin - cylinder.center_), cylinder.axis);
-    const float _e10 = vec3_dot(_e4, _e4);
-    const float _e11 = vec3_dot(_e9, _e4);
-    const float _e12 = vec3_dot(_e9, _e9);
-    float c_1 = (_e12 - cylinder.radius_squared);
-    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e10, _e11, ((_e11 * _e11) - (_e10 * c_1)));
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view_1.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
     return cylinderquadratic;
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_1, Ray ray_4, float lambda_3)
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2)
 {
-    const float3 _e3 = ray_at(ray_4, lambda_3);
-    const float _e7 = vec3_dot((_e3 - cylinder_1.center_), cylinder_1.axis);
-    return (abs(_e7) <= cylinder_1.half_height);
+    const float3 _e3 = ray_at(ray_2, lambda_2);
+    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
 }
 
-PlaneMeeting ConstructPlaneMeeting(float arg0, float arg1) {
-    PlaneMeeting ret = (PlaneMeeting)0;
-    ret.lambda = arg0;
-    ret.slope = arg1;
-    return ret;
-}
-
-PlaneMeeting cylinder_plane(CylinderRecord cylinder_2, Ray ray_5, float3 base)
-{
-    const float _e5 = vec3_dot(ray_5.direction, cylinder_2.axis);
-    const float _e9 = vec3_dot((base - ray_5.origin), cylinder_2.axis);
-    const PlaneMeeting planemeeting = ConstructPlaneMeeting((_e9 / _e5), _e5);
-    return planemeeting;
-}
-
-bool cylinder_on_disc(CylinderRecord cylinder_3, Ray ray_6, float3 base_1, float lambda_4)
-{
-    const float3 _e4 = ray_at(ray_6, lambda_4);
-    const float _e6 = vec3_length((_e4 - base_1));
-    return (_e6 <= cylinder_3.radius);
-}
-
-float3 cylinder_outward(CylinderRecord cylinder_4, uint part, float3 point_2)
-{
-    switch(part) {
-        case 0u: {
-            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_4.center_), cylinder_4.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_4.axis;
-        }
-        default: {
-            return -(cylinder_4.axis);
-        }
-    }
-}
-
-Root cylinder_side(CylinderRecord cylinder_5, Ray ray_7)
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
 {
     bool local_2 = (bool)0;
     bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
-    const CylinderQuadratic _e2 = cylinder_quadratic(cylinder_5, ray_7);
-    if ((_e2.discriminant < 0.0)) {
-        const Root _e6 = root_none();
-        const Root root_7 = _e6;
-        return root_7;
-    }
-    float root_8 = sqrt(_e2.discriminant);
-    float near_1 = ((-(_e2.h) - root_8) / _e2.a);
-    const bool _e14 = in_range(near_1);
-    if (_e14) {
-        const bool _e17 = cylinder_within_height(cylinder_5, ray_7, near_1);
-        local_2 = _e17;
+    float root_5 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    const bool _e15 = in_range(near_1);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_2 = _e18;
     } else {
         local_2 = false;
     }
-    bool _e19 = local_2;
-    if (_e19) {
-        const Root root_9 = ConstructRoot(true, near_1);
-        return root_9;
-    }
-    float far_1 = ((-(_e2.h) + root_8) / _e2.a);
-    const bool _e27 = in_range(far_1);
-    if (_e27) {
-        const bool _e30 = cylinder_within_height(cylinder_5, ray_7, far_1);
-        local_3 = _e30;
+    bool near_counts = local_2;
+    const bool _e21 = in_range(far_1);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_3 = _e24;
     } else {
         local_3 = false;
     }
-    bool _e32 = local_3;
-    const Root _e33 = root_when(_e32, far_1);
-    const Root root_10 = _e33;
-    return root_10;
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
+    return root_6;
 }
 
-Root cylinder_base(CylinderRecord cylinder_6, Ray ray_8, float3 base_2)
+Root cylinder_base(CylinderRecord cylinder_4, Ray ray_4, float3 base, float distance_)
 {
-    bool local_4 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
 
-    const PlaneMeeting _e3 = cylinder_plane(cylinder_6, ray_8, base_2);
-    if ((abs(_e3.slope) < 1e-8)) {
-        const Root _e8 = root_none();
-        const Root root_11 = _e8;
-        return root_11;
-    }
-    const bool _e10 = in_range(_e3.lambda);
-    if (_e10) {
-        const bool _e14 = cylinder_on_disc(cylinder_6, ray_8, base_2, _e3.lambda);
-        local_4 = _e14;
+    const float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    float lambda_5 = (distance_ / _e6);
+    const float3 _e8 = ray_at(ray_4, lambda_5);
+    const float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_4.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        const bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
     } else {
-        local_4 = false;
+        local_5 = false;
     }
-    bool _e16 = local_4;
-    const Root _e18 = root_when(_e16, _e3.lambda);
-    const Root root_12 = _e18;
-    return root_12;
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    const Root root_7 = ConstructRoot(_e25, lambda_5);
+    return root_7;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
 }
 
 CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
@@ -467,54 +475,58 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_9)
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
 {
     CylinderRoot nearest = (CylinderRoot)0;
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
 
-    const Root _e2 = cylinder_side(cylinder_7, ray_9);
-    nearest = ConstructCylinderRoot(_e2.some, _e2.lambda, SIDE);
-    const Root _e9 = cylinder_base(cylinder_7, ray_9, cylinder_7.top);
-    if (_e9.some) {
-        bool _e14 = nearest.some;
-        if (!(!(_e14))) {
-            float _e21 = nearest.lambda;
-            local_6 = (_e9.lambda <= _e21);
-        } else {
-            local_6 = true;
-        }
-        bool _e24 = local_6;
-        local_5 = _e24;
-    } else {
-        local_5 = false;
+    const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
+        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    bool _e26 = local_5;
-    if (_e26) {
-        nearest = ConstructCylinderRoot(true, _e9.lambda, TOP);
-    }
-    const Root _e32 = cylinder_base(cylinder_7, ray_9, cylinder_7.bottom);
-    if (_e32.some) {
-        bool _e37 = nearest.some;
-        if (!(!(_e37))) {
-            float _e44 = nearest.lambda;
-            local_8 = (_e32.lambda <= _e44);
+    const Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
         }
-        bool _e47 = local_8;
-        local_7 = _e47;
+        bool _e33 = local_8;
+        local_7 = _e33;
     } else {
         local_7 = false;
     }
-    bool _e49 = local_7;
-    if (_e49) {
-        nearest = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
     }
-    CylinderRoot _e54 = nearest;
-    const CylinderRoot cylinderroot = _e54;
+    const Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    const CylinderRoot cylinderroot = _e64;
     return cylinderroot;
 }
 
@@ -530,51 +542,57 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_12 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_12;
+    const Ray ray_8 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_8;
 }
 
-float3 background_color(Background background, float3 direction_1)
+float3 background_color(Background background, float3 direction_2)
 {
-    const float _e3 = vec3_length(direction_1);
-    float m = (((direction_1.y / _e3) + 1.0) / 2.0);
+    const float _e3 = vec3_length(direction_2);
+    float m = (((direction_2.y / _e3) + 1.0) / 2.0);
     return ((background.light * (1.0 - m)) + (background.dark * m));
 }
 
 float3 scatter_matte(float3 normal, float3 vector_)
 {
-    float3 direction_6 = (normal + vector_);
-    const bool _e3 = vec3_is_negligible(direction_6);
+    float3 direction_8 = (normal + vector_);
+    const bool _e3 = vec3_is_negligible(direction_8);
     if (_e3) {
         return normal;
     }
-    return direction_6;
+    return direction_8;
 }
 
-float3 scatter_reflect(float3 direction_2, float3 normal_1)
+float3 scatter_reflect(float3 direction_3, float3 normal_1)
 {
-    const float _e2 = vec3_dot(direction_2, normal_1);
-    return (direction_2 - (normal_1 * (_e2 * 2.0)));
+    const float _e2 = vec3_dot(direction_3, normal_1);
+    return (direction_3 - (normal_1 * (_e2 * 2.0)));
 }
 
-float3 scatter_metal(float3 direction_3, float3 normal_2, float3 vector_1)
+float3 scatter_mirror(float3 direction_4, float3 normal_2)
 {
-    const float3 _e3 = scatter_reflect(direction_3, normal_2);
-    const float3 _e4 = vec3_unit(_e3);
-    return (_e4 + vector_1);
+    const float3 _e2 = scatter_reflect(direction_4, normal_2);
+    const float3 _e3 = vec3_unit(_e2);
+    return _e3;
 }
 
-float3 scatter_refract(float3 direction_4, float3 normal_3, float ratio)
+float3 scatter_metal(float3 direction_5, float3 normal_3, float3 vector_1)
 {
-    const float3 _e4 = vec3_unit(direction_4);
-    const float _e5 = vec3_dot(_e4, normal_3);
+    const float3 _e3 = scatter_mirror(direction_5, normal_3);
+    return (_e3 + vector_1);
+}
+
+float3 scatter_refract(float3 direction_6, float3 normal_4, float ratio)
+{
+    const float3 _e4 = vec3_unit(direction_6);
+    const float _e5 = vec3_dot(_e4, normal_4);
     float product = -(_e5);
     float cos_ = ((product < 1.0) ? product : 1.0);
     float sin_ = sqrt((1.0 - (cos_ * cos_)));
-    const float3 _e12 = scatter_reflect(_e4, normal_3);
-    float3 p = ((_e4 + (normal_3 * cos_)) * ratio);
+    const float3 _e12 = scatter_reflect(_e4, normal_4);
+    float3 p = ((_e4 + (normal_4 * cos_)) * ratio);
     const float _e16 = vec3_dot(p, p);
-    float3 refracted = (p - (normal_3 * sqrt(abs((1.0 - _e16)))));
+    float3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
     bool beyond = (1.0 < (ratio * sin_));
     return (beyond ? _e12 : refracted);
 }
@@ -625,13 +643,13 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
-CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
+CylinderRecord cylinder_load(PlacedCylinder cylinder_7)
 {
-    const float3 _e2 = vec3_load(cylinder_8.center_);
-    const float3 _e4 = vec3_load(cylinder_8.axis);
-    const float3 _e6 = vec3_load(cylinder_8.top);
-    const float3 _e8 = vec3_load(cylinder_8.bottom);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
+    const float3 _e2 = vec3_load(cylinder_7.center_);
+    const float3 _e4 = vec3_load(cylinder_7.axis);
+    const float3 _e6 = vec3_load(cylinder_7.top);
+    const float3 _e8 = vec3_load(cylinder_7.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
     return cylinderrecord;
 }
 
@@ -690,30 +708,30 @@ Background picture_background()
     return background_1;
 }
 
-bool nearest_is_beaten_by(Nearest nearest_1, float lambda_5, uint order)
+bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order)
 {
-    bool local_9 = (bool)0;
-    bool local_10 = (bool)0;
     bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
+    bool local_13 = (bool)0;
 
     if (!(!(nearest_1.some))) {
-        local_9 = (lambda_5 < nearest_1.lambda);
+        local_11 = (lambda_3 < nearest_1.lambda);
     } else {
-        local_9 = true;
+        local_11 = true;
     }
-    bool _e11 = local_9;
+    bool _e11 = local_11;
     if (!(_e11)) {
-        if ((lambda_5 == nearest_1.lambda)) {
-            local_11 = (order > nearest_1.order);
+        if ((lambda_3 == nearest_1.lambda)) {
+            local_13 = (order > nearest_1.order);
         } else {
-            local_11 = false;
+            local_13 = false;
         }
-        bool _e22 = local_11;
-        local_10 = _e22;
+        bool _e22 = local_13;
+        local_12 = _e22;
     } else {
-        local_10 = true;
+        local_12 = true;
     }
-    bool _e24 = local_10;
+    bool _e24 = local_12;
     return _e24;
 }
 
@@ -760,16 +778,16 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
     return ret;
 }
 
-SurfaceHit nearest_hit(Ray ray_10)
+SurfaceHit nearest_hit(Ray ray_6)
 {
     Nearest nearest_2 = (Nearest)0;
     uint index = 0u;
-    bool local_12 = (bool)0;
-    uint index_1 = 0u;
-    bool local_13 = (bool)0;
-    SurfaceHit surface = (SurfaceHit)0;
     bool local_14 = (bool)0;
+    uint index_1 = 0u;
     bool local_15 = (bool)0;
+    SurfaceHit surface = (SurfaceHit)0;
+    bool local_16 = (bool)0;
+    bool local_17 = (bool)0;
 
     if (has_spheres) {
         uint2 loop_bound = uint2(4294967295u, 4294967295u);
@@ -792,17 +810,17 @@ SurfaceHit nearest_hit(Ray ray_10)
                 uint _e11 = index;
                 PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
                 const SphereRecord _e14 = sphere_load(_e13);
-                const Root _e15 = sphere_intersect(_e14, ray_10);
+                const Root _e15 = sphere_intersect(_e14, ray_6);
                 uint _e17 = index;
                 uint order_1 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
                     Nearest _e24 = nearest_2;
                     const bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
-                    local_12 = _e26;
+                    local_14 = _e26;
                 } else {
-                    local_12 = false;
+                    local_14 = false;
                 }
-                bool _e28 = local_12;
+                bool _e28 = local_14;
                 if (_e28) {
                     uint _e32 = index;
                     nearest_2 = ConstructNearest(true, _e15.lambda, order_1, false, _e32, SIDE);
@@ -831,17 +849,17 @@ SurfaceHit nearest_hit(Ray ray_10)
                 uint _e47 = index_1;
                 PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
                 const CylinderRecord _e50 = cylinder_load(_e49);
-                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_10);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_6);
                 uint _e53 = index_1;
                 uint order_2 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
                     Nearest _e60 = nearest_2;
                     const bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
-                    local_13 = _e62;
+                    local_15 = _e62;
                 } else {
-                    local_13 = false;
+                    local_15 = false;
                 }
-                bool _e64 = local_13;
+                bool _e64 = local_15;
                 if (_e64) {
                     uint _e68 = index_1;
                     nearest_2 = ConstructNearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
@@ -856,38 +874,38 @@ SurfaceHit nearest_hit(Ray ray_10)
         return surfacehit;
     }
     float _e80 = nearest_2.lambda;
-    const float3 _e81 = ray_at(ray_10, _e80);
+    const float3 _e81 = ray_at(ray_6, _e80);
     if (has_spheres) {
         bool _e86 = nearest_2.is_cylinder;
-        local_14 = !(_e86);
+        local_16 = !(_e86);
     } else {
-        local_14 = false;
+        local_16 = false;
     }
-    bool _e89 = local_14;
+    bool _e89 = local_16;
     if (_e89) {
         uint _e92 = nearest_2.index;
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
-        const Hit _e99 = hit_facing(ray_10.direction, _e81, _e96);
+        const Hit _e99 = hit_facing(ray_6.direction, _e81, _e96);
         uint _e102 = nearest_2.index;
         uint _e105 = asuint(spheres.Load(24+_e102*28));
         surface = ConstructSurfaceHit(true, _e99, _e105);
     }
     if (has_cylinders) {
         bool _e111 = nearest_2.is_cylinder;
-        local_15 = _e111;
+        local_17 = _e111;
     } else {
-        local_15 = false;
+        local_17 = false;
     }
-    bool _e113 = local_15;
+    bool _e113 = local_17;
     if (_e113) {
         uint _e116 = nearest_2.index;
         PlacedCylinder _e118 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+0+0)), asfloat(cylinders.Load(_e116*68+0+4)), asfloat(cylinders.Load(_e116*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+12+0)), asfloat(cylinders.Load(_e116*68+12+4)), asfloat(cylinders.Load(_e116*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+24+0)), asfloat(cylinders.Load(_e116*68+24+4)), asfloat(cylinders.Load(_e116*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+36+0)), asfloat(cylinders.Load(_e116*68+36+4)), asfloat(cylinders.Load(_e116*68+36+8))), asfloat(cylinders.Load(_e116*68+48)), asfloat(cylinders.Load(_e116*68+52)), asfloat(cylinders.Load(_e116*68+56)), asuint(cylinders.Load(_e116*68+60)), asuint(cylinders.Load(_e116*68+64)));
         const CylinderRecord _e119 = cylinder_load(_e118);
         uint _e121 = nearest_2.part;
         const float3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        const Hit _e125 = hit_facing(ray_10.direction, _e81, _e122);
+        const Hit _e125 = hit_facing(ray_6.direction, _e81, _e122);
         uint _e128 = nearest_2.index;
         uint _e131 = asuint(cylinders.Load(64+_e128*68));
         surface = ConstructSurfaceHit(true, _e125, _e131);
@@ -947,16 +965,16 @@ PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, 
 
 float3 trace_color(Ray primary, uint slot)
 {
-    Ray ray_11 = (Ray)0;
+    Ray ray_7 = (Ray)0;
     uint met_count_1 = 0u;
     uint depth = 0u;
-    float3 direction_5 = (float3)0;
-    bool local_16 = (bool)0;
-    bool local_17 = (bool)0;
+    float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
     float ratio_1 = (float)0;
 
-    ray_11 = primary;
+    ray_7 = primary;
     PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
     const float3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -976,11 +994,11 @@ float3 trace_color(Ray primary, uint slot)
             break;
         }
         {
-            Ray _e16 = ray_11;
+            Ray _e16 = ray_7;
             const SurfaceHit _e17 = nearest_hit(_e16);
             if (!(_e17.some)) {
                 const Background _e20 = picture_background();
-                float3 _e22 = ray_11.direction;
+                float3 _e22 = ray_7.direction;
                 const float3 _e23 = background_color(_e20, _e22);
                 uint _e24 = met_count_1;
                 const float3 _e25 = trace_attenuated(_e23, first_1, _e24);
@@ -989,54 +1007,54 @@ float3 trace_color(Ray primary, uint slot)
             Hit hit_2 = _e17.hit;
             PackedMaterial _e30 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e17.material*24+0+0)), asfloat(materials.Load(_e17.material*24+0+4)), asfloat(materials.Load(_e17.material*24+0+8))), asfloat(materials.Load(_e17.material*24+12)), asuint(materials.Load(_e17.material*24+16)), asuint(materials.Load(_e17.material*24+20)));
             const Material _e31 = material_load(_e30);
-            direction_5 = ZeroValuefloat3();
+            direction_7 = ZeroValuefloat3();
             if (has_matte) {
-                local_16 = (_e31.kind == MATTE);
+                local_18 = (_e31.kind == MATTE);
             } else {
-                local_16 = false;
+                local_18 = false;
             }
-            bool _e41 = local_16;
+            bool _e41 = local_18;
             if (_e41) {
                 uint _e43 = met_count_1;
                 met.Store((first_1 + _e43)*4, asuint(_e17.material));
                 uint _e48 = met_count_1;
                 met_count_1 = (_e48 + 1u);
                 const float3 _e51 = scatter_matte(hit_2.normal, _e6);
-                direction_5 = _e51;
+                direction_7 = _e51;
             }
             if (has_metal) {
-                local_17 = (_e31.kind == METAL);
+                local_19 = (_e31.kind == METAL);
             } else {
-                local_17 = false;
+                local_19 = false;
             }
-            bool _e59 = local_17;
+            bool _e59 = local_19;
             if (_e59) {
                 uint _e61 = met_count_1;
                 met.Store((first_1 + _e61)*4, asuint(_e17.material));
                 uint _e66 = met_count_1;
                 met_count_1 = (_e66 + 1u);
-                float3 _e69 = ray_11.direction;
+                float3 _e69 = ray_7.direction;
                 const float3 _e71 = scatter_metal(_e69, hit_2.normal, _e6);
-                direction_5 = _e71;
+                direction_7 = _e71;
             }
             if (has_refraction) {
-                local_18 = (_e31.kind == REFRACTIVE);
+                local_20 = (_e31.kind == REFRACTIVE);
             } else {
-                local_18 = false;
+                local_20 = false;
             }
-            bool _e79 = local_18;
+            bool _e79 = local_20;
             if (_e79) {
                 ratio_1 = _e31.index;
                 if (hit_2.front) {
                     ratio_1 = (1.0 / _e31.index);
                 }
-                float3 _e87 = ray_11.direction;
+                float3 _e87 = ray_7.direction;
                 float _e89 = ratio_1;
                 const float3 _e90 = scatter_refract(_e87, hit_2.normal, _e89);
-                direction_5 = _e90;
+                direction_7 = _e90;
             }
-            float3 _e92 = direction_5;
-            ray_11 = ConstructRay(hit_2.point_, _e92);
+            float3 _e92 = direction_7;
+            ray_7 = ConstructRay(hit_2.point_, _e92);
         }
     }
     return ZeroValuefloat3();

@@ -108,17 +108,6 @@ Root root_none(
     return Root {false, {}, 0.0};
 }
 
-Root root_when(
-    bool counts,
-    real lambda_2
-) {
-    if (counts) {
-        return Root {true, {}, lambda_2};
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -136,12 +125,12 @@ metal::float3 scatter_matte(
     metal::float3 normal,
     metal::float3 vector
 ) {
-    metal::float3 direction_4 = normal + vector;
-    bool _e3 = vec3_is_negligible(direction_4);
+    metal::float3 direction_5 = normal + vector;
+    bool _e3 = vec3_is_negligible(direction_5);
     if (_e3) {
         return normal;
     }
-    return direction_4;
+    return direction_5;
 }
 
 metal::float3 scatter_reflect(
@@ -152,30 +141,38 @@ metal::float3 scatter_reflect(
     return direction_1 - (normal_1 * (_e2 * 2.0));
 }
 
-metal::float3 scatter_metal(
+metal::float3 scatter_mirror(
     metal::float3 direction_2,
-    metal::float3 normal_2,
+    metal::float3 normal_2
+) {
+    metal::float3 _e2 = scatter_reflect(direction_2, normal_2);
+    metal::float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+metal::float3 scatter_metal(
+    metal::float3 direction_3,
+    metal::float3 normal_3,
     metal::float3 vector_1
 ) {
-    metal::float3 _e3 = scatter_reflect(direction_2, normal_2);
-    metal::float3 _e4 = vec3_unit(_e3);
-    return _e4 + vector_1;
+    metal::float3 _e3 = scatter_mirror(direction_3, normal_3);
+    return _e3 + vector_1;
 }
 
 metal::float3 scatter_refract(
-    metal::float3 direction_3,
-    metal::float3 normal_3,
+    metal::float3 direction_4,
+    metal::float3 normal_4,
     real ratio
 ) {
-    metal::float3 _e4 = vec3_unit(direction_3);
-    real _e5 = vec3_dot(_e4, normal_3);
+    metal::float3 _e4 = vec3_unit(direction_4);
+    real _e5 = vec3_dot(_e4, normal_4);
     real product = -(_e5);
     real cos = (product < 1.0) ? product : 1.0;
     float sin = metal::sqrt(1.0 - (cos * cos));
-    metal::float3 _e12 = scatter_reflect(_e4, normal_3);
-    metal::float3 p = (_e4 + (normal_3 * cos)) * ratio;
+    metal::float3 _e12 = scatter_reflect(_e4, normal_4);
+    metal::float3 p = (_e4 + (normal_4 * cos)) * ratio;
     real _e16 = vec3_dot(p, p);
-    metal::float3 refracted = p - (normal_3 * metal::sqrt(metal::abs(1.0 - _e16)));
+    metal::float3 refracted = p - (normal_4 * metal::sqrt(metal::abs(1.0 - _e16)));
     bool beyond = 1.0 < (ratio * sin);
     return beyond ? _e12 : refracted;
 }

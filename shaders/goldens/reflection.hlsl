@@ -102,17 +102,6 @@ Root root_none()
     return root;
 }
 
-Root root_when(bool counts, float lambda_2)
-{
-    if (counts) {
-        const Root root_1 = ConstructRoot(true, lambda_2);
-        return root_1;
-    }
-    const Root _e4 = root_none();
-    const Root root_2 = _e4;
-    return root_2;
-}
-
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
     Hit ret = (Hit)0;
     ret.point_ = arg0;
@@ -135,12 +124,12 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 
 float3 scatter_matte(float3 normal, float3 vector_)
 {
-    float3 direction_4 = (normal + vector_);
-    const bool _e3 = vec3_is_negligible(direction_4);
+    float3 direction_5 = (normal + vector_);
+    const bool _e3 = vec3_is_negligible(direction_5);
     if (_e3) {
         return normal;
     }
-    return direction_4;
+    return direction_5;
 }
 
 float3 scatter_reflect(float3 direction_1, float3 normal_1)
@@ -149,24 +138,30 @@ float3 scatter_reflect(float3 direction_1, float3 normal_1)
     return (direction_1 - (normal_1 * (_e2 * 2.0)));
 }
 
-float3 scatter_metal(float3 direction_2, float3 normal_2, float3 vector_1)
+float3 scatter_mirror(float3 direction_2, float3 normal_2)
 {
-    const float3 _e3 = scatter_reflect(direction_2, normal_2);
-    const float3 _e4 = vec3_unit(_e3);
-    return (_e4 + vector_1);
+    const float3 _e2 = scatter_reflect(direction_2, normal_2);
+    const float3 _e3 = vec3_unit(_e2);
+    return _e3;
 }
 
-float3 scatter_refract(float3 direction_3, float3 normal_3, float ratio)
+float3 scatter_metal(float3 direction_3, float3 normal_3, float3 vector_1)
 {
-    const float3 _e4 = vec3_unit(direction_3);
-    const float _e5 = vec3_dot(_e4, normal_3);
+    const float3 _e3 = scatter_mirror(direction_3, normal_3);
+    return (_e3 + vector_1);
+}
+
+float3 scatter_refract(float3 direction_4, float3 normal_4, float ratio)
+{
+    const float3 _e4 = vec3_unit(direction_4);
+    const float _e5 = vec3_dot(_e4, normal_4);
     float product = -(_e5);
     float cos_ = ((product < 1.0) ? product : 1.0);
     float sin_ = sqrt((1.0 - (cos_ * cos_)));
-    const float3 _e12 = scatter_reflect(_e4, normal_3);
-    float3 p = ((_e4 + (normal_3 * cos_)) * ratio);
+    const float3 _e12 = scatter_reflect(_e4, normal_4);
+    float3 p = ((_e4 + (normal_4 * cos_)) * ratio);
     const float _e16 = vec3_dot(p, p);
-    float3 refracted = (p - (normal_3 * sqrt(abs((1.0 - _e16)))));
+    float3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
     bool beyond = (1.0 < (ratio * sin_));
     return (beyond ? _e12 : refracted);
 }

@@ -84,14 +84,6 @@ Root root_none() {
     return Root(false, 0.0);
 }
 
-Root root_when(bool counts, float lambda_2) {
-    if (counts) {
-        return Root(true, lambda_2);
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
@@ -102,12 +94,12 @@ Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
 }
 
 vec3 scatter_matte(vec3 normal, vec3 vector) {
-    vec3 direction_4 = (normal + vector);
-    bool _e3 = vec3_is_negligible(direction_4);
+    vec3 direction_5 = (normal + vector);
+    bool _e3 = vec3_is_negligible(direction_5);
     if (_e3) {
         return normal;
     }
-    return direction_4;
+    return direction_5;
 }
 
 vec3 scatter_reflect(vec3 direction_1, vec3 normal_1) {
@@ -115,22 +107,27 @@ vec3 scatter_reflect(vec3 direction_1, vec3 normal_1) {
     return (direction_1 - (normal_1 * (_e2 * 2.0)));
 }
 
-vec3 scatter_metal(vec3 direction_2, vec3 normal_2, vec3 vector_1) {
-    vec3 _e3 = scatter_reflect(direction_2, normal_2);
-    vec3 _e4 = vec3_unit(_e3);
-    return (_e4 + vector_1);
+vec3 scatter_mirror(vec3 direction_2, vec3 normal_2) {
+    vec3 _e2 = scatter_reflect(direction_2, normal_2);
+    vec3 _e3 = vec3_unit(_e2);
+    return _e3;
 }
 
-vec3 scatter_refract(vec3 direction_3, vec3 normal_3, float ratio) {
-    vec3 _e4 = vec3_unit(direction_3);
-    float _e5 = vec3_dot(_e4, normal_3);
+vec3 scatter_metal(vec3 direction_3, vec3 normal_3, vec3 vector_1) {
+    vec3 _e3 = scatter_mirror(direction_3, normal_3);
+    return (_e3 + vector_1);
+}
+
+vec3 scatter_refract(vec3 direction_4, vec3 normal_4, float ratio) {
+    vec3 _e4 = vec3_unit(direction_4);
+    float _e5 = vec3_dot(_e4, normal_4);
     float product = -(_e5);
     float cos_ = ((product < 1.0) ? product : 1.0);
     float sin_ = sqrt((1.0 - (cos_ * cos_)));
-    vec3 _e12 = scatter_reflect(_e4, normal_3);
-    vec3 p = ((_e4 + (normal_3 * cos_)) * ratio);
+    vec3 _e12 = scatter_reflect(_e4, normal_4);
+    vec3 p = ((_e4 + (normal_4 * cos_)) * ratio);
     float _e16 = vec3_dot(p, p);
-    vec3 refracted = (p - (normal_3 * sqrt(abs((1.0 - _e16)))));
+    vec3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
     bool beyond = (1.0 < (ratio * sin_));
     return (beyond ? _e12 : refracted);
 }

@@ -21,6 +21,10 @@ struct SphereRecord {
     float radius;
     float radius_squared;
 };
+struct SphereView {
+    vec3 r_c;
+    float c;
+};
 struct SphereQuadratic {
     float h;
     float discriminant;
@@ -101,14 +105,6 @@ Root root_none() {
     return Root(false, 0.0);
 }
 
-Root root_when(bool counts, float lambda_2) {
-    if (counts) {
-        return Root(true, lambda_2);
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
@@ -122,35 +118,41 @@ SphereRecord sphere_new(vec3 center, float radius) {
     return SphereRecord(center, radius, (radius * radius));
 }
 
-SphereQuadratic sphere_quadratic(SphereRecord sphere_1, Ray ray_1, float a_1) {
-    vec3 r_c = (sphere_1.center - ray_1.origin);
-    float _e7 = vec3_dot(ray_1.direction, r_c);
-    float _e8 = vec3_dot(r_c, r_c);
-    float c = (_e8 - sphere_1.radius_squared);
-    return SphereQuadratic(_e7, ((_e7 * _e7) - (a_1 * c)));
+SphereView sphere_seen_from(SphereRecord sphere_1, vec3 origin) {
+    vec3 r_c = (sphere_1.center - origin);
+    float _e4 = vec3_dot(r_c, r_c);
+    return SphereView(r_c, (_e4 - sphere_1.radius_squared));
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, vec3 direction_1, float a_1) {
+    float _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant) {
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
+    bool _e8 = in_range(near);
+    float lambda_3 = (_e8 ? near : far);
+    bool _e10 = in_range(lambda_3);
+    return Root(_e10, lambda_3);
 }
 
 vec3 sphere_outward(SphereRecord sphere_2, vec3 point_1) {
     return ((point_1 - sphere_2.center) / vec3(sphere_2.radius));
 }
 
-Root sphere_intersect(SphereRecord sphere_3, Ray ray_2) {
-    float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
-    SphereQuadratic _e5 = sphere_quadratic(sphere_3, ray_2, _e4);
-    if ((_e5.discriminant < 0.0)) {
-        Root _e9 = root_none();
-        return _e9;
+Root sphere_intersect(SphereRecord sphere_3, Ray ray_1) {
+    float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    SphereView _e6 = sphere_seen_from(sphere_3, ray_1.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        Root _e12 = root_none();
+        return _e12;
     }
-    float root = sqrt(_e5.discriminant);
-    float near = ((_e5.h - root) / _e4);
-    bool _e15 = in_range(near);
-    if (_e15) {
-        return Root(true, near);
-    }
-    float far = ((_e5.h + root) / _e4);
-    bool _e21 = in_range(far);
-    Root _e22 = root_when(_e21, far);
-    return _e22;
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
 }
 
 vec3 vec3_load(PackedVec3_ v_4) {
@@ -161,9 +163,9 @@ PackedVec3_ vec3_store(vec3 v_5) {
     return PackedVec3_(v_5.x, v_5.y, v_5.z);
 }
 
-Ray ray_load(PackedRay ray_3) {
-    vec3 _e2 = vec3_load(ray_3.origin);
-    vec3 _e4 = vec3_load(ray_3.direction);
+Ray ray_load(PackedRay ray_2) {
+    vec3 _e2 = vec3_load(ray_2.origin);
+    vec3 _e4 = vec3_load(ray_2.direction);
     return Ray(_e2, _e4);
 }
 
@@ -172,11 +174,11 @@ HitReport hit_report_none() {
     return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
 }
 
-HitReport hit_report(float lambda_3, uint part, Hit hit) {
+HitReport hit_report(float lambda_2, uint part, Hit hit) {
     float front_1 = (hit.front ? 1.0 : 0.0);
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport(1.0, lambda_3, float(part), front_1, _e10, _e12);
+    return HitReport(1.0, lambda_2, float(part), front_1, _e10, _e12);
 }
 
 void main() {

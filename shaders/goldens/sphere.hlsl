@@ -26,6 +26,11 @@ struct SphereRecord {
     int _end_pad_2;
 };
 
+struct SphereView {
+    float3 r_c;
+    float c;
+};
+
 struct SphereQuadratic {
     float h;
     float discriminant;
@@ -126,17 +131,6 @@ Root root_none()
     return root;
 }
 
-Root root_when(bool counts, float lambda_2)
-{
-    if (counts) {
-        const Root root_1 = ConstructRoot(true, lambda_2);
-        return root_1;
-    }
-    const Root _e4 = root_none();
-    const Root root_2 = _e4;
-    return root_2;
-}
-
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
     Hit ret = (Hit)0;
     ret.point_ = arg0;
@@ -171,6 +165,21 @@ SphereRecord sphere_new(float3 center_, float radius)
     return sphererecord;
 }
 
+SphereView ConstructSphereView(float3 arg0, float arg1) {
+    SphereView ret = (SphereView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+SphereView sphere_seen_from(SphereRecord sphere_1, float3 origin)
+{
+    float3 r_c = (sphere_1.center_ - origin);
+    const float _e4 = vec3_dot(r_c, r_c);
+    const SphereView sphereview = ConstructSphereView(r_c, (_e4 - sphere_1.radius_squared));
+    return sphereview;
+}
+
 SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
     SphereQuadratic ret = (SphereQuadratic)0;
     ret.h = arg0;
@@ -178,14 +187,23 @@ SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
     return ret;
 }
 
-SphereQuadratic sphere_quadratic(SphereRecord sphere_1, Ray ray_1, float a_1)
+SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
 {
-    float3 r_c = (sphere_1.center_ - ray_1.origin);
-    const float _e7 = vec3_dot(ray_1.direction, r_c);
-    const float _e8 = vec3_dot(r_c, r_c);
-    float c = (_e8 - sphere_1.radius_squared);
-    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e7, ((_e7 * _e7) - (a_1 * c)));
+    const float _e4 = vec3_dot(direction_1, view.r_c);
+    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
     return spherequadratic;
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant)
+{
+    float root_1 = sqrt(discriminant);
+    float near = ((h - root_1) / a_2);
+    float far = ((h + root_1) / a_2);
+    const bool _e8 = in_range(near);
+    float lambda_3 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_3);
+    const Root root_2 = ConstructRoot(_e10, lambda_3);
+    return root_2;
 }
 
 float3 sphere_outward(SphereRecord sphere_2, float3 point_1)
@@ -193,27 +211,19 @@ float3 sphere_outward(SphereRecord sphere_2, float3 point_1)
     return ((point_1 - sphere_2.center_) / (sphere_2.radius).xxx);
 }
 
-Root sphere_intersect(SphereRecord sphere_3, Ray ray_2)
+Root sphere_intersect(SphereRecord sphere_3, Ray ray_1)
 {
-    const float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
-    const SphereQuadratic _e5 = sphere_quadratic(sphere_3, ray_2, _e4);
-    if ((_e5.discriminant < 0.0)) {
-        const Root _e9 = root_none();
-        const Root root_3 = _e9;
+    const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    const SphereView _e6 = sphere_seen_from(sphere_3, ray_1.origin);
+    const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        const Root _e12 = root_none();
+        const Root root_3 = _e12;
         return root_3;
     }
-    float root_4 = sqrt(_e5.discriminant);
-    float near = ((_e5.h - root_4) / _e4);
-    const bool _e15 = in_range(near);
-    if (_e15) {
-        const Root root_5 = ConstructRoot(true, near);
-        return root_5;
-    }
-    float far = ((_e5.h + root_4) / _e4);
-    const bool _e21 = in_range(far);
-    const Root _e22 = root_when(_e21, far);
-    const Root root_6 = _e22;
-    return root_6;
+    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_4 = _e15;
+    return root_4;
 }
 
 float3 vec3_load(PackedVec3_ v_4)
@@ -242,12 +252,12 @@ Ray ConstructRay(float3 arg0, float3 arg1) {
     return ret;
 }
 
-Ray ray_load(PackedRay ray_3)
+Ray ray_load(PackedRay ray_2)
 {
-    const float3 _e2 = vec3_load(ray_3.origin);
-    const float3 _e4 = vec3_load(ray_3.direction);
-    const Ray ray_4 = ConstructRay(_e2, _e4);
-    return ray_4;
+    const float3 _e2 = vec3_load(ray_2.origin);
+    const float3 _e4 = vec3_load(ray_2.direction);
+    const Ray ray_3 = ConstructRay(_e2, _e4);
+    return ray_3;
 }
 
 HitReport ConstructHitReport(float arg0, float arg1, float arg2, float arg3, PackedVec3_ arg4, PackedVec3_ arg5) {
@@ -272,12 +282,12 @@ HitReport hit_report_none()
     return hitreport;
 }
 
-HitReport hit_report(float lambda_3, uint part, Hit hit)
+HitReport hit_report(float lambda_2, uint part, Hit hit)
 {
     float front_1 = (hit.front ? 1.0 : 0.0);
     const PackedVec3_ _e10 = vec3_store(hit.point_);
     const PackedVec3_ _e12 = vec3_store(hit.normal);
-    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_3, float(part), front_1, _e10, _e12);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_2, float(part), front_1, _e10, _e12);
     return hitreport_1;
 }
 

@@ -31,6 +31,10 @@ struct SphereRecord {
     real radius_squared;
     char _pad3[12];
 };
+struct SphereView {
+    metal::packed_float3 r_c;
+    real c;
+};
 struct SphereQuadratic {
     real h;
     real discriminant;
@@ -127,17 +131,6 @@ Root root_none(
     return Root {false, {}, 0.0};
 }
 
-Root root_when(
-    bool counts,
-    real lambda_2
-) {
-    if (counts) {
-        return Root {true, {}, lambda_2};
-    }
-    Root _e4 = root_none();
-    return _e4;
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -158,16 +151,36 @@ SphereRecord sphere_new(
     return SphereRecord {center, radius, radius * radius};
 }
 
-SphereQuadratic sphere_quadratic(
+SphereView sphere_seen_from(
     SphereRecord sphere_1,
-    Ray ray_1,
+    metal::float3 origin
+) {
+    metal::float3 r_c = sphere_1.center - origin;
+    real _e4 = vec3_dot(r_c, r_c);
+    return SphereView {r_c, _e4 - sphere_1.radius_squared};
+}
+
+SphereQuadratic sphere_quadratic(
+    SphereView view,
+    metal::float3 direction_1,
     real a_1
 ) {
-    metal::float3 r_c = sphere_1.center - ray_1.origin;
-    real _e7 = vec3_dot(ray_1.direction, r_c);
-    real _e8 = vec3_dot(r_c, r_c);
-    real c = _e8 - sphere_1.radius_squared;
-    return SphereQuadratic {_e7, (_e7 * _e7) - (a_1 * c)};
+    real _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic {_e4, (_e4 * _e4) - (a_1 * view.c)};
+}
+
+Root sphere_first_root(
+    real a_2,
+    real h,
+    real discriminant
+) {
+    float root = metal::sqrt(discriminant);
+    real near = (h - root) / a_2;
+    real far = (h + root) / a_2;
+    bool _e8 = in_range(near);
+    real lambda_3 = _e8 ? near : far;
+    bool _e10 = in_range(lambda_3);
+    return Root {_e10, {}, lambda_3};
 }
 
 metal::float3 sphere_outward(
@@ -179,24 +192,17 @@ metal::float3 sphere_outward(
 
 Root sphere_intersect(
     SphereRecord sphere_3,
-    Ray ray_2
+    Ray ray_1
 ) {
-    real _e4 = vec3_dot(ray_2.direction, ray_2.direction);
-    SphereQuadratic _e5 = sphere_quadratic(sphere_3, ray_2, _e4);
-    if (_e5.discriminant < 0.0) {
-        Root _e9 = root_none();
-        return _e9;
+    real _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    SphereView _e6 = sphere_seen_from(sphere_3, ray_1.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if (_e8.discriminant < 0.0) {
+        Root _e12 = root_none();
+        return _e12;
     }
-    float root = metal::sqrt(_e5.discriminant);
-    real near = (_e5.h - root) / _e4;
-    bool _e15 = in_range(near);
-    if (_e15) {
-        return Root {true, {}, near};
-    }
-    real far = (_e5.h + root) / _e4;
-    bool _e21 = in_range(far);
-    Root _e22 = root_when(_e21, far);
-    return _e22;
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
 }
 
 metal::float3 vec3_load(
@@ -212,10 +218,10 @@ PackedVec3_ vec3_store(
 }
 
 Ray ray_load(
-    PackedRay ray_3
+    PackedRay ray_2
 ) {
-    metal::float3 _e2 = vec3_load(ray_3.origin);
-    metal::float3 _e4 = vec3_load(ray_3.direction);
+    metal::float3 _e2 = vec3_load(ray_2.origin);
+    metal::float3 _e4 = vec3_load(ray_2.direction);
     return Ray {_e2, _e4};
 }
 
@@ -226,14 +232,14 @@ HitReport hit_report_none(
 }
 
 HitReport hit_report(
-    real lambda_3,
+    real lambda_2,
     uint part,
     Hit hit
 ) {
     float front_1 = hit.front ? 1.0 : 0.0;
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport {1.0, lambda_3, static_cast<float>(part), front_1, _e10, _e12};
+    return HitReport {1.0, lambda_2, static_cast<float>(part), front_1, _e10, _e12};
 }
 
 struct sphereInput {

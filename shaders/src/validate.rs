@@ -60,7 +60,11 @@ impl Validated {
     #[must_use]
     pub fn size_of(&self, structure: &str) -> Option<u32> {
         let is_it = |inner: &Type| inner.name.as_deref() == Some(structure);
-        self.module.types.iter().find(|(_, inner)| is_it(inner)).map(|(_, inner)| inner.inner.size(self.module.to_ctx()))
+        self.module
+            .types
+            .iter()
+            .find(|(_, inner)| is_it(inner))
+            .map(|(_, inner)| inner.inner.size(self.module.to_ctx()))
     }
 
     /// Names of the entry points.

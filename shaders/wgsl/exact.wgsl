@@ -2,7 +2,8 @@
 // theorem B.
 //
 // WGSL gives a driver leave to treat (a + b) - a as b, and lavapipe does. `one` is the barrier: a number that is one, but
-// loaded at run time, so that the driver sees a product it cannot remove. Multiplying by one is exact.
+// loaded at run time, so that the driver meets a product where it looks for `a`, and keeps the operations. Multiplying by
+// one is exact. Whether a driver lets itself be held up so is found out by a self-test (gpu_check::rewrites).
 
 // `sum + error` is `a + b` exactly, short of overflow.
 struct ExactSum {
@@ -12,9 +13,7 @@ struct ExactSum {
 
 fn exact_two_sum(a: real, b: real, one: real) -> ExactSum {
     let sum = a * one + b;
-    let b_part = sum * one - a;
-    let a_part = sum - b_part * one;
-    let a_error = a - a_part * one;
-    let b_error = b - b_part * one;
-    return ExactSum(sum, a_error + b_error);
+    let b_part = sum - a;
+    let a_part = sum - b_part;
+    return ExactSum(sum, (a - a_part) + (b - b_part));
 }

@@ -23,11 +23,10 @@ impl Formula for Barrier {
     const OUTPUTS: &'static [&'static str] = &["sum", "error"];
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        let (sum, error) = two_sum(case[0], case[1]);
-        result.copy_from_slice(&[sum, error]);
         // The third number is the barrier, one in every case.
-        debug_assert!(!case[2].less(T::of(1.0)));
-        let _ = Reader(case);
+        let mut case = Reader(case);
+        let (sum, error) = two_sum(case.number(), case.number());
+        result.copy_from_slice(&[sum, error]);
     }
 
     fn edges() -> Vec<f64> {

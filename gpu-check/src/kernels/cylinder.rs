@@ -13,30 +13,30 @@ pub enum Cylinder {}
 
 /// Where rays start around an upright cylinder of radius 1 and height 4.
 const ORIGINS: [[f64; 3]; 25] = [
-    [0.0, 0.0, 0.0],             // at the centre
-    [0.0, 0.0, -3.0],            // beside, before and behind
+    [0.0, 0.0, 0.0],  // at the centre
+    [0.0, 0.0, -3.0], // beside, before and behind
     [0.0, 0.0, 3.0],
-    [0.0, 5.0, 0.0],             // above and below, on the axis
+    [0.0, 5.0, 0.0], // above and below, on the axis
     [0.0, -5.0, 0.0],
-    [1.0, 5.0, 0.0],             // along the side, on the rim
+    [1.0, 5.0, 0.0], // along the side, on the rim
     [0.6, 5.0, 0.8],
     [1.000_000_000_000_000_2, 5.0, 0.0],
-    [1.1, 5.0, 0.0],             // past the rim
-    [0.0, 2.0, -3.0],            // level with the bases
+    [1.1, 5.0, 0.0],  // past the rim
+    [0.0, 2.0, -3.0], // level with the bases
     [0.0, -2.0, -3.0],
     [0.0, 2.000_000_000_000_000_4, -3.0],
-    [0.0, 4.0, -3.0],            // a slope of one from the rim
+    [0.0, 4.0, -3.0], // a slope of one from the rim
     [0.0, -4.0, -3.0],
     [0.0, 4.5, -3.0],
-    [0.0, 2.0, 0.5],             // on a base, on the side, on the rim
+    [0.0, 2.0, 0.5], // on a base, on the side, on the rim
     [0.0, -2.0, 0.5],
     [1.0, 0.5, 0.0],
     [0.0, 2.0, -1.0],
-    [1.0, 0.0, -3.0],            // tangent
-    [0.5, 1.0, -0.25],           // inside
-    [-0.5, 2.000_000_001, 0.0],  // just above a base, for directions nearly in its plane
+    [1.0, 0.0, -3.0],           // tangent
+    [0.5, 1.0, -0.25],          // inside
+    [-0.5, 2.000_000_001, 0.0], // just above a base, for directions nearly in its plane
     [-0.5, -2.000_000_001, 0.0],
-    [0.0, 2.001, 0.25],          // a thousandth above
+    [0.0, 2.001, 0.25], // a thousandth above
     [1e-20, 1e6, -1e150],
 ];
 
@@ -45,7 +45,7 @@ const CENTERS: [[f64; 3]; 3] = [[0.0; 3], [1.0, -2.0, 0.5], [1e-40, 1e6, 0.1]];
 const AXES: [[f64; 3]; 10] = [
     [0.0, 4.0, 0.0],
     [0.0, -4.0, 0.0],
-    [0.0, 0.002, 0.0],           // its upper base is exactly at the least distance that counts
+    [0.0, 0.002, 0.0], // its upper base is exactly at the least distance that counts
     [4.0, 0.0, 0.0],
     [0.0, 0.0, 1e-6],
     [1.0, 2.0, -2.0],

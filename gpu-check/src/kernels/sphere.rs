@@ -13,19 +13,19 @@ pub enum Sphere {}
 
 /// Where rays start, in radii from the centre.
 const ORIGINS: [[f64; 3]; 20] = [
-    [0.0, 0.0, 0.0],                 // at the centre
-    [0.0, 0.0, -3.0],                // outside, before and behind
+    [0.0, 0.0, 0.0],  // at the centre
+    [0.0, 0.0, -3.0], // outside, before and behind
     [0.0, 0.0, 3.0],
-    [0.0, 0.25, 0.5],                // inside
-    [0.0, 0.0, -1.0],                // on the surface
+    [0.0, 0.25, 0.5], // inside
+    [0.0, 0.0, -1.0], // on the surface
     [1.0, 0.0, 0.0],
     [0.0, -1.0, 0.0],
     [0.6, 0.8, 0.0],
     [0.0, 0.0, -0.999_999_999],
-    [0.0, 0.0, -1.001],              // a thousandth before the surface, and behind it
+    [0.0, 0.0, -1.001], // a thousandth before the surface, and behind it
     [0.0, 0.0, 1.001],
     [0.0, 0.0, -0.999],
-    [1.0, 0.0, -3.0],                // tangent, and a unit in the last place beside it
+    [1.0, 0.0, -3.0], // tangent, and a unit in the last place beside it
     [0.999_999_999_999_999_9, 0.0, -3.0],
     [1.000_000_000_000_000_2, 0.0, -3.0],
     [0.999_999_94, 0.0, -3.0],
