@@ -16,6 +16,8 @@ mod span;
 mod vectors;
 mod walk;
 
+use std::ops::ControlFlow;
+
 use crate::config::Config;
 use crate::error::Error;
 use crate::image::{Image, Rgb};
@@ -46,29 +48,40 @@ pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Re
 /// [`Error::OutOfMemory`] when the picture does not fit.
 pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
-    let quantizer = &prepared.quantizer;
-    set.run(Picture {
-        prepared,
-        pixel: |index: usize, mean: Vec3| {
-            let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
-            image.set_pixel(index, Rgb { red, green, blue });
-        },
-    });
+    // Nobody stops this one.
+    let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()));
     Ok(image)
 }
 
-/// The whole picture, every pixel's mean handed to `pixel` with its index.
-struct Picture<'a, L: Layout, P> {
-    prepared: &'a Prepared<L>,
-    pixel: P,
+/// Renders what was prepared into an image of its size, and calls `after_row` with the number of rows that are done; the
+/// rendering stops where it breaks off, with the rows done so far in the image.
+pub fn render_into<L: Layout>(
+    prepared: &Prepared<L>,
+    set: InstructionSet,
+    image: &mut L::Image,
+    after_row: impl FnMut(usize) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    let quantizer = &prepared.quantizer;
+    let pixel = |index: usize, mean: Vec3| {
+        let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
+        image.set_pixel(index, Rgb { red, green, blue });
+    };
+    set.run(Picture { prepared, pixel, after_row })
 }
 
-impl<L: Layout, P: FnMut(usize, Vec3)> Kernel for Picture<'_, L, P> {
-    type Output = ();
+/// The whole picture, every pixel's mean handed to `pixel` with its index.
+struct Picture<'a, L: Layout, P, R> {
+    prepared: &'a Prepared<L>,
+    pixel: P,
+    after_row: R,
+}
+
+impl<L: Layout, P: FnMut(usize, Vec3), R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, R> {
+    type Output = ControlFlow<()>;
 
     #[inline(always)]
-    fn call<S: Simd>(self) {
-        let Self { prepared, mut pixel } = self;
+    fn call<S: Simd>(self, simd: S) -> ControlFlow<()> {
+        let Self { prepared, mut pixel, mut after_row } = self;
         let mut offsets = BlockUniform::new(prepared.ray_seed);
         let mut batch = Batch::new();
         let mut walk = Walk::new(prepared);
@@ -78,13 +91,15 @@ impl<L: Layout, P: FnMut(usize, Vec3)> Kernel for Picture<'_, L, P> {
             candidates.begin_row(prepared, row);
             for span in Spans::of_row(prepared.size.width(), prepared.samples) {
                 candidates.narrow(prepared, row, &span);
-                batch.draw(prepared, &span, &mut offsets);
-                primary::trace::<S, L>(prepared, row, &candidates, &mut batch);
-                glass::trace::<S, L>(prepared, &mut batch);
-                walk.follow::<S, L>(prepared, &mut batch);
-                ends::color::<S, L>(prepared, &mut walk.ended, &mut batch);
+                simd.run(batch::Draw { prepared, span: &span, offsets: &mut offsets, batch: &mut batch });
+                simd.run(primary::Trace { prepared, row, candidates: &candidates, batch: &mut batch });
+                simd.run(glass::Trace { prepared, batch: &mut batch });
+                simd.run(walk::Follow { prepared, walk: &mut walk, batch: &mut batch });
+                simd.run(ends::Color { prepared, ended: &mut walk.ended, batch: &mut batch });
                 sums.add(&span, &batch, |column, mean| pixel(row * prepared.size.width() + column, mean));
             }
+            after_row(row + 1)?;
         }
+        ControlFlow::Continue(())
     }
 }

@@ -5,12 +5,17 @@
 //! later object of two at the same lambda) does not depend on the order. A filter may let an object pass that the ray
 //! misses; it never stops one that the exact formulas would hit (docs/performance.md derives the margins).
 
+mod bounds;
+mod build;
 mod filter;
 mod found;
+mod hierarchy;
 mod leaving;
 
+pub use bounds::Bounds;
 pub use filter::Filter;
 pub use found::Found;
+pub use hierarchy::{Hierarchy, Stack};
 
 use crate::error::Error;
 use crate::layout::Objects;
@@ -32,6 +37,8 @@ pub enum Search {
     Plain,
     /// A filter over all objects, several at once.
     Flat(Filter),
+    /// A tree of boxes.
+    Tree(Hierarchy),
 }
 
 impl Search {
@@ -40,15 +47,24 @@ impl Search {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        Ok(if extent.moderate { Self::Flat(Filter::new(objects, extent)?) } else { Self::Plain })
+        let count = objects.sphere_count().max(objects.cylinder_count());
+        Ok(if !extent.moderate {
+            Self::Plain
+        } else if count <= filter::CAPACITY {
+            Self::Flat(Filter::new(objects)?)
+        } else {
+            Self::Tree(Hierarchy::new(objects, extent)?)
+        })
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
         match self {
             Self::Plain => plain(objects, ray),
             Self::Flat(filter) => filter.nearest::<S, O>(objects, ray, from),
+            Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O>(objects, ray, from, stack),
+            Self::Tree(_) => plain(objects, ray),
         }
     }
 }

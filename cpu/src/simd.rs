@@ -23,18 +23,16 @@ use crate::real::Real;
 
 pub use portable::Portable;
 
-/// An instruction set, as a type that kernels are compiled for.
+/// An instruction set, as a type that kernels are compiled for. A value of it is the proof that the machine has it:
+/// only [`InstructionSet::run`] makes one, after asking.
 pub trait Simd: Copy + 'static {
     /// Lanes of `f64`.
     type F64: Lanes;
     /// Lanes of `f32`, for filters.
     type F32: FilterLanes;
 
-    /// Runs `kernel`, compiled for this instruction set.
-    ///
-    /// # Safety
-    /// The machine must have the instruction set. Inside a kernel it does.
-    unsafe fn run<K: Kernel>(kernel: K) -> K::Output;
+    /// Runs `kernel`, compiled for this instruction set as a function of its own.
+    fn run<K: Kernel>(self, kernel: K) -> K::Output;
 }
 
 /// Work that is compiled once for each instruction set.
@@ -44,7 +42,7 @@ pub trait Kernel {
 
     /// The work. Implementations, and all that handles lanes in them, must be `#[inline(always)]`: a function of its
     /// own would be compiled without the instruction set.
-    fn call<S: Simd>(self) -> Self::Output;
+    fn call<S: Simd>(self, simd: S) -> Self::Output;
 }
 
 /// A comparison's answer, a bit a lane.
@@ -168,19 +166,17 @@ impl InstructionSet {
     /// Runs `kernel` compiled for it; for the portable one when this machine lacks it.
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         let set = if self.is_available() { self } else { Self::Portable };
-        // SAFETY: the machine has the instruction set, as was just asked.
-        unsafe {
-            match set {
-                Self::Portable => Portable::run(kernel),
-                #[cfg(target_arch = "x86_64")]
-                Self::Sse2 => sse2::Sse2::run(kernel),
-                #[cfg(target_arch = "x86_64")]
-                Self::Avx2 => avx2::Avx2::run(kernel),
-                #[cfg(target_arch = "x86_64")]
-                Self::Avx512 => avx512::Avx512::run(kernel),
-                #[cfg(not(target_arch = "x86_64"))]
-                _ => Portable::run(kernel),
-            }
+        match set {
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: the machine has the instruction set, as was just asked; likewise below.
+            Self::Sse2 => unsafe { sse2::Sse2::new() }.run(kernel),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Self::Avx2 => unsafe { avx2::Avx2::new() }.run(kernel),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Self::Avx512 => unsafe { avx512::Avx512::new() }.run(kernel),
+            _ => Portable.run(kernel),
         }
     }
 }

@@ -1,24 +1,62 @@
-//! The surface that a ray meets: its point, its normal, its material.
+//! The surface that a ray meets: its point, its normal, its material, and where it sends the ray.
 
 use crate::layout::Objects;
+use crate::prepare::{Finish, Kind};
 use crate::ray::{Hit, Ray};
+use crate::scatter;
 use crate::scene::MaterialId;
 use crate::search::Found;
+use crate::vec3::Vec3;
 
-/// The hit that the search has found.
-#[inline(always)]
-#[must_use]
-pub fn surface<O: Objects>(objects: &O, ray: &Ray, found: &Found) -> (Hit, MaterialId) {
-    let point = ray.at(found.lambda);
-    let (outward, material) = match (found.object as usize).checked_sub(objects.sphere_count()) {
-        None => {
-            let sphere = objects.sphere(found.object as usize);
-            (sphere.record.outward(point), sphere.material)
+/// A point of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// The point.
+    pub point: Vec3,
+    /// The normal that leaves the object.
+    pub outward: Vec3,
+    /// The object's material.
+    pub material: MaterialId,
+}
+
+/// Where a surface sends a ray.
+#[derive(Clone, Copy, Debug)]
+pub enum Onward {
+    /// Around this vector: a random one is added.
+    Scattered(Vec3),
+    /// Along this direction.
+    Through(Vec3),
+}
+
+impl Surface {
+    /// The surface that the search has found.
+    #[inline(always)]
+    pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &Found) -> Self {
+        let point = ray.at(found.lambda);
+        match (found.object as usize).checked_sub(objects.sphere_count()) {
+            None => {
+                let sphere = objects.sphere(found.object as usize);
+                Self { point, outward: sphere.record.outward(point), material: sphere.material }
+            }
+            Some(index) => {
+                let cylinder = objects.cylinder(index);
+                Self { point, outward: cylinder.record.outward(found.part, point), material: cylinder.material }
+            }
         }
-        Some(index) => {
-            let cylinder = objects.cylinder(index);
-            (cylinder.record.outward(found.part, point), cylinder.material)
+    }
+
+    /// Where a surface with this finish sends a ray that comes along `direction`.
+    #[inline(always)]
+    pub fn onward(&self, finish: &Finish, direction: Vec3) -> Onward {
+        match finish.kind {
+            Kind::Matte => Onward::Scattered(Hit::facing(direction, self.point, self.outward).normal),
+            // The mirror image is the same, to the bit, for a normal and its opposite: both signs cancel.
+            Kind::Metal => Onward::Scattered(scatter::mirror(direction, self.outward)),
+            Kind::Refractive => {
+                let hit = Hit::facing(direction, self.point, self.outward);
+                let ratio = if hit.front { finish.inverse_index } else { finish.index };
+                Onward::Through(scatter::refract(direction, hit.normal, ratio))
+            }
         }
-    };
-    (Hit::facing(ray.direction, point, outward), material)
+    }
 }

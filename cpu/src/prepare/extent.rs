@@ -8,8 +8,6 @@ use crate::vec3::Vec3;
 /// The magnitudes that occur in a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
-    /// The middle of all objects.
-    pub middle: Vec3,
     /// Largest magnitude of a coordinate that an object, or the camera, reaches.
     pub reach: f64,
     /// Whether all magnitudes are moderate. Where one is extreme, intermediate values of the filters could overflow or
@@ -45,7 +43,6 @@ impl Extent {
             largest_radius = largest_radius.max(cylinder.radius);
         }
         let empty = low.x > high.x;
-        let middle = if empty { Vec3::ZERO } else { (low + high) * 0.5 };
         let magnitude = |vector: Vec3| vector.x.abs().max(vector.y.abs()).max(vector.z.abs());
         let reach = if empty { 0.0 } else { magnitude(low).max(magnitude(high)) }.max(magnitude(camera.position));
         let diffusion = materials.iter().fold(0.0, |most: f64, material| match material {
@@ -59,7 +56,7 @@ impl Extent {
             && smallest >= Self::SMALLEST
             && window <= Self::LARGEST
             && pixel >= Self::SMALLEST * Self::SMALLEST;
-        Self { middle, reach, moderate }
+        Self { reach, moderate }
     }
 }
 
@@ -80,7 +77,7 @@ mod tests {
     #[test]
     fn objects_and_camera_are_included() {
         let extent = extent("matte: m 1 1 1\nsphere: 20 0 0 1 m\ncylinder: -30 0 0 3 0 8 0 m\n");
-        assert_eq!((extent.middle.x, extent.reach), (-7.0, 35.0));
+        assert_eq!(extent.reach, 35.0);
         assert!(extent.moderate);
         assert_eq!(self::extent("").reach, 10.0, "the camera is at z = -10");
     }

@@ -4,7 +4,8 @@ use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
-use crate::search::ObjectId;
+use crate::search::{ObjectId, Stack};
+use crate::simd::{Kernel, Simd};
 use crate::vec3::Vec3;
 
 use super::span::Span;
@@ -30,7 +31,8 @@ pub struct Vectors {
 }
 
 impl Vectors {
-    const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
+    /// All null.
+    pub const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
 
     /// The vector of a sample.
     #[inline(always)]
@@ -44,6 +46,23 @@ impl Vectors {
         self.x[sample] = vector.x;
         self.y[sample] = vector.y;
         self.z[sample] = vector.z;
+    }
+}
+
+/// Begins a span: places its samples in their pixels.
+pub struct Draw<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub span: &'a Span,
+    pub offsets: &'a mut BlockUniform,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Draw<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.batch.draw(self.prepared, self.span, self.offsets);
     }
 }
 
@@ -71,6 +90,8 @@ pub struct Batch {
     pub waiting: Vec<u32>,
     /// Colours of the samples, linear.
     pub color: Vectors,
+    /// Room for the search.
+    pub stack: Stack,
     draws: [f64; 2 * CAPACITY],
 }
 
@@ -88,13 +109,13 @@ impl Batch {
             in_glass: Vec::with_capacity(CAPACITY),
             waiting: Vec::with_capacity(CAPACITY),
             color: Vectors::ZERO,
+            stack: Stack::EMPTY,
             draws: [0.0; 2 * CAPACITY],
         })
     }
 
-    /// Begins a span: places its samples in their pixels.
     #[inline(always)]
-    pub fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+    fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
         self.count = span.count;
         let mut left_in_pixel = prepared.samples - span.first_sample;
         let (mut column, mut from) = (span.first, 0);

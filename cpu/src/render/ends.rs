@@ -1,19 +1,20 @@
 //! Where paths leave the scene: the background, several at once, attenuated by all that the paths have met.
 
-use super::batch::Batch;
+use super::batch::{Batch, CAPACITY, SLACK, Vectors};
+use super::shade::{load, store};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::scene::MaterialId;
-use crate::simd::{Lanes, Simd};
+use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
 /// Paths that have left the scene, in the order in which they did.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Ended {
-    direction: [Vec<f64>; 3],
-    sample: Vec<u32>,
-    /// Where each path's materials begin in `met`.
-    begins: Vec<usize>,
+    count: usize,
+    direction: Vectors,
+    /// Each path's sample, and where its materials begin in `met`.
+    path: [(u32, u32); CAPACITY + SLACK],
     /// Materials met, path after path, first hit first.
     met: Vec<MaterialId>,
     /// Where the present path's materials begin.
@@ -21,6 +22,12 @@ pub struct Ended {
 }
 
 impl Ended {
+    /// No path yet.
+    pub fn new() -> Self {
+        let path = [(0, 0); CAPACITY + SLACK];
+        Self { count: 0, direction: Vectors::ZERO, path, met: Vec::with_capacity(8 * CAPACITY), present: 0 }
+    }
+
     /// Begins a path.
     #[inline(always)]
     pub fn begin(&mut self) {
@@ -40,48 +47,52 @@ impl Ended {
     }
 
     /// The present path leaves the scene.
+    ///
+    /// # Panics
+    /// When more paths leave than a batch has samples.
     #[inline(always)]
     pub fn leave(&mut self, sample: usize, direction: Vec3) {
-        for (list, component) in self.direction.iter_mut().zip(direction.to_array()) {
-            list.push(component);
-        }
-        self.sample.push(sample as u32);
-        self.begins.push(self.present);
+        let at = self.count;
+        self.path[at] = (sample as u32, self.present as u32);
+        self.direction.set(at, direction);
+        self.count = at + 1;
     }
 }
 
 /// Gives every path that has left the scene its colour, and forgets it.
-#[inline(always)]
-pub fn color<S: Simd, L: Layout>(prepared: &Prepared<L>, ended: &mut Ended, batch: &mut Batch) {
-    let background = prepared.background.lanes::<S::F64>();
-    let count = ended.sample.len();
-    let padded = count.next_multiple_of(S::F64::LANES);
-    for list in &mut ended.direction {
-        list.resize(padded, 1.0);
+pub struct Color<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub ended: &'a mut Ended,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Color<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        color::<S, L>(self.prepared, self.ended, self.batch);
     }
-    let [x, y, z] = &mut ended.direction;
-    for at in (0..count).step_by(S::F64::LANES) {
-        let direction = Vec3::new(S::F64::load(&x[at..]), S::F64::load(&y[at..]), S::F64::load(&z[at..]));
-        let color = background.color(direction);
-        color.x.store(&mut x[at..]);
-        color.y.store(&mut y[at..]);
-        color.z.store(&mut z[at..]);
+}
+
+#[inline(always)]
+fn color<S: Simd, L: Layout>(prepared: &Prepared<L>, ended: &mut Ended, batch: &mut Batch) {
+    let background = prepared.background.lanes::<S::F64>();
+    for at in (0..ended.count).step_by(S::F64::LANES) {
+        let color = background.color(load::<S::F64>(&ended.direction, at));
+        store(color, &mut ended.direction, at);
     }
     let mut end = ended.met.len();
-    for path in (0..count).rev() {
-        let begin = ended.begins[path];
-        let mut color = Vec3::new(x[path], y[path], z[path]);
+    for at in (0..ended.count).rev() {
+        let (sample, begin) = ended.path[at];
+        let mut color = ended.direction.get(at);
         // From the last surface back to the first, in the order in which the recursion returns.
-        for &material in ended.met[begin..end].iter().rev() {
+        for &material in ended.met[begin as usize..end].iter().rev() {
             color = color.attenuate(prepared.finishes[material as usize].reflectance);
         }
-        end = begin;
-        batch.color.set(ended.sample[path] as usize, color);
+        end = begin as usize;
+        batch.color.set(sample as usize, color);
     }
-    x.clear();
-    y.clear();
-    z.clear();
-    ended.sample.clear();
-    ended.begins.clear();
+    ended.count = 0;
     ended.met.clear();
 }

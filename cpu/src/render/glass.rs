@@ -2,15 +2,28 @@
 
 use super::batch::Batch;
 use crate::layout::Layout;
-use crate::prepare::{Kind, Prepared};
+use crate::prepare::Prepared;
 use crate::ray::Ray;
-use crate::scatter;
-use crate::simd::Simd;
-use crate::surface::surface;
+use crate::simd::{Kernel, Simd};
+use crate::surface::{Onward, Surface};
 
 /// Follows the samples in glass until each meets a surface that scatters, leaves the scene, or has used up its depth.
+pub struct Trace<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Trace<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        trace::<S, L>(self.prepared, self.batch);
+    }
+}
+
 #[inline(always)]
-pub fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch) {
+fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch) {
     if batch.in_glass.is_empty() {
         return;
     }
@@ -28,24 +41,21 @@ fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, sample:
     let mut ray = Ray { origin: batch.point.get(sample), direction: batch.base.get(sample) };
     let mut from = batch.object[sample];
     for passed in 1..prepared.max_depth {
-        let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from);
+        let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut batch.stack);
         if !found.is_hit() {
             batch.color.set(sample, prepared.background.color(ray.direction));
             return;
         }
-        let (hit, material) = surface(&prepared.objects, &ray, &found);
-        let finish = &prepared.finishes[material as usize];
+        let surface = Surface::new(&prepared.objects, &ray, &found);
         from = found.object;
-        let base = match finish.kind {
-            Kind::Matte => hit.normal,
-            Kind::Metal => scatter::mirror(ray.direction, hit.normal),
-            Kind::Refractive => {
-                let ratio = if hit.front { finish.inverse_index } else { finish.index };
-                ray = Ray { origin: hit.point, direction: scatter::refract(ray.direction, hit.normal, ratio) };
+        let base = match surface.onward(&prepared.finishes[surface.material as usize], ray.direction) {
+            Onward::Scattered(base) => base,
+            Onward::Through(direction) => {
+                ray = Ray { origin: surface.point, direction };
                 continue;
             }
         };
-        batch.point.set(sample, hit.point);
+        batch.point.set(sample, surface.point);
         batch.base.set(sample, base);
         batch.object[sample] = from;
         batch.passed[sample] = passed;

@@ -7,13 +7,29 @@ use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::simd::{LaneMask, Lanes, Simd};
+use crate::simd::{Kernel, LaneMask, Lanes, Simd};
 use crate::sphere::SphereRecord;
 
 /// Traces the batch's primary rays: the samples that meet nothing have their colour, the others their point, base and
 /// object.
+pub struct Trace<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub row: usize,
+    pub candidates: &'a Candidates,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Trace<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        trace::<S, L>(self.prepared, self.row, self.candidates, self.batch);
+    }
+}
+
 #[inline(always)]
-pub fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, row: usize, candidates: &Candidates, batch: &mut Batch) {
+fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, row: usize, candidates: &Candidates, batch: &mut Batch) {
     let camera = prepared.camera.lanes::<S::F64>();
     let background = prepared.background.lanes::<S::F64>();
     let row = S::F64::of(row as f64);
@@ -67,7 +83,7 @@ fn nearest<V: Lanes>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<
     let a = ray.direction.dot(ray.direction);
     for (id, candidate) in &candidates.span {
         match candidate {
-            Candidate::Sphere(_, view) => {
+            Candidate::Sphere(view) => {
                 let (h, discriminant) = view.lanes::<V>().quadratic(ray.direction, a);
                 if V::of(0.0).less_equal(discriminant).bits() & valid == 0 {
                     continue;

@@ -3,8 +3,8 @@
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
-use crate::search::{ObjectId, Search};
-use crate::sphere::{SphereRecord, SphereView};
+use crate::search::{Bounds, ObjectId, Search};
+use crate::sphere::SphereView;
 use crate::vec3::Vec3;
 
 use super::batch::CAPACITY;
@@ -69,7 +69,7 @@ impl Iterator for Spans {
 #[derive(Clone, Copy, Debug)]
 pub enum Candidate {
     /// A sphere.
-    Sphere(SphereRecord, SphereView),
+    Sphere(SphereView),
     /// A cylinder.
     Cylinder(CylinderRecord, CylinderView),
 }
@@ -106,8 +106,16 @@ impl Candidates {
         let inside = at(row as f64);
         let walls = [-0.5, 0.5].map(|side| wall(camera.delta_x, at(row as f64 + side), inside));
         self.row.clear();
-        let meets = |id: &&ObjectId| !self.culls || reaches(prepared, **id, &walls);
-        self.row.extend(self.all.iter().filter(meets));
+        match &prepared.search {
+            Search::Tree(tree) => {
+                tree.visit(|bounds| box_reaches(bounds, camera.position, &walls), |id| self.row.push(id));
+                self.row.sort_unstable_by_key(|&id| order_of(&prepared.objects, id));
+            }
+            _ => {
+                let meets = |id: &&ObjectId| !self.culls || reaches(prepared, **id, &walls);
+                self.row.extend(self.all.iter().filter(meets));
+            }
+        }
     }
 
     /// Finds those among the row's objects that the rays of `span` may meet.
@@ -123,7 +131,7 @@ impl Candidates {
             let (objects, spheres) = (&prepared.objects, prepared.objects.sphere_count());
             let candidate = if (id as usize) < spheres {
                 let record = objects.sphere(id as usize).record;
-                Candidate::Sphere(record, record.seen_from(camera.position))
+                Candidate::Sphere(record.seen_from(camera.position))
             } else {
                 let record = objects.cylinder(id as usize - spheres).record;
                 Candidate::Cylinder(record, record.seen_from(camera.position))
@@ -144,6 +152,18 @@ fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
 fn wall(first: Vec3, second: Vec3, inside: Vec3) -> HalfSpace {
     let normal = first.cross(second).unit();
     if normal.dot(inside) < 0.0 { -normal } else { normal }
+}
+
+/// Whether a box reaches into all half-spaces; true when in doubt.
+fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
+    walls.iter().all(|wall| {
+        // The corner farthest along the wall's normal.
+        let corner = |axis: usize, component: f64| {
+            f64::from(if component >= 0.0 { bounds.high[axis] } else { bounds.low[axis] })
+        };
+        let farthest = Vec3::new(corner(0, wall.x), corner(1, wall.y), corner(2, wall.z)) - from;
+        !(wall.dot(farthest) < -1e-9 * (farthest.length() + from.length()))
+    })
 }
 
 /// Whether an object reaches into all half-spaces; true when in doubt.

@@ -9,9 +9,9 @@ use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
 use crate::scatter;
 use crate::scene::MaterialId;
-use crate::search::ObjectId;
-use crate::simd::Simd;
-use crate::surface::surface;
+use crate::search::{ObjectId, Stack};
+use crate::simd::{Kernel, Simd};
+use crate::surface::{Onward, Surface};
 
 /// Walks paths; holds the stream and what waits for its background.
 #[derive(Debug)]
@@ -19,22 +19,28 @@ pub struct Walk {
     triples: Triples,
     /// The paths of the present batch that have left the scene.
     pub ended: Ended,
+    stack: Stack,
 }
 
 impl Walk {
     /// At the beginning of the stream.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
-        Self { triples: Triples::new(prepared.scatter, prepared.material_seed), ended: Ended::default() }
+        Self {
+            triples: Triples::new(prepared.scatter, prepared.material_seed),
+            ended: Ended::new(),
+            stack: Stack::EMPTY,
+        }
     }
 
     /// Follows every waiting sample to its end.
     #[inline(always)]
-    pub fn follow<S: Simd, L: Layout>(&mut self, prepared: &Prepared<L>, batch: &mut Batch) {
+    fn follow<S: Simd, L: Layout>(&mut self, prepared: &Prepared<L>, batch: &mut Batch) {
         for &sample in &batch.waiting {
             let sample = sample as usize;
             let object = batch.object[sample];
             let depth_left = prepared.max_depth - 1 - batch.passed[sample];
-            let at = Standing { point: batch.point.get(sample), base: batch.base.get(sample), object };
+            let material = material_of(&prepared.objects, object);
+            let at = Standing { point: batch.point.get(sample), base: batch.base.get(sample), object, material };
             self.follow_one::<S, L>(prepared, at, depth_left, sample);
         }
     }
@@ -49,11 +55,10 @@ impl Walk {
     ) {
         self.ended.begin();
         loop {
-            let material = material_of(&prepared.objects, at.object);
-            let finish = &prepared.finishes[material as usize];
+            let finish = &prepared.finishes[at.material as usize];
             let vector = finish.vector(self.triples.next());
             let direction = if finish.kind == Kind::Matte { scatter::matte(at.base, vector) } else { at.base + vector };
-            self.ended.meet(material);
+            self.ended.meet(at.material);
             let mut ray = Ray { origin: at.point, direction };
             let mut from = at.object;
             // On through refractive surfaces to the next one that scatters.
@@ -62,25 +67,36 @@ impl Walk {
                     return self.ended.forget();
                 }
                 depth_left -= 1;
-                let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from);
+                let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut self.stack);
                 if !found.is_hit() {
                     return self.ended.leave(sample, ray.direction);
                 }
-                let (hit, material) = surface(&prepared.objects, &ray, &found);
-                let finish = &prepared.finishes[material as usize];
+                let surface = Surface::new(&prepared.objects, &ray, &found);
                 from = found.object;
-                let base = match finish.kind {
-                    Kind::Matte => hit.normal,
-                    Kind::Metal => scatter::mirror(ray.direction, hit.normal),
-                    Kind::Refractive => {
-                        let ratio = if hit.front { finish.inverse_index } else { finish.index };
-                        ray = Ray { origin: hit.point, direction: scatter::refract(ray.direction, hit.normal, ratio) };
-                        continue;
+                match surface.onward(&prepared.finishes[surface.material as usize], ray.direction) {
+                    Onward::Scattered(base) => {
+                        break Standing { point: surface.point, base, object: from, material: surface.material };
                     }
-                };
-                break Standing { point: hit.point, base, object: from };
+                    Onward::Through(direction) => ray = Ray { origin: surface.point, direction },
+                }
             };
         }
+    }
+}
+
+/// Follows every waiting sample to its end.
+pub struct Follow<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub walk: &'a mut Walk,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Follow<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.walk.follow::<S, L>(self.prepared, self.batch);
     }
 }
 
@@ -90,6 +106,7 @@ struct Standing {
     /// The direction in which the surface sends light before the random vector is added.
     base: crate::Vec3,
     object: ObjectId,
+    material: MaterialId,
 }
 
 #[inline(always)]

@@ -1,16 +1,18 @@
 //! A filter over all objects, several at once, in single precision.
 
 use super::leaving::{leaves_cylinder, leaves_sphere};
-use super::{Found, ObjectId};
+use super::{Found, NOWHERE, ObjectId};
 use crate::error::Error;
 use crate::layout::Objects;
-use crate::prepare::Extent;
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::simd::{FilterLanes, Simd};
 use crate::vec3::Vec3;
 
 /// Objects filtered at once; every instruction set's lanes divide it.
 const BLOCK: usize = 16;
+
+/// Most spheres, and most cylinders, of a filter: their bits fill a word.
+pub const CAPACITY: usize = 64;
 
 /// Half a unit in the last place of 1: the relative error of one rounding to single precision.
 const ROUNDING: f32 = f32::EPSILON / 2.0;
@@ -139,27 +141,28 @@ impl Filter {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+    pub fn new(objects: &impl Objects) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = (objects.sphere_count(), objects.cylinder_count());
         let ground = ground(objects);
+        let middle = middle(objects, ground);
         let mut spheres = blocks(sphere_count, Balls::EMPTY)?;
         let mut cylinders = blocks(cylinder_count, (Balls::EMPTY, Tubes::EMPTY))?;
         for index in (0..sphere_count).filter(|&index| ground != Some(index as u32)) {
             let sphere = objects.sphere(index).record;
             let (block, lane) = (&mut spheres[index / BLOCK], index % BLOCK);
-            block.set(lane, sphere.center - extent.middle, sphere.radius_squared);
+            block.set(lane, sphere.center - middle, sphere.radius_squared);
         }
         for index in 0..cylinder_count {
             let cylinder = objects.cylinder(index).record;
             let ((balls, tubes), lane) = (&mut cylinders[index / BLOCK], index % BLOCK);
             let half_height_squared = cylinder.half_height * cylinder.half_height;
-            balls.set(lane, cylinder.center - extent.middle, cylinder.radius_squared + half_height_squared);
+            balls.set(lane, cylinder.center - middle, cylinder.radius_squared + half_height_squared);
             tubes.x[lane] = cylinder.axis.x as f32;
             tubes.y[lane] = cylinder.axis.y as f32;
             tubes.z[lane] = cylinder.axis.z as f32;
             tubes.minus_radius_squared[lane] = -outer(cylinder.radius_squared, SIDE_MARGIN);
         }
-        Ok(Self { middle: extent.middle, ground, spheres, cylinders, sphere_count: sphere_count as u32 })
+        Ok(Self { middle, ground, spheres, cylinders, sphere_count: sphere_count as u32 })
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
@@ -168,53 +171,62 @@ impl Filter {
         let mut found = Found::NOTHING;
         let a = ray.direction.dot(ray.direction);
         let filter_ray = FilterRay::<S::F32>::new(ray, self.middle, a);
-        if let Some(ground) = self.ground {
-            ask_sphere_unless_leaving(&mut found, objects, ground as usize, ray, a);
-        }
+        let mut spheres = 0_u64;
         for (number, balls) in self.spheres.iter().enumerate() {
-            let mut bits = 0;
             for at in (0..BLOCK).step_by(S::F32::LANES) {
                 let (_, h, q) = filter_ray.relative(balls, at);
-                bits |= filter_ray.meets(h, q, S::F32::load(&balls.minus_radius_squared[at..])) << at;
-            }
-            while bits != 0 {
-                let index = number * BLOCK + bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                ask_sphere_unless_leaving(&mut found, objects, index, ray, a);
+                let bits = filter_ray.meets(h, q, S::F32::load(&balls.minus_radius_squared[at..]));
+                spheres |= u64::from(bits) << (number * BLOCK + at);
             }
         }
+        let mut cylinders = 0_u64;
         for (number, (balls, tubes)) in self.cylinders.iter().enumerate() {
-            let mut bits = 0;
             for at in (0..BLOCK).step_by(S::F32::LANES) {
                 let (r, h, q) = filter_ray.relative(balls, at);
                 let ball_bits = filter_ray.meets(h, q, S::F32::load(&balls.minus_radius_squared[at..]));
-                bits |= (ball_bits & filter_ray.touches(r, h, q, tubes, at)) << at;
+                let bits = ball_bits & filter_ray.touches(r, h, q, tubes, at);
+                cylinders |= u64::from(bits) << (number * BLOCK + at);
             }
-            while bits != 0 {
-                let index = number * BLOCK + bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                if self.sphere_count + index as u32 == from {
-                    let cylinder = objects.cylinder(index).record;
-                    let view = cylinder.seen_from(ray.origin);
-                    if leaves_cylinder(&cylinder, &view, ray.direction, ray.origin) {
-                        continue;
-                    }
-                }
-                found.ask_cylinder(objects, index, ray);
+        }
+        // The object that the ray starts on passes every filter; mostly the ray leaves it.
+        if from < self.sphere_count {
+            if Some(from) != self.ground && leaves(objects, from as usize, ray, a) {
+                spheres &= !(1 << from);
             }
+        } else if from != NOWHERE {
+            let index = from - self.sphere_count;
+            let cylinder = objects.cylinder(index as usize).record;
+            if leaves_cylinder(&cylinder, &cylinder.seen_from(ray.origin), ray.direction, ray.origin) {
+                cylinders &= !(1 << index);
+            }
+        }
+        if let Some(ground) = self.ground
+            && !leaves(objects, ground as usize, ray, a)
+        {
+            spheres |= 1 << ground;
+        }
+        // One branch for the commonest answer, as early as it can be known.
+        if spheres | cylinders == 0 {
+            return found;
+        }
+        while spheres != 0 {
+            found.ask_sphere(objects, spheres.trailing_zeros() as usize, ray);
+            spheres &= spheres - 1;
+        }
+        while cylinders != 0 {
+            found.ask_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
+            cylinders &= cylinders - 1;
         }
         found
     }
 }
 
+/// Whether the ray certainly does not meet the sphere at `index`.
 #[inline(always)]
-fn ask_sphere_unless_leaving<O: Objects>(found: &mut Found, objects: &O, index: usize, ray: &Ray, a: f64) {
+fn leaves<O: Objects>(objects: &O, index: usize, ray: &Ray, a: f64) -> bool {
     let sphere = objects.sphere(index).record;
     let view = sphere.seen_from(ray.origin);
-    let (h, _) = view.quadratic(ray.direction, a);
-    if !leaves_sphere(&sphere, &view, a, h) {
-        found.ask_sphere(objects, index, ray);
-    }
+    leaves_sphere(&sphere, &view, a, view.quadratic(ray.direction, a).0)
 }
 
 impl Balls {
@@ -253,4 +265,16 @@ fn ground(objects: &impl Objects) -> Option<u32> {
     });
     let next = others.chain(cylinders).fold(0.0, f64::max);
     (radius(largest) >= GROUND_RATIO * next).then_some(largest as u32)
+}
+
+/// The middle of all that is filtered: coordinates relative to it lose least in single precision.
+fn middle(objects: &impl Objects, ground: Option<u32>) -> Vec3 {
+    let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+    let spheres = (0..objects.sphere_count()).filter(|&index| ground != Some(index as u32));
+    let centers = spheres.map(|index| objects.sphere(index).record.center);
+    for center in centers.chain((0..objects.cylinder_count()).map(|index| objects.cylinder(index).record.center)) {
+        low = Vec3::new(low.x.min(center.x), low.y.min(center.y), low.z.min(center.z));
+        high = Vec3::new(high.x.max(center.x), high.y.max(center.y), high.z.max(center.z));
+    }
+    if low.x > high.x { Vec3::ZERO } else { (low + high) * 0.5 }
 }

@@ -17,7 +17,7 @@ const MARGIN: f64 = 128.0 * f64::EPSILON;
 #[inline(always)]
 pub fn leaves_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, h: f64) -> bool {
     let margin = MARGIN * (view.c.abs() + 2.0 * sphere.radius_squared);
-    h < 0.0 && a * (T * T) - 2.0 * T * h + view.c > margin
+    (h < 0.0) & (a * (T * T) - 2.0 * T * h + view.c > margin)
 }
 
 /// Whether a ray certainly meets no part of the cylinder: it leaves the infinite cylinder, or the slab between the

@@ -11,15 +11,31 @@ use crate::real::Real;
 
 /// AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]
-pub struct Avx2;
+pub struct Avx2(());
+
+impl Avx2 {
+    /// The proof that the machine has it.
+    ///
+    /// # Safety
+    /// It must have.
+    pub const unsafe fn new() -> Self {
+        Self(())
+    }
+}
 
 impl Simd for Avx2 {
     type F64 = F64;
     type F32 = F32;
 
-    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
-        kernel.call::<Self>()
+    #[inline(always)]
+    fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        #[inline(never)]
+        #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+        fn compiled<K: Kernel>(simd: Avx2, kernel: K) -> K::Output {
+            kernel.call(simd)
+        }
+        // SAFETY: `self` is the proof that the machine has these features.
+        unsafe { compiled(self, kernel) }
     }
 }
 

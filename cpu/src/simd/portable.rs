@@ -14,9 +14,9 @@ impl Simd for Portable {
     type F64 = F64x4;
     type F32 = F32x4;
 
-    #[inline]
-    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
-        kernel.call::<Self>()
+    #[inline(never)]
+    fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        kernel.call(self)
     }
 }
 

@@ -11,15 +11,31 @@ use crate::real::Real;
 
 /// SSE2.
 #[derive(Clone, Copy, Debug)]
-pub struct Sse2;
+pub struct Sse2(());
+
+impl Sse2 {
+    /// The proof that the machine has it.
+    ///
+    /// # Safety
+    /// It must have.
+    pub const unsafe fn new() -> Self {
+        Self(())
+    }
+}
 
 impl Simd for Sse2 {
     type F64 = F64;
     type F32 = F32;
 
-    #[target_feature(enable = "sse2")]
-    unsafe fn run<K: Kernel>(kernel: K) -> K::Output {
-        kernel.call::<Self>()
+    #[inline(always)]
+    fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        #[inline(never)]
+        #[target_feature(enable = "sse2")]
+        fn compiled<K: Kernel>(simd: Sse2, kernel: K) -> K::Output {
+            kernel.call(simd)
+        }
+        // SAFETY: `self` is the proof that the machine has these features.
+        unsafe { compiled(self, kernel) }
     }
 }
 

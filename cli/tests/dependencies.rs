@@ -1,0 +1,17 @@
+//! The evaluated programs are built from this project and the random generator, and from nothing else.
+
+use std::collections::BTreeSet;
+use std::process::Command;
+
+#[test]
+fn the_programs_need_the_renderer_and_its_random_generator_alone() {
+    let output = Command::new(env!("CARGO"))
+        .args(["tree", "--locked", "-p", "cli", "-e", "normal", "--prefix", "none", "--format", "{p}"])
+        .current_dir(tests::project_root())
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "{output:?}");
+    let text = String::from_utf8(output.stdout).expect("names are text");
+    let names: BTreeSet<&str> = text.lines().filter_map(|line| line.split(' ').next()).collect();
+    assert_eq!(names, BTreeSet::from(["cli", "cpu", "rand_mt"]));
+}

@@ -1,0 +1,110 @@
+//! Whole pictures against digests that were made elsewhere: `tests/cases` and the reference folder, both conventions,
+//! both layouts. `statement` goes through the built programs, `published` through the library.
+//!
+//! The reference pictures are large: they are rendered in release builds, where the folder is there, and shown as
+//! ignored otherwise.
+
+use std::path::Path;
+use std::process::Command;
+
+use cpu::{Aos, Config, Layout, Scatter, Scene, Soa};
+use libtest_mimic::{Arguments, Failed, Trial};
+use tests::golden::{self, Golden};
+use tests::{digest, p3, ppm};
+
+/// A layout, as the program that uses it and as the library's function.
+#[derive(Clone, Copy)]
+struct Renderer {
+    program: &'static str,
+    path: &'static str,
+    library: fn(&Golden) -> Result<Vec<u8>, Failed>,
+}
+
+const RENDERERS: [Renderer; 2] = [
+    Renderer { program: "render-aos", path: env!("CARGO_BIN_EXE_render-aos"), library: through_the_library::<Aos> },
+    Renderer { program: "render-soa", path: env!("CARGO_BIN_EXE_render-soa"), library: through_the_library::<Soa> },
+];
+
+fn main() {
+    let arguments = Arguments::from_args();
+    let folder = golden::reference_folder();
+    let obstacle = obstacle(&folder);
+    let cases = golden::cases();
+    let reference = golden::reference(&folder);
+    assert_eq!((cases.len(), reference.len()), (32, 8), "no picture is left out");
+
+    let mut trials = trials("case", &cases);
+    let mut conformance = trials_of_the_reference(&reference);
+    if let Some(reason) = &obstacle {
+        conformance = conformance.into_iter().map(|trial| trial.with_kind(reason).with_ignored_flag(true)).collect();
+    }
+    trials.extend(conformance);
+    assert_eq!(trials.len(), 2 * 32 + 2 * 8 + 2);
+    libtest_mimic::run(&arguments, trials).exit();
+}
+
+/// Why the reference pictures are not rendered here, if there is a reason.
+fn obstacle(folder: &Path) -> Option<String> {
+    if cfg!(debug_assertions) {
+        Some("needs --release".to_owned())
+    } else if !folder.is_dir() {
+        Some(format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()))
+    } else {
+        None
+    }
+}
+
+fn trials(set: &str, goldens: &[Golden]) -> Vec<Trial> {
+    let both = |golden: &Golden| RENDERERS.map(|renderer| (golden.clone(), renderer));
+    let trial = |(golden, renderer): (Golden, Renderer)| {
+        let name = format!("{set} {} by {}", golden.name, renderer.program);
+        Trial::test(name, move || has_its_digest(&golden, renderer))
+    };
+    goldens.iter().flat_map(both).map(trial).collect()
+}
+
+fn trials_of_the_reference(goldens: &[Golden]) -> Vec<Trial> {
+    let mut trials = trials("reference", goldens);
+    let published = goldens.iter().find(|golden| golden.name == "published/2.ppm").expect("it is one of them");
+    for renderer in RENDERERS {
+        let published = published.clone();
+        let name = format!("reference published2.ppm pixel by pixel by {}", renderer.program);
+        trials.push(Trial::test(name, move || is_the_published_image(&published, renderer)));
+    }
+    trials
+}
+
+fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
+    let expected = golden.digest()?;
+    let bytes = match golden.scatter {
+        Scatter::Statement => through_the_program(golden, renderer.path)?,
+        _ => (renderer.library)(golden)?,
+    };
+    p3::read(&bytes)?;
+    let actual = digest::sha256(&bytes);
+    if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
+}
+
+/// The second published image is at hand itself, so that a difference can be shown.
+fn is_the_published_image(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
+    let bytes = (renderer.library)(golden)?;
+    let expected = std::fs::read(golden.config.with_file_name("published2.ppm"))?;
+    let (actual_picture, expected_picture) = (p3::read(&bytes)?, p3::read(&expected)?);
+    let differing = actual_picture.pixels.iter().zip(&expected_picture.pixels).filter(|(a, b)| a != b).count();
+    if bytes == expected { Ok(()) } else { Err(format!("{differing} pixels differ").into()) }
+}
+
+fn through_the_program(golden: &Golden, program: &str) -> Result<Vec<u8>, Failed> {
+    let folder = tempfile::tempdir()?;
+    let out = folder.path().join("out.ppm");
+    let output = Command::new(program).args([&golden.config, &golden.scene, &out]).output()?;
+    if !output.status.success() || !output.stdout.is_empty() || !output.stderr.is_empty() {
+        return Err(format!("{output:?}").into());
+    }
+    Ok(std::fs::read(out)?)
+}
+
+fn through_the_library<L: Layout>(golden: &Golden) -> Result<Vec<u8>, Failed> {
+    let (config, scene) = (Config::read(&golden.config)?, Scene::read(&golden.scene)?);
+    Ok(ppm(&cpu::render::<L>(&config, &scene, golden.scatter)?))
+}

@@ -1,0 +1,197 @@
+//! The tests themselves, for systems with users, permissions and mounts.
+
+use std::fs::{self, Permissions};
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::os::unix::process::CommandExt;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use libtest_mimic::{Failed, Trial};
+
+const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
+
+/// A picture of 40,000 pixels takes more than 64 kB.
+const CONFIG: &str = "image_width: 200\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
+
+/// A user without rights, the same on every system.
+const NOBODY: u32 = 65_534;
+
+pub fn trials() -> Vec<Trial> {
+    let is_root = fs::metadata("/proc/self").is_ok_and(|metadata| metadata.uid() == 0);
+    let can_mount = is_root && mounts();
+    vec![
+        Trial::test("a_limit_on_file_sizes_leaves_the_old_file", a_limit_on_file_sizes_leaves_the_old_file),
+        Trial::test("too_little_memory_is_an_error", too_little_memory_is_an_error),
+        Trial::test("a_read_only_folder_takes_no_file", move || a_read_only_folder_takes_no_file(is_root)),
+        Trial::test("a_read_only_file_is_not_replaced", move || a_read_only_file_is_not_replaced(is_root)),
+        Trial::test("a_full_disk_leaves_the_old_file", a_full_disk_leaves_the_old_file)
+            .with_kind(if can_mount { "" } else { "needs the right to mount" })
+            .with_ignored_flag(!can_mount),
+    ]
+}
+
+/// A folder that everyone can enter, with a configuration, an empty scene, and the programs themselves, which may lie
+/// where [`NOBODY`] cannot go.
+struct Place(tempfile::TempDir);
+
+impl Place {
+    fn new() -> Result<Self, Failed> {
+        let place = Self(tempfile::tempdir()?);
+        fs::set_permissions(place.0.path(), Permissions::from_mode(0o755))?;
+        fs::write(place.path("config.txt"), CONFIG)?;
+        fs::write(place.path("scene.txt"), "")?;
+        for program in PROGRAMS {
+            fs::copy(program, place.path(Self::name(program)))?;
+        }
+        Ok(place)
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn name(program: &str) -> &str {
+        program.rsplit('/').next().unwrap_or(program)
+    }
+
+    /// The command that renders into `out`.
+    fn render(&self, program: &str, out: &Path) -> Command {
+        let mut command = Command::new(self.path(Self::name(program)));
+        command.args([self.path("config.txt"), self.path("scene.txt"), out.to_owned()]);
+        command
+    }
+}
+
+/// Checks that the program refused to write `out` for this reason.
+fn check_refusal(output: &Output, out: &Path, reason: &str) -> Result<(), Failed> {
+    let expected = format!("Error: Cannot write file [{}]: {reason}", out.display());
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    let as_it_should = output.status.code() == Some(1) && output.stdout.is_empty() && stderr.starts_with(&expected);
+    if as_it_should { Ok(()) } else { Err(format!("{output:?} instead of {expected}").into()) }
+}
+
+/// Checks that the folder holds `names` and nothing else.
+fn check_names(folder: &Path, names: &[&str]) -> Result<(), Failed> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        found.push(entry?.file_name().to_string_lossy().into_owned());
+    }
+    if found == names { Ok(()) } else { Err(format!("{found:?} instead of {names:?}").into()) }
+}
+
+/// Checks that `out` still has its old content, alone in its folder.
+fn check_old(out: &Path) -> Result<(), Failed> {
+    check_names(out.parent().ok_or("it lies in a folder")?, &["out.ppm"])?;
+    if fs::read(out)? == b"old" { Ok(()) } else { Err("the old content is gone".into()) }
+}
+
+/// Stands for a full disk where no disk can be filled: writing fails when the file is half there.
+fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
+    let place = Place::new()?;
+    fs::create_dir(place.path("d"))?;
+    let out = place.path("d/out.ppm");
+    fs::write(&out, "old")?;
+    for program in PROGRAMS {
+        // Of 16 blocks; with the limit's signal ignored the write fails as on a full disk.
+        let output = limited("trap '' XFSZ; ulimit -f 16", &place.render(program, &out))?;
+        check_refusal(&output, &out, "File too large")?;
+        check_old(&out)?;
+    }
+    Ok(())
+}
+
+fn too_little_memory_is_an_error() -> Result<(), Failed> {
+    let place = Place::new()?;
+    // Allowed, and 1.2 GB large, where a process may have a fifth of that.
+    fs::write(place.path("config.txt"), "image_width: 20000\naspect_ratio: 1 1\n")?;
+    let out = place.path("out.ppm");
+    for program in PROGRAMS {
+        let output = limited("ulimit -v 250000", &place.render(program, &out))?;
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        if output.status.code() != Some(1) || stderr != "Error: Not enough memory for the image\n" || out.exists() {
+            return Err(format!("{output:?}").into());
+        }
+    }
+    Ok(())
+}
+
+/// Runs a command after a shell has limited itself.
+fn limited(limits: &str, command: &Command) -> std::io::Result<Output> {
+    let mut shell = Command::new("bash");
+    shell.args(["-c", &format!("{limits}; exec \"$@\""), "limited"]);
+    shell.arg(command.get_program()).args(command.get_args()).output()
+}
+
+fn a_full_disk_leaves_the_old_file() -> Result<(), Failed> {
+    let place = Place::new()?;
+    let disk = Disk::mount(place.path("disk"))?;
+    let out = disk.0.join("out.ppm");
+    fs::write(&out, "old")?;
+    for program in PROGRAMS {
+        let output = place.render(program, &out).output()?;
+        check_refusal(&output, &out, "No space left on device")?;
+        check_old(&out)?;
+    }
+    Ok(())
+}
+
+fn a_read_only_folder_takes_no_file(is_root: bool) -> Result<(), Failed> {
+    let place = Place::new()?;
+    let folder = place.path("closed");
+    fs::create_dir(&folder)?;
+    fs::set_permissions(&folder, Permissions::from_mode(0o555))?;
+    let out = folder.join("out.ppm");
+    for program in PROGRAMS {
+        let output = without_rights(place.render(program, &out), is_root).output()?;
+        check_refusal(&output, &out, "Permission denied")?;
+        check_names(&folder, &[])?;
+    }
+    Ok(())
+}
+
+fn a_read_only_file_is_not_replaced(is_root: bool) -> Result<(), Failed> {
+    let place = Place::new()?;
+    let folder = place.path("open");
+    fs::create_dir(&folder)?;
+    fs::set_permissions(&folder, Permissions::from_mode(0o777))?;
+    let out = folder.join("out.ppm");
+    fs::write(&out, "old")?;
+    fs::set_permissions(&out, Permissions::from_mode(0o444))?;
+    for program in PROGRAMS {
+        let output = without_rights(place.render(program, &out), is_root).output()?;
+        check_refusal(&output, &out, "Permission denied")?;
+        check_old(&out)?;
+    }
+    Ok(())
+}
+
+/// Permissions do not stop root, so root lets nobody do it.
+fn without_rights(mut command: Command, is_root: bool) -> Command {
+    if is_root {
+        command.uid(NOBODY).gid(NOBODY);
+    }
+    command
+}
+
+/// Whether mounting works here: root in a container may still not mount.
+fn mounts() -> bool {
+    tempfile::tempdir().is_ok_and(|folder| Disk::mount(folder.path().join("disk")).is_ok())
+}
+
+/// A disk of 64 kB, unmounted when it is dropped.
+struct Disk(PathBuf);
+
+impl Disk {
+    fn mount(folder: PathBuf) -> Result<Self, Failed> {
+        fs::create_dir(&folder)?;
+        let output = Command::new("mount").args(["-t", "tmpfs", "-o", "size=64k", "tmpfs"]).arg(&folder).output()?;
+        if output.status.success() { Ok(Self(folder)) } else { Err(format!("{output:?}").into()) }
+    }
+}
+
+impl Drop for Disk {
+    fn drop(&mut self) {
+        // A disk that stays mounted shows as a temporary folder that cannot be removed.
+        let _ = Command::new("umount").arg(&self.0).status();
+    }
+}

@@ -1,0 +1,102 @@
+//! Input that is no proper text, or no file at all.
+
+use std::fs;
+
+use crate::bench::{Bench, PROGRAMS, SMALL, assert_failed};
+
+#[test]
+fn crlf_blank_lines_tabs_and_a_missing_last_line_end_change_nothing() {
+    let config = "image_width: 8\nsamples_per_pixel: 2\ncamera_position: 0 0 -3";
+    let scene = "matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey";
+    let plain = Bench::new(config, scene).render();
+    let dressed = |text: &str| format!("\r\n \t\r\n\t{}\t\r\n\r\n", text.replace(' ', " \t ").replace('\n', "\r\n"));
+    assert!(Bench::new(dressed(config), dressed(scene)).render() == plain);
+}
+
+#[test]
+fn nul_and_invalid_utf8_are_shown_as_they_stand() {
+    Bench::new(b"\xff\0: 1", "").refuses(b"Unknown configuration key: [\xff\0:]");
+    Bench::new(b"gamma: 2\0", "").refuses(b"Invalid value for key: [gamma:]\nLine: \"gamma: 2\0\"");
+    Bench::new(SMALL, b"\0\xfe").refuses(b"Unknown scene entity: \0\xfe");
+    let line = b"sphere: 0 0 0 1 \xc3\x28";
+    Bench::new(SMALL, line).refuses(&[b"Material not found: [\xc3\x28]\nLine: \"".as_slice(), line, b"\""].concat());
+}
+
+#[test]
+fn a_byte_order_mark_belongs_to_the_first_key() {
+    Bench::new("\u{feff}gamma: 2", "").refuses("Unknown configuration key: [\u{feff}gamma:]".as_bytes());
+}
+
+#[test]
+fn gigantic_numbers_are_invalid_and_long_ones_are_read() {
+    let digits = "9".repeat(100_000);
+    let line = format!("sphere: 0 0 {digits} 1 m");
+    Bench::new(SMALL, &line).refuses(format!("Invalid sphere parameters\nLine: \"{line}\"").as_bytes());
+    let line = format!("image_width: {digits}");
+    Bench::new(&line, "").refuses(format!("Invalid value for key: [image_width:]\nLine: \"{line}\"").as_bytes());
+    let fraction = format!("gamma: 2.{digits}\n{SMALL}");
+    assert!(!Bench::new(fraction, "").render().is_empty());
+}
+
+#[test]
+fn a_line_without_end_is_refused_without_filling_the_memory() {
+    let bench = Bench::new(vec![b' '; (1 << 20) + 1], "");
+    bench.refuses(b"Cannot read file [config.txt]: line 1 is longer than 1048576 bytes");
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    for name in ["config.txt", "scene.txt"] {
+        let bench = Bench::new(SMALL, "");
+        fs::remove_file(bench.path(name)).expect("it is ours");
+        let message = bench.message();
+        assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
+        assert!(bench.outputs().is_empty());
+    }
+}
+
+#[test]
+fn a_folder_is_not_a_file() {
+    for name in ["config.txt", "scene.txt"] {
+        let bench = Bench::new(SMALL, "");
+        fs::remove_file(bench.path(name)).expect("it is ours");
+        fs::create_dir(bench.path(name)).expect("the folder is writable");
+        let message = bench.message();
+        assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
+        assert!(bench.outputs().is_empty());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn input_may_come_through_a_pipe() {
+    use std::io::Write;
+    use std::process::{Command, Stdio};
+
+    let bench = Bench::new("", "");
+    let expected = Bench::new(SMALL, "").render();
+    for program in PROGRAMS {
+        let mut child = Command::new(program)
+            .current_dir(bench.path(""))
+            .args(["/dev/stdin", "scene.txt", "out.ppm"])
+            .stdin(Stdio::piped())
+            .spawn()
+            .expect("the program runs");
+        let mut input = child.stdin.take().expect("it is piped");
+        input.write_all(SMALL.as_bytes()).expect("the program reads");
+        drop(input);
+        assert!(child.wait().expect("it ends").success());
+        assert!(fs::read(bench.path("out.ppm")).expect("it was written") == expected);
+    }
+}
+
+#[test]
+fn the_configuration_is_complained_about_first() {
+    let bench = Bench::new("width", "triangle");
+    bench.refuses(b"Unknown configuration key: [width:]");
+    for program in PROGRAMS {
+        let output = bench.command(program, "no/such/folder.ppm").output().expect("the program runs");
+        assert_failed(&output);
+        assert!(output.stderr.starts_with(b"Error: Unknown configuration key"), "{output:?}");
+    }
+}

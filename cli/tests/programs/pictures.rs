@@ -1,0 +1,90 @@
+//! Pictures at the edges of what can be asked for. Whole pictures with a digest are in `digests.rs`.
+
+use std::fs;
+
+use tests::p3::{self, Picture};
+
+use crate::bench::{Bench, SMALL};
+
+fn render(config: &str, scene: &str) -> Picture {
+    p3::read(&Bench::new(config, scene).render()).expect("the picture is well formed")
+}
+
+/// A sphere that fills the view from (0, 0, -10).
+const WALL: &str = "matte: grey .5 .5 .5\nsphere: 0 0 50 49 grey\n";
+
+#[test]
+fn an_empty_scene_is_its_background() {
+    let uniform = "background_dark_color: 1 0 .25\nbackground_light_color: 1 0 .25\ngamma: 1\n";
+    for scene in ["", "\n\n", " \t\r\n"] {
+        let picture = render(&format!("{SMALL}{uniform}"), scene);
+        assert_eq!((picture.width, picture.height), (8, 4));
+        assert!(picture.pixels.iter().all(|&pixel| pixel == [255, 0, 63]), "{picture:?}");
+    }
+}
+
+#[test]
+fn the_defaults_make_a_picture_of_1920_by_1080() {
+    let picture = render("samples_per_pixel: 1\n", "");
+    assert_eq!((picture.width, picture.height), (1920, 1080));
+    let (top, bottom) = (picture.pixels[0], picture.pixels[1920 * 1079]);
+    assert!(top[0] < bottom[0], "the dark colour is above: {top:?}, {bottom:?}");
+}
+
+#[test]
+fn the_height_is_rounded_down_and_at_least_one() {
+    let size = |config: &str| {
+        let picture = render(&format!("{config}samples_per_pixel: 1\n"), "");
+        (picture.width, picture.height)
+    };
+    assert_eq!(size("image_width: 100\n"), (100, 56));
+    assert_eq!(size("image_width: 10\naspect_ratio: 100 1\n"), (10, 1));
+    assert_eq!(size("image_width: 1\naspect_ratio: 1 1\n"), (1, 1));
+    assert_eq!(size("image_width: 1\naspect_ratio: 1 40\n"), (1, 40));
+}
+
+#[test]
+fn at_depth_one_every_object_is_black() {
+    let picture = render(&format!("{SMALL}max_depth: 1\nfield_of_view: 20\n"), WALL);
+    assert!(picture.pixels.iter().all(|&pixel| pixel == [0, 0, 0]), "{picture:?}");
+    let picture = render(&format!("{SMALL}max_depth: 2\nfield_of_view: 20\n"), WALL);
+    assert!(picture.pixels.iter().any(|&pixel| pixel != [0, 0, 0]), "{picture:?}");
+}
+
+#[test]
+fn unused_materials_change_nothing() {
+    let unused = "metal: a 1 1 1 1\nrefractive: b 2\nmatte: c 0 0 0\n";
+    let config = format!("{SMALL}field_of_view: 40\n");
+    assert_eq!(render(&config, &format!("{unused}{WALL}")), render(&config, WALL));
+}
+
+#[test]
+fn the_last_of_a_repeated_key_counts() {
+    assert_eq!(render(&format!("image_width: 9\ngamma: 9\n{SMALL}gamma: 2.2\n"), ""), render(SMALL, ""));
+}
+
+#[test]
+fn seeds_may_be_as_large_as_64_bits_hold() {
+    let config = |seed: u64| format!("{SMALL}field_of_view: 20\nmaterial_rng_seed: {seed}\nray_rng_seed: {seed}\n");
+    assert_ne!(render(&config(u64::MAX), WALL), render(&config(1), WALL));
+}
+
+#[test]
+fn a_great_depth_and_many_samples_do_not_overflow_anything() {
+    // The camera is inside a mirror: only the depth ends a path.
+    let scene = "metal: mirror 1 1 1 0\nsphere: 0 0 0 20 mirror\n";
+    let config = "image_width: 1\naspect_ratio: 1 1\nsamples_per_pixel: 3\nmax_depth: 300000\n";
+    assert_eq!(render(config, scene).pixels, [[0, 0, 0]]);
+}
+
+#[test]
+fn ten_thousand_objects_are_rendered() {
+    let folder = tests::project_root().join("scenes/ten-thousand");
+    let scene = fs::read_to_string(folder.join("scene.txt")).expect("it is committed");
+    let config = fs::read_to_string(folder.join("config.txt")).expect("it is committed");
+    assert_eq!(scene.lines().filter(|line| line.contains("sphere:") || line.contains("cylinder:")).count(), 10_000);
+    let small = format!("{config}image_width: 40\nsamples_per_pixel: 1\nmax_depth: 3\n");
+    let (picture, empty) = (render(&small, &scene), render(&small, ""));
+    let covered = picture.pixels.iter().zip(&empty.pixels).filter(|(pixel, background)| pixel != background).count();
+    assert!(covered > picture.pixels.len() / 2, "objects cover {covered} of {} pixels", picture.pixels.len());
+}

@@ -1,0 +1,279 @@
+//! A tree of boxes, 16 children a node, for scenes of many objects.
+//!
+//! A node's boxes are tested at once, in single precision. With `u = 2^-24` each distance `(plane - origin) / direction`
+//! carries a relative error below `5 u` (the rounding of the direction, of the difference, of the reciprocal and of the
+//! product), and the origin is rounded towards the side that lets the ray pass. So a ray that meets a box, ahead and not
+//! farther than the nearest hit so far, has `near (1 - 5u) <= far (1 + 5u)`, which [`SLACK`] covers.
+
+use super::bounds::Bounds;
+use super::build::build;
+use super::leaving::{leaves_cylinder, leaves_sphere};
+use super::{Found, ObjectId};
+use crate::error::Error;
+use crate::layout::Objects;
+use crate::prepare::Extent;
+use crate::ray::Ray;
+use crate::simd::{FilterLanes, Simd};
+use crate::vec3::Vec3;
+
+/// Children of a node; every instruction set's lanes divide it.
+pub const WIDTH: usize = 16;
+
+/// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
+const STACK: usize = 512;
+
+/// Factor on a far distance that covers all rounding.
+const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
+
+/// Largest magnitude of a reciprocal: keeps a product with zero from being no number.
+const LARGEST_RECIPROCAL: f32 = 1e30;
+
+/// What a lane of a node leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Child(u32);
+
+impl Child {
+    const OBJECT: u32 = 1 << 31;
+
+    /// The object at `id`.
+    pub const fn object(id: ObjectId) -> Self {
+        Self(id | Self::OBJECT)
+    }
+
+    /// The node at `index`.
+    pub const fn node(index: u32) -> Self {
+        Self(index)
+    }
+
+    /// The object, if it leads to one.
+    pub const fn as_object(self) -> Option<ObjectId> {
+        if self.0 & Self::OBJECT == 0 { None } else { Some(self.0 & !Self::OBJECT) }
+    }
+
+    /// The node, if it leads to one.
+    pub const fn as_node(self) -> u32 {
+        self.0
+    }
+}
+
+/// The boxes of up to 16 children, and what they lead to.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct Node {
+    low: [[f32; WIDTH]; 3],
+    high: [[f32; WIDTH]; 3],
+    child: [Child; WIDTH],
+}
+
+impl Node {
+    /// No children: boxes that no ray meets.
+    pub const EMPTY: Self = Self {
+        low: [[f32::INFINITY; WIDTH]; 3],
+        high: [[f32::NEG_INFINITY; WIDTH]; 3],
+        child: [Child::node(0); WIDTH],
+    };
+
+    /// Makes a child of a lane.
+    pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
+        for axis in 0..3 {
+            self.low[axis][lane] = bounds.low[axis];
+            self.high[axis][lane] = bounds.high[axis];
+        }
+        self.child[lane] = child;
+    }
+
+    /// The children with their boxes.
+    pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
+        (0..WIDTH).filter(|&lane| self.low[0][lane] <= self.high[0][lane]).map(|lane| {
+            let bounds = Bounds {
+                low: std::array::from_fn(|axis| self.low[axis][lane]),
+                high: std::array::from_fn(|axis| self.high[axis][lane]),
+            };
+            (bounds, self.child[lane])
+        })
+    }
+}
+
+/// The tree over all objects of a scene.
+#[derive(Debug)]
+pub struct Hierarchy {
+    nodes: Vec<Node>,
+    /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
+    reach: f64,
+}
+
+/// Nodes that wait to be visited, with their distances; kept between rays, for clearing it would cost more than a visit.
+#[derive(Clone, Debug)]
+pub struct Stack([(u32, f32); STACK]);
+
+impl Stack {
+    /// Nothing waits.
+    pub const EMPTY: Self = Self([(0, 0.0); STACK]);
+}
+
+/// A ray as the boxes see it.
+struct BoxRay<F> {
+    /// The origin, rounded so that near planes are not farther, and far planes not nearer, than they are.
+    near_origin: [F; 3],
+    far_origin: [F; 3],
+    reciprocal: [F; 3],
+    /// Whether the ray goes down an axis: the high planes are then the near ones.
+    down: [bool; 3],
+}
+
+impl<F: FilterLanes> BoxRay<F> {
+    #[inline(always)]
+    fn new(ray: &Ray) -> Self {
+        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+        let down = direction.map(|component| component < 0.0);
+        let mut near_origin = [F::splat(0.0); 3];
+        let mut far_origin = near_origin;
+        let mut reciprocal = near_origin;
+        for axis in 0..3 {
+            let rounded = origin[axis] as f32;
+            let (low, high) = (rounded.next_down(), rounded.next_up());
+            near_origin[axis] = F::splat(if down[axis] { low } else { high });
+            far_origin[axis] = F::splat(if down[axis] { high } else { low });
+            // The sign comes from `down`, so that it is right for both zeros.
+            let inverse = (1.0 / (direction[axis] as f32).abs()).min(LARGEST_RECIPROCAL);
+            reciprocal[axis] = F::splat(if down[axis] { -inverse } else { inverse });
+        }
+        Self { near_origin, far_origin, reciprocal, down }
+    }
+
+    /// Distances to the boxes of a node, and which the ray meets within `farthest`.
+    #[inline(always)]
+    fn meets(&self, node: &Node, at: usize, farthest: F) -> (F, u32) {
+        let mut near = F::splat(0.0);
+        let mut far = farthest;
+        for axis in 0..3 {
+            let (near_planes, far_planes) =
+                if self.down[axis] { (&node.high, &node.low) } else { (&node.low, &node.high) };
+            let enter = (F::load(&near_planes[axis][at..]) - self.near_origin[axis]) * self.reciprocal[axis];
+            let leave = (F::load(&far_planes[axis][at..]) - self.far_origin[axis]) * self.reciprocal[axis];
+            near = enter.max(near);
+            far = leave.min(far);
+        }
+        (near, near.less_equal(far * F::splat(SLACK)))
+    }
+}
+
+impl Hierarchy {
+    /// The tree over `objects`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+        let count = objects.sphere_count() + objects.cylinder_count();
+        if count >= Child::OBJECT as usize {
+            return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
+        }
+        let nodes = build((0..count).map(|id| Bounds::of_object(objects, id, extent)))?;
+        Ok(Self { nodes, reach: 2.0 * extent.reach })
+    }
+
+    /// Whether a ray from `origin` may use the tree.
+    #[inline(always)]
+    pub fn covers(&self, origin: Vec3) -> bool {
+        origin.x.abs() <= self.reach && origin.y.abs() <= self.reach && origin.z.abs() <= self.reach
+    }
+
+    /// The nearest object that a ray from the surface of `from` meets.
+    #[inline(always)]
+    pub fn nearest<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        from: ObjectId,
+        Stack(stack): &mut Stack,
+    ) -> Found {
+        let mut found = Found::NOTHING;
+        let a = ray.direction.dot(ray.direction);
+        // A direction of no length, or of no number, has no distances; every object that it could meet is none.
+        if !(a > 0.0) || self.nodes.is_empty() {
+            return found;
+        }
+        let box_ray = BoxRay::<S::F32>::new(ray);
+        stack[0] = (0, 0.0);
+        let mut waiting = 1;
+        while waiting > 0 {
+            waiting -= 1;
+            let (index, distance) = stack[waiting % STACK];
+            // The nearest hit so far, rounded up; infinite at first.
+            let farthest = (found.lambda as f32).next_up();
+            if distance > farthest {
+                continue;
+            }
+            let node = &self.nodes[index as usize];
+            let mut distances = [0.0; WIDTH];
+            let mut bits = 0;
+            for at in (0..WIDTH).step_by(S::F32::LANES) {
+                let (near, met) = box_ray.meets(node, at, S::F32::splat(farthest));
+                near.store(&mut distances[at..]);
+                bits |= met << at;
+            }
+            let first = waiting;
+            while bits != 0 {
+                let lane = bits.trailing_zeros() as usize % WIDTH;
+                bits &= bits - 1;
+                match node.child[lane].as_object() {
+                    Some(id) => ask(&mut found, objects, id, ray, a, from),
+                    None => {
+                        // Kept in order, the nearest last, so that it is taken first.
+                        let entry = (node.child[lane].as_node(), distances[lane]);
+                        let mut place = waiting.min(STACK - 1);
+                        while place > first && stack[place - 1].1 < entry.1 {
+                            stack[place] = stack[place - 1];
+                            place -= 1;
+                        }
+                        stack[place] = entry;
+                        waiting += 1;
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// Calls `visit` with every object whose box, or that of a node above it, `reaches` does not rule out.
+    pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
+        let mut pending = Vec::with_capacity(STACK);
+        if !self.nodes.is_empty() {
+            pending.push(0);
+        }
+        while let Some(index) = pending.pop() {
+            for (bounds, child) in self.nodes[index as usize].children() {
+                if reaches(&bounds) {
+                    match child.as_object() {
+                        Some(id) => visit(id),
+                        None => pending.push(child.as_node()),
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Asks an object, unless the ray leaves it.
+#[inline(always)]
+fn ask<O: Objects>(found: &mut Found, objects: &O, id: ObjectId, ray: &Ray, a: f64, from: ObjectId) {
+    match (id as usize).checked_sub(objects.sphere_count()) {
+        None => {
+            let sphere = objects.sphere(id as usize).record;
+            let view = sphere.seen_from(ray.origin);
+            let (h, discriminant) = view.quadratic(ray.direction, a);
+            if discriminant >= 0.0 && !leaves_sphere(&sphere, &view, a, h) {
+                found.ask_sphere(objects, id as usize, ray);
+            }
+        }
+        Some(index) => {
+            if id == from {
+                let cylinder = objects.cylinder(index).record;
+                if leaves_cylinder(&cylinder, &cylinder.seen_from(ray.origin), ray.direction, ray.origin) {
+                    return;
+                }
+            }
+            found.ask_cylinder(objects, index, ray);
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The shapes of each [`Arrangement`].
+
+use cpu::Vec3;
+use cpu::scene::{Cylinder, Shape, Sphere};
+
+use super::draws::{Draws, round};
+use super::{Arrangement, Options};
+
+/// The shapes that `options` ask for, in the order of the file.
+pub(super) fn shapes(draws: &mut Draws, options: &Options) -> Vec<Shape> {
+    let mut shapes = Vec::with_capacity(options.objects);
+    for index in 0..options.objects {
+        let shape = match options.arrangement {
+            Arrangement::Scattered => scattered(draws, options),
+            Arrangement::Grid => on_the_grid(draws, options, index),
+            Arrangement::Degenerate => degenerate(draws, options, &shapes),
+        };
+        shapes.push(shape);
+    }
+    shapes
+}
+
+/// A sphere, or a cylinder along `axis`.
+fn shape(center: Vec3, radius: f64, axis: Option<Vec3>) -> Shape {
+    match axis {
+        None => Shape::Sphere(Sphere { center, radius }),
+        Some(axis) => Shape::Cylinder(Cylinder { center, radius, axis }),
+    }
+}
+
+fn scattered(draws: &mut Draws, options: &Options) -> Shape {
+    let extent = options.extent;
+    let (center, size) = (draws.point(extent), extent * draws.between(0.03, 0.2));
+    if draws.chance(options.cylinders) {
+        let axis = draws.direction(2.0 * size);
+        shape(center, round(size / 2.0), Some(axis))
+    } else {
+        shape(center, round(size), None)
+    }
+}
+
+/// Squares along each side of a board that holds so many objects, the ground among them.
+pub(super) fn squares_a_side(objects: usize) -> usize {
+    (1..).find(|side| side * side + 1 >= objects).unwrap_or(1)
+}
+
+/// The ground first, then one object on each square of the board, row by row.
+fn on_the_grid(draws: &mut Draws, options: &Options, index: usize) -> Shape {
+    /// The ground's radius over the extent: flat enough to stand on.
+    const GROUND: f64 = 1000.0;
+
+    let extent = options.extent;
+    let Some(square) = index.checked_sub(1) else {
+        return shape(Vec3::new(0.0, -GROUND * extent, 0.0), GROUND * extent, None);
+    };
+    let side = squares_a_side(options.objects);
+    let step = 2.0 * extent / side as f64;
+    let middle = |position: usize| (position as f64 + 0.5) * step - extent;
+    let [x, z] = [square % side, square / side].map(|at| round(middle(at) + step * draws.between(-0.1, 0.1)));
+    let size = step * draws.between(0.2, 0.42);
+    if draws.chance(options.cylinders) {
+        let lean = draws.direction(0.5 * size);
+        let height = round(2.0 * size);
+        shape(Vec3::new(x, height / 2.0, z), round(size / 2.0), Some(Vec3::new(lean.x, height, lean.z)))
+    } else {
+        let radius = round(size);
+        shape(Vec3::new(x, radius, z), radius, None)
+    }
+}
+
+/// A shape that has something exact in common with one before it, if there is one.
+fn degenerate(draws: &mut Draws, options: &Options, before: &[Shape]) -> Shape {
+    let extent = options.extent;
+    let fresh = scattered(draws, options);
+    if before.is_empty() {
+        return fresh;
+    }
+    let other = before[draws.index(before.len())];
+    let (center, radius, axis) = parts(other);
+    // A cylinder keeps its axis where it can: coaxial sides and bases in one plane are the hard cases.
+    let cylinder = draws.chance(options.cylinders);
+    let along = axis.unwrap_or_else(|| draws.along_an_axis(radius));
+    let axis = cylinder.then_some(along);
+    match draws.index(9) {
+        // The later of equal objects is the visible one.
+        0 => other,
+        // Touching from outside, along an axis of coordinates.
+        1 => shape(center + draws.along_an_axis(2.0 * radius), radius, axis),
+        // End to end.
+        2 => shape(center + along, radius, axis),
+        // One inside the other.
+        3 => shape(center, radius / 2.0, axis),
+        4 => shape(center, radius * 2.0, axis),
+        // Touching from inside.
+        5 => shape(center + draws.along_an_axis(radius / 2.0), radius / 2.0, axis),
+        // On a lattice, as large as its cells.
+        6 => shape(draws.point(4.0).map(f64::round) * (extent / 4.0), extent / 8.0, axis),
+        // The huge beside the tiny.
+        7 => shape(center + draws.along_an_axis(100.0 * extent), 100.0 * extent, None),
+        _ => {
+            let tiny = draws.along_an_axis(1e-6 * extent);
+            shape(center, 1e-6 * extent, cylinder.then_some(tiny))
+        }
+    }
+}
+
+fn parts(shape: Shape) -> (Vec3, f64, Option<Vec3>) {
+    match shape {
+        Shape::Sphere(sphere) => (sphere.center, sphere.radius, None),
+        Shape::Cylinder(cylinder) => (cylinder.center, cylinder.radius, Some(cylinder.axis)),
+    }
+}

@@ -1,0 +1,117 @@
+//! Pictures whose digests have an origin outside this project, and where they are.
+//!
+//! Two sets. `tests/cases` holds 16 small scenes, whose digests come from an independent literal program in C++, and is
+//! part of the project. The reference folder holds the course's four cases and is not: it is looked for beside the
+//! project, or where the environment variable `RENDER_REFERENCE_DIR` says.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use cpu::Scatter;
+
+use crate::digest::read_sums;
+
+/// The two conventions of SPEC.md, with their names in the lists of digests.
+const CONVENTIONS: [(&str, Scatter); 2] = [("statement", Scatter::Statement), ("published", Scatter::Published)];
+
+/// A picture and where its digest is written.
+#[derive(Clone, Debug)]
+pub struct Golden {
+    /// Its name in the list of digests, such as `statement/07.ppm`.
+    pub name: String,
+    /// How surfaces scatter light in it.
+    pub scatter: Scatter,
+    /// Its configuration file.
+    pub config: PathBuf,
+    /// Its scene file.
+    pub scene: PathBuf,
+    /// The list of digests.
+    pub sums: PathBuf,
+}
+
+impl Golden {
+    /// The digest of the whole PPM file.
+    ///
+    /// # Errors
+    /// The list of digests cannot be read or does not have the picture.
+    pub fn digest(&self) -> Result<String, String> {
+        let sums = sums(&self.sums)?;
+        let found = sums.into_iter().find(|(name, _)| *name == self.name);
+        found.map(|(_, digest)| digest).ok_or(format!("{} has no {}", self.sums.display(), self.name))
+    }
+}
+
+/// The 16 scenes of `tests/cases` in both conventions.
+#[must_use]
+pub fn cases() -> Vec<Golden> {
+    let folder = crate::project_root().join("tests/cases");
+    let names = (1..=16).map(|number| format!("{number:02}"));
+    goldens(&folder, names, |case, file| format!("{case}/{file}.txt"))
+}
+
+/// The four cases of the reference folder in both conventions.
+#[must_use]
+pub fn reference(folder: &Path) -> Vec<Golden> {
+    let names = (1..=4).map(|number: u32| number.to_string());
+    goldens(folder, names, |case, file| format!("{file}{case}.txt"))
+}
+
+fn goldens(
+    folder: &Path,
+    names: impl Iterator<Item = String>,
+    file_name: impl Fn(&str, &str) -> String,
+) -> Vec<Golden> {
+    let both = |case: String| CONVENTIONS.map(|convention| (case.clone(), convention));
+    let golden = |(case, (convention, scatter)): (String, (&str, Scatter))| Golden {
+        name: format!("{convention}/{case}.ppm"),
+        scatter,
+        config: folder.join(file_name(&case, "config")),
+        scene: folder.join(file_name(&case, "scene")),
+        sums: folder.join("SHA256SUMS"),
+    };
+    names.flat_map(both).map(golden).collect()
+}
+
+/// The names and digests that the list at `path` has.
+///
+/// # Errors
+/// It cannot be read.
+pub fn sums(path: &Path) -> Result<Vec<(String, String)>, String> {
+    let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    read_sums(&text)
+}
+
+/// Where the reference folder should be: `RENDER_REFERENCE_DIR`, from the project's root if relative, or
+/// `../shared/reference` beside it.
+#[must_use]
+pub fn reference_folder() -> PathBuf {
+    let named = std::env::var_os("RENDER_REFERENCE_DIR").unwrap_or("../shared/reference".into());
+    crate::project_root().join(named)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cases_are_those_that_the_list_has() {
+        let cases = cases();
+        let mut names: Vec<_> = cases.iter().map(|golden| golden.name.clone()).collect();
+        let mut listed: Vec<_> =
+            sums(&cases[0].sums).expect("the list is committed").into_iter().map(|(name, _)| name).collect();
+        names.sort();
+        listed.sort();
+        assert_eq!(names.len(), 32);
+        assert_eq!(names, listed);
+        assert!(cases.iter().all(|golden| golden.config.is_file() && golden.scene.is_file()));
+    }
+
+    #[test]
+    fn the_reference_cases_are_named_as_in_their_folder() {
+        let goldens = reference(Path::new("r"));
+        assert_eq!(goldens.len(), 8);
+        assert_eq!(goldens[7].name, "published/4.ppm");
+        assert_eq!((&*goldens[7].config, &*goldens[7].scene), (Path::new("r/config4.txt"), Path::new("r/scene4.txt")));
+        assert!(goldens[7].digest().is_err(), "there is no such folder");
+    }
+}
