@@ -52,6 +52,16 @@ pub enum Error {
         /// The limit.
         limit: u64,
     },
+    /// One bounce of a ray would take more iterations than drivers allow.
+    #[error("{objects} objects to a depth of {depth} are more than one run can loop over ({limit} in all); use fewer")]
+    TooManyIterations {
+        /// Spheres and cylinders.
+        objects: u64,
+        /// Most surfaces that a ray may meet.
+        depth: u64,
+        /// Most iterations of all loops of an invocation.
+        limit: u64,
+    },
     /// The work did not end in time.
     #[error("the device did not finish within {seconds} seconds; use fewer rays or objects, or another adapter")]
     Timeout {

@@ -4,10 +4,10 @@ use std::time::{Duration, Instant};
 
 use shaders::{Composition, Features, Precision};
 use wgpu::{
-    BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType,
-    Buffer, BufferBindingType, BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor,
-    ComputePipeline, ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor,
-    PollType, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
+    BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
+    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, MapMode, PipelineCompilationOptions,
+    PipelineLayoutDescriptor, PollType, ShaderModuleDescriptor, ShaderSource, ShaderStages,
 };
 
 use crate::{Error, Gpu};
@@ -28,6 +28,8 @@ const SMALLEST: usize = 256;
 pub enum Content<'a> {
     /// Bytes that the kernel reads.
     Input(&'a [u8]),
+    /// Bytes that the kernel reads, other ones in each of several runs that follow each other.
+    Inputs(&'a [Vec<u8>]),
     /// This many bytes for the kernel to note things in.
     Scratch(u64),
     /// This many bytes that the kernel has to write, all of them.
@@ -50,6 +52,16 @@ pub struct Run {
     pub outputs: Vec<Vec<u8>>,
     /// From handing the work to the device until it was done, without the transfers.
     pub time: Duration,
+}
+
+impl Content<'_> {
+    /// Runs that the content is for.
+    const fn runs(&self) -> usize {
+        match self {
+            Self::Inputs(each) => each.len(),
+            _ => 1,
+        }
+    }
 }
 
 impl Pipeline {
@@ -91,7 +103,7 @@ impl Pipeline {
         })
     }
 
-    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on.
+    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on: once, or as often as an [`Content::Inputs`] says.
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or what the driver finds wrong.
@@ -119,6 +131,7 @@ impl Pipeline {
         for content in contents {
             let (what, bytes) = match content {
                 Content::Input(bytes) => ("an input", bytes.len() as u64),
+                Content::Inputs(each) => ("an input", each.iter().map(Vec::len).max().unwrap_or(0) as u64),
                 Content::Scratch(bytes) => ("the list of surfaces met", *bytes),
                 Content::Output(bytes) => ("an output", *bytes),
             };
@@ -129,35 +142,42 @@ impl Pipeline {
         Ok(())
     }
 
-    /// Does the work; the buffers are the contents', those of outputs ready to be read.
+    /// Does the work; the buffers are the contents' in the first run, those of outputs ready to be read.
     fn dispatch(
         &self,
         gpu: &Gpu,
         contents: &[Content<'_>],
         invocations: u64,
     ) -> (Vec<Buffer>, Result<Duration, Error>) {
-        let buffers: Vec<_> = contents.iter().map(|content| create(gpu, *content)).collect();
-        let entries: Vec<_> = buffers
-            .iter()
-            .enumerate()
-            .map(|(number, buffer)| BindGroupEntry { binding: number as u32, resource: buffer.as_entire_binding() })
-            .collect();
-        let group = gpu.device.create_bind_group(&BindGroupDescriptor {
-            label: Some(self.name),
-            layout: &self.layout,
-            entries: &entries,
-        });
+        let runs = contents.iter().map(|content| content.runs()).max().unwrap_or(1);
+        let first: Vec<_> = contents.iter().map(|content| create(gpu, *content, 0)).collect();
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some(self.name) });
         {
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            pass.dispatch_workgroups(invocations.div_ceil(WORKGROUP) as u32, 1, 1);
+            for run in 0..runs {
+                let own = contents.iter().zip(&first).map(|(content, buffer)| match content {
+                    Content::Inputs(_) => create(gpu, *content, run),
+                    _ => buffer.clone(),
+                });
+                pass.set_bind_group(0, &self.bind(gpu, &own.collect::<Vec<_>>()), &[]);
+                pass.dispatch_workgroups(invocations.div_ceil(WORKGROUP) as u32, 1, 1);
+            }
         }
         let start = Instant::now();
         gpu.queue.submit([encoder.finish()]);
         let time = wait(gpu).map(|()| start.elapsed());
-        (buffers, time)
+        (first, time)
+    }
+
+    fn bind(&self, gpu: &Gpu, buffers: &[Buffer]) -> BindGroup {
+        let entries = (0..).zip(buffers);
+        let entries = entries.map(|(binding, buffer)| BindGroupEntry { binding, resource: buffer.as_entire_binding() });
+        gpu.device.create_bind_group(&BindGroupDescriptor {
+            label: Some(self.name),
+            layout: &self.layout,
+            entries: &entries.collect::<Vec<_>>(),
+        })
     }
 
     fn read(&self, gpu: &Gpu, buffer: &Buffer) -> Result<Vec<u8>, Error> {
@@ -208,11 +228,12 @@ fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
 }
 
 /// A buffer with its content. It is written through the queue and not mapped: mapping panics on a lost device.
-fn create(gpu: &Gpu, content: Content<'_>) -> Buffer {
+fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
     let filler;
     let (size, bytes) = match content {
         Content::Input([]) => (SMALLEST, &[][..]),
         Content::Input(bytes) => (bytes.len(), bytes),
+        Content::Inputs(each) => (each[run].len(), &each[run][..]),
         Content::Scratch(size) => ((size as usize).max(SMALLEST), &[][..]),
         Content::Output(size) => {
             filler = vec![SENTINEL; size as usize];

@@ -167,8 +167,23 @@ Ray ray_load(PackedRay ray_1)
 {
     const float3 _e2 = vec3_load(ray_1.origin);
     const float3 _e4 = vec3_load(ray_1.direction);
-    const Ray ray_2 = ConstructRay(_e2, _e4);
-    return ray_2;
+    const Ray ray_3 = ConstructRay(_e2, _e4);
+    return ray_3;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_2)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
 }
 
 Background ConstructBackground(float3 arg0, float3 arg1) {

@@ -155,6 +155,14 @@ Ray ray_load(
     return Ray {_e2, _e4};
 }
 
+PackedRay ray_store(
+    Ray ray_2
+) {
+    PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    return PackedRay {_e2, _e4};
+}
+
 struct backgroundInput {
 };
 kernel void background(

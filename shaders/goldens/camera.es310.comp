@@ -127,6 +127,12 @@ Ray ray_load(PackedRay ray_1) {
     return Ray(_e2, _e4);
 }
 
+PackedRay ray_store(Ray ray_2) {
+    PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    return PackedRay(_e2, _e4);
+}
+
 void main() {
     uvec3 id = gl_GlobalInvocationID;
     if ((id.x >= uint(_group_0_binding_0_cs.length()))) {
@@ -139,10 +145,9 @@ void main() {
     vec3 _e16 = vec3_load(this_case.delta_y);
     Camera camera_2 = Camera(_e10, _e12, _e14, _e16);
     vec2 offset_1 = vec2(this_case.offset_x, this_case.offset_y);
-    Ray _e23 = camera_ray(camera_2, this_case.row, this_case.column, offset_1);
-    PackedVec3_ _e28 = vec3_store(_e23.origin);
-    PackedVec3_ _e30 = vec3_store(_e23.direction);
-    _group_0_binding_1_cs[id.x] = PackedRay(_e28, _e30);
+    Ray _e26 = camera_ray(camera_2, this_case.row, this_case.column, offset_1);
+    PackedRay _e27 = ray_store(_e26);
+    _group_0_binding_1_cs[id.x] = _e27;
     return;
 }
 

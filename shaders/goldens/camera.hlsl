@@ -151,8 +151,8 @@ Ray camera_ray(Camera camera_1, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera_1.origin + (camera_1.delta_x * (column + x))) + (camera_1.delta_y * (row + y)));
-    const Ray ray_2 = ConstructRay(camera_1.position, (window_point - camera_1.position));
-    return ray_2;
+    const Ray ray_3 = ConstructRay(camera_1.position, (window_point - camera_1.position));
+    return ray_3;
 }
 
 float3 vec3_load(PackedVec3_ v_4)
@@ -178,8 +178,23 @@ Ray ray_load(PackedRay ray_1)
 {
     const float3 _e2 = vec3_load(ray_1.origin);
     const float3 _e4 = vec3_load(ray_1.direction);
-    const Ray ray_3 = ConstructRay(_e2, _e4);
-    return ray_3;
+    const Ray ray_4 = ConstructRay(_e2, _e4);
+    return ray_4;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_2)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
 }
 
 Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
@@ -188,13 +203,6 @@ Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
     ret.origin = arg1;
     ret.delta_x = arg2;
     ret.delta_y = arg3;
-    return ret;
-}
-
-PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
-    PackedRay ret = (PackedRay)0;
-    ret.origin = arg0;
-    ret.direction = arg1;
     return ret;
 }
 
@@ -231,11 +239,10 @@ void camera(uint3 id : SV_DispatchThreadID)
     const float3 _e16 = vec3_load(this_case.delta_y);
     Camera camera_2 = ConstructCamera(_e10, _e12, _e14, _e16);
     float2 offset_1 = float2(this_case.offset_x, this_case.offset_y);
-    const Ray _e23 = camera_ray(camera_2, this_case.row, this_case.column, offset_1);
-    const PackedVec3_ _e28 = vec3_store(_e23.origin);
-    const PackedVec3_ _e30 = vec3_store(_e23.direction);
+    const Ray _e26 = camera_ray(camera_2, this_case.row, this_case.column, offset_1);
+    const PackedRay _e27 = ray_store(_e26);
     {
-        PackedRay _value2 = ConstructPackedRay(_e28, _e30);
+        PackedRay _value2 = _e27;
         {
             PackedVec3_ _value3 = _value2.origin;
             results.Store(id.x*24+0+0, asuint(_value3.x));

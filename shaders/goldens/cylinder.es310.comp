@@ -301,6 +301,12 @@ Ray ray_load(PackedRay ray_5) {
     return Ray(_e2, _e4);
 }
 
+PackedRay ray_store(Ray ray_6) {
+    PackedVec3_ _e2 = vec3_store(ray_6.origin);
+    PackedVec3_ _e4 = vec3_store(ray_6.direction);
+    return PackedRay(_e2, _e4);
+}
+
 HitReport hit_report_none() {
     PackedVec3_ _e1 = vec3_store(vec3(0.0));
     return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);

@@ -411,8 +411,23 @@ Ray ray_load(PackedRay ray_5)
 {
     const float3 _e2 = vec3_load(ray_5.origin);
     const float3 _e4 = vec3_load(ray_5.direction);
-    const Ray ray_6 = ConstructRay(_e2, _e4);
-    return ray_6;
+    const Ray ray_7 = ConstructRay(_e2, _e4);
+    return ray_7;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_6)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_6.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_6.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
 }
 
 HitReport ConstructHitReport(float arg0, float arg1, float arg2, float arg3, PackedVec3_ arg4, PackedVec3_ arg5) {
@@ -450,13 +465,6 @@ uint NagaBufferLength(ByteAddressBuffer buffer)
 {
     uint ret;
     buffer.GetDimensions(ret);
-    return ret;
-}
-
-PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
-    PackedRay ret = (PackedRay)0;
-    ret.origin = arg0;
-    ret.direction = arg1;
     return ret;
 }
 

@@ -367,6 +367,14 @@ Ray ray_load(
     return Ray {_e2, _e4};
 }
 
+PackedRay ray_store(
+    Ray ray_6
+) {
+    PackedVec3_ _e2 = vec3_store(ray_6.origin);
+    PackedVec3_ _e4 = vec3_store(ray_6.direction);
+    return PackedRay {_e2, _e4};
+}
+
 HitReport hit_report_none(
 ) {
     PackedVec3_ _e1 = vec3_store(metal::float3 {});

@@ -74,6 +74,10 @@ struct PackedVec3_ {
     float y;
     float z;
 };
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
 struct PlacedSphere {
     PackedVec3_ center;
     float radius;
@@ -119,7 +123,14 @@ struct Picture {
     uint pixel_count;
     uint sphere_count;
     uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
     uint unused;
+};
+struct PackedPath {
+    PackedRay ray;
+    uint met_count;
+    uint ended;
 };
 struct Nearest {
     bool some;
@@ -158,6 +169,8 @@ layout(std430, binding = 3) readonly buffer type_6_block_3Compute { PackedMateri
 layout(std430, binding = 4) buffer type_7_block_4Compute { uint _group_0_binding_4_cs[]; };
 
 layout(std430, binding = 5) buffer type_8_block_5Compute { PackedVec3_ _group_0_binding_5_cs[]; };
+
+layout(std430, binding = 6) buffer type_9_block_6Compute { PackedPath _group_0_binding_6_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {
@@ -459,6 +472,18 @@ PackedVec3_ vec3_store(vec3 v_5) {
     return PackedVec3_(v_5.x, v_5.y, v_5.z);
 }
 
+Ray ray_load(PackedRay ray_6) {
+    vec3 _e2 = vec3_load(ray_6.origin);
+    vec3 _e4 = vec3_load(ray_6.direction);
+    return Ray(_e2, _e4);
+}
+
+PackedRay ray_store(Ray ray_7) {
+    PackedVec3_ _e2 = vec3_store(ray_7.origin);
+    PackedVec3_ _e4 = vec3_store(ray_7.direction);
+    return PackedRay(_e2, _e4);
+}
+
 SphereRecord sphere_load(PlacedSphere sphere_3) {
     vec3 _e2 = vec3_load(sphere_3.center);
     return SphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
@@ -522,7 +547,7 @@ bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order) {
     return _e24;
 }
 
-SurfaceHit nearest_hit(Ray ray_6) {
+SurfaceHit nearest_hit(Ray ray_8) {
     Nearest nearest_2 = Nearest(false, 0.0, 0u, false, 0u, 0u);
     uint index = 0u;
     bool local_14 = false;
@@ -549,7 +574,7 @@ SurfaceHit nearest_hit(Ray ray_6) {
                 uint _e11 = index;
                 PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_6);
+                Root _e15 = sphere_intersect(_e14, ray_8);
                 uint _e17 = index;
                 uint order_1 = _group_0_binding_1_cs[_e17].order;
                 if (_e15.some) {
@@ -585,7 +610,7 @@ SurfaceHit nearest_hit(Ray ray_6) {
                 uint _e47 = index_1;
                 PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_6);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
                 uint _e53 = index_1;
                 uint order_2 = _group_0_binding_2_cs[_e53].order;
                 if (_e51.some) {
@@ -609,7 +634,7 @@ SurfaceHit nearest_hit(Ray ray_6) {
         return _e78;
     }
     float _e80 = nearest_2.lambda;
-    vec3 _e81 = ray_at(ray_6, _e80);
+    vec3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
         bool _e86 = nearest_2.is_cylinder;
         local_16 = !(_e86);
@@ -622,7 +647,7 @@ SurfaceHit nearest_hit(Ray ray_6) {
         PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         vec3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e99 = hit_facing(ray_6.direction, _e81, _e96);
+        Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
         uint _e102 = nearest_2.index;
         uint _e105 = _group_0_binding_1_cs[_e102].material;
         surface = SurfaceHit(true, _e99, _e105);
@@ -640,7 +665,7 @@ SurfaceHit nearest_hit(Ray ray_6) {
         CylinderRecord _e119 = cylinder_load(_e118);
         uint _e121 = nearest_2.part;
         vec3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        Hit _e125 = hit_facing(ray_6.direction, _e81, _e122);
+        Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
         uint _e128 = nearest_2.index;
         uint _e131 = _group_0_binding_2_cs[_e128].material;
         surface = SurfaceHit(true, _e125, _e131);
@@ -679,8 +704,8 @@ vec3 trace_attenuated(vec3 color, uint first, uint met_count) {
     return _e25;
 }
 
-vec3 trace_color(Ray primary, uint slot) {
-    Ray ray_7 = Ray(vec3(0.0), vec3(0.0));
+void trace_path(Ray primary, uint slot) {
+    Ray ray_9 = Ray(vec3(0.0), vec3(0.0));
     uint met_count_1 = 0u;
     uint depth = 0u;
     vec3 direction_7 = vec3(0.0);
@@ -688,87 +713,111 @@ vec3 trace_color(Ray primary, uint slot) {
     bool local_19 = false;
     bool local_20 = false;
     float ratio_1 = 0.0;
-    ray_7 = primary;
+    ray_9 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
+    uint _e13 = _group_0_binding_0_cs.first_depth;
+    if ((_e13 > 0u)) {
+        uint _e19 = _group_0_binding_6_cs[slot].ended;
+        if ((_e19 != 0u)) {
+            return;
+        }
+        PackedRay _e25 = _group_0_binding_6_cs[slot].ray;
+        Ray _e26 = ray_load(_e25);
+        ray_9 = _e26;
+        uint _e30 = _group_0_binding_6_cs[slot].met_count;
+        met_count_1 = _e30;
+    }
+    uint _e33 = _group_0_binding_0_cs.first_depth;
+    depth = _e33;
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e95 = depth;
-            depth = (_e95 + 1u);
+            uint _e128 = depth;
+            depth = (_e128 + 1u);
         }
         loop_init_3 = false;
-        uint _e13 = depth;
-        if ((_e13 < max_depth)) {
+        uint _e35 = depth;
+        uint _e39 = _group_0_binding_0_cs.end_depth;
+        if ((_e35 < min(max_depth, _e39))) {
         } else {
             break;
         }
         {
-            Ray _e16 = ray_7;
-            SurfaceHit _e17 = nearest_hit(_e16);
-            if (!(_e17.some)) {
-                Background _e20 = picture_background();
-                vec3 _e22 = ray_7.direction;
-                vec3 _e23 = background_color(_e20, _e22);
-                uint _e24 = met_count_1;
-                vec3 _e25 = trace_attenuated(_e23, first_1, _e24);
-                return _e25;
+            Ray _e42 = ray_9;
+            SurfaceHit _e43 = nearest_hit(_e42);
+            if (!(_e43.some)) {
+                Background _e46 = picture_background();
+                vec3 _e48 = ray_9.direction;
+                vec3 _e49 = background_color(_e46, _e48);
+                uint _e52 = met_count_1;
+                vec3 _e53 = trace_attenuated(_e49, first_1, _e52);
+                PackedVec3_ _e54 = vec3_store(_e53);
+                _group_0_binding_5_cs[slot] = _e54;
+                _group_0_binding_6_cs[slot].ended = 1u;
+                return;
             }
-            Hit hit = _e17.hit;
-            PackedMaterial _e30 = _group_0_binding_3_cs[_e17.material];
-            Material _e31 = material_load(_e30);
+            Hit hit = _e43.hit;
+            PackedMaterial _e63 = _group_0_binding_3_cs[_e43.material];
+            Material _e64 = material_load(_e63);
             direction_7 = vec3(0.0);
             if (has_matte) {
-                local_18 = (_e31.kind == MATTE);
+                local_18 = (_e64.kind == MATTE);
             } else {
                 local_18 = false;
             }
-            bool _e41 = local_18;
-            if (_e41) {
-                uint _e43 = met_count_1;
-                _group_0_binding_4_cs[(first_1 + _e43)] = _e17.material;
-                uint _e48 = met_count_1;
-                met_count_1 = (_e48 + 1u);
-                vec3 _e51 = scatter_matte(hit.normal, _e6);
-                direction_7 = _e51;
+            bool _e74 = local_18;
+            if (_e74) {
+                uint _e76 = met_count_1;
+                _group_0_binding_4_cs[(first_1 + _e76)] = _e43.material;
+                uint _e81 = met_count_1;
+                met_count_1 = (_e81 + 1u);
+                vec3 _e84 = scatter_matte(hit.normal, _e6);
+                direction_7 = _e84;
             }
             if (has_metal) {
-                local_19 = (_e31.kind == METAL);
+                local_19 = (_e64.kind == METAL);
             } else {
                 local_19 = false;
             }
-            bool _e59 = local_19;
-            if (_e59) {
-                uint _e61 = met_count_1;
-                _group_0_binding_4_cs[(first_1 + _e61)] = _e17.material;
-                uint _e66 = met_count_1;
-                met_count_1 = (_e66 + 1u);
-                vec3 _e69 = ray_7.direction;
-                vec3 _e71 = scatter_metal(_e69, hit.normal, _e6);
-                direction_7 = _e71;
+            bool _e92 = local_19;
+            if (_e92) {
+                uint _e94 = met_count_1;
+                _group_0_binding_4_cs[(first_1 + _e94)] = _e43.material;
+                uint _e99 = met_count_1;
+                met_count_1 = (_e99 + 1u);
+                vec3 _e102 = ray_9.direction;
+                vec3 _e104 = scatter_metal(_e102, hit.normal, _e6);
+                direction_7 = _e104;
             }
             if (has_refraction) {
-                local_20 = (_e31.kind == REFRACTIVE);
+                local_20 = (_e64.kind == REFRACTIVE);
             } else {
                 local_20 = false;
             }
-            bool _e79 = local_20;
-            if (_e79) {
-                ratio_1 = _e31.index;
+            bool _e112 = local_20;
+            if (_e112) {
+                ratio_1 = _e64.index;
                 if (hit.front) {
-                    ratio_1 = (1.0 / _e31.index);
+                    ratio_1 = (1.0 / _e64.index);
                 }
-                vec3 _e87 = ray_7.direction;
-                float _e89 = ratio_1;
-                vec3 _e90 = scatter_refract(_e87, hit.normal, _e89);
-                direction_7 = _e90;
+                vec3 _e120 = ray_9.direction;
+                float _e122 = ratio_1;
+                vec3 _e123 = scatter_refract(_e120, hit.normal, _e122);
+                direction_7 = _e123;
             }
-            vec3 _e92 = direction_7;
-            ray_7 = Ray(hit.point, _e92);
+            vec3 _e125 = direction_7;
+            ray_9 = Ray(hit.point, _e125);
         }
     }
-    return vec3(0.0);
+    PackedVec3_ _e133 = vec3_store(vec3(0.0));
+    _group_0_binding_5_cs[slot] = _e133;
+    Ray _e136 = ray_9;
+    PackedRay _e137 = ray_store(_e136);
+    uint _e138 = met_count_1;
+    _group_0_binding_6_cs[slot] = PackedPath(_e137, _e138, 0u);
+    return;
 }
 
 void main() {
@@ -786,11 +835,9 @@ void main() {
     float _e23 = _group_0_binding_0_cs.offset_x;
     float _e26 = _group_0_binding_0_cs.offset_y;
     vec2 offset_1 = vec2(_e23, _e26);
-    Camera _e31 = picture_camera();
-    Ray _e32 = camera_ray(_e31, row_1, column_1, offset_1);
-    vec3 _e34 = trace_color(_e32, id.x);
-    PackedVec3_ _e35 = vec3_store(_e34);
-    _group_0_binding_5_cs[id.x] = _e35;
+    Camera _e28 = picture_camera();
+    Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
+    trace_path(_e29, id.x);
     return;
 }
 

@@ -105,6 +105,11 @@ struct PackedVec3_ {
     float z;
 };
 
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
 struct PlacedSphere {
     PackedVec3_ center_;
     float radius;
@@ -155,7 +160,15 @@ struct Picture {
     uint pixel_count;
     uint sphere_count;
     uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
     uint unused;
+};
+
+struct PackedPath {
+    PackedRay ray;
+    uint met_count;
+    uint ended;
 };
 
 struct Nearest {
@@ -198,6 +211,7 @@ ByteAddressBuffer cylinders : register(t2);
 ByteAddressBuffer materials : register(t3);
 RWByteAddressBuffer met : register(u4);
 RWByteAddressBuffer pixels : register(u5);
+RWByteAddressBuffer paths : register(u6);
 
 float vec3_dot(float3 a, float3 b)
 {
@@ -542,8 +556,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_8 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_8;
+    const Ray ray_10 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_10;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -614,6 +628,29 @@ PackedVec3_ vec3_store(float3 v_5)
 {
     const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
     return packedvec3_;
+}
+
+Ray ray_load(PackedRay ray_6)
+{
+    const float3 _e2 = vec3_load(ray_6.origin);
+    const float3 _e4 = vec3_load(ray_6.direction);
+    const Ray ray_11 = ConstructRay(_e2, _e4);
+    return ray_11;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_7)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_7.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_7.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
 }
 
 SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
@@ -778,7 +815,7 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
     return ret;
 }
 
-SurfaceHit nearest_hit(Ray ray_6)
+SurfaceHit nearest_hit(Ray ray_8)
 {
     Nearest nearest_2 = (Nearest)0;
     uint index = 0u;
@@ -810,7 +847,7 @@ SurfaceHit nearest_hit(Ray ray_6)
                 uint _e11 = index;
                 PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
                 const SphereRecord _e14 = sphere_load(_e13);
-                const Root _e15 = sphere_intersect(_e14, ray_6);
+                const Root _e15 = sphere_intersect(_e14, ray_8);
                 uint _e17 = index;
                 uint order_1 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
@@ -849,7 +886,7 @@ SurfaceHit nearest_hit(Ray ray_6)
                 uint _e47 = index_1;
                 PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
                 const CylinderRecord _e50 = cylinder_load(_e49);
-                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_6);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
                 uint _e53 = index_1;
                 uint order_2 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
@@ -874,7 +911,7 @@ SurfaceHit nearest_hit(Ray ray_6)
         return surfacehit;
     }
     float _e80 = nearest_2.lambda;
-    const float3 _e81 = ray_at(ray_6, _e80);
+    const float3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
         bool _e86 = nearest_2.is_cylinder;
         local_16 = !(_e86);
@@ -887,7 +924,7 @@ SurfaceHit nearest_hit(Ray ray_6)
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
-        const Hit _e99 = hit_facing(ray_6.direction, _e81, _e96);
+        const Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
         uint _e102 = nearest_2.index;
         uint _e105 = asuint(spheres.Load(24+_e102*28));
         surface = ConstructSurfaceHit(true, _e99, _e105);
@@ -905,7 +942,7 @@ SurfaceHit nearest_hit(Ray ray_6)
         const CylinderRecord _e119 = cylinder_load(_e118);
         uint _e121 = nearest_2.part;
         const float3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        const Hit _e125 = hit_facing(ray_6.direction, _e81, _e122);
+        const Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
         uint _e128 = nearest_2.index;
         uint _e131 = asuint(cylinders.Load(64+_e128*68));
         surface = ConstructSurfaceHit(true, _e125, _e131);
@@ -950,6 +987,14 @@ float3 trace_attenuated(float3 color, uint first, uint met_count)
     return _e25;
 }
 
+PackedPath ConstructPackedPath(PackedRay arg0, uint arg1, uint arg2) {
+    PackedPath ret = (PackedPath)0;
+    ret.ray = arg0;
+    ret.met_count = arg1;
+    ret.ended = arg2;
+    return ret;
+}
+
 float3 ZeroValuefloat3() {
     return (float3)0;
 }
@@ -963,101 +1008,154 @@ PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, 
     return ret;
 }
 
-float3 trace_color(Ray primary, uint slot)
+void trace_path(Ray primary, uint slot)
 {
-    Ray ray_7 = (Ray)0;
+    Ray ray_9 = (Ray)0;
     uint met_count_1 = 0u;
-    uint depth = 0u;
+    uint depth = (uint)0;
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
     bool local_19 = (bool)0;
     bool local_20 = (bool)0;
     float ratio_1 = (float)0;
 
-    ray_7 = primary;
+    ray_9 = primary;
     PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
     const float3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
+    uint _e13 = asuint(picture.Load(112));
+    if ((_e13 > 0u)) {
+        uint _e19 = asuint(paths.Load(28+slot*32));
+        if ((_e19 != 0u)) {
+            return;
+        }
+        PackedRay _e25 = ConstructPackedRay(ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+0+0)), asfloat(paths.Load(0+slot*32+0+4)), asfloat(paths.Load(0+slot*32+0+8))), ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+12+0)), asfloat(paths.Load(0+slot*32+12+4)), asfloat(paths.Load(0+slot*32+12+8))));
+        const Ray _e26 = ray_load(_e25);
+        ray_9 = _e26;
+        uint _e30 = asuint(paths.Load(24+slot*32));
+        met_count_1 = _e30;
+    }
+    uint _e33 = asuint(picture.Load(112));
+    depth = _e33;
     uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
     bool loop_init_3 = true;
     while(true) {
         if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            uint _e95 = depth;
-            depth = (_e95 + 1u);
+            uint _e128 = depth;
+            depth = (_e128 + 1u);
         }
         loop_init_3 = false;
-        uint _e13 = depth;
-        if ((_e13 < max_depth)) {
+        uint _e35 = depth;
+        uint _e39 = asuint(picture.Load(116));
+        if ((_e35 < min(max_depth, _e39))) {
         } else {
             break;
         }
         {
-            Ray _e16 = ray_7;
-            const SurfaceHit _e17 = nearest_hit(_e16);
-            if (!(_e17.some)) {
-                const Background _e20 = picture_background();
-                float3 _e22 = ray_7.direction;
-                const float3 _e23 = background_color(_e20, _e22);
-                uint _e24 = met_count_1;
-                const float3 _e25 = trace_attenuated(_e23, first_1, _e24);
-                return _e25;
+            Ray _e42 = ray_9;
+            const SurfaceHit _e43 = nearest_hit(_e42);
+            if (!(_e43.some)) {
+                const Background _e46 = picture_background();
+                float3 _e48 = ray_9.direction;
+                const float3 _e49 = background_color(_e46, _e48);
+                uint _e52 = met_count_1;
+                const float3 _e53 = trace_attenuated(_e49, first_1, _e52);
+                const PackedVec3_ _e54 = vec3_store(_e53);
+                {
+                    PackedVec3_ _value5 = _e54;
+                    pixels.Store(slot*12+0, asuint(_value5.x));
+                    pixels.Store(slot*12+4, asuint(_value5.y));
+                    pixels.Store(slot*12+8, asuint(_value5.z));
+                }
+                paths.Store(28+slot*32, asuint(1u));
+                return;
             }
-            Hit hit_2 = _e17.hit;
-            PackedMaterial _e30 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e17.material*24+0+0)), asfloat(materials.Load(_e17.material*24+0+4)), asfloat(materials.Load(_e17.material*24+0+8))), asfloat(materials.Load(_e17.material*24+12)), asuint(materials.Load(_e17.material*24+16)), asuint(materials.Load(_e17.material*24+20)));
-            const Material _e31 = material_load(_e30);
+            Hit hit_2 = _e43.hit;
+            PackedMaterial _e63 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e43.material*24+0+0)), asfloat(materials.Load(_e43.material*24+0+4)), asfloat(materials.Load(_e43.material*24+0+8))), asfloat(materials.Load(_e43.material*24+12)), asuint(materials.Load(_e43.material*24+16)), asuint(materials.Load(_e43.material*24+20)));
+            const Material _e64 = material_load(_e63);
             direction_7 = ZeroValuefloat3();
             if (has_matte) {
-                local_18 = (_e31.kind == MATTE);
+                local_18 = (_e64.kind == MATTE);
             } else {
                 local_18 = false;
             }
-            bool _e41 = local_18;
-            if (_e41) {
-                uint _e43 = met_count_1;
-                met.Store((first_1 + _e43)*4, asuint(_e17.material));
-                uint _e48 = met_count_1;
-                met_count_1 = (_e48 + 1u);
-                const float3 _e51 = scatter_matte(hit_2.normal, _e6);
-                direction_7 = _e51;
+            bool _e74 = local_18;
+            if (_e74) {
+                uint _e76 = met_count_1;
+                met.Store((first_1 + _e76)*4, asuint(_e43.material));
+                uint _e81 = met_count_1;
+                met_count_1 = (_e81 + 1u);
+                const float3 _e84 = scatter_matte(hit_2.normal, _e6);
+                direction_7 = _e84;
             }
             if (has_metal) {
-                local_19 = (_e31.kind == METAL);
+                local_19 = (_e64.kind == METAL);
             } else {
                 local_19 = false;
             }
-            bool _e59 = local_19;
-            if (_e59) {
-                uint _e61 = met_count_1;
-                met.Store((first_1 + _e61)*4, asuint(_e17.material));
-                uint _e66 = met_count_1;
-                met_count_1 = (_e66 + 1u);
-                float3 _e69 = ray_7.direction;
-                const float3 _e71 = scatter_metal(_e69, hit_2.normal, _e6);
-                direction_7 = _e71;
+            bool _e92 = local_19;
+            if (_e92) {
+                uint _e94 = met_count_1;
+                met.Store((first_1 + _e94)*4, asuint(_e43.material));
+                uint _e99 = met_count_1;
+                met_count_1 = (_e99 + 1u);
+                float3 _e102 = ray_9.direction;
+                const float3 _e104 = scatter_metal(_e102, hit_2.normal, _e6);
+                direction_7 = _e104;
             }
             if (has_refraction) {
-                local_20 = (_e31.kind == REFRACTIVE);
+                local_20 = (_e64.kind == REFRACTIVE);
             } else {
                 local_20 = false;
             }
-            bool _e79 = local_20;
-            if (_e79) {
-                ratio_1 = _e31.index;
+            bool _e112 = local_20;
+            if (_e112) {
+                ratio_1 = _e64.index;
                 if (hit_2.front) {
-                    ratio_1 = (1.0 / _e31.index);
+                    ratio_1 = (1.0 / _e64.index);
                 }
-                float3 _e87 = ray_7.direction;
-                float _e89 = ratio_1;
-                const float3 _e90 = scatter_refract(_e87, hit_2.normal, _e89);
-                direction_7 = _e90;
+                float3 _e120 = ray_9.direction;
+                float _e122 = ratio_1;
+                const float3 _e123 = scatter_refract(_e120, hit_2.normal, _e122);
+                direction_7 = _e123;
             }
-            float3 _e92 = direction_7;
-            ray_7 = ConstructRay(hit_2.point_, _e92);
+            float3 _e125 = direction_7;
+            ray_9 = ConstructRay(hit_2.point_, _e125);
         }
     }
-    return ZeroValuefloat3();
+    const PackedVec3_ _e133 = vec3_store(ZeroValuefloat3());
+    {
+        PackedVec3_ _value2 = _e133;
+        pixels.Store(slot*12+0, asuint(_value2.x));
+        pixels.Store(slot*12+4, asuint(_value2.y));
+        pixels.Store(slot*12+8, asuint(_value2.z));
+    }
+    Ray _e136 = ray_9;
+    const PackedRay _e137 = ray_store(_e136);
+    uint _e138 = met_count_1;
+    {
+        PackedPath _value2 = ConstructPackedPath(_e137, _e138, 0u);
+        {
+            PackedRay _value3 = _value2.ray;
+            {
+                PackedVec3_ _value4 = _value3.origin;
+                paths.Store(slot*32+0+0+0, asuint(_value4.x));
+                paths.Store(slot*32+0+0+4, asuint(_value4.y));
+                paths.Store(slot*32+0+0+8, asuint(_value4.z));
+            }
+            {
+                PackedVec3_ _value4 = _value3.direction;
+                paths.Store(slot*32+0+12+0, asuint(_value4.x));
+                paths.Store(slot*32+0+12+4, asuint(_value4.y));
+                paths.Store(slot*32+0+12+8, asuint(_value4.z));
+            }
+        }
+        paths.Store(slot*32+24, asuint(_value2.met_count));
+        paths.Store(slot*32+28, asuint(_value2.ended));
+    }
+    return;
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -1084,15 +1182,8 @@ void image(uint3 id : SV_DispatchThreadID)
     float _e23 = asfloat(picture.Load(72));
     float _e26 = asfloat(picture.Load(76));
     float2 offset_1 = float2(_e23, _e26);
-    const Camera _e31 = picture_camera();
-    const Ray _e32 = camera_ray(_e31, row_1, column_1, offset_1);
-    const float3 _e34 = trace_color(_e32, id.x);
-    const PackedVec3_ _e35 = vec3_store(_e34);
-    {
-        PackedVec3_ _value2 = _e35;
-        pixels.Store(id.x*12+0, asuint(_value2.x));
-        pixels.Store(id.x*12+4, asuint(_value2.y));
-        pixels.Store(id.x*12+8, asuint(_value2.z));
-    }
+    const Camera _e28 = picture_camera();
+    const Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
+    trace_path(_e29, id.x);
     return;
 }

@@ -10,6 +10,7 @@ struct _mslBufferSizes {
     uint size3;
     uint size4;
     uint size5;
+    uint size6;
 };
 
 typedef float real;
@@ -91,6 +92,10 @@ struct PackedVec3_ {
     real y;
     real z;
 };
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
 struct PlacedSphere {
     PackedVec3_ center;
     real radius;
@@ -136,13 +141,21 @@ struct Picture {
     uint pixel_count;
     uint sphere_count;
     uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
     uint unused;
+};
+struct PackedPath {
+    PackedRay ray;
+    uint met_count;
+    uint ended;
 };
 typedef PlacedSphere type_4[1];
 typedef PlacedCylinder type_5[1];
 typedef PackedMaterial type_6[1];
 typedef uint type_7[1];
 typedef PackedVec3_ type_8[1];
+typedef PackedPath type_9[1];
 struct Nearest {
     bool some;
     char _pad1[3];
@@ -567,6 +580,22 @@ PackedVec3_ vec3_store(
     return PackedVec3_ {v_5.x, v_5.y, v_5.z};
 }
 
+Ray ray_load(
+    PackedRay ray_6
+) {
+    metal::float3 _e2 = vec3_load(ray_6.origin);
+    metal::float3 _e4 = vec3_load(ray_6.direction);
+    return Ray {_e2, _e4};
+}
+
+PackedRay ray_store(
+    Ray ray_7
+) {
+    PackedVec3_ _e2 = vec3_store(ray_7.origin);
+    PackedVec3_ _e4 = vec3_store(ray_7.direction);
+    return PackedRay {_e2, _e4};
+}
+
 SphereRecord sphere_load(
     PlacedSphere sphere_3
 ) {
@@ -645,7 +674,7 @@ bool nearest_is_beaten_by(
 }
 
 SurfaceHit nearest_hit(
-    Ray ray_6,
+    Ray ray_8,
     device Picture const& picture,
     device type_4 const& spheres,
     device type_5 const& cylinders,
@@ -680,7 +709,7 @@ SurfaceHit nearest_hit(
                 uint _e11 = index;
                 PlacedSphere _e13 = spheres[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_6);
+                Root _e15 = sphere_intersect(_e14, ray_8);
                 uint _e17 = index;
                 uint order_1 = spheres[_e17].order;
                 if (_e15.some) {
@@ -719,7 +748,7 @@ SurfaceHit nearest_hit(
                 uint _e47 = index_1;
                 PlacedCylinder _e49 = cylinders[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_6);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
                 uint _e53 = index_1;
                 uint order_2 = cylinders[_e53].order;
                 if (_e51.some) {
@@ -743,7 +772,7 @@ SurfaceHit nearest_hit(
         return _e78;
     }
     real _e80 = nearest_2.lambda;
-    metal::float3 _e81 = ray_at(ray_6, _e80);
+    metal::float3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
         bool _e86 = nearest_2.is_cylinder;
         local_16 = !(_e86);
@@ -756,7 +785,7 @@ SurfaceHit nearest_hit(
         PlacedSphere _e94 = spheres[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         metal::float3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e99 = hit_facing(ray_6.direction, _e81, _e96);
+        Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
         uint _e102 = nearest_2.index;
         uint _e105 = spheres[_e102].material;
         surface = SurfaceHit {true, {}, _e99, _e105};
@@ -774,7 +803,7 @@ SurfaceHit nearest_hit(
         CylinderRecord _e119 = cylinder_load(_e118);
         uint _e121 = nearest_2.part;
         metal::float3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        Hit _e125 = hit_facing(ray_6.direction, _e81, _e122);
+        Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
         uint _e128 = nearest_2.index;
         uint _e131 = cylinders[_e128].material;
         surface = SurfaceHit {true, {}, _e125, _e131};
@@ -823,7 +852,7 @@ metal::float3 trace_attenuated(
     return _e25;
 }
 
-metal::float3 trace_color(
+void trace_path(
     Ray primary,
     uint slot,
     device Picture const& picture,
@@ -831,100 +860,126 @@ metal::float3 trace_color(
     device type_5 const& cylinders,
     device type_6 const& materials,
     device type_7& met,
+    device type_8& pixels,
+    device type_9& paths,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    Ray ray_7 = {};
+    Ray ray_9 = {};
     uint met_count_1 = 0u;
-    uint depth = 0u;
+    uint depth = {};
     metal::float3 direction_7 = {};
     bool local_18 = {};
     bool local_19 = {};
     bool local_20 = {};
     real ratio_1 = {};
-    ray_7 = primary;
+    ray_9 = primary;
     PackedVec3_ _e5 = picture.scatter_vector;
     metal::float3 _e6 = vec3_load(_e5);
     uint first_1 = slot * max_depth;
+    uint _e13 = picture.first_depth;
+    if (_e13 > 0u) {
+        uint _e19 = paths[slot].ended;
+        if (_e19 != 0u) {
+            return;
+        }
+        PackedRay _e25 = paths[slot].ray;
+        Ray _e26 = ray_load(_e25);
+        ray_9 = _e26;
+        uint _e30 = paths[slot].met_count;
+        met_count_1 = _e30;
+    }
+    uint _e33 = picture.first_depth;
+    depth = _e33;
     uint2 loop_bound_3 = uint2(4294967295u);
     bool loop_init_3 = true;
     while(true) {
         if (metal::all(loop_bound_3 == uint2(0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            uint _e95 = depth;
-            depth = _e95 + 1u;
+            uint _e128 = depth;
+            depth = _e128 + 1u;
         }
         loop_init_3 = false;
-        uint _e13 = depth;
-        if (_e13 < max_depth) {
+        uint _e35 = depth;
+        uint _e39 = picture.end_depth;
+        if (_e35 < metal::min(max_depth, _e39)) {
         } else {
             break;
         }
         {
-            Ray _e16 = ray_7;
-            SurfaceHit _e17 = nearest_hit(_e16, picture, spheres, cylinders, _buffer_sizes);
-            if (!(_e17.some)) {
-                Background _e20 = picture_background(picture);
-                metal::float3 _e22 = ray_7.direction;
-                metal::float3 _e23 = background_color(_e20, _e22);
-                uint _e24 = met_count_1;
-                metal::float3 _e25 = trace_attenuated(_e23, first_1, _e24, materials, met, _buffer_sizes);
-                return _e25;
+            Ray _e42 = ray_9;
+            SurfaceHit _e43 = nearest_hit(_e42, picture, spheres, cylinders, _buffer_sizes);
+            if (!(_e43.some)) {
+                Background _e46 = picture_background(picture);
+                metal::float3 _e48 = ray_9.direction;
+                metal::float3 _e49 = background_color(_e46, _e48);
+                uint _e52 = met_count_1;
+                metal::float3 _e53 = trace_attenuated(_e49, first_1, _e52, materials, met, _buffer_sizes);
+                PackedVec3_ _e54 = vec3_store(_e53);
+                pixels[slot] = _e54;
+                paths[slot].ended = 1u;
+                return;
             }
-            Hit hit = _e17.hit;
-            PackedMaterial _e30 = materials[_e17.material];
-            Material _e31 = material_load(_e30);
+            Hit hit = _e43.hit;
+            PackedMaterial _e63 = materials[_e43.material];
+            Material _e64 = material_load(_e63);
             direction_7 = metal::float3 {};
             if (has_matte) {
-                local_18 = _e31.kind == MATTE;
+                local_18 = _e64.kind == MATTE;
             } else {
                 local_18 = false;
             }
-            bool _e41 = local_18;
-            if (_e41) {
-                uint _e43 = met_count_1;
-                met[first_1 + _e43] = _e17.material;
-                uint _e48 = met_count_1;
-                met_count_1 = _e48 + 1u;
-                metal::float3 _e51 = scatter_matte(_e17.hit.normal, _e6);
-                direction_7 = _e51;
+            bool _e74 = local_18;
+            if (_e74) {
+                uint _e76 = met_count_1;
+                met[first_1 + _e76] = _e43.material;
+                uint _e81 = met_count_1;
+                met_count_1 = _e81 + 1u;
+                metal::float3 _e84 = scatter_matte(_e43.hit.normal, _e6);
+                direction_7 = _e84;
             }
             if (has_metal) {
-                local_19 = _e31.kind == METAL;
+                local_19 = _e64.kind == METAL;
             } else {
                 local_19 = false;
             }
-            bool _e59 = local_19;
-            if (_e59) {
-                uint _e61 = met_count_1;
-                met[first_1 + _e61] = _e17.material;
-                uint _e66 = met_count_1;
-                met_count_1 = _e66 + 1u;
-                metal::float3 _e69 = ray_7.direction;
-                metal::float3 _e71 = scatter_metal(_e69, _e17.hit.normal, _e6);
-                direction_7 = _e71;
+            bool _e92 = local_19;
+            if (_e92) {
+                uint _e94 = met_count_1;
+                met[first_1 + _e94] = _e43.material;
+                uint _e99 = met_count_1;
+                met_count_1 = _e99 + 1u;
+                metal::float3 _e102 = ray_9.direction;
+                metal::float3 _e104 = scatter_metal(_e102, _e43.hit.normal, _e6);
+                direction_7 = _e104;
             }
             if (has_refraction) {
-                local_20 = _e31.kind == REFRACTIVE;
+                local_20 = _e64.kind == REFRACTIVE;
             } else {
                 local_20 = false;
             }
-            bool _e79 = local_20;
-            if (_e79) {
-                ratio_1 = _e31.index;
-                if (_e17.hit.front) {
-                    ratio_1 = 1.0 / _e31.index;
+            bool _e112 = local_20;
+            if (_e112) {
+                ratio_1 = _e64.index;
+                if (_e43.hit.front) {
+                    ratio_1 = 1.0 / _e64.index;
                 }
-                metal::float3 _e87 = ray_7.direction;
-                real _e89 = ratio_1;
-                metal::float3 _e90 = scatter_refract(_e87, _e17.hit.normal, _e89);
-                direction_7 = _e90;
+                metal::float3 _e120 = ray_9.direction;
+                real _e122 = ratio_1;
+                metal::float3 _e123 = scatter_refract(_e120, _e43.hit.normal, _e122);
+                direction_7 = _e123;
             }
-            metal::float3 _e92 = direction_7;
-            ray_7 = Ray {_e17.hit.point, _e92};
+            metal::float3 _e125 = direction_7;
+            ray_9 = Ray {_e43.hit.point, _e125};
         }
     }
-    return metal::float3 {};
+    PackedVec3_ _e133 = vec3_store(metal::float3 {});
+    pixels[slot] = _e133;
+    Ray _e136 = ray_9;
+    PackedRay _e137 = ray_store(_e136);
+    uint _e138 = met_count_1;
+    paths[slot] = PackedPath {_e137, _e138, 0u};
+    return;
 }
 uint naga_div(uint lhs, uint rhs) {
     return lhs / metal::select(rhs, 1u, rhs == 0u);
@@ -945,7 +1000,8 @@ kernel void image(
 , device type_6 const& materials [[buffer(3)]]
 , device type_7& met [[buffer(4)]]
 , device type_8& pixels [[buffer(5)]]
-, constant _mslBufferSizes& _buffer_sizes [[buffer(6)]]
+, device type_9& paths [[buffer(6)]]
+, constant _mslBufferSizes& _buffer_sizes [[buffer(7)]]
 ) {
     uint _e4 = picture.pixel_count;
     if (id.x >= _e4) {
@@ -960,10 +1016,8 @@ kernel void image(
     real _e23 = picture.offset_x;
     real _e26 = picture.offset_y;
     metal::float2 offset_1 = metal::float2(_e23, _e26);
-    Camera _e31 = picture_camera(picture);
-    Ray _e32 = camera_ray(_e31, row_1, column_1, offset_1);
-    metal::float3 _e34 = trace_color(_e32, id.x, picture, spheres, cylinders, materials, met, _buffer_sizes);
-    PackedVec3_ _e35 = vec3_store(_e34);
-    pixels[id.x] = _e35;
+    Camera _e28 = picture_camera(picture);
+    Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
+    trace_path(_e29, id.x, picture, spheres, cylinders, materials, met, pixels, paths, _buffer_sizes);
     return;
 }

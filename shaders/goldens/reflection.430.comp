@@ -145,6 +145,12 @@ Ray ray_load(PackedRay ray_1) {
     return Ray(_e2, _e4);
 }
 
+PackedRay ray_store(Ray ray_2) {
+    PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    return PackedRay(_e2, _e4);
+}
+
 void main() {
     uvec3 id = gl_GlobalInvocationID;
     if ((id.x >= uint(_group_0_binding_0_cs.length()))) {

@@ -171,6 +171,12 @@ Ray ray_load(PackedRay ray_2) {
     return Ray(_e2, _e4);
 }
 
+PackedRay ray_store(Ray ray_3) {
+    PackedVec3_ _e2 = vec3_store(ray_3.origin);
+    PackedVec3_ _e4 = vec3_store(ray_3.direction);
+    return PackedRay(_e2, _e4);
+}
+
 HitReport hit_report_none() {
     PackedVec3_ _e1 = vec3_store(vec3(0.0));
     return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);

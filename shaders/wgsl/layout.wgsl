@@ -25,3 +25,7 @@ struct PackedRay {
 fn ray_load(ray: PackedRay) -> Ray {
     return Ray(vec3_load(ray.origin), vec3_load(ray.direction));
 }
+
+fn ray_store(ray: Ray) -> PackedRay {
+    return PackedRay(vec3_store(ray.origin), vec3_store(ray.direction));
+}

@@ -78,7 +78,17 @@ struct Picture {
     pixel_count: u32,
     sphere_count: u32,
     cylinder_count: u32,
+    // The surfaces that this run may meet, of all that a ray may: from `first_depth` up to `end_depth`.
+    first_depth: u32,
+    end_depth: u32,
     unused: u32,
+}
+
+// Where a ray is when a run ends before its way does.
+struct PackedPath {
+    ray: PackedRay,
+    met_count: u32,
+    ended: u32,
 }
 
 @group(0) @binding(0) var<storage, read> picture: Picture;
@@ -89,6 +99,8 @@ struct Picture {
 @group(0) @binding(4) var<storage, read_write> met: array<u32>;
 // A pixel's linear colour.
 @group(0) @binding(5) var<storage, read_write> pixels: array<PackedVec3>;
+// Each invocation's ray between two runs.
+@group(0) @binding(6) var<storage, read_write> paths: array<PackedPath>;
 
 fn picture_camera() -> Camera {
     return Camera(

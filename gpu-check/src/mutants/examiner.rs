@@ -64,7 +64,8 @@ impl<'a> Examiner<'a> {
         }
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
-            let renderer = Renderer::<f64>::new(self.gpu, library, &features)?;
+            // In steps, so that a fault in going on shows.
+            let renderer = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2);
             let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
             let found = difference(&rendering.pixels, expected);
             if found.differing > 0 {

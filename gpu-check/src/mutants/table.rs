@@ -90,6 +90,7 @@ mutants! {
     "layout":
         "vec3<real>(v.x, v.y, v.z)" => "vec3<real>(v.x, v.z, v.y)",
         "PackedVec3(v.x, v.y, v.z)" => "PackedVec3(v.x, v.y, v.x)",
+        "vec3_store(ray.direction)" => "vec3_store(ray.origin)",
         "vec3_load(ray.direction)" => "vec3_load(ray.origin)",
     ;
     "picture":
@@ -104,11 +105,13 @@ mutants! {
         "nearest.part, point" => "TOP, point",
     ;
     "trace":
-        "depth < max_depth" => "depth + 1u < max_depth",
+        "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
         "left - 1u" => "left",
         "if hit.front" => "if !hit.front",
         "real(1.0) / material.index" => "material.index",
-        "return vec3<real>();" => "return vec3<real>(real(1.0));",
+        "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
+        "met_count = paths[slot].met_count" => "met_count = 0u",
+        "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
         "Ray(hit.point, direction)" => "Ray(ray.origin, direction)",
     ;
     "kernels/image":

@@ -27,6 +27,5 @@ fn camera(@builtin(global_invocation_id) id: vec3<u32>) {
         vec3_load(this_case.delta_y),
     );
     let offset = vec2<real>(this_case.offset_x, this_case.offset_y);
-    let ray = camera_ray(camera, this_case.row, this_case.column, offset);
-    results[id.x] = PackedRay(vec3_store(ray.origin), vec3_store(ray.direction));
+    results[id.x] = ray_store(camera_ray(camera, this_case.row, this_case.column, offset));
 }

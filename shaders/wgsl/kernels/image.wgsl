@@ -9,5 +9,5 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
     let row = real(pixel / picture.width);
     let column = real(pixel % picture.width);
     let offset = vec2<real>(picture.offset_x, picture.offset_y);
-    pixels[id.x] = vec3_store(trace_color(camera_ray(picture_camera(), row, column, offset), id.x));
+    trace_path(camera_ray(picture_camera(), row, column, offset), id.x);
 }
