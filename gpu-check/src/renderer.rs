@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn a_depth_is_taken_in_steps() {
-        assert_eq!(steps(5, 13_000), [0..5]);
+        assert_eq!(steps(5, 13_000), [Range { start: 0, end: 5 }]);
         assert_eq!(steps(7, 3), [0..3, 3..6, 6..7]);
     }
 

@@ -14,6 +14,8 @@ use crate::{Error, Float, Gpu, check, kernels, special};
 
 /// Cases of each kind: enough that no rewriting goes unnoticed.
 const CASES: usize = 4096;
+/// Numbers in a case, and in its result.
+const NUMBERS: usize = 5;
 
 /// The laws of real numbers that a driver applies to floating point numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +26,10 @@ pub struct Rewrites {
     pub factors_out: bool,
     /// `sqrt(x) sqrt(x)` is taken to be `x`.
     pub squares_roots: bool,
+    /// `x + 0` is taken to be `x`, though `-0 + 0` is `0`.
+    pub drops_zeros: bool,
+    /// `x != x` is taken to be false, though it holds for what is no number.
+    pub forgets_nan: bool,
 }
 
 /// Which rewritings the driver applies in this precision.
@@ -33,19 +39,25 @@ pub struct Rewrites {
 pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error> {
     let pipeline = Pipeline::new(gpu, &library.compose("kernels/rewrites", T::PRECISION)?, None)?;
     let mut draws = Uniform::new(7);
-    let cases: Vec<T> = (0..3 * CASES).map(|_| T::of(special::of_any_size(&mut draws, -3.0, 3.0).abs())).collect();
+    let mut case = || {
+        let [x, y, z] = [(); 3].map(|()| T::of(special::of_any_size(&mut draws, -3.0, 3.0).abs()));
+        [x, y, z, T::of(-0.0), T::of(f64::NAN)]
+    };
+    let cases: Vec<T> = (0..CASES).flat_map(|_| case()).collect();
     let size = size_of_val(&cases[..]) as u64;
     let contents = [Content::Input(bytemuck::cast_slice(&cases)), Content::Output(size)];
     let run = pipeline.run(gpu, &contents, CASES as u64)?;
     let results: Vec<T> = bytemuck::pod_collect_to_vec(&run.outputs.concat());
-    let as_written = |[x, y, z]: [T; 3]| [(x + y) - x, x * y + x * z, x.sqrt() * x.sqrt()];
-    let mut differ = [false; 3];
-    for (case, result) in cases.chunks(3).zip(results.chunks(3)) {
-        for (place, expected) in as_written([case[0], case[1], case[2]]).into_iter().enumerate() {
+    let mut differ = [false; NUMBERS];
+    for (case, result) in cases.chunks(NUMBERS).zip(results.chunks(NUMBERS)) {
+        let (x, y, z, zero) = (case[0], case[1], case[2], T::of(0.0));
+        let as_written = [(x + y) - x, x * y + x * z, x.sqrt() * x.sqrt(), case[3] + zero, T::of(1.0)];
+        for (place, expected) in as_written.into_iter().enumerate() {
             differ[place] |= !expected.same(result[place]);
         }
     }
-    Ok(Rewrites { cancels_terms: differ[0], factors_out: differ[1], squares_roots: differ[2] })
+    let [cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan] = differ;
+    Ok(Rewrites { cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan })
 }
 
 /// Passes when sums behind the barrier keep their rounding errors, bit for bit.
@@ -65,8 +77,9 @@ pub fn require_barrier<T: Float>(gpu: &Gpu, library: &Library) -> Result<(), Err
 impl fmt::Display for Rewrites {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let word = |rewritten| if rewritten { "rewritten" } else { "kept" };
-        let Self { cancels_terms, factors_out, squares_roots } = *self;
+        let Self { cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan } = *self;
         write!(f, "(x + y) - x is {}, x y + x z is {}, ", word(cancels_terms), word(factors_out))?;
-        write!(f, "sqrt(x) sqrt(x) is {}", word(squares_roots))
+        write!(f, "sqrt(x) sqrt(x) is {}, x + 0 is {}, ", word(squares_roots), word(drops_zeros))?;
+        write!(f, "x != x is {}", word(forgets_nan))
     }
 }

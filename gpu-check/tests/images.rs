@@ -14,7 +14,7 @@ use shaders::Library;
 
 const RANDOM_SCENES: u64 = 60;
 /// Most pixels times objects of one picture.
-const TESTS: usize = 30_000_000;
+const TESTS: usize = 15_000_000;
 
 /// Every case, and how many come from the repository.
 fn cases() -> (Vec<Case>, usize) {

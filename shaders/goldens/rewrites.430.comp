@@ -7,11 +7,15 @@ struct RewriteCase {
     float x;
     float y;
     float z;
+    float minus_zero;
+    float not_a_number;
 };
 struct RewriteReport {
     float sum_less_term;
     float common_factor;
     float root_squared;
+    float zero_added;
+    float is_not_itself;
 };
 layout(std430, binding = 0) readonly buffer type_block_0Compute { RewriteCase _group_0_binding_0_cs[]; };
 
@@ -27,7 +31,12 @@ void main() {
     float y = _group_0_binding_0_cs[id.x].y;
     float z = _group_0_binding_0_cs[id.x].z;
     float root = sqrt(x);
-    _group_0_binding_1_cs[id.x] = RewriteReport(((x + y) - x), ((x * y) + (x * z)), (root * root));
+    float _e25 = _group_0_binding_0_cs[id.x].minus_zero;
+    float zero_added = (_e25 + 0.0);
+    float _e34 = _group_0_binding_0_cs[id.x].not_a_number;
+    float _e39 = _group_0_binding_0_cs[id.x].not_a_number;
+    float is_not_itself = ((_e34 != _e39) ? 1.0 : 0.0);
+    _group_0_binding_1_cs[id.x] = RewriteReport(((x + y) - x), ((x * y) + (x * z)), (root * root), zero_added, is_not_itself);
     return;
 }
 

@@ -8,7 +8,7 @@
 //! - [`compose`] puts a module and its needs into one text, with any of them replaced;
 //! - [`validate`] has naga read and check that text, and points at faults in the module's own file;
 //! - [`features`] are the scene's needs as pipeline-overridable constants;
-//! - [`translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
+//! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!
 //! ```
 //! use shaders::{Library, Precision};

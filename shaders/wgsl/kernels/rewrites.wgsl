@@ -4,6 +4,9 @@ struct RewriteCase {
     x: real,
     y: real,
     z: real,
+    // Loaded, so that the driver does not know them: minus zero, and what is no number.
+    minus_zero: real,
+    not_a_number: real,
 }
 
 struct RewriteReport {
@@ -13,6 +16,10 @@ struct RewriteReport {
     common_factor: real,
     // sqrt(x) sqrt(x), which is x.
     root_squared: real,
+    // -0 + 0, which is 0, and not the -0 that adding nothing leaves.
+    zero_added: real,
+    // One when what is no number is not itself.
+    is_not_itself: real,
 }
 
 @group(0) @binding(0) var<storage, read> cases: array<RewriteCase>;
@@ -27,5 +34,7 @@ fn rewrites(@builtin(global_invocation_id) id: vec3<u32>) {
     let y = cases[id.x].y;
     let z = cases[id.x].z;
     let root = sqrt(x);
-    reports[id.x] = RewriteReport((x + y) - x, x * y + x * z, root * root);
+    let zero_added = cases[id.x].minus_zero + real(0.0);
+    let is_not_itself = select(real(0.0), real(1.0), cases[id.x].not_a_number != cases[id.x].not_a_number);
+    reports[id.x] = RewriteReport((x + y) - x, x * y + x * z, root * root, zero_added, is_not_itself);
 }
