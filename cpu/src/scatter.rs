@@ -56,7 +56,7 @@ impl ScatterVectors {
 /// Where a matte surface sends light: around the normal (statement, section 3.5.1).
 #[inline(always)]
 #[must_use]
-pub fn matte(normal: Vec3, vector: Vec3) -> Vec3 {
+pub fn matte<T: Real<Mask = bool>>(normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> {
     let direction = normal + vector;
     if direction.is_negligible() { normal } else { direction }
 }

@@ -32,14 +32,6 @@ impl Vec3 {
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
-
-    /// Whether every component is smaller than `1e-8` in magnitude (statement, section 3.5.1).
-    #[inline(always)]
-    #[must_use]
-    pub fn is_negligible(self) -> bool {
-        const LIMIT: f64 = 1e-8;
-        self.x.abs() < LIMIT && self.y.abs() < LIMIT && self.z.abs() < LIMIT
-    }
 }
 
 impl<T: Copy> Vec3<T> {
@@ -117,6 +109,16 @@ impl<T: Real> Vec3<T> {
     #[must_use]
     pub fn perpendicular_to(self, axis: Self) -> Self {
         self - axis * self.dot(axis)
+    }
+}
+
+impl<T: Real<Mask = bool>> Vec3<T> {
+    /// Whether every component is smaller than `1e-8` in magnitude (statement, section 3.5.1).
+    #[inline(always)]
+    #[must_use]
+    pub fn is_negligible(self) -> bool {
+        let limit = T::of(1e-8);
+        self.x.abs().less(limit) && self.y.abs().less(limit) && self.z.abs().less(limit)
     }
 }
 

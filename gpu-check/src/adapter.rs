@@ -1,0 +1,69 @@
+//! Which adapter to use: lavapipe, unless the environment names another.
+//!
+//! The default is one certain driver and not the fastest, since results mean something only together with the driver
+//! that gave them. `WGPU_ADAPTER_NAME` takes any part of another name, `WGPU_BACKEND` the interface to look in.
+
+use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
+
+use crate::Error;
+
+/// Part of the name under which lavapipe reports itself.
+const LAVAPIPE: &str = "llvmpipe";
+
+/// The adapter to use.
+///
+/// # Errors
+/// [`Error::NoAdapter`], with what was there instead.
+pub fn choose() -> Result<Adapter, Error> {
+    let backends = Backends::from_env().unwrap_or(Backends::VULKAN);
+    let instance = Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
+    let wanted = std::env::var("WGPU_ADAPTER_NAME").ok();
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
+    let index = pick(&names, wanted.as_deref()).ok_or_else(|| no_adapter(&names, wanted.as_deref()))?;
+    Ok(adapters.swap_remove(index))
+}
+
+/// The first of `names` that contains the wanted one, whatever the case of its letters.
+fn pick(names: &[String], wanted: Option<&str>) -> Option<usize> {
+    let wanted = wanted.unwrap_or(LAVAPIPE).to_lowercase();
+    names.iter().position(|name| name.to_lowercase().contains(&wanted))
+}
+
+fn no_adapter(names: &[String], wanted: Option<&str>) -> Error {
+    let wanted = match wanted {
+        Some(name) => format!("has [{name}] in its name (WGPU_ADAPTER_NAME)"),
+        None => "is lavapipe".to_owned(),
+    };
+    let found = if names.is_empty() { ": there is none at all".to_owned() } else { format!(": there is {names:?}") };
+    Error::NoAdapter { wanted, found }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names() -> Vec<String> {
+        ["NVIDIA H200", "llvmpipe (LLVM 15.0.6, 256 bits)"].map(str::to_owned).to_vec()
+    }
+
+    #[test]
+    fn lavapipe_is_the_default_even_beside_a_faster_one() {
+        assert_eq!(pick(&names(), None), Some(1));
+    }
+
+    #[test]
+    fn a_name_in_the_environment_stands() {
+        assert_eq!(pick(&names(), Some("nvidia")), Some(0));
+        assert_eq!(pick(&names(), Some("radeon")), None);
+    }
+
+    #[test]
+    fn the_message_says_in_one_line_what_is_missing_and_how_to_get_it() {
+        let message = no_adapter(&[], None).to_string();
+        assert!(message.starts_with("no GPU adapter is lavapipe: there is none at all; on Debian: apt-get install "));
+        assert!(!message.contains('\n'));
+        let message = no_adapter(&names(), Some("radeon")).to_string();
+        assert!(message.contains("has [radeon] in its name (WGPU_ADAPTER_NAME): there is [\"NVIDIA H200\", "));
+    }
+}

@@ -1,0 +1,127 @@
+//! Two pictures' linear colours beside each other: how far apart, in how many pixels, and where.
+
+use std::fmt;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use cpu::Vec3;
+use cpu::image::Size;
+
+use crate::{Error, Float};
+
+/// How far two pictures are apart, in linear channels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Difference {
+    /// Pixels compared.
+    pub pixels: usize,
+    /// Pixels of which a channel's bits differ, each picture in its own precision.
+    pub differing: usize,
+    /// Root of the mean square over all channels.
+    pub rmse: f64,
+    /// The largest in any channel.
+    pub largest: f64,
+}
+
+/// The difference of two channels: none when neither is a number, all when one is.
+fn distance(one: f64, other: f64) -> f64 {
+    match (one.is_nan(), other.is_nan()) {
+        (true, true) => 0.0,
+        (false, false) => (one - other).abs(),
+        _ => f64::INFINITY,
+    }
+}
+
+/// How far apart two pictures of one size are.
+///
+/// # Panics
+/// When they have not the same number of pixels.
+#[must_use]
+pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Difference {
+    assert_eq!(one.len(), other.len(), "pictures of one size are compared");
+    let mut result = Difference { pixels: one.len(), ..Difference::default() };
+    let mut squares = 0.0;
+    for (a, b) in one.iter().zip(other) {
+        let mut differs = false;
+        for (a, b) in a.to_array().into_iter().zip(b.to_array()) {
+            let apart = distance(a.wide(), b.wide());
+            differs |= apart != 0.0 || (A::PRECISION == B::PRECISION && a.bits() != b.bits() && !a.wide().is_nan());
+            squares += apart * apart;
+            result.largest = result.largest.max(apart);
+        }
+        result.differing += usize::from(differs);
+    }
+    result.rmse = (squares / (3 * one.len()).max(1) as f64).sqrt();
+    result
+}
+
+/// Writes a picture of three parts below each other, `one`, `other` and their difference twentyfold, and gives its name.
+///
+/// # Errors
+/// [`Error::File`].
+pub fn write_png<A: Float, B: Float>(
+    folder: &Path,
+    name: &str,
+    size: Size,
+    one: &[Vec3<A>],
+    other: &[Vec3<B>],
+) -> Result<PathBuf, Error> {
+    const ENLARGED: f64 = 20.0;
+    let tame: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let path = folder.join(format!("{}.png", tame.trim_matches('-')));
+    let failed = |cause| Error::File { path: path.clone(), cause };
+    let byte = |channel: f64| (255.0 * channel.max(0.0).sqrt()) as u8;
+    let mut bytes: Vec<u8> =
+        one.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))).collect();
+    bytes.extend(other.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))));
+    for (a, b) in one.iter().zip(other) {
+        let pairs = a.to_array().into_iter().zip(b.to_array());
+        bytes.extend(pairs.map(|(a, b)| byte(distance(a.wide(), b.wide()) * ENLARGED)));
+    }
+    std::fs::create_dir_all(folder).map_err(failed)?;
+    let file = BufWriter::new(File::create(&path).map_err(failed)?);
+    let mut encoder = png::Encoder::new(file, size.width() as u32, 3 * size.height() as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes));
+    written.map_err(|error| failed(std::io::Error::other(error)))?;
+    Ok(path)
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { pixels, differing, rmse, largest } = self;
+        write!(f, "{differing} of {pixels} pixels differ, RMSE {rmse:.1e}, at most {largest:.1e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_difference_is_measured() {
+        let one = [Vec3::new(0.5, 0.5, 0.5), Vec3::new(f64::NAN, 0.0, 0.0)];
+        assert_eq!(difference(&one, &one), Difference { pixels: 2, ..Difference::default() });
+        let other = [Vec3::new(0.5, 0.5, 0.8), Vec3::new(f64::NAN, -0.0, 0.0)];
+        let found = difference(&one, &other);
+        assert_eq!((found.pixels, found.differing), (2, 2), "a zero's sign counts");
+        assert!((found.largest - 0.3).abs() < 1e-15 && (found.rmse - (0.09_f64 / 6.0).sqrt()).abs() < 1e-15);
+        let not_a_number = [one[0], Vec3::ONE];
+        assert_eq!(difference(&one, &not_a_number).largest, f64::INFINITY);
+    }
+
+    #[test]
+    fn a_picture_of_it_is_written() {
+        let folder = std::env::temp_dir().join(format!("gpu-check-difference-{}", std::process::id()));
+        let size = Size::new(2, 1).expect("two pixels are few");
+        let one = [Vec3::ONE, Vec3::ZERO];
+        let path = write_png(&folder, "a/b", size, &one, &[Vec3::ONE, Vec3::ONE]).expect("the folder is writable");
+        assert_eq!(path, folder.join("a-b.png"));
+        let decoder = png::Decoder::new(std::io::BufReader::new(File::open(&path).expect("it was written")));
+        let mut reader = decoder.read_info().expect("it is a PNG");
+        let mut bytes = vec![0; reader.output_buffer_size().expect("it is small")];
+        reader.next_frame(&mut bytes).expect("it has a picture");
+        assert_eq!(bytes, [[255; 3], [0; 3], [255; 3], [255; 3], [0; 3], [255; 3]].concat());
+        std::fs::remove_dir_all(folder).expect("it is ours");
+    }
+}

@@ -1,0 +1,72 @@
+//! The numbers that both sides calculate in.
+
+use std::fmt::{Debug, Display};
+
+use cpu::real::Real;
+use shaders::Precision;
+
+use crate::Kernel;
+
+/// `f32` or `f64`: a formula's number that fits in a buffer.
+pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debug + Send + Sync {
+    /// Its name in a composition.
+    const PRECISION: Precision;
+
+    /// Its bits; those of `f32` in the lower half.
+    fn bits(self) -> u64;
+
+    /// The same value as `f64`, exactly.
+    fn wide(self) -> f64;
+
+    /// The kernel's formula in this precision.
+    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]);
+
+    /// Whether both have the same bits, or neither is a number: which of its many codes a "not a number" has is left
+    /// open by IEEE 754.
+    fn same(self, other: Self) -> bool {
+        self.bits() == other.bits() || (self.wide().is_nan() && other.wide().is_nan())
+    }
+}
+
+impl Float for f32 {
+    const PRECISION: Precision = Precision::F32;
+
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+
+    fn wide(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]) {
+        kernel.single
+    }
+}
+
+impl Float for f64 {
+    const PRECISION: Precision = Precision::F64;
+
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+
+    fn wide(self) -> f64 {
+        self
+    }
+
+    fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]) {
+        kernel.wide
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_of_different_sign_differ_and_nans_do_not() {
+        assert!(!0.0_f64.same(-0.0) && !1.0_f32.same(1.0_f32.next_up()));
+        assert!(f64::NAN.same(-f64::NAN) && !f64::NAN.same(1.0) && 1.5_f32.same(1.5));
+    }
+}

@@ -1,0 +1,110 @@
+//! A device, its limits and its faults.
+
+use std::fmt;
+use std::sync::{Arc, Mutex};
+
+use wgpu::{AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
+
+use crate::{Error, adapter};
+
+/// An open device.
+#[derive(Debug)]
+pub struct Gpu {
+    pub(crate) device: Device,
+    pub(crate) queue: Queue,
+    info: AdapterInfo,
+    /// Why the device was lost, once it is.
+    lost: Arc<Mutex<Option<String>>>,
+}
+
+impl Gpu {
+    /// Opens the adapter of [`adapter::choose`], with f64 where it has that.
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] or [`Error::NoDevice`].
+    pub fn open() -> Result<Self, Error> {
+        let adapter = adapter::choose()?;
+        let info = adapter.get_info();
+        // The limits of WebGPU's standard, as a browser would give: 128 MiB a binding among them.
+        let descriptor = DeviceDescriptor {
+            required_features: adapter.features() & Features::SHADER_F64,
+            required_limits: Limits::default(),
+            ..DeviceDescriptor::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| Error::NoDevice { adapter: info.name.clone(), cause: error.to_string() })?;
+        let lost = Arc::new(Mutex::new(None));
+        let place = Arc::clone(&lost);
+        device.set_device_lost_callback(move |reason, message| {
+            if let Ok(mut lost) = place.lock() {
+                *lost = Some(format!("{reason:?} {message}").trim_end().to_owned());
+            }
+        });
+        Ok(Self { device, queue, info, lost })
+    }
+
+    /// The adapter's name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.info.name
+    }
+
+    /// Whether the driver is the one that `docs/gpu.md` speaks of.
+    #[must_use]
+    pub fn is_lavapipe(&self) -> bool {
+        self.info.driver == "llvmpipe"
+    }
+
+    /// Whether shaders have f64.
+    #[must_use]
+    pub fn has_f64(&self) -> bool {
+        self.device.features().contains(Features::SHADER_F64)
+    }
+
+    /// Most bytes that one binding may have.
+    #[must_use]
+    pub fn binding_limit(&self) -> u64 {
+        self.device.limits().max_storage_buffer_binding_size
+    }
+
+    /// Gives the device back: what is asked of it later is an [`Error::DeviceLost`].
+    pub fn close(&self) {
+        self.device.destroy();
+        // The news arrives with the next poll, which has nothing else to tell.
+        let _ = self.device.poll(PollType::Poll);
+    }
+
+    /// Does `work` and turns what wgpu finds wrong with it into an error.
+    pub(crate) fn scoped<R>(&self, work: impl FnOnce() -> R) -> Result<R, Error> {
+        let validation = self.device.push_error_scope(ErrorFilter::Validation);
+        let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let internal = self.device.push_error_scope(ErrorFilter::Internal);
+        let result = work();
+        let (internal, memory, validation) = (internal.pop(), memory.pop(), validation.pop());
+        let memory = pollster::block_on(memory).map(|error| error.to_string());
+        let other = pollster::block_on(internal).or(pollster::block_on(validation)).map(|error| error.to_string());
+        self.check_lost()?;
+        match (memory, other) {
+            (Some(cause), _) => Err(Error::OutOfMemory { cause }),
+            (None, Some(cause)) => Err(Error::Refused { cause }),
+            (None, None) => Ok(result),
+        }
+    }
+
+    /// An error once the device is gone.
+    pub(crate) fn check_lost(&self) -> Result<(), Error> {
+        let lost = self.lost.lock().map(|lost| lost.clone()).unwrap_or_else(|_| Some("unknown".to_owned()));
+        match lost {
+            Some(cause) => Err(Error::DeviceLost { cause }),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Gpu {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let AdapterInfo { name, driver, driver_info, backend, .. } = &self.info;
+        let f64 = if self.has_f64() { "with f64" } else { "without f64" };
+        write!(f, "{name}, driver {driver} {driver_info}, {backend}, {f64}")
+    }
+}

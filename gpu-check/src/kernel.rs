@@ -1,0 +1,100 @@
+//! What is compared: a formula in Rust, its kernel in WGSL, and the cases to try both on.
+//!
+//! A case is a row of numbers and so is a result, flags included, so that one comparison serves all kernels.
+
+use cpu::Vec3;
+use cpu::real::Real;
+use cpu::rng::Uniform;
+
+use crate::Float;
+use crate::running::Running;
+
+/// A formula of `cpu` and the module of `shaders` that should give its bits.
+pub trait Formula {
+    /// The kernel's module.
+    const MODULE: &'static str;
+    /// Numbers in a case.
+    const INPUTS: usize;
+    /// Names of a result's numbers.
+    const OUTPUTS: &'static [&'static str];
+
+    /// The formula, as `cpu` has it.
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]);
+    /// Cases at which something changes or ends, row after row.
+    fn edges() -> Vec<f64>;
+    /// Fills `case` from a stream of random numbers.
+    fn random(draws: &mut Uniform, case: &mut [f64]);
+}
+
+/// A formula as a value.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    /// The kernel's module in `shaders`.
+    pub module: &'static str,
+    /// Numbers in a case.
+    pub inputs: usize,
+    /// Names of a result's numbers.
+    pub outputs: &'static [&'static str],
+    pub(crate) wide: fn(&[f64], &mut [f64]),
+    pub(crate) single: fn(&[f32], &mut [f32]),
+    pub(crate) running: fn(&[Running], &mut [Running]),
+    edges: fn() -> Vec<f64>,
+    random: fn(&mut Uniform, &mut [f64]),
+}
+
+impl Kernel {
+    /// The kernel of a formula.
+    #[must_use]
+    pub const fn of<F: Formula>() -> Self {
+        Self {
+            module: F::MODULE,
+            inputs: F::INPUTS,
+            outputs: F::OUTPUTS,
+            wide: F::evaluate::<f64>,
+            single: F::evaluate::<f32>,
+            running: F::evaluate::<Running>,
+            edges: F::edges,
+            random: F::random,
+        }
+    }
+
+    /// The edge cases, row after row.
+    #[must_use]
+    pub fn edge_cases<T: Float>(&self) -> Vec<T> {
+        (self.edges)().into_iter().map(T::of).collect()
+    }
+
+    /// `count` random cases, row after row; the same for the same seed.
+    #[must_use]
+    pub fn random_cases<T: Float>(&self, count: usize, seed: u64) -> Vec<T> {
+        let mut draws = Uniform::new(seed);
+        let mut case = vec![0.0; self.inputs];
+        let mut cases = Vec::with_capacity(count * self.inputs);
+        for _ in 0..count {
+            (self.random)(&mut draws, &mut case);
+            cases.extend(case.iter().map(|value| T::of(*value)));
+        }
+        cases
+    }
+}
+
+/// Reads a row of numbers from its start.
+#[derive(Clone, Copy, Debug)]
+pub struct Reader<'a, T>(pub &'a [T]);
+
+impl<T: Real> Reader<'_, T> {
+    /// The next number.
+    ///
+    /// # Panics
+    /// At the end of the row.
+    pub fn number(&mut self) -> T {
+        let (first, rest) = self.0.split_first().expect("the row is as long as its kernel says");
+        self.0 = rest;
+        *first
+    }
+
+    /// The next three numbers.
+    pub fn vector(&mut self) -> Vec3<T> {
+        Vec3::new(self.number(), self.number(), self.number())
+    }
+}

@@ -1,0 +1,51 @@
+//! The colour of a ray that meets nothing.
+
+use cpu::background::Background;
+use cpu::real::Real;
+use cpu::rng::Uniform;
+
+use super::store;
+use crate::kernel::{Formula, Reader};
+use crate::special::{self, DIRECTIONS, NUMBERS, Row};
+
+pub enum Gradient {}
+
+impl Formula for Gradient {
+    const MODULE: &'static str = "kernels/background";
+    const INPUTS: usize = 9;
+    const OUTPUTS: &'static [&'static str] = &["red", "green", "blue"];
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        let mut case = Reader(case);
+        let background = Background { dark: case.vector(), light: case.vector() };
+        store(background.color(case.vector()), result);
+    }
+
+    fn edges() -> Vec<f64> {
+        let colors = [[0.0; 3], [1.0; 3], [0.25, 0.5, 1.0], [5e-324, 1e-40, 0.1]];
+        let mut rows = Row::default();
+        for dark in colors {
+            for light in colors {
+                for direction in DIRECTIONS {
+                    rows.vector(dark).vector(light).vector(direction);
+                }
+                for number in NUMBERS {
+                    for other in NUMBERS {
+                        rows.vector(dark).vector(light).vector([0.0, number, other]);
+                    }
+                }
+            }
+        }
+        rows.0
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        let mut row = Row::default();
+        for _ in 0..6 {
+            row.number(draws.canonical());
+        }
+        let size = if special::once_in(draws, 4.0) { special::of_any_size(draws, -18.0, 18.0) } else { 1.0 };
+        row.vector(special::direction(draws) * size);
+        case.copy_from_slice(&row.0);
+    }
+}

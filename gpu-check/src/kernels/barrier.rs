@@ -1,0 +1,59 @@
+//! Sums with their rounding error, behind the barrier against rewriting.
+
+use cpu::real::Real;
+use cpu::rng::Uniform;
+
+use crate::kernel::{Formula, Reader};
+use crate::special::{self, NUMBERS, Row};
+
+pub enum Barrier {}
+
+/// The sum of two numbers and its rounding error: `sum + error` is `a + b` exactly, short of overflow (Knuth, TAOCP
+/// 4.2.2, theorem B). Rust keeps the operations as they stand, so it needs no barrier.
+pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
+    let sum = a + b;
+    let b_part = sum - a;
+    let a_part = sum - b_part;
+    (sum, (a - a_part) + (b - b_part))
+}
+
+impl Formula for Barrier {
+    const MODULE: &'static str = "kernels/barrier";
+    const INPUTS: usize = 3;
+    const OUTPUTS: &'static [&'static str] = &["sum", "error"];
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        // The third number is the barrier, one in every case.
+        let mut case = Reader(case);
+        let (sum, error) = two_sum(case.number(), case.number());
+        result.copy_from_slice(&[sum, error]);
+    }
+
+    fn edges() -> Vec<f64> {
+        let mut rows = Row::default();
+        for a in NUMBERS {
+            for b in NUMBERS {
+                rows.number(a).number(b).number(1.0);
+            }
+        }
+        rows.0
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        case[0] = special::of_any_size(draws, -12.0, 12.0);
+        case[1] = special::of_any_size(draws, -12.0, 12.0);
+        case[2] = 1.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_error_is_what_the_sum_lost() {
+        assert_eq!(two_sum(1e16, 1.0), (1e16, 1.0));
+        assert_eq!(two_sum(1.0, 2.0_f64.powi(-60)), (1.0, 2.0_f64.powi(-60)));
+        assert_eq!(two_sum(1.0, 2.0), (3.0, 0.0));
+    }
+}

@@ -1,0 +1,71 @@
+//! A pixel's ray.
+
+use cpu::camera::Camera;
+use cpu::real::Real;
+use cpu::rng::Uniform;
+use cpu::{Config, Vec3};
+
+use super::store;
+use crate::kernel::{Formula, Reader};
+use crate::special::{self, NUMBERS, Row};
+
+pub enum CameraRay {}
+
+impl Formula for CameraRay {
+    const MODULE: &'static str = "kernels/camera";
+    const INPUTS: usize = 16;
+    const OUTPUTS: &'static [&'static str] =
+        &["origin.x", "origin.y", "origin.z", "direction.x", "direction.y", "direction.z"];
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        let mut case = Reader(case);
+        let (position, origin) = (case.vector(), case.vector());
+        let camera = Camera { position, origin, delta_x: case.vector(), delta_y: case.vector() };
+        let (row, column) = (case.number(), case.number());
+        let ray = camera.ray(row, column, [case.number(), case.number()]);
+        store(ray.origin, result);
+        store(ray.direction, &mut result[3..]);
+    }
+
+    fn edges() -> Vec<f64> {
+        let mut rows = Row::default();
+        for number in NUMBERS {
+            for other in NUMBERS {
+                for place in [[0.0, 0.0, -0.5, -0.5], [0.0, 1e9, 0.0, 0.5], [16_777_217.0, 3.0, 0.25, -0.0]] {
+                    rows.vector([number, 1.0, -10.0]).vector([other, -5.0, number]);
+                    rows.vector([other, 0.0, 1e-9]).vector([-0.0, number, 0.0]);
+                    rows.0.extend(place);
+                }
+            }
+        }
+        rows.0
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        let width = draws.draw(1.0, 4096.0).floor();
+        let config = Config {
+            image_width: width as u64,
+            camera_position: special::in_cube(draws, 20.0),
+            camera_target: special::in_cube(draws, 2.0),
+            camera_north: special::direction(draws),
+            field_of_view: draws.draw(1.0, 179.0),
+            ..Config::default()
+        };
+        let size = config.image_size().expect("the width is small");
+        // A north along the view makes no window, once in a very long while; then any vectors serve.
+        let camera = Camera::new(&config, size).unwrap_or(Camera {
+            position: Vec3::ZERO,
+            origin: Vec3::ONE,
+            delta_x: Vec3::ONE,
+            delta_y: Vec3::ONE,
+        });
+        let mut row = Row::default();
+        row.vector(camera.position).vector(camera.origin).vector(camera.delta_x).vector(camera.delta_y);
+        row.number(draws.draw(0.0, size.height() as f64).floor()).number(draws.draw(0.0, width).floor());
+        let middle = special::once_in(draws, 4.0);
+        for _ in 0..2 {
+            row.number(if middle { 0.0 } else { draws.draw(-0.5, 0.5) });
+        }
+        case.copy_from_slice(&row.0);
+    }
+}

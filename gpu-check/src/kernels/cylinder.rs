@@ -1,0 +1,135 @@
+//! Ray against closed cylinder: its side and both bases.
+
+use cpu::cylinder::CylinderRecord;
+use cpu::real::Real;
+use cpu::rng::Uniform;
+use cpu::{Hit, Ray, Vec3};
+
+use super::{HIT_REPORT, report};
+use crate::kernel::{Formula, Reader};
+use crate::special::{self, DIRECTIONS, NUMBERS, Row};
+
+pub enum Cylinder {}
+
+/// Where rays start around an upright cylinder of radius 1 and height 4.
+const ORIGINS: [[f64; 3]; 25] = [
+    [0.0, 0.0, 0.0],  // at the centre
+    [0.0, 0.0, -3.0], // beside, before and behind
+    [0.0, 0.0, 3.0],
+    [0.0, 5.0, 0.0], // above and below, on the axis
+    [0.0, -5.0, 0.0],
+    [1.0, 5.0, 0.0], // along the side, on the rim
+    [0.6, 5.0, 0.8],
+    [1.000_000_000_000_000_2, 5.0, 0.0],
+    [1.1, 5.0, 0.0],  // past the rim
+    [0.0, 2.0, -3.0], // level with the bases
+    [0.0, -2.0, -3.0],
+    [0.0, 2.000_000_000_000_000_4, -3.0],
+    [0.0, 4.0, -3.0], // a slope of one from the rim
+    [0.0, -4.0, -3.0],
+    [0.0, 4.5, -3.0],
+    [0.0, 2.0, 0.5], // on a base, on the side, on the rim
+    [0.0, -2.0, 0.5],
+    [1.0, 0.5, 0.0],
+    [0.0, 2.0, -1.0],
+    [1.0, 0.0, -3.0],           // tangent
+    [0.5, 1.0, -0.25],          // inside
+    [-0.5, 2.000_000_001, 0.0], // just above a base, for directions nearly in its plane
+    [-0.5, -2.000_000_001, 0.0],
+    [0.0, 2.001, 0.25], // a thousandth above
+    [1e-20, 1e6, -1e150],
+];
+
+const CENTERS: [[f64; 3]; 3] = [[0.0; 3], [1.0, -2.0, 0.5], [1e-40, 1e6, 0.1]];
+/// Axes, as long as the cylinders are high.
+const AXES: [[f64; 3]; 10] = [
+    [0.0, 4.0, 0.0],
+    [0.0, -4.0, 0.0],
+    [0.0, 0.002, 0.0], // its upper base is exactly at the least distance that counts
+    [4.0, 0.0, 0.0],
+    [0.0, 0.0, 1e-6],
+    [1.0, 2.0, -2.0],
+    [0.3, 0.1, 0.2],
+    [1e9, 1e9, 0.0],
+    [1e-40, 0.0, 0.0],
+    [0.0, 1e-170, 0.0],
+];
+const RADII: [f64; 6] = [1.0, 0.3, 1e-6, 1000.0, 1e9, 1e-40];
+
+impl Formula for Cylinder {
+    const MODULE: &'static str = "kernels/cylinder";
+    const INPUTS: usize = 13;
+    const OUTPUTS: &'static [&'static str] = HIT_REPORT;
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        let mut case = Reader(case);
+        let ray = Ray { origin: case.vector(), direction: case.vector() };
+        let cylinder = CylinderRecord::new(case.vector(), case.number(), case.vector());
+        let hit = cylinder.intersect(&ray).map(|(lambda, part)| {
+            let point = ray.at(lambda);
+            (lambda, part as u32, Hit::facing(ray.direction, point, cylinder.outward(part, point)))
+        });
+        report(hit, result);
+    }
+
+    fn edges() -> Vec<f64> {
+        let mut rows = Row::default();
+        for center in CENTERS.map(Vec3::from) {
+            for radius in RADII {
+                for axis in AXES {
+                    for origin in ORIGINS {
+                        for direction in DIRECTIONS {
+                            let origin = center + Vec3::from(origin);
+                            rows.vector(origin).vector(direction).vector(center).number(radius).vector(axis);
+                        }
+                    }
+                }
+            }
+        }
+        for number in NUMBERS {
+            for other in NUMBERS {
+                let axis = [0.0, 4.0, 0.0];
+                rows.vector([number, 5.0, 0.0]).vector([other, -1.0, 0.0]).vector([0.0; 3]).number(1.0).vector(axis);
+                rows.vector([0.0, 1.0, number]).vector([0.0, 0.5, other]).vector([0.0; 3]).number(1.0).vector(axis);
+                let axis = [0.0, other, 0.0];
+                rows.vector([0.0, 5.0, -3.0]).vector([0.0, -1.0, 1.0]).vector([0.0; 3]);
+                rows.number(number.abs()).vector(axis);
+            }
+        }
+        rows.0
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        let ordinary = draws.canonical() < 0.7;
+        let size = if ordinary { 1.0 } else { special::of_any_size(draws, -6.0, 6.0).abs() };
+        let (radius, height) = (size * draws.draw(0.1, 3.0), size * draws.draw(0.1, 6.0));
+        let center = special::in_cube(draws, 10.0 * size);
+        let axis = special::direction(draws);
+        // A point of the side, of a base or of the inside, in the cylinder's own directions.
+        let across = special::direction(draws).perpendicular_to(axis);
+        let across = across / across.length().max(1e-9);
+        let place = draws.canonical();
+        let (out, along) = match place {
+            _ if place < 0.4 => (1.0, draws.draw(-0.5, 0.5)),
+            _ if place < 0.6 => (draws.canonical(), 0.5),
+            _ if place < 0.8 => (draws.canonical(), -0.5),
+            _ if place < 0.9 => (1.0, if place < 0.85 { 0.5 } else { -0.5 }),
+            _ => (draws.canonical(), draws.draw(-0.5, 0.5)),
+        };
+        let aim = center + across * (radius * out) + axis * (height * along);
+        let start = draws.canonical();
+        let away = if ordinary { draws.draw(0.0, 20.0) } else { special::of_any_size(draws, -2.0, 9.0).abs() };
+        let (origin, direction) = match start {
+            _ if start < 0.2 => (aim, special::direction(draws)),
+            _ if start < 0.3 => (center + axis * draws.draw(-0.4, 0.4) * height, aim - center),
+            _ => {
+                let origin = aim + special::direction(draws) * (size * away);
+                (origin, aim - origin)
+            }
+        };
+        let direction = if ordinary { direction } else { direction * special::of_any_size(draws, -6.0, 6.0).abs() };
+        let mut row = Row::default();
+        row.vector(origin).vector(direction).vector(center).number(radius).vector(axis * height);
+        case.copy_from_slice(&row.0);
+    }
+}

@@ -1,0 +1,102 @@
+//! Ray against sphere.
+
+use cpu::real::Real;
+use cpu::rng::Uniform;
+use cpu::sphere::SphereRecord;
+use cpu::{Hit, Ray, Vec3};
+
+use super::{HIT_REPORT, report};
+use crate::kernel::{Formula, Reader};
+use crate::special::{self, DIRECTIONS, NUMBERS, Row};
+
+pub enum Sphere {}
+
+/// Where rays start, in radii from the centre.
+const ORIGINS: [[f64; 3]; 20] = [
+    [0.0, 0.0, 0.0],  // at the centre
+    [0.0, 0.0, -3.0], // outside, before and behind
+    [0.0, 0.0, 3.0],
+    [0.0, 0.25, 0.5], // inside
+    [0.0, 0.0, -1.0], // on the surface
+    [1.0, 0.0, 0.0],
+    [0.0, -1.0, 0.0],
+    [0.6, 0.8, 0.0],
+    [0.0, 0.0, -0.999_999_999],
+    [0.0, 0.0, -1.001], // a thousandth before the surface, and behind it
+    [0.0, 0.0, 1.001],
+    [0.0, 0.0, -0.999],
+    [1.0, 0.0, -3.0], // tangent, and a unit in the last place beside it
+    [0.999_999_999_999_999_9, 0.0, -3.0],
+    [1.000_000_000_000_000_2, 0.0, -3.0],
+    [0.999_999_94, 0.0, -3.0],
+    [0.6, -0.8, -5.0],
+    [0.0, -0.999_999, -2.0],
+    [0.0, 1e6, -1e6],
+    [1e-20, 5e-324, -1e150],
+];
+
+const CENTERS: [[f64; 3]; 4] = [[0.0; 3], [1.0, -2.0, 0.5], [0.0, -1000.0, 0.0], [1e-40, 1e10, 0.1]];
+const RADII: [f64; 9] = [1.0, 2.0, 0.3, 1e-6, 1000.0, 1e9, 1e-40, 1e-160, 1e160];
+
+impl Formula for Sphere {
+    const MODULE: &'static str = "kernels/sphere";
+    const INPUTS: usize = 10;
+    const OUTPUTS: &'static [&'static str] = HIT_REPORT;
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        let mut case = Reader(case);
+        let ray = Ray { origin: case.vector(), direction: case.vector() };
+        let sphere = SphereRecord::new(case.vector(), case.number());
+        let hit = sphere.intersect(&ray).map(|lambda| {
+            let point = ray.at(lambda);
+            (lambda, 0, Hit::facing(ray.direction, point, sphere.outward(point)))
+        });
+        report(hit, result);
+    }
+
+    fn edges() -> Vec<f64> {
+        let mut rows = Row::default();
+        for center in CENTERS.map(Vec3::from) {
+            for radius in RADII {
+                for origin in ORIGINS {
+                    for direction in DIRECTIONS {
+                        let origin = center + Vec3::from(origin) * radius;
+                        rows.vector(origin).vector(direction).vector(center).number(radius);
+                    }
+                }
+            }
+        }
+        for number in NUMBERS {
+            for other in NUMBERS {
+                rows.vector([number, 0.0, -3.0]).vector([other, 0.0, 1.0]).vector([0.0; 3]).number(1.0);
+                rows.vector([0.0, 0.0, number]).vector([0.0, 0.0, other]).vector([0.0; 3]).number(1.0);
+                rows.vector([0.0, 0.0, -3.0]).vector([0.0, 0.0, 1.0]).vector([number, 0.0, 0.0]).number(other.abs());
+            }
+        }
+        rows.0
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        let ordinary = draws.canonical() < 0.7;
+        let radius = if ordinary { draws.draw(0.1, 5.0) } else { special::of_any_size(draws, -6.0, 9.0).abs() };
+        let center = special::in_cube(draws, if ordinary { 10.0 } else { radius * 3.0 });
+        // From the surface, from inside, from near and from far.
+        let place = draws.canonical();
+        let distance = match place {
+            _ if place < 0.2 => radius,
+            _ if place < 0.3 => radius * draws.canonical(),
+            _ if ordinary => radius + draws.draw(0.0, 20.0),
+            _ => radius + special::of_any_size(draws, -2.0, 12.0).abs(),
+        };
+        let origin = center + special::direction(draws) * distance;
+        // Towards the sphere, most of the time; sometimes just past its edge, sometimes anywhere.
+        let aim = draws.canonical();
+        let spread = if aim < 0.1 { 1.0 } else { draws.canonical() };
+        let towards = center + special::direction(draws) * (radius * spread) - origin;
+        let direction = if aim > 0.9 { special::direction(draws) } else { towards };
+        let direction = if ordinary { direction } else { direction * special::of_any_size(draws, -6.0, 6.0).abs() };
+        let mut row = Row::default();
+        row.vector(origin).vector(direction).vector(center).number(radius);
+        case.copy_from_slice(&row.0);
+    }
+}

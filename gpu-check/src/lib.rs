@@ -1,0 +1,55 @@
+//! Runs the WGSL port of the renderer's mathematics and holds it against `cpu`, bit by bit.
+//!
+//! The port ([`shaders`]) is a second, independent implementation: another language, another compiler, another set of
+//! instructions. What both give to the last bit, neither has wrong by accident. On Mesa's lavapipe, a Vulkan driver
+//! that calculates on the CPU, f64 agrees exactly; `docs/gpu.md` says what cannot and why.
+//!
+//! - [`adapter`] and [`gpu`] open a device and run a kernel;
+//! - [`kernel`] and [`kernels`] list what is compared, formula by formula, and [`check`] compares it;
+//! - [`running`] derives how far f32 may be from f64;
+//! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
+//! - [`rewrites`] finds out what a driver does to formulas;
+//! - [`mutants`] are faults that all this must notice.
+//!
+//! ```no_run
+//! use gpu_check::{Gpu, Picture, Renderer, features_of};
+//! use shaders::Library;
+//!
+//! let gpu = Gpu::open()?;
+//! println!("{gpu}");
+//! let config = cpu::Config::default();
+//! let scene = cpu::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n"[..])?;
+//! let features = features_of(&config, &scene)?;
+//! let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &features)?;
+//! let rendering = renderer.render(&Picture::new(&config, &scene)?)?;
+//! println!("{} pixels in {:?}", rendering.pixels.len(), rendering.time);
+//! # Ok::<(), gpu_check::Error>(())
+//! ```
+
+pub mod adapter;
+pub mod bound;
+pub mod check;
+pub mod difference;
+pub mod error;
+pub mod float;
+pub mod gpu;
+pub mod kernel;
+pub mod kernels;
+pub mod mutants;
+pub mod packed;
+pub mod picture;
+pub mod pipeline;
+pub mod renderer;
+pub mod rewrites;
+pub mod running;
+pub mod scenes;
+pub mod special;
+pub mod twin;
+
+pub use error::Error;
+pub use float::Float;
+pub use gpu::Gpu;
+pub use kernel::Kernel;
+pub use picture::{Picture, features_of};
+pub use pipeline::Pipeline;
+pub use renderer::{Renderer, Rendering};

@@ -1,0 +1,93 @@
+//! The suite's checks with fewer cases, in an order in which the first to notice a fault ends the search.
+
+use cpu::{Scatter, Vec3, reference};
+use shaders::{Library, Precision};
+
+use super::Mutant;
+use crate::difference::difference;
+use crate::kernels::KERNELS;
+use crate::scenes::{self, Case};
+use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
+
+/// Random cases of each kernel.
+const RANDOM_CASES: usize = 1 << 14;
+/// Random scenes.
+const RANDOM_SCENES: u64 = 6;
+/// Most pixels times objects of one picture.
+const TESTS: usize = 500_000;
+
+/// Cases, prepared once for all mutants.
+#[derive(Debug)]
+pub struct Examiner<'a> {
+    gpu: &'a Gpu,
+    kernels: Vec<(&'static Kernel, Vec<f64>)>,
+    pictures: Vec<(Case, Vec<Vec3>)>,
+}
+
+impl<'a> Examiner<'a> {
+    /// Prepares the cases.
+    ///
+    /// # Errors
+    /// [`Error::Scene`].
+    pub fn new(gpu: &'a Gpu) -> Result<Self, Error> {
+        let cases = |kernel: &Kernel| [kernel.edge_cases(), kernel.random_cases(RANDOM_CASES, 44)].concat();
+        let kernels = KERNELS.iter().map(|kernel| (kernel, cases(kernel))).collect();
+        let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
+        let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
+        Ok(Self { gpu, kernels, pictures })
+    }
+
+    /// The first check that notices `mutant`; nothing when none does.
+    ///
+    /// # Errors
+    /// A fault of the device or of the mutant's WGSL, which is no notice.
+    pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
+        self.examine(&mutant.library()?, mutant.module)
+    }
+
+    /// The first check of those that run `module` to find `library` at fault.
+    ///
+    /// # Errors
+    /// A fault of the device or of the library's WGSL.
+    pub fn examine(&self, library: &Library, module: &str) -> Result<Option<String>, Error> {
+        for (kernel, cases) in &self.kernels {
+            if runs(kernel.module, module)? {
+                let pipeline = check::compile::<f64>(self.gpu, library, kernel)?;
+                let tally = check::check(self.gpu, &pipeline, kernel, cases)?;
+                if tally.differing > 0 {
+                    return Ok(Some(format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases)));
+                }
+            }
+        }
+        if !runs("kernels/image", module)? {
+            return Ok(None);
+        }
+        for (case, expected) in &self.pictures {
+            let features = features_of(&case.config, &case.scene)?;
+            // In steps, so that a fault in going on shows.
+            let renderer = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2);
+            let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
+            let found = difference(&rendering.pixels, expected);
+            if found.differing > 0 {
+                return Ok(Some(format!("picture of {}, {} of {} pixels", case.name, found.differing, found.pixels)));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// The reference's picture of a case.
+fn expected(case: Case) -> Result<(Case, Vec<Vec3>), Error> {
+    let mut means = Vec::new();
+    reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| means.push(mean))?;
+    Ok((case, means))
+}
+
+/// Whether `module` is part of what `kernel` runs.
+fn runs(kernel: &str, module: &str) -> Result<bool, Error> {
+    const MARK: &str = "// This module is part of it.";
+    let mut marked = Library::standard();
+    let source = format!("{MARK}\n{}", marked.source(module)?);
+    marked.replace(module, module, source)?;
+    Ok(marked.compose(kernel, Precision::F64)?.source().contains(MARK))
+}

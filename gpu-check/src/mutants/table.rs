@@ -1,0 +1,121 @@
+//! The mutants, module by module.
+
+use super::Mutant;
+
+macro_rules! mutants {
+    ($($module:literal: $($from:literal => $to:literal,)*;)*) => {
+        /// Every fault that the checks must notice.
+        pub const MUTANTS: &[Mutant] = &[$($(Mutant { module: $module, from: $from, to: $to },)*)*];
+    };
+}
+
+mutants! {
+    "vec3":
+        "+ a.z * b.z" => "- a.z * b.z",
+        "a.x * b.x + a.y * b.y + a.z * b.z" => "a.x * b.x + (a.y * b.y + a.z * b.z)",
+        "sqrt(vec3_dot(v, v))" => "vec3_dot(v, v)",
+        "v / vec3_length(v)" => "v * (real(1.0) / vec3_length(v))",
+        "v - axis *" => "v + axis *",
+        "abs(v.x) < limit" => "abs(v.x) <= limit",
+        "abs(v.y) < limit &&" => "abs(v.y) < limit ||",
+        "real(1e-8)" => "real(1e-9)",
+    ;
+    "exact":
+        "let sum = a * one + b;" => "let sum = a + b;",
+        "sum - b_part" => "sum + b_part",
+        "(a - a_part) + (b - b_part)" => "b - b_part",
+    ;
+    "ray":
+        "+ ray.direction * lambda" => "- ray.direction * lambda",
+        "real(1e-3) <= lambda" => "real(1e-3) < lambda",
+        "real(1e-3)" => "real(1e-4)",
+        "< real(0.0)" => "<= real(0.0)",
+        "-outward" => "outward",
+    ;
+    "sphere":
+        "radius * radius" => "radius + radius",
+        "sphere.center - origin" => "origin - sphere.center",
+        "- sphere.radius_squared" => "+ sphere.radius_squared",
+        "h * h - a * view.c" => "h * h + a * view.c",
+        "(h - root) / a" => "(h + root) / a",
+        "select(far, near, in_range(near))" => "select(near, far, in_range(near))",
+        "Root(in_range(lambda), lambda)" => "Root(in_range(near), lambda)",
+        "(point - sphere.center) / sphere.radius" => "(point - sphere.center) * sphere.radius",
+        "quadratic.discriminant < real(0.0)" => "quadratic.discriminant <= real(0.0)",
+    ;
+    "cylinder":
+        "height / real(2.0)" => "height / real(4.0)",
+        "center - reach" => "center + reach",
+        "- cylinder.radius_squared" => "+ cylinder.radius_squared",
+        "cylinder.bottom - origin" => "cylinder.top - origin",
+        "h * h - a * view.c" => "h * h + a * view.c",
+        "<= cylinder.half_height" => "< cylinder.half_height",
+        "(-quadratic.h - root)" => "(quadratic.h - root)",
+        "near_counts || far_counts" => "near_counts && far_counts",
+        "<= cylinder.radius" => "< cylinder.radius",
+        "abs(slope) < real(1e-8)" => "abs(slope) <= real(1e-8)",
+        "distance / slope" => "distance * slope",
+        "return -cylinder.axis" => "return cylinder.axis",
+        "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
+        "top.lambda <= nearest.lambda" => "top.lambda < nearest.lambda",
+        "bottom.lambda <= nearest.lambda" => "bottom.lambda < nearest.lambda",
+    ;
+    "camera":
+        "(column + x)" => "(column - x)",
+        "camera.delta_y * (row + y)" => "camera.delta_y * (row)",
+        "window_point - camera.position" => "window_point",
+    ;
+    "background":
+        "direction.y" => "direction.x",
+        "/ real(2.0)" => "/ real(3.0)",
+        "(real(1.0) - m) + background.dark * m" => "(real(1.0) - m) - background.dark * m",
+    ;
+    "scatter":
+        "normal + vector" => "normal - vector",
+        "if vec3_is_negligible" => "if !vec3_is_negligible",
+        "direction - normal *" => "direction + normal *",
+        "* real(2.0)" => "* real(1.0)",
+        "vec3_unit(scatter_reflect(direction, normal))" => "scatter_reflect(direction, normal)",
+        "scatter_mirror(direction, normal) + vector" => "scatter_mirror(direction, normal) - vector",
+        "let product = -vec3_dot" => "let product = vec3_dot",
+        "product < one" => "product > one",
+        "one - cos * cos" => "one + cos * cos",
+        "sqrt(abs(one - vec3_dot(p, p)))" => "sqrt(one - vec3_dot(p, p))",
+        "one < ratio * sin" => "one <= ratio * sin",
+        "select(refracted, reflected, beyond)" => "select(reflected, refracted, beyond)",
+    ;
+    "material":
+        "METAL: u32 = 1u" => "METAL: u32 = 3u",
+    ;
+    "layout":
+        "vec3<real>(v.x, v.y, v.z)" => "vec3<real>(v.x, v.z, v.y)",
+        "PackedVec3(v.x, v.y, v.z)" => "PackedVec3(v.x, v.y, v.x)",
+        "vec3_store(ray.direction)" => "vec3_store(ray.origin)",
+        "vec3_load(ray.direction)" => "vec3_load(ray.origin)",
+    ;
+    "picture":
+        "sphere.radius, sphere.radius_squared" => "sphere.radius_squared, sphere.radius",
+        "vec3_load(cylinder.bottom)" => "vec3_load(cylinder.top)",
+        "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
+    ;
+    "nearest":
+        "lambda < nearest.lambda" => "lambda > nearest.lambda",
+        "order > nearest.order" => "order < nearest.order",
+        "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
+        "nearest.part, point" => "TOP, point",
+    ;
+    "trace":
+        "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
+        "left - 1u" => "left",
+        "if hit.front" => "if !hit.front",
+        "real(1.0) / material.index" => "material.index",
+        "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
+        "met_count = paths[slot].met_count" => "met_count = 0u",
+        "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
+        "Ray(hit.point, direction)" => "Ray(ray.origin, direction)",
+    ;
+    "kernels/image":
+        "pixel / picture.width" => "pixel % picture.width",
+        "picture.first_pixel + id.x" => "picture.first_pixel",
+    ;
+}

@@ -1,0 +1,94 @@
+//! Values as the bytes that WGSL's structures have.
+//!
+//! Those are made of scalars alone, 4 or 8 bytes each, without a gap: a value's bytes are its numbers' bytes, in order.
+
+use cpu::background::Background;
+use cpu::cylinder::CylinderRecord;
+use cpu::layout::Placed;
+use cpu::sphere::SphereRecord;
+use cpu::{Camera, Vec3};
+
+use crate::Float;
+use crate::picture::PackedMaterial;
+
+/// A value that WGSL reads.
+pub trait Packed {
+    /// Appends the value's bytes.
+    fn pack(&self, bytes: &mut Vec<u8>);
+}
+
+/// The bytes of a buffer of `values`.
+#[must_use]
+pub fn buffer<P: Packed>(values: &[P]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    values.iter().for_each(|value| value.pack(&mut bytes));
+    bytes
+}
+
+impl Packed for u32 {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        bytes.extend(bytemuck::bytes_of(self));
+    }
+}
+
+impl<T: Float> Packed for [T] {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        bytes.extend(bytemuck::cast_slice::<T, u8>(self));
+    }
+}
+
+impl<T: Float> Packed for Vec3<T> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        self.to_array()[..].pack(bytes);
+    }
+}
+
+impl<T: Float> Packed for SphereRecord<T> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        let Self { center, radius, radius_squared } = self;
+        center.pack(bytes);
+        [*radius, *radius_squared][..].pack(bytes);
+    }
+}
+
+impl<T: Float> Packed for CylinderRecord<T> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        let Self { center, axis, top, bottom, radius, radius_squared, half_height } = self;
+        [center, axis, top, bottom].iter().for_each(|vector| vector.pack(bytes));
+        [*radius, *radius_squared, *half_height][..].pack(bytes);
+    }
+}
+
+impl<R: Packed> Packed for Placed<R> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        let Self { record, order, material } = self;
+        record.pack(bytes);
+        order.pack(bytes);
+        material.pack(bytes);
+    }
+}
+
+impl<T: Float> Packed for PackedMaterial<T> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        let Self { reflectance, index, kind } = self;
+        reflectance.pack(bytes);
+        [*index][..].pack(bytes);
+        (*kind as u32).pack(bytes);
+        0_u32.pack(bytes);
+    }
+}
+
+impl<T: Float> Packed for Camera<T> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        let Self { position, origin, delta_x, delta_y } = self;
+        [position, origin, delta_x, delta_y].iter().for_each(|vector| vector.pack(bytes));
+    }
+}
+
+impl<T: Float> Packed for Background<T> {
+    fn pack(&self, bytes: &mut Vec<u8>) {
+        let Self { dark, light } = self;
+        dark.pack(bytes);
+        light.pack(bytes);
+    }
+}

@@ -1,0 +1,136 @@
+//! What a picture is made from, ready for a device: the buffers of `shaders/wgsl/picture.wgsl`.
+
+use cpu::background::Background;
+use cpu::cylinder::CylinderRecord;
+use cpu::layout::Placed;
+use cpu::real::Real;
+use cpu::scene::{Scene, Shape};
+use cpu::sphere::SphereRecord;
+use cpu::{Camera, Config, Error as CpuError, Material, Size, Vec3};
+use shaders::Features;
+
+use crate::Error;
+
+/// A material, as WGSL has it.
+#[derive(Clone, Copy, Debug)]
+pub struct PackedMaterial<T> {
+    /// What the colour of the scattered ray is multiplied by.
+    pub reflectance: Vec3<T>,
+    /// Of a refractive material; zero elsewhere.
+    pub index: T,
+    /// Which variant of [`Material`].
+    pub kind: Kind,
+}
+
+/// The variants of [`Material`], numbered as in `material.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Kind {
+    /// [`Material::Matte`].
+    Matte = 0,
+    /// [`Material::Metal`].
+    Metal = 1,
+    /// [`Material::Refractive`].
+    Refractive = 2,
+}
+
+/// A scene in one precision, seen by a camera, in deterministic mode.
+#[derive(Clone, Debug)]
+pub struct Picture<T> {
+    /// Columns and rows.
+    pub size: Size,
+    /// Where primary rays come from. Its window is computed in f64, as the tangent has to be.
+    pub camera: Camera<T>,
+    /// What rays see that meet nothing.
+    pub background: Background<T>,
+    /// The spheres in the order of the file.
+    pub spheres: Vec<Placed<SphereRecord<T>>>,
+    /// The cylinders in the order of the file.
+    pub cylinders: Vec<Placed<CylinderRecord<T>>>,
+    /// All materials.
+    pub materials: Vec<PackedMaterial<T>>,
+    /// Most surfaces that a ray may meet.
+    pub max_depth: u32,
+}
+
+impl<T: Real> Picture<T> {
+    /// The picture of `scene` that `config` asks for, every number rounded once to the precision.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] when the configuration makes no picture.
+    pub fn new(config: &Config, scene: &Scene) -> Result<Self, Error> {
+        let size = config.image_size().map_err(CpuError::from)?;
+        let camera = Camera::new(config, size).map_err(CpuError::from)?.lanes();
+        let background = Background::new(config).lanes();
+        let (mut spheres, mut cylinders) = (Vec::new(), Vec::new());
+        for (order, object) in (0..).zip(&scene.objects) {
+            let material = object.material;
+            match object.shape {
+                Shape::Sphere(shape) => {
+                    let record = SphereRecord::new(shape.center.map(T::of), T::of(shape.radius));
+                    spheres.push(Placed { record, order, material });
+                }
+                Shape::Cylinder(shape) => {
+                    let (center, axis) = (shape.center.map(T::of), shape.axis.map(T::of));
+                    let record = CylinderRecord::new(center, T::of(shape.radius), axis);
+                    cylinders.push(Placed { record, order, material });
+                }
+            }
+        }
+        let materials = scene.materials.iter().map(pack).collect();
+        Ok(Self { size, camera, background, spheres, cylinders, materials, max_depth: depth(config)? })
+    }
+}
+
+/// A list of surfaces that no device could hold is refused here already.
+fn depth(config: &Config) -> Result<u32, Error> {
+    u32::try_from(config.max_depth).map_err(|_| Error::TooLarge {
+        what: "the list of surfaces met",
+        bytes: config.max_depth.saturating_mul(4),
+        limit: u64::from(u32::MAX),
+    })
+}
+
+fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
+    let (kind, index) = match *material {
+        Material::Matte { .. } => (Kind::Matte, 0.0),
+        Material::Metal { .. } => (Kind::Metal, 0.0),
+        Material::Refractive { index } => (Kind::Refractive, index),
+    };
+    PackedMaterial { reflectance: material.reflectance().map(T::of), index: T::of(index), kind }
+}
+
+/// What `scene` needs of a pipeline; materials that no object is of do not count.
+///
+/// # Errors
+/// [`Error::TooLarge`] for a depth that no device can follow.
+pub fn features_of(config: &Config, scene: &Scene) -> Result<Features, Error> {
+    let of_shape =
+        |spheres: bool| scene.objects.iter().any(|object| matches!(object.shape, Shape::Sphere(_)) == spheres);
+    let of_kind = |kind: Kind| {
+        let mut materials = scene.objects.iter().map(|object| &scene.materials[object.material as usize]);
+        materials.any(|material| pack::<f64>(material).kind == kind)
+    };
+    Ok(Features {
+        has_spheres: of_shape(true),
+        has_cylinders: of_shape(false),
+        has_matte: of_kind(Kind::Matte),
+        has_metal: of_kind(Kind::Metal),
+        has_refraction: of_kind(Kind::Refractive),
+        max_depth: depth(config)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn features_are_those_of_the_objects_there_are() {
+        let text = "matte: a 1 1 1\nmetal: unused 1 1 1 0\nrefractive: b 1.5\nsphere: 0 0 0 1 a\nsphere: 0 0 0 2 b\n";
+        let scene = Scene::parse(text.as_bytes()).expect("it is valid");
+        let features = features_of(&Config::default(), &scene).expect("five is not deep");
+        let expected = Features { has_cylinders: false, has_metal: false, ..Features::all(5) };
+        assert_eq!(features, expected);
+    }
+}

@@ -1,0 +1,259 @@
+//! A kernel ready to run, and its runs.
+
+use std::time::{Duration, Instant};
+
+use shaders::{Composition, Features, Precision};
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
+    BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
+    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, MapMode, PipelineCompilationOptions,
+    PipelineLayoutDescriptor, PollType, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+};
+
+use crate::{Error, Gpu};
+
+/// Invocations in a workgroup, as all kernels have it.
+const WORKGROUP: u64 = 64;
+/// Most invocations in one run: WebGPU allows 65,535 workgroups along a dimension.
+pub const MAX_INVOCATIONS: u64 = 65_535 * WORKGROUP;
+/// What an output holds before the kernel writes it: no formula gives this by accident.
+const SENTINEL: u8 = 0xA5;
+/// How long a run may take.
+const PATIENCE: Duration = Duration::from_secs(120);
+/// What an empty buffer is given, since none may be empty: more than any structure takes.
+const SMALLEST: usize = 256;
+
+/// What is bound at one number.
+#[derive(Clone, Copy, Debug)]
+pub enum Content<'a> {
+    /// Bytes that the kernel reads.
+    Input(&'a [u8]),
+    /// Bytes that the kernel reads, other ones in each of several runs that follow each other.
+    Inputs(&'a [Vec<u8>]),
+    /// This many bytes for the kernel to note things in.
+    Scratch(u64),
+    /// This many bytes that the kernel has to write, all of them.
+    Output(u64),
+}
+
+/// A kernel, compiled for a device.
+#[derive(Debug)]
+pub struct Pipeline {
+    name: &'static str,
+    precision: Precision,
+    pipeline: ComputePipeline,
+    layout: BindGroupLayout,
+}
+
+/// What a run gives.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The outputs in the order of their numbers.
+    pub outputs: Vec<Vec<u8>>,
+    /// From handing the work to the device until it was done, without the transfers.
+    pub time: Duration,
+}
+
+impl Content<'_> {
+    /// Runs that the content is for.
+    const fn runs(&self) -> usize {
+        match self {
+            Self::Inputs(each) => each.len(),
+            _ => 1,
+        }
+    }
+}
+
+impl Pipeline {
+    /// Compiles the only entry point of `composition`, specialised to `features` where it has such constants.
+    ///
+    /// # Errors
+    /// [`Error::Shader`] with the place in the module's file, [`Error::NoF64`], or what the driver finds wrong.
+    pub fn new(gpu: &Gpu, composition: &Composition, features: Option<&Features>) -> Result<Self, Error> {
+        if composition.precision() == Precision::F64 && !gpu.has_f64() {
+            return Err(Error::NoF64 { adapter: gpu.name().to_owned() });
+        }
+        let shader = composition.validate()?;
+        let entries: Vec<_> = shader.bindings().map(layout_entry).collect();
+        let constants = features.map(Features::constants);
+        gpu.scoped(|| {
+            let name = composition.root();
+            let layout = gpu
+                .device
+                .create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(name), entries: &entries });
+            let pipeline_layout = gpu.device.create_pipeline_layout(&PipelineLayoutDescriptor {
+                label: Some(name),
+                bind_group_layouts: &[Some(&layout)],
+                ..PipelineLayoutDescriptor::default()
+            });
+            let source = ShaderSource::Wgsl(composition.source().into());
+            let module = gpu.device.create_shader_module(ShaderModuleDescriptor { label: Some(name), source });
+            let pipeline = gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
+                label: Some(name),
+                layout: Some(&pipeline_layout),
+                module: &module,
+                entry_point: None,
+                compilation_options: PipelineCompilationOptions {
+                    constants: constants.as_ref().map_or(&[], |constants| &constants[..]),
+                    ..PipelineCompilationOptions::default()
+                },
+                cache: None,
+            });
+            Self { name, precision: composition.precision(), pipeline, layout }
+        })
+    }
+
+    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on: once, or as often as an [`Content::Inputs`] says.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or what the driver finds wrong.
+    ///
+    /// # Panics
+    /// With more than [`MAX_INVOCATIONS`].
+    pub fn run(&self, gpu: &Gpu, contents: &[Content<'_>], invocations: u64) -> Result<Run, Error> {
+        assert!(invocations <= MAX_INVOCATIONS, "{invocations} invocations are more than a run may have");
+        gpu.check_lost()?;
+        self.check_sizes(gpu, contents)?;
+        let (buffers, time) = gpu.scoped(|| self.dispatch(gpu, contents, invocations))?;
+        let mut outputs = Vec::new();
+        for (buffer, content) in buffers.iter().zip(contents) {
+            if matches!(content, Content::Output(_)) {
+                let bytes = self.read(gpu, buffer)?;
+                self.check_written(&bytes)?;
+                outputs.push(bytes);
+            }
+        }
+        Ok(Run { outputs, time: time? })
+    }
+
+    fn check_sizes(&self, gpu: &Gpu, contents: &[Content<'_>]) -> Result<(), Error> {
+        let limit = gpu.binding_limit();
+        for content in contents {
+            let (what, bytes) = match content {
+                Content::Input(bytes) => ("an input", bytes.len() as u64),
+                Content::Inputs(each) => ("an input", each.iter().map(Vec::len).max().unwrap_or(0) as u64),
+                Content::Scratch(bytes) => ("the list of surfaces met", *bytes),
+                Content::Output(bytes) => ("an output", *bytes),
+            };
+            if bytes > limit {
+                return Err(Error::TooLarge { what, bytes, limit });
+            }
+        }
+        Ok(())
+    }
+
+    /// Does the work; the buffers are the contents' in the first run, those of outputs ready to be read.
+    fn dispatch(
+        &self,
+        gpu: &Gpu,
+        contents: &[Content<'_>],
+        invocations: u64,
+    ) -> (Vec<Buffer>, Result<Duration, Error>) {
+        let runs = contents.iter().map(|content| content.runs()).max().unwrap_or(1);
+        let first: Vec<_> = contents.iter().map(|content| create(gpu, *content, 0)).collect();
+        let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some(self.name) });
+        {
+            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor::default());
+            pass.set_pipeline(&self.pipeline);
+            for run in 0..runs {
+                let own = contents.iter().zip(&first).map(|(content, buffer)| match content {
+                    Content::Inputs(_) => create(gpu, *content, run),
+                    _ => buffer.clone(),
+                });
+                pass.set_bind_group(0, &self.bind(gpu, &own.collect::<Vec<_>>()), &[]);
+                pass.dispatch_workgroups(invocations.div_ceil(WORKGROUP) as u32, 1, 1);
+            }
+        }
+        let start = Instant::now();
+        gpu.queue.submit([encoder.finish()]);
+        let time = wait(gpu).map(|()| start.elapsed());
+        (first, time)
+    }
+
+    fn bind(&self, gpu: &Gpu, buffers: &[Buffer]) -> BindGroup {
+        let entries = (0..).zip(buffers);
+        let entries = entries.map(|(binding, buffer)| BindGroupEntry { binding, resource: buffer.as_entire_binding() });
+        gpu.device.create_bind_group(&BindGroupDescriptor {
+            label: Some(self.name),
+            layout: &self.layout,
+            entries: &entries.collect::<Vec<_>>(),
+        })
+    }
+
+    fn read(&self, gpu: &Gpu, buffer: &Buffer) -> Result<Vec<u8>, Error> {
+        let staging = gpu.scoped(|| {
+            let staging = gpu.device.create_buffer(&BufferDescriptor {
+                label: Some(self.name),
+                size: buffer.size(),
+                usage: BufferUsages::MAP_READ | BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some(self.name) });
+            encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
+            gpu.queue.submit([encoder.finish()]);
+            // A failure to map shows when the range is asked for.
+            staging.map_async(MapMode::Read, .., |_| ());
+            staging
+        })?;
+        wait(gpu)?;
+        let range = staging.get_mapped_range(..).map_err(|error| Error::Refused { cause: error.to_string() })?;
+        Ok(range.to_vec())
+    }
+
+    /// An error when a number of the output still is as it was before the run.
+    fn check_written(&self, bytes: &[u8]) -> Result<(), Error> {
+        let width = match self.precision {
+            Precision::F32 => size_of::<f32>(),
+            Precision::F64 => size_of::<f64>(),
+        };
+        let untouched = |number: &&[u8]| number.iter().all(|byte| *byte == SENTINEL);
+        match bytes.chunks(width).filter(untouched).count() {
+            0 => Ok(()),
+            count => Err(Error::Unwritten { kernel: self.name.to_owned(), count }),
+        }
+    }
+}
+
+fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
+    BindGroupLayoutEntry {
+        binding: binding.number,
+        visibility: ShaderStages::COMPUTE,
+        ty: BindingType::Buffer {
+            ty: BufferBindingType::Storage { read_only: !binding.written },
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+/// A buffer with its content. It is written through the queue and not mapped: mapping panics on a lost device.
+fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
+    let filler;
+    let (size, bytes) = match content {
+        Content::Input([]) => (SMALLEST, &[][..]),
+        Content::Input(bytes) => (bytes.len(), bytes),
+        Content::Inputs(each) => (each[run].len(), &each[run][..]),
+        Content::Scratch(size) => ((size as usize).max(SMALLEST), &[][..]),
+        Content::Output(size) => {
+            filler = vec![SENTINEL; size as usize];
+            (filler.len(), &filler[..])
+        }
+    };
+    let buffer = gpu.device.create_buffer(&BufferDescriptor {
+        label: None,
+        size: size as u64,
+        usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.queue.write_buffer(&buffer, 0, bytes);
+    buffer
+}
+
+fn wait(gpu: &Gpu) -> Result<(), Error> {
+    let poll = PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
+    match gpu.device.poll(poll) {
+        Ok(_) => gpu.check_lost(),
+        Err(_) => gpu.check_lost().and(Err(Error::Timeout { seconds: PATIENCE.as_secs() })),
+    }
+}

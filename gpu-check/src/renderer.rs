@@ -1,0 +1,171 @@
+//! Whole pictures on a device, in deterministic mode.
+
+use std::marker::PhantomData;
+use std::ops::Range;
+use std::time::Duration;
+
+use cpu::Vec3;
+use cpu::image::Size;
+use shaders::{Features, Library};
+
+use crate::packed::{Packed, buffer};
+use crate::pipeline::{Content, MAX_INVOCATIONS};
+use crate::{Error, Float, Gpu, Picture, Pipeline};
+
+/// Pixels in one run, unless the limit on a binding asks for fewer.
+const BATCH: u64 = 1 << 18;
+
+/// Most iterations that all loops of an invocation may have together. Beyond 65,535 lavapipe leaves them without a word,
+/// and rays lose their way.
+const MAX_ITERATIONS: u64 = 65_535;
+
+/// A pipeline that renders, for one precision and one set of features.
+#[derive(Debug)]
+pub struct Renderer<'a, T> {
+    gpu: &'a Gpu,
+    pipeline: Pipeline,
+    features: Features,
+    /// Surfaces in one run, when not as many as its loops allow.
+    step: Option<u32>,
+    precision: PhantomData<T>,
+}
+
+/// A picture's linear colours, before they become bytes.
+#[derive(Clone, Debug)]
+pub struct Rendering<T> {
+    /// Columns and rows.
+    pub size: Size,
+    /// Row by row from the top left.
+    pub pixels: Vec<Vec3<T>>,
+    /// What the device took, without the transfers.
+    pub time: Duration,
+}
+
+impl<'a, T: Float> Renderer<'a, T> {
+    /// Compiles the picture's kernel from `library`, any of whose modules may be replaced, with these features.
+    ///
+    /// # Errors
+    /// As [`Pipeline::new`].
+    pub fn new(gpu: &'a Gpu, library: &Library, features: &Features) -> Result<Self, Error> {
+        let composition = library.compose("kernels/image", T::PRECISION)?;
+        let pipeline = Pipeline::new(gpu, &composition, Some(features))?;
+        Ok(Self { gpu, pipeline, features: *features, step: None, precision: PhantomData })
+    }
+
+    /// The same, with `surfaces` in each run and not as many as its loops allow: results must not depend on it.
+    ///
+    /// # Panics
+    /// Without any.
+    #[must_use]
+    pub fn in_steps_of(self, surfaces: u32) -> Self {
+        assert!(surfaces > 0, "a run meets one surface at least");
+        Self { step: Some(surfaces), ..self }
+    }
+
+    /// Renders `picture` to the depth of the features.
+    ///
+    /// # Errors
+    /// As [`Pipeline::run`].
+    pub fn render(&self, picture: &Picture<T>) -> Result<Rendering<T>, Error> {
+        let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
+        let materials = buffer(&picture.materials);
+        let count = picture.size.pixels() as u64;
+        let color = size_of::<Vec3<T>>() as u64;
+        let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
+        // At least one pixel: a path too long for a binding is then an error that says so.
+        let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
+        let depths = self.depths(picture)?;
+        let mut rendering = Rendering { size: picture.size, pixels: Vec::new(), time: Duration::ZERO };
+        for first in (0..count).step_by(batch as usize) {
+            let pixels = batch.min(count - first);
+            let head = |depths: &Range<u32>| head(picture, first as u32, pixels as u32, depths);
+            let heads: Vec<_> = depths.iter().map(head).collect();
+            let contents = [
+                Content::Inputs(&heads),
+                Content::Input(&spheres),
+                Content::Input(&cylinders),
+                Content::Input(&materials),
+                Content::Scratch(pixels * path),
+                Content::Output(pixels * color),
+                Content::Scratch(pixels * (2 * color + 2 * size_of::<u32>() as u64)),
+            ];
+            let run = self.pipeline.run(self.gpu, &contents, pixels)?;
+            rendering.time += run.time;
+            let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
+            rendering.pixels.extend(numbers.chunks(3).map(|rgb| Vec3::new(rgb[0], rgb[1], rgb[2])));
+        }
+        Ok(rendering)
+    }
+
+    /// The depth in steps, each of which one run can loop through.
+    fn depths(&self, picture: &Picture<T>) -> Result<Vec<Range<u32>>, Error> {
+        let depth = self.features.max_depth;
+        if let Some(step) = self.step {
+            return Ok(steps(depth, step));
+        }
+        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
+        // At each surface: a loop over the objects, and one over the surfaces met where a neighbour's way ends.
+        let iterations = objects + u64::from(depth) + 1;
+        let step = MAX_ITERATIONS / iterations;
+        if step == 0 {
+            return Err(Error::TooManyIterations { objects, depth: depth.into(), limit: MAX_ITERATIONS });
+        }
+        Ok(steps(depth, step as u32))
+    }
+}
+
+/// `0..depth` in pieces of `step`, at least one.
+fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
+    (0..depth.max(1)).step_by(step as usize).map(|first| first..first.saturating_add(step).min(depth)).collect()
+}
+
+/// The structure `Picture` of `picture.wgsl`, for `pixels` pixels from `first`.
+fn head<T: Float>(picture: &Picture<T>, first: u32, pixels: u32, depths: &Range<u32>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    picture.camera.pack(&mut bytes);
+    picture.background.pack(&mut bytes);
+    // Deterministic mode: the middle of the pixel, and a null scatter vector.
+    [T::of(0.0); 5][..].pack(&mut bytes);
+    let counts = [picture.spheres.len() as u32, picture.cylinders.len() as u32];
+    let numbers = [picture.size.width() as u32, first, pixels, counts[0], counts[1], depths.start, depths.end, 0];
+    numbers.iter().for_each(|number| number.pack(&mut bytes));
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use shaders::Precision;
+
+    /// The size that WGSL gives the structure `name`.
+    fn size_in_wgsl(name: &str, precision: Precision) -> usize {
+        let composition = Library::standard().compose("kernels/image", precision).expect("it exists");
+        let shader = composition.validate().expect("it is valid");
+        shader.size_of(name).expect("the structure exists") as usize
+    }
+
+    fn structures_have_the_size_of_their_twins<T: Float>() {
+        let text = "matte: a 1 1 1\nsphere: 0 0 0 1 a\ncylinder: 0 0 0 1 0 1 0 a\n";
+        let scene = cpu::Scene::parse(text.as_bytes()).expect("it is valid");
+        let picture = Picture::<T>::new(&cpu::Config::default(), &scene).expect("it is valid");
+        let size = |name| size_in_wgsl(name, T::PRECISION);
+        assert_eq!(buffer(&picture.spheres).len(), size("PlacedSphere"));
+        assert_eq!(buffer(&picture.cylinders).len(), size("PlacedCylinder"));
+        assert_eq!(buffer(&picture.materials).len(), size("PackedMaterial"));
+        assert_eq!(head(&picture, 0, 1, &(0..5)).len(), size("Picture"));
+        assert_eq!(size_of::<Vec3<T>>(), size("PackedVec3"));
+        assert_eq!(2 * size_of::<Vec3<T>>() + 8, size("PackedPath"));
+    }
+
+    #[test]
+    fn a_depth_is_taken_in_steps() {
+        assert_eq!(steps(5, 13_000), [Range { start: 0, end: 5 }]);
+        assert_eq!(steps(7, 3), [0..3, 3..6, 6..7]);
+    }
+
+    #[test]
+    fn buffers_have_no_padding_in_either_precision() {
+        structures_have_the_size_of_their_twins::<f32>();
+        structures_have_the_size_of_their_twins::<f64>();
+    }
+}

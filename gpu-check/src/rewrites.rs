@@ -1,0 +1,85 @@
+//! What a driver does to formulas behind the author's back.
+//!
+//! Vulkan lets a driver treat floating point numbers as real numbers unless the shader forbids it, and naga's shaders
+//! do not. [`observe`] finds out which laws a driver applies; [`require_barrier`] is the self-test that formulas which
+//! use the barrier of `exact.wgsl` can rely on it.
+
+use std::fmt;
+
+use cpu::rng::Uniform;
+use shaders::Library;
+
+use crate::pipeline::{Content, Pipeline};
+use crate::{Error, Float, Gpu, check, kernels, special};
+
+/// Cases of each kind: enough that no rewriting goes unnoticed.
+const CASES: usize = 4096;
+/// Numbers in a case, and in its result.
+const NUMBERS: usize = 5;
+
+/// The laws of real numbers that a driver applies to floating point numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rewrites {
+    /// `(x + y) - x` is taken to be `y`.
+    pub cancels_terms: bool,
+    /// `x y + x z` is taken to be `x (y + z)`.
+    pub factors_out: bool,
+    /// `sqrt(x) sqrt(x)` is taken to be `x`.
+    pub squares_roots: bool,
+    /// `x + 0` is taken to be `x`, though `-0 + 0` is `0`.
+    pub drops_zeros: bool,
+    /// `x != x` is taken to be false, though it holds for what is no number.
+    pub forgets_nan: bool,
+}
+
+/// Which rewritings the driver applies in this precision.
+///
+/// # Errors
+/// As [`Pipeline::new`] and [`Pipeline::run`].
+pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error> {
+    let pipeline = Pipeline::new(gpu, &library.compose("kernels/rewrites", T::PRECISION)?, None)?;
+    let mut draws = Uniform::new(7);
+    let mut case = || {
+        let [x, y, z] = [(); 3].map(|()| T::of(special::of_any_size(&mut draws, -3.0, 3.0).abs()));
+        [x, y, z, T::of(-0.0), T::of(f64::NAN)]
+    };
+    let cases: Vec<T> = (0..CASES).flat_map(|_| case()).collect();
+    let size = size_of_val(&cases[..]) as u64;
+    let contents = [Content::Input(bytemuck::cast_slice(&cases)), Content::Output(size)];
+    let run = pipeline.run(gpu, &contents, CASES as u64)?;
+    let results: Vec<T> = bytemuck::pod_collect_to_vec(&run.outputs.concat());
+    let mut differ = [false; NUMBERS];
+    for (case, result) in cases.chunks(NUMBERS).zip(results.chunks(NUMBERS)) {
+        let (x, y, z, zero) = (case[0], case[1], case[2], T::of(0.0));
+        let as_written = [(x + y) - x, x * y + x * z, x.sqrt() * x.sqrt(), case[3] + zero, T::of(1.0)];
+        for (place, expected) in as_written.into_iter().enumerate() {
+            differ[place] |= !expected.same(result[place]);
+        }
+    }
+    let [cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan] = differ;
+    Ok(Rewrites { cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan })
+}
+
+/// Passes when sums behind the barrier keep their rounding errors, bit for bit.
+///
+/// # Errors
+/// [`Error::BarrierBroken`], or as [`Pipeline::new`] and [`Pipeline::run`].
+pub fn require_barrier<T: Float>(gpu: &Gpu, library: &Library) -> Result<(), Error> {
+    let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/barrier").expect("it is listed");
+    let pipeline = check::compile::<T>(gpu, library, kernel)?;
+    let tally = check::check::<T>(gpu, &pipeline, kernel, &kernel.random_cases(CASES, 7))?;
+    match tally.differing {
+        0 => Ok(()),
+        count => Err(Error::BarrierBroken { adapter: gpu.name().to_owned(), count, of: tally.cases }),
+    }
+}
+
+impl fmt::Display for Rewrites {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let word = |rewritten| if rewritten { "rewritten" } else { "kept" };
+        let Self { cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan } = *self;
+        write!(f, "(x + y) - x is {}, x y + x z is {}, ", word(cancels_terms), word(factors_out))?;
+        write!(f, "sqrt(x) sqrt(x) is {}, x + 0 is {}, ", word(squares_roots), word(drops_zeros))?;
+        write!(f, "x != x is {}", word(forgets_nan))
+    }
+}

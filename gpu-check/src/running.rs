@@ -1,0 +1,199 @@
+//! How far f32 may be from the exact result: running error analysis.
+//!
+//! [`Running`] is a number that carries, beside its value, a bound on the distance between the value and what f32 gives
+//! for the same formula. Every operation of IEEE 754 is the exact one on its operands, rounded: the result is off by at
+//! most half a unit in the last place, which is `u = 2^-24` of it (or `2^-150` below the normal numbers). So, with `x`
+//! and `y` off by at most `e` and `f`,
+//!
+//! - `x + y` is off by `e + f`, and `u |x + y|` of the result in f32;
+//! - `x y` by `|x| f + |y| e + e f`, and the rounding;
+//! - `x / y` by `(e + |x / y| f) / (|y| - f)`, and the rounding; anything when `f >= |y|`;
+//! - `sqrt x` by `e / (sqrt x + sqrt(x - e))`, and the rounding; anything when `e >= x`;
+//!
+//! (N. Higham, Accuracy and Stability of Numerical Algorithms, section 3.3). The formulas of `cpu` are generic, so the
+//! bound is derived from the very text that it is for. A comparison whose operands are closer than their bounds may fall
+//! either way in f32: it is noted, and what depends on it is left out. The value itself is f64, whose own rounding
+//! (`2^-53`) disappears in the factor `SLACK`.
+
+use std::cell::Cell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use cpu::real::Real;
+
+/// Half a unit in the last place of f32, relative.
+const U: f64 = 1.0 / 16_777_216.0;
+/// Half of the smallest f32: what rounding adds below the normal numbers.
+const ETA: f64 = f64::from_bits((1023 - 150) << 52);
+/// Covers that the bound itself and the value are calculated in f64: a thousand of its units.
+const SLACK: f64 = 1.0 + 1e-12;
+/// The largest f32: beyond it f32 says infinity.
+const LARGEST: f64 = f32::MAX as f64;
+
+thread_local! {
+    static UNDECIDED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// A value, and how far f32 may be from it.
+#[derive(Clone, Copy, Debug)]
+pub struct Running {
+    /// The value in f64.
+    pub value: f64,
+    /// The bound; infinite when nothing is known.
+    pub bound: f64,
+}
+
+impl Running {
+    /// An input that both precisions have exactly.
+    #[must_use]
+    pub const fn exact(value: f64) -> Self {
+        Self { value, bound: 0.0 }
+    }
+
+    /// A result whose operands' errors make up `carried`, after the rounding of f32.
+    fn rounded(value: f64, carried: f64) -> Self {
+        let largest = value.abs() + carried;
+        let bound = (carried + U * largest + ETA) * SLACK;
+        // Overflow in f32, or not a number: nothing is known. The comparison is false for what is not a number.
+        let known = largest + bound < LARGEST;
+        Self { value, bound: if known { bound } else { f64::INFINITY } }
+    }
+
+    /// Notes when f32 may answer a comparison of the two otherwise.
+    fn compare(self, other: Self) {
+        let distance = (self.value - other.value).abs();
+        let decided = distance > (self.bound + other.bound) * SLACK || self.is_exact() && other.is_exact();
+        if !decided {
+            UNDECIDED.set(true);
+        }
+    }
+
+    fn is_exact(self) -> bool {
+        self.bound == 0.0 && !self.value.is_nan()
+    }
+}
+
+/// Does `work` and tells whether f32 is certain to take the same decisions in it.
+pub fn observe<R>(work: impl FnOnce() -> R) -> (R, bool) {
+    UNDECIDED.set(false);
+    let result = work();
+    (result, !UNDECIDED.get())
+}
+
+impl Add for Running {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::rounded(self.value + other.value, self.bound + other.bound)
+    }
+}
+
+impl Sub for Running {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::rounded(self.value - other.value, self.bound + other.bound)
+    }
+}
+
+impl Mul for Running {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let carried = self.value.abs() * other.bound + other.value.abs() * self.bound + self.bound * other.bound;
+        Self::rounded(self.value * other.value, carried)
+    }
+}
+
+impl Div for Running {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let least = other.value.abs() - other.bound;
+        let carried = if least > 0.0 { (self.bound + value.abs() * other.bound) / least } else { f64::INFINITY };
+        Self::rounded(value, carried)
+    }
+}
+
+impl Neg for Running {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+}
+
+impl Real for Running {
+    type Mask = bool;
+
+    fn of(value: f64) -> Self {
+        let single = f64::from(value as f32);
+        Self { value, bound: if single == value { 0.0 } else { ((single - value).abs() + ETA) * SLACK } }
+    }
+
+    fn sqrt(self) -> Self {
+        if self.is_exact() && self.value == 0.0 {
+            return self;
+        }
+        let value = self.value.sqrt();
+        let least = self.value - self.bound;
+        let carried = if least > 0.0 { self.bound / (value + least.sqrt()) } else { f64::INFINITY };
+        Self::rounded(value, carried)
+    }
+
+    fn abs(self) -> Self {
+        Self { value: self.value.abs(), ..self }
+    }
+
+    fn less(self, other: Self) -> bool {
+        self.compare(other);
+        self.value < other.value
+    }
+
+    fn less_equal(self, other: Self) -> bool {
+        self.compare(other);
+        self.value <= other.value
+    }
+
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cpu::rng::Uniform;
+
+    /// A formula with every operation, cancellation included.
+    fn formula<T: Real>(x: T, y: T, z: T) -> T {
+        ((x * x + y * y - z * z).abs().sqrt() - x * y) / (z + T::of(0.1)) - y
+    }
+
+    #[test]
+    fn f32_stays_within_the_bound() {
+        let mut draws = Uniform::new(1);
+        let (mut compared, mut closest) = (0, 0.0_f64);
+        for _ in 0..100_000 {
+            let [x, y, z] = [(); 3].map(|()| draws.draw(-10.0, 10.0) as f32);
+            let bounded = formula(Running::exact(x.into()), Running::exact(y.into()), Running::exact(z.into()));
+            let error = (f64::from(formula(x, y, z)) - bounded.value).abs();
+            assert!(error <= bounded.bound, "{x} {y} {z}: {error} > {}", bounded.bound);
+            closest = closest.max(error / bounded.bound);
+            compared += usize::from(bounded.bound.is_finite());
+        }
+        assert!(compared > 99_000, "{compared} bounds are finite");
+        assert!(closest > 0.1, "the bound is not idle: the largest error is {closest} of it");
+    }
+
+    #[test]
+    fn a_comparison_too_close_for_f32_is_noted() {
+        let third = Running::of(1.0 / 3.0);
+        assert_eq!(observe(|| third.less(Running::of(0.5))), (true, true));
+        assert!(!observe(|| third.less(Running::of(1.0 / 3.0 + 1e-9))).1);
+        assert!(!observe(|| (third - third).sqrt().less(third)).1, "a root of noise may be anything");
+        assert!(!observe(|| Running::of(f64::NAN).less(third)).1);
+    }
+
+    #[test]
+    fn what_overflows_in_f32_is_unknown() {
+        let large = Running::exact(1e30);
+        assert!((large * large).bound.is_infinite() && (large + large).bound.is_finite());
+        assert!((large / Running::exact(0.0)).bound.is_infinite());
+    }
+}

@@ -1,0 +1,174 @@
+//! The scenes that whole pictures are compared on: those of the repository, random ones, and ones made to tell twins
+//! apart.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use cpu::rng::Uniform;
+use cpu::scene::{Cylinder, Object, Scene, Shape, Sphere};
+use cpu::{Config, Material, Vec3};
+
+use crate::{Error, special};
+
+/// A scene, how to render it, and its name in messages.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Where it comes from.
+    pub name: String,
+    /// How to render it.
+    pub config: Config,
+    /// What to render.
+    pub scene: Scene,
+}
+
+/// Every scene below `folder`: each of its folders that holds `config.txt` and `scene.txt`, in the order of their names.
+/// None when there is no such folder.
+///
+/// # Errors
+/// [`Error::File`] or [`Error::Scene`] for one that cannot be read.
+pub fn in_folder(folder: &Path) -> Result<Vec<Case>, Error> {
+    if !folder.exists() {
+        return Ok(Vec::new());
+    }
+    let failed = |cause| Error::File { path: folder.to_owned(), cause };
+    let entries = fs::read_dir(folder).map_err(failed)?.collect::<Result<Vec<_>, _>>().map_err(failed)?;
+    let mut folders: Vec<_> =
+        entries.into_iter().map(|entry| entry.path()).filter(|path| path.join("scene.txt").is_file()).collect();
+    folders.sort();
+    folders.into_iter().map(|path| read(&path)).collect()
+}
+
+fn read(folder: &Path) -> Result<Case, Error> {
+    let config = Config::read(&folder.join("config.txt"))?;
+    let scene = Scene::read(&folder.join("scene.txt"))?;
+    let parts: Vec<_> = folder.iter().rev().take(2).map(|part| part.to_string_lossy()).collect();
+    Ok(Case { name: format!("{}/{}", parts[1], parts[0]), config, scene })
+}
+
+/// The repository's folder of this name.
+#[must_use]
+pub fn repository(folder: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder)
+}
+
+impl Case {
+    /// The same with fewer pixels, where all pixels times all objects would be more than `tests`. A pixel costs
+    /// something without any object, too: as much as a hundred of them.
+    #[must_use]
+    pub fn within(mut self, tests: usize) -> Self {
+        let objects = self.scene.objects.len() + 100;
+        while self.config.image_width > 16
+            && self.config.image_size().is_ok_and(|size| size.pixels().saturating_mul(objects) > tests)
+        {
+            self.config.image_width = self.config.image_width * 3 / 4;
+        }
+        self
+    }
+}
+
+/// A scene in which twins that differ in a decision differ in pixels: objects at the same place with different
+/// materials in either order, a camera inside an object, rays along an axis and in the plane of a base.
+#[must_use]
+pub fn edges() -> Vec<Case> {
+    const MATERIALS: &str = "matte: red .9 .1 .2\nmatte: green .1 .8 .3\nmetal: mirror .9 .8 .7 .1\nrefractive: glass 1.5\n\
+        refractive: air .6\n";
+    const SCENES: [(&str, &str); 9] = [
+        ("one sphere twice", "sphere: 0 0 0 1 red\nsphere: 0 0 0 1 green\n"),
+        ("a sphere after a cylinder that it touches", "cylinder: 0 0 0 1 0 4 0 red\nsphere: 0 0 0 1 green\n"),
+        ("one cylinder twice", "cylinder: 0 0 0 1 0 2 1 green\ncylinder: 0 0 0 1 0 2 1 mirror\n"),
+        ("one cylinder after another, bases together", "cylinder: 0 1 0 1 0 2 0 red\ncylinder: 0 -1 0 1 0 2 0 glass\n"),
+        ("from inside a sphere", "sphere: 0 0 -10 4 mirror\nsphere: 0 0 0 1 red\nsphere: 0 0 -10 40 green\n"),
+        ("from inside a glass cylinder", "cylinder: 0 0 -8 3 0 0 6 glass\nsphere: 0 0 0 1 red\n"),
+        ("along the axis", "cylinder: 0 0 0 1.5 0 0 2 glass\ncylinder: 3 0 0 1 0 0 5 mirror\nsphere: 0 0 4 1 red\n"),
+        ("glass in air in glass", "sphere: 0 0 0 3 glass\nsphere: 0 0 0 2 air\ncylinder: 0 0 0 .8 1 1 0 glass\n"),
+        ("nothing", ""),
+    ];
+    let config =
+        Config { image_width: 65, aspect_ratio: [1, 1], field_of_view: 40.0, max_depth: 9, ..Config::default() };
+    let parse = |text: &str| {
+        let text = format!("{MATERIALS}{text}sphere: 0 -1003 0 1000 red\n");
+        Scene::parse(text.as_bytes()).expect("the scene is valid")
+    };
+    SCENES
+        .iter()
+        .map(|(name, text)| Case { name: (*name).to_owned(), config: config.clone(), scene: parse(text) })
+        .chain([Case { name: "no object at all".to_owned(), config: config.clone(), scene: Scene::default() }])
+        .collect()
+}
+
+/// A random scene with all materials, all shapes and a depth of up to 50; the same for the same seed.
+#[must_use]
+pub fn random(seed: u64) -> Case {
+    let mut draws = Uniform::new(seed);
+    let draws = &mut draws;
+    let materials = (0..12).map(|_| material(draws)).collect::<Vec<_>>();
+    let count = draws.draw(1.0, 60.0) as usize;
+    let mut objects: Vec<_> = (0..count).map(|_| object(draws, materials.len())).collect();
+    if special::once_in(draws, 1.5) {
+        let shape = Shape::Sphere(Sphere { center: Vec3::new(0.0, -1004.0, 0.0), radius: 1000.0 });
+        objects.push(Object { shape, material: 0 });
+    }
+    let config = Config {
+        image_width: draws.draw(48.0, 96.0) as u64,
+        camera_position: special::direction(draws) * draws.draw(2.0, 14.0),
+        camera_target: special::in_cube(draws, 1.0),
+        camera_north: special::direction(draws),
+        field_of_view: draws.draw(20.0, 110.0),
+        max_depth: [1, 2, 5, 12, 50][(draws.canonical() * 5.0) as usize],
+        background_dark_color: Vec3::from([(); 3].map(|()| draws.canonical())),
+        background_light_color: Vec3::from([(); 3].map(|()| draws.canonical())),
+        ..Config::default()
+    };
+    Case { name: format!("random scene {seed}"), config, scene: Scene { materials, objects } }
+}
+
+fn material(draws: &mut Uniform) -> Material {
+    let reflectance = Vec3::from([(); 3].map(|()| draws.canonical()));
+    match draws.canonical() {
+        kind if kind < 0.35 => Material::Matte { reflectance },
+        kind if kind < 0.65 => Material::Metal { reflectance, diffusion: draws.canonical() },
+        _ => Material::Refractive { index: draws.draw(0.5, 2.5) },
+    }
+}
+
+fn object(draws: &mut Uniform, materials: usize) -> Object {
+    let center = special::in_cube(draws, 5.0);
+    let radius = draws.draw(0.1, 1.5);
+    let axis = special::direction(draws) * draws.draw(0.1, 4.0);
+    let shape = if draws.canonical() < 0.5 {
+        Shape::Sphere(Sphere { center, radius })
+    } else {
+        Shape::Cylinder(Cylinder { center, radius, axis })
+    };
+    Object { shape, material: (draws.canonical() * materials as f64) as u32 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn random_scenes_have_every_material_shape_and_depth() {
+        let cases: Vec<_> = (0..40).map(random).collect();
+        let materials =
+            |wanted: fn(&Material) -> bool| cases.iter().any(|case| case.scene.materials.iter().any(wanted));
+        assert!(materials(|material| matches!(material, Material::Matte { .. })));
+        assert!(materials(|material| matches!(material, Material::Metal { .. })));
+        assert!(materials(|material| matches!(material, Material::Refractive { .. })));
+        for depth in [1, 2, 5, 12, 50] {
+            assert!(cases.iter().any(|case| case.config.max_depth == depth), "{depth}");
+        }
+        let shapes = |sphere: bool| {
+            let is = |object: &Object| matches!(object.shape, Shape::Sphere(_)) == sphere;
+            cases.iter().any(|case| case.scene.objects.iter().any(is))
+        };
+        assert!(shapes(true) && shapes(false));
+    }
+
+    #[test]
+    fn the_repositorys_scenes_are_found() {
+        let cases = in_folder(&repository("tests/cases")).expect("they are valid");
+        assert!(cases.len() >= 16, "{}", cases.len());
+        assert_eq!(in_folder(Path::new("/nowhere")).expect("none is no error").len(), 0);
+    }
+}

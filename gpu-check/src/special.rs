@@ -1,0 +1,104 @@
+//! Numbers and vectors at which floating point shows its teeth, and random ones of every size.
+
+use cpu::Vec3;
+use cpu::rng::Uniform;
+
+/// Zeros, subnormals, the smallest, the largest and what is no number, for f64 and f32 alike.
+pub const NUMBERS: [f64; 21] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    1e-3,
+    1e-8,
+    -3.0,
+    5e-324,    // smallest of f64
+    -2.2e-308, // largest subnormals of f64
+    1e-45,     // smallest of f32
+    -1.17e-38, // largest subnormals of f32
+    1e-30,
+    1e-160,
+    1e8,
+    -1e12,
+    1e30,
+    3.4e38, // largest of f32
+    1e160,
+    -1.79e308, // largest of f64
+    f64::INFINITY,
+];
+
+/// Directions along axes, with components that are zero, tiny, huge, of very different size, and none at all.
+pub const DIRECTIONS: [[f64; 3]; 22] = [
+    [0.0, 0.0, 1.0],
+    [0.0, 0.0, -2.0],
+    [0.0, 1.0, 0.0],
+    [-0.0, -1.0, -0.0],
+    [1.0, 0.0, 0.0],
+    [-3.0, 0.0, 0.0],
+    [1.0, 1.0, 0.0],
+    [0.0, -1.0, 1.0],
+    [0.0, 1.0, 1.0],
+    [3.0, -4.0, 0.0],
+    [1.0, 2.0, -2.0],
+    [1.0, 1e-8, 0.0],
+    [-1.0, -1e-8, 0.0],
+    [1.0, 1e-9, 1e-9],
+    [0.0, 0.0, 1e-300],
+    [1e-40, 1e-40, 1e-40],
+    [5e-324, 0.0, 0.0],
+    [1e-5, -1e-5, 2e-5],
+    [0.0, 0.0, 1e150],
+    [1e30, 1e30, 1e30],
+    [0.0, 0.0, 0.0],
+    [f64::NAN, 1.0, 0.0],
+];
+
+/// A number of either sign whose size is anywhere between `10^low` and `10^high`.
+pub fn of_any_size(draws: &mut Uniform, low: f64, high: f64) -> f64 {
+    let size = 10.0_f64.powf(draws.draw(low, high));
+    if draws.canonical() < 0.5 { -size } else { size }
+}
+
+/// A vector in the cube of half side `extent`.
+pub fn in_cube(draws: &mut Uniform, extent: f64) -> Vec3 {
+    Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)))
+}
+
+/// A unit vector in any direction; one in eight lies along an axis or in a plane of two.
+pub fn direction(draws: &mut Uniform) -> Vec3 {
+    loop {
+        let mut vector = in_cube(draws, 1.0);
+        if draws.canonical() < 0.125 {
+            let kept = draws.canonical();
+            vector = Vec3::new(vector.x * f64::from(kept < 0.6), vector.y, vector.z * f64::from(kept > 0.4));
+        }
+        let length = vector.length();
+        if length > 1e-3 && length <= 1.0 {
+            return vector / length;
+        }
+    }
+}
+
+/// `true` once in `times`.
+pub fn once_in(draws: &mut Uniform, times: f64) -> bool {
+    draws.canonical() * times < 1.0
+}
+
+/// Writes vectors and numbers into a row, in order.
+#[derive(Debug, Default)]
+pub struct Row(pub Vec<f64>);
+
+impl Row {
+    /// Adds a vector.
+    pub fn vector(&mut self, vector: impl Into<Vec3>) -> &mut Self {
+        self.0.extend(vector.into().to_array());
+        self
+    }
+
+    /// Adds a number.
+    pub fn number(&mut self, number: f64) -> &mut Self {
+        self.0.push(number);
+        self
+    }
+}

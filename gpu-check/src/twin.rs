@@ -1,0 +1,89 @@
+//! The renderer of `shaders/wgsl/trace.wgsl`, once more in Rust over any number: its f32 twin gives the bits that the
+//! f32 port must give, and over [`crate::running::Running`] it tells how far f32 may be from f64 in each pixel.
+//!
+//! The formulas are those of `cpu`; `cpu::reference`, which has its own, is what f64 is held against.
+
+use cpu::cylinder::Part;
+use cpu::layout::Placed;
+use cpu::real::Real;
+use cpu::{Hit, Ray, Vec3, scatter};
+
+use crate::Picture;
+use crate::picture::Kind;
+
+/// The nearest surface so far. Of two at the same lambda, the later object of the file counts.
+struct Nearest<T> {
+    lambda: T,
+    order: u32,
+    surface: Surface,
+}
+
+enum Surface {
+    Sphere(usize),
+    Cylinder(usize, Part),
+}
+
+impl<T: Real<Mask = bool>> Picture<T> {
+    /// The linear colour of the pixel at `index`.
+    #[must_use]
+    pub fn color(&self, index: usize) -> Vec3<T> {
+        let width = self.size.width();
+        let [row, column] = [index / width, index % width].map(|number| T::of(number as f64));
+        let mut ray = self.camera.ray(row, column, [T::of(0.0); 2]);
+        let vector = Vec3::splat(T::of(0.0));
+        let mut met = Vec::new();
+        for _ in 0..self.max_depth {
+            let Some((hit, id)) = self.nearest(&ray) else {
+                let color = self.background.color(ray.direction);
+                return met.iter().rev().fold(color, |color, reflectance| color.attenuate(*reflectance));
+            };
+            let material = self.materials[id as usize];
+            let direction = match material.kind {
+                Kind::Matte => scatter::matte(hit.normal, vector),
+                Kind::Metal => scatter::metal(ray.direction, hit.normal, vector),
+                Kind::Refractive => {
+                    let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
+                    scatter::refract(ray.direction, hit.normal, ratio)
+                }
+            };
+            if material.kind != Kind::Refractive {
+                met.push(material.reflectance);
+            }
+            ray = Ray { origin: hit.point, direction };
+        }
+        Vec3::splat(T::of(0.0))
+    }
+
+    /// Where the ray first meets an object, and of what material.
+    fn nearest(&self, ray: &Ray<T>) -> Option<(Hit<T>, u32)> {
+        let mut nearest = None;
+        for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {
+            if let Some(lambda) = record.intersect(ray) {
+                offer(&mut nearest, lambda, *order, Surface::Sphere(index));
+            }
+        }
+        for (index, Placed { record, order, .. }) in self.cylinders.iter().enumerate() {
+            if let Some((lambda, part)) = record.intersect(ray) {
+                offer(&mut nearest, lambda, *order, Surface::Cylinder(index, part));
+            }
+        }
+        let Nearest { lambda, surface, .. } = nearest?;
+        let point = ray.at(lambda);
+        let (outward, material) = match surface {
+            Surface::Sphere(index) => (self.spheres[index].record.outward(point), self.spheres[index].material),
+            Surface::Cylinder(index, part) => {
+                (self.cylinders[index].record.outward(part, point), self.cylinders[index].material)
+            }
+        };
+        Some((Hit::facing(ray.direction, point, outward), material))
+    }
+}
+
+fn offer<T: Real<Mask = bool>>(nearest: &mut Option<Nearest<T>>, lambda: T, order: u32, surface: Surface) {
+    let closer = nearest
+        .as_ref()
+        .is_none_or(|best| lambda.less(best.lambda) || (!best.lambda.less(lambda) && order > best.order));
+    if closer {
+        *nearest = Some(Nearest { lambda, order, surface });
+    }
+}

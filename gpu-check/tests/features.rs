@@ -1,0 +1,90 @@
+//! A pipeline specialised to its scene against the general one: the same bits, and how much faster.
+
+mod common;
+
+use std::time::Duration;
+
+use gpu_check::difference::difference;
+use gpu_check::scenes::{self, Case};
+use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
+use shaders::{Features, Library};
+
+/// Random scenes to compare besides the repository's and the edges.
+const RANDOM_SCENES: u64 = 12;
+/// Most pixels times objects of one picture.
+const TESTS: usize = 1_000_000;
+
+fn render<T: Float>(gpu: &Gpu, case: &Case, features: &Features) -> (Vec<cpu::Vec3<T>>, Duration) {
+    let rendering = Renderer::<T>::new(gpu, &Library::standard(), features).and_then(|renderer| {
+        let picture = Picture::new(&case.config, &case.scene)?;
+        // Once to warm up.
+        renderer.render(&picture)?;
+        renderer.render(&picture)
+    });
+    let rendering = rendering.unwrap_or_else(|error| panic!("{}: {error}", case.name));
+    (rendering.pixels, rendering.time)
+}
+
+fn specialised_pipelines_give_the_same_bits<T: Float>(gpu: &Gpu) {
+    let mut cases = scenes::in_folder(&scenes::repository("tests/cases")).unwrap_or_else(|error| panic!("{error}"));
+    cases.extend(scenes::edges());
+    cases.extend((0..RANDOM_SCENES).map(scenes::random));
+    let (mut pixels, mut specialised) = (0, 0);
+    for case in cases.into_iter().map(|case| case.within(TESTS)) {
+        let features = features_of(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
+        let all = Features::all(features.max_depth);
+        let ((own, own_time), (general, general_time)) =
+            (render::<T>(gpu, &case, &features), render::<T>(gpu, &case, &all));
+        let found = difference(&own, &general);
+        assert_eq!(found.differing, 0, "{}: {found}", case.name);
+        println!("{} {}: {own_time:?} specialised, {general_time:?} general", T::PRECISION, case.name);
+        pixels += found.pixels;
+        specialised += usize::from(features != all);
+    }
+    println!("{}: {pixels} pixels compared, {specialised} scenes with a feature off", T::PRECISION);
+    assert!(pixels > 50_000 && specialised >= 10);
+}
+
+#[test]
+fn specialised_pipelines_give_the_bits_of_general_ones_in_f64() {
+    specialised_pipelines_give_the_same_bits::<f64>(&common::gpu());
+}
+
+#[test]
+fn specialised_pipelines_give_the_bits_of_general_ones_in_f32() {
+    specialised_pipelines_give_the_same_bits::<f32>(&common::gpu());
+}
+
+/// A crowd of one kind: where the other kind's code costs most.
+fn crowd(name: &str, line: &str) -> Case {
+    let mut text = "matte: m .8 .8 .8\nmetal: n .9 .9 .9 0\nrefractive: o 1.5\n".to_owned();
+    for number in 0..200 {
+        let (x, y) = (number % 20 - 10, number / 20 - 5);
+        text.push_str(&line.replace("X", &x.to_string()).replace("Y", &y.to_string()));
+    }
+    let config = cpu::Config { image_width: 100, aspect_ratio: [1, 1], max_depth: 10, ..cpu::Config::default() };
+    Case { name: name.to_owned(), config, scene: cpu::Scene::parse(text.as_bytes()).expect("it is valid") }
+}
+
+#[test]
+fn times_of_specialised_and_general_pipelines_are_reported() {
+    let gpu = common::gpu();
+    let crowds = [
+        crowd("200 matte spheres", "sphere: X Y 0 .4 m\n"),
+        crowd("200 metal cylinders", "cylinder: X Y 0 .3 .2 .6 .1 n\n"),
+        crowd("200 glass spheres", "sphere: X Y 0 .4 o\n"),
+    ];
+    for case in crowds {
+        let features = features_of(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
+        let all = Features::all(features.max_depth);
+        let time = |features| {
+            let times = [(); 3].map(|()| render::<f64>(&gpu, &case, features).1);
+            times.into_iter().min().expect("there are three")
+        };
+        let (own, general) = (time(&features), time(&all));
+        let ratio = general.as_secs_f64() / own.as_secs_f64();
+        println!("{}: {own:?} specialised, {general:?} general, {ratio:.2} times", case.name);
+        let pictures = (render::<f64>(&gpu, &case, &features).0, render::<f64>(&gpu, &case, &all).0);
+        assert_eq!(difference(&pictures.0, &pictures.1).differing, 0, "{}", case.name);
+    }
+}

@@ -1,0 +1,85 @@
+//! Every formula in WGSL against its twin in `cpu`: a million random cases and the edges, bit by bit.
+
+mod common;
+
+use gpu_check::bound::spread;
+use gpu_check::check::{check, compile, results};
+use gpu_check::kernels::KERNELS;
+use gpu_check::{Error, Float, Gpu, Kernel};
+use shaders::Library;
+
+const RANDOM_CASES: usize = 1 << 20;
+const FEWEST_EDGES: usize = 400;
+
+/// Compares both kinds of cases and gives the number of numbers compared.
+fn gives_the_bits_of_cpu<T: Float>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, Error> {
+    let pipeline = compile::<T>(gpu, &Library::standard(), kernel)?;
+    let (edges, random) = (kernel.edge_cases::<T>(), kernel.random_cases::<T>(RANDOM_CASES, 42));
+    let mut compared = 0;
+    for (cases, fewest) in [(edges, FEWEST_EDGES), (random, RANDOM_CASES)] {
+        let tally = check(gpu, &pipeline, kernel, &cases)?;
+        println!("{} {tally}", T::PRECISION);
+        assert_eq!(tally.differing, 0, "{tally}");
+        assert!(tally.cases >= fewest, "too few cases: {tally}");
+        assert!(tally.nonzero > tally.cases / 10, "too few hits: {tally}");
+        compared += tally.numbers;
+    }
+    Ok(compared)
+}
+
+fn every_kernel_gives_the_bits_of_cpu<T: Float>() {
+    let gpu = common::gpu();
+    let compared: usize = KERNELS
+        .iter()
+        .map(|kernel| gives_the_bits_of_cpu::<T>(&gpu, kernel).unwrap_or_else(|error| panic!("{error}")))
+        .sum();
+    println!("{}: {} kernels, {compared} numbers compared", T::PRECISION, KERNELS.len());
+    assert!(compared > 30_000_000);
+}
+
+#[test]
+fn f64_gives_the_bits_of_cpu() {
+    every_kernel_gives_the_bits_of_cpu::<f64>();
+}
+
+#[test]
+fn f32_gives_the_bits_of_its_twin() {
+    every_kernel_gives_the_bits_of_cpu::<f32>();
+}
+
+#[test]
+fn random_rays_meet_every_part_of_a_cylinder_from_both_sides() {
+    let cylinder = KERNELS.iter().find(|kernel| kernel.module == "kernels/cylinder").expect("it is listed");
+    let (some, part, front) = (0, 2, 3);
+    let mut counts = [[0; 2]; 3];
+    let mut report = vec![0.0; cylinder.outputs.len()];
+    for case in cylinder.random_cases::<f64>(100_000, 42).chunks(cylinder.inputs) {
+        f64::formula(cylinder)(case, &mut report);
+        if report[some] == 1.0 {
+            counts[report[part] as usize][report[front] as usize] += 1;
+        }
+    }
+    println!("side, top, bottom, each from inside and from outside: {counts:?}");
+    assert!(counts.as_flattened().iter().all(|count| *count > 1000), "{counts:?}");
+}
+
+#[test]
+fn f32_is_within_its_bound_of_f64() {
+    let gpu = common::gpu();
+    for kernel in &KERNELS {
+        let cases = kernel.random_cases::<f32>(RANDOM_CASES, 43);
+        let results = compile::<f32>(&gpu, &Library::standard(), kernel)
+            .and_then(|pipeline| results(&gpu, &pipeline, kernel, &cases))
+            .unwrap_or_else(|error| panic!("{error}"));
+        let found = spread(kernel, &cases, &results);
+        println!("{} {found}", kernel.module);
+        assert_eq!(found.beyond, 0, "{} {found}", kernel.module);
+        assert!(found.decided > RANDOM_CASES / 2, "too few: {} {found}", kernel.module);
+        assert!(found.compared > found.decided && found.closest > 0.1, "an idle bound: {} {found}", kernel.module);
+
+        // The bound's own control: results that are a little too large are beyond it.
+        let wrong: Vec<_> = results.iter().map(|number| number * 1.001 + 0.001).collect();
+        let noticed = spread(kernel, &cases, &wrong).beyond;
+        assert!(noticed > RANDOM_CASES / 2, "{} notices {noticed}", kernel.module);
+    }
+}

@@ -1,0 +1,33 @@
+//! The checks' own check: every fault put into the WGSL is noticed, and without a fault nothing is.
+
+mod common;
+
+use gpu_check::mutants::{Examiner, MUTANTS};
+use shaders::Library;
+use shaders::module::MODULES;
+
+#[test]
+fn every_mutant_is_noticed() {
+    let gpu = common::gpu();
+    let examiner = Examiner::new(&gpu).unwrap_or_else(|error| panic!("{error}"));
+    let mut survivors = Vec::new();
+    for mutant in MUTANTS {
+        match examiner.notice(mutant).unwrap_or_else(|error| panic!("{mutant:?}: {error}")) {
+            Some(by) => println!("{}: [{}] => [{}] noticed by {by}", mutant.module, mutant.from, mutant.to),
+            None => survivors.push(format!("{mutant:?}")),
+        }
+    }
+    println!("{} mutants, {} noticed", MUTANTS.len(), MUTANTS.len() - survivors.len());
+    assert!(survivors.is_empty(), "nothing notices\n{}", survivors.join("\n"));
+    assert!(MUTANTS.len() >= 25);
+}
+
+#[test]
+fn nothing_is_noticed_without_a_fault() {
+    let gpu = common::gpu();
+    let examiner = Examiner::new(&gpu).unwrap_or_else(|error| panic!("{error}"));
+    for module in MODULES {
+        let noticed = examiner.examine(&Library::standard(), module.name).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(noticed, None, "{}", module.name);
+    }
+}

@@ -1,0 +1,143 @@
+#version 310 es
+
+precision highp float;
+precision highp int;
+
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+
+struct Ray {
+    vec3 origin;
+    vec3 direction;
+};
+struct Root {
+    bool some;
+    float lambda;
+};
+struct Hit {
+    vec3 point;
+    vec3 normal;
+    bool front;
+};
+struct Background {
+    vec3 dark;
+    vec3 light;
+};
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+struct BackgroundCase {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+    PackedVec3_ direction;
+};
+layout(std430, binding = 0) readonly buffer type_2_block_0Compute { BackgroundCase _group_0_binding_0_cs[]; };
+
+layout(std430, binding = 1) buffer type_3_block_1Compute { PackedVec3_ _group_0_binding_1_cs[]; };
+
+
+float vec3_dot(vec3 a, vec3 b) {
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(vec3 v) {
+    float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+vec3 vec3_unit(vec3 v_1) {
+    float _e1 = vec3_length(v_1);
+    return (v_1 / vec3(_e1));
+}
+
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(vec3 v_3) {
+    bool local = false;
+    bool local_1 = false;
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+vec3 ray_at(Ray ray, float lambda) {
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1) {
+    return (0.001 <= lambda_1);
+}
+
+Root root_none() {
+    return Root(false, 0.0);
+}
+
+Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
+    float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        return Hit(point, outward, front);
+    }
+    return Hit(point, -(outward), front);
+}
+
+vec3 background_color(Background background_1, vec3 direction_1) {
+    float _e3 = vec3_length(direction_1);
+    float m = (((direction_1.y / _e3) + 1.0) / 2.0);
+    return ((background_1.light * (1.0 - m)) + (background_1.dark * m));
+}
+
+vec3 vec3_load(PackedVec3_ v_4) {
+    return vec3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(vec3 v_5) {
+    return PackedVec3_(v_5.x, v_5.y, v_5.z);
+}
+
+Ray ray_load(PackedRay ray_1) {
+    vec3 _e2 = vec3_load(ray_1.origin);
+    vec3 _e4 = vec3_load(ray_1.direction);
+    return Ray(_e2, _e4);
+}
+
+PackedRay ray_store(Ray ray_2) {
+    PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    return PackedRay(_e2, _e4);
+}
+
+void main() {
+    uvec3 id = gl_GlobalInvocationID;
+    if ((id.x >= uint(_group_0_binding_0_cs.length()))) {
+        return;
+    }
+    BackgroundCase this_case = _group_0_binding_0_cs[id.x];
+    vec3 _e10 = vec3_load(this_case.dark);
+    vec3 _e12 = vec3_load(this_case.light);
+    Background background_2 = Background(_e10, _e12);
+    vec3 _e18 = vec3_load(this_case.direction);
+    vec3 _e19 = background_color(background_2, _e18);
+    PackedVec3_ _e20 = vec3_store(_e19);
+    _group_0_binding_1_cs[id.x] = _e20;
+    return;
+}
+

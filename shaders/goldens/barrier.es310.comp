@@ -1,0 +1,39 @@
+#version 310 es
+
+precision highp float;
+precision highp int;
+
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+
+struct ExactSum {
+    float sum;
+    float error;
+};
+struct BarrierCase {
+    float a;
+    float b;
+    float one;
+};
+layout(std430, binding = 0) readonly buffer type_block_0Compute { BarrierCase _group_0_binding_0_cs[]; };
+
+layout(std430, binding = 1) buffer type_1_block_1Compute { ExactSum _group_0_binding_1_cs[]; };
+
+
+ExactSum exact_two_sum(float a, float b, float one) {
+    float sum = ((a * one) + b);
+    float b_part = (sum - a);
+    float a_part = (sum - b_part);
+    return ExactSum(sum, ((a - a_part) + (b - b_part)));
+}
+
+void main() {
+    uvec3 id = gl_GlobalInvocationID;
+    if ((id.x >= uint(_group_0_binding_0_cs.length()))) {
+        return;
+    }
+    BarrierCase this_case = _group_0_binding_0_cs[id.x];
+    ExactSum _e15 = exact_two_sum(this_case.a, this_case.b, this_case.one);
+    _group_0_binding_1_cs[id.x] = _e15;
+    return;
+}
+

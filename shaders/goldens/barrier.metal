@@ -1,0 +1,51 @@
+// language: metal2.0
+#include <metal_stdlib>
+#include <simd/simd.h>
+
+using metal::uint;
+
+struct _mslBufferSizes {
+    uint size0;
+    uint size1;
+};
+
+typedef float real;
+struct ExactSum {
+    real sum;
+    real error;
+};
+struct BarrierCase {
+    real a;
+    real b;
+    real one;
+};
+typedef BarrierCase type[1];
+typedef ExactSum type_1[1];
+
+ExactSum exact_two_sum(
+    real a,
+    real b,
+    real one
+) {
+    real sum = (a * one) + b;
+    real b_part = sum - a;
+    real a_part = sum - b_part;
+    return ExactSum {sum, (a - a_part) + (b - b_part)};
+}
+
+struct barrierInput {
+};
+kernel void barrier(
+  metal::uint3 id [[thread_position_in_grid]]
+, device type const& cases [[buffer(0)]]
+, device type_1& results [[buffer(1)]]
+, constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
+) {
+    if (id.x >= (1 + (_buffer_sizes.size0 - 0 - 12) / 12)) {
+        return;
+    }
+    BarrierCase this_case = cases[id.x];
+    ExactSum _e15 = exact_two_sum(this_case.a, this_case.b, this_case.one);
+    results[id.x] = _e15;
+    return;
+}

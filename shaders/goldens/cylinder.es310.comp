@@ -1,0 +1,348 @@
+#version 310 es
+
+precision highp float;
+precision highp int;
+
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+
+struct Ray {
+    vec3 origin;
+    vec3 direction;
+};
+struct Root {
+    bool some;
+    float lambda;
+};
+struct Hit {
+    vec3 point;
+    vec3 normal;
+    bool front;
+};
+struct CylinderRecord {
+    vec3 center;
+    vec3 axis;
+    vec3 top;
+    vec3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+};
+struct CylinderView {
+    vec3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+};
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+struct HitReport {
+    float some;
+    float lambda;
+    float part;
+    float front;
+    PackedVec3_ point;
+    PackedVec3_ normal;
+};
+struct CylinderCase {
+    PackedRay ray;
+    PackedVec3_ center;
+    float radius;
+    PackedVec3_ axis;
+};
+const uint SIDE = 0u;
+const uint TOP = 1u;
+const uint BOTTOM = 2u;
+
+layout(std430, binding = 0) readonly buffer type_3_block_0Compute { CylinderCase _group_0_binding_0_cs[]; };
+
+layout(std430, binding = 1) buffer type_4_block_1Compute { HitReport _group_0_binding_1_cs[]; };
+
+
+float vec3_dot(vec3 a, vec3 b) {
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(vec3 v) {
+    float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+vec3 vec3_unit(vec3 v_1) {
+    float _e1 = vec3_length(v_1);
+    return (v_1 / vec3(_e1));
+}
+
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(vec3 v_3) {
+    bool local = false;
+    bool local_1 = false;
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+vec3 ray_at(Ray ray, float lambda) {
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1) {
+    return (0.001 <= lambda_1);
+}
+
+Root root_none() {
+    return Root(false, 0.0);
+}
+
+Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
+    float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        return Hit(point, outward, front);
+    }
+    return Hit(point, -(outward), front);
+}
+
+CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
+    float _e3 = vec3_length(axis_1);
+    vec3 unit = (axis_1 / vec3(_e3));
+    float half_height = (_e3 / 2.0);
+    vec3 reach = (unit * half_height);
+    vec3 top = (center + reach);
+    vec3 bottom = (center - reach);
+    return CylinderRecord(center, unit, top, bottom, radius, (radius * radius), half_height);
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder_1, vec3 origin) {
+    vec3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center), cylinder_1.axis);
+    float _e6 = vec3_dot(_e5, _e5);
+    float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
+    float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
+    return CylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView view, vec3 along) {
+    vec3 _e4 = vec3_perpendicular_to(along, cylinder_2.axis);
+    float _e5 = vec3_dot(_e4, _e4);
+    float _e7 = vec3_dot(view.r_c, _e4);
+    return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view.c)));
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_2) {
+    vec3 _e3 = ray_at(ray_1, lambda_2);
+    float _e7 = vec3_dot((_e3 - cylinder_3.center), cylinder_3.axis);
+    return (abs(_e7) <= cylinder_3.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool local_4 = false;
+    float root = sqrt(quadratic.discriminant);
+    float near = ((-(quadratic.h) - root) / quadratic.a);
+    float far = ((-(quadratic.h) + root) / quadratic.a);
+    bool _e15 = in_range(near);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    bool _e21 = in_range(far);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    return Root(_e31, (near_counts ? near : far));
+}
+
+Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, vec3 base, float distance_) {
+    bool local_5 = false;
+    bool local_6 = false;
+    float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    float lambda_4 = (distance_ / _e6);
+    vec3 _e8 = ray_at(ray_3, lambda_4);
+    float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_5.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        bool _e19 = in_range(lambda_4);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    return Root(_e25, lambda_4);
+}
+
+vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
+    switch(part) {
+        case 0u: {
+            vec3 _e6 = vec3_perpendicular_to((point_1 - cylinder_6.center), cylinder_6.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_6.axis;
+        }
+        default: {
+            return -(cylinder_6.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
+    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
+    CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
+        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = CylinderRoot(true, _e18.lambda, TOP);
+    }
+    Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    return _e64;
+}
+
+vec3 vec3_load(PackedVec3_ v_4) {
+    return vec3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(vec3 v_5) {
+    return PackedVec3_(v_5.x, v_5.y, v_5.z);
+}
+
+Ray ray_load(PackedRay ray_5) {
+    vec3 _e2 = vec3_load(ray_5.origin);
+    vec3 _e4 = vec3_load(ray_5.direction);
+    return Ray(_e2, _e4);
+}
+
+PackedRay ray_store(Ray ray_6) {
+    PackedVec3_ _e2 = vec3_store(ray_6.origin);
+    PackedVec3_ _e4 = vec3_store(ray_6.direction);
+    return PackedRay(_e2, _e4);
+}
+
+HitReport hit_report_none() {
+    PackedVec3_ _e1 = vec3_store(vec3(0.0));
+    return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
+}
+
+HitReport hit_report(float lambda_3, uint part_1, Hit hit) {
+    float front_1 = (hit.front ? 1.0 : 0.0);
+    PackedVec3_ _e10 = vec3_store(hit.point);
+    PackedVec3_ _e12 = vec3_store(hit.normal);
+    return HitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+}
+
+void main() {
+    uvec3 id = gl_GlobalInvocationID;
+    if ((id.x >= uint(_group_0_binding_0_cs.length()))) {
+        return;
+    }
+    PackedRay _e9 = _group_0_binding_0_cs[id.x].ray;
+    Ray _e10 = ray_load(_e9);
+    PackedVec3_ _e15 = _group_0_binding_0_cs[id.x].center;
+    vec3 _e16 = vec3_load(_e15);
+    float _e21 = _group_0_binding_0_cs[id.x].radius;
+    PackedVec3_ _e26 = _group_0_binding_0_cs[id.x].axis;
+    vec3 _e27 = vec3_load(_e26);
+    CylinderRecord _e28 = cylinder_new(_e16, _e21, _e27);
+    CylinderRoot _e29 = cylinder_intersect(_e28, _e10);
+    if (!(_e29.some)) {
+        HitReport _e35 = hit_report_none();
+        _group_0_binding_1_cs[id.x] = _e35;
+        return;
+    }
+    vec3 _e37 = ray_at(_e10, _e29.lambda);
+    vec3 _e40 = cylinder_outward(_e28, _e29.part, _e37);
+    Hit _e41 = hit_facing(_e10.direction, _e37, _e40);
+    HitReport _e47 = hit_report(_e29.lambda, _e29.part, _e41);
+    _group_0_binding_1_cs[id.x] = _e47;
+    return;
+}
+

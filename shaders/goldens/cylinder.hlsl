@@ -1,0 +1,533 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct CylinderRecord {
+    float3 center_;
+    int _pad1_0;
+    float3 axis;
+    int _pad2_0;
+    float3 top;
+    int _pad3_0;
+    float3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderView {
+    float3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
+struct HitReport {
+    float some;
+    float lambda;
+    float part;
+    float front;
+    PackedVec3_ point_;
+    PackedVec3_ normal;
+};
+
+struct CylinderCase {
+    PackedRay ray;
+    PackedVec3_ center_;
+    float radius;
+    PackedVec3_ axis;
+};
+
+static const uint SIDE = 0u;
+static const uint TOP = 1u;
+static const uint BOTTOM = 2u;
+
+ByteAddressBuffer cases : register(t0);
+RWByteAddressBuffer reports : register(u1);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_unit(float3 v_1)
+{
+    const float _e1 = vec3_length(v_1);
+    return (v_1 / (_e1).xxx);
+}
+
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
+{
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_3)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+float3 ray_at(Ray ray, float lambda)
+{
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        const Hit hit_1 = ConstructHit(point_, outward, front);
+        return hit_1;
+    }
+    const Hit hit_2 = ConstructHit(point_, -(outward), front);
+    return hit_2;
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
+{
+    const float _e3 = vec3_length(axis_1);
+    float3 unit = (axis_1 / (_e3).xxx);
+    float half_height = (_e3 / 2.0);
+    float3 reach = (unit * half_height);
+    float3 top = (center_ + reach);
+    float3 bottom = (center_ - reach);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, unit, top, bottom, radius, (radius * radius), half_height);
+    return cylinderrecord;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    ret.to_top = arg2;
+    ret.to_bottom = arg3;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder_1, float3 origin)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center_), cylinder_1.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
+    const float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
+    return cylinderview;
+}
+
+CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
+    CylinderQuadratic ret = (CylinderQuadratic)0;
+    ret.a = arg0;
+    ret.h = arg1;
+    ret.discriminant = arg2;
+    return ret;
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView view, float3 along)
+{
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_2.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view.c)));
+    return cylinderquadratic;
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_2)
+{
+    const float3 _e3 = ray_at(ray_1, lambda_2);
+    const float _e7 = vec3_dot((_e3 - cylinder_3.center_), cylinder_3.axis);
+    return (abs(_e7) <= cylinder_3.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
+
+    float root_1 = sqrt(quadratic.discriminant);
+    float near = ((-(quadratic.h) - root_1) / quadratic.a);
+    float far = ((-(quadratic.h) + root_1) / quadratic.a);
+    const bool _e15 = in_range(near);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    const bool _e21 = in_range(far);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    const Root root_2 = ConstructRoot(_e31, (near_counts ? near : far));
+    return root_2;
+}
+
+Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, float3 base, float distance_)
+{
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
+
+    const float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    float lambda_4 = (distance_ / _e6);
+    const float3 _e8 = ray_at(ray_3, lambda_4);
+    const float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_5.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        const bool _e19 = in_range(lambda_4);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    const Root root_3 = ConstructRoot(_e25, lambda_4);
+    return root_3;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_6, uint part, float3 point_1)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_6.center_), cylinder_6.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_6.axis;
+        }
+        default: {
+            return -(cylinder_6.axis);
+        }
+    }
+}
+
+CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
+    CylinderRoot ret = (CylinderRoot)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    return ret;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
+{
+    CylinderRoot nearest = (CylinderRoot)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
+        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    const Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
+    }
+    const Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    const CylinderRoot cylinderroot = _e64;
+    return cylinderroot;
+}
+
+float3 vec3_load(PackedVec3_ v_4)
+{
+    return float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_5)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    return packedvec3_;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray ray_load(PackedRay ray_5)
+{
+    const float3 _e2 = vec3_load(ray_5.origin);
+    const float3 _e4 = vec3_load(ray_5.direction);
+    const Ray ray_7 = ConstructRay(_e2, _e4);
+    return ray_7;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_6)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_6.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_6.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
+}
+
+HitReport ConstructHitReport(float arg0, float arg1, float arg2, float arg3, PackedVec3_ arg4, PackedVec3_ arg5) {
+    HitReport ret = (HitReport)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    ret.front = arg3;
+    ret.point_ = arg4;
+    ret.normal = arg5;
+    return ret;
+}
+
+float3 ZeroValuefloat3() {
+    return (float3)0;
+}
+
+HitReport hit_report_none()
+{
+    const PackedVec3_ _e1 = vec3_store(ZeroValuefloat3());
+    const HitReport hitreport = ConstructHitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
+    return hitreport;
+}
+
+HitReport hit_report(float lambda_3, uint part_1, Hit hit)
+{
+    float front_1 = (hit.front ? 1.0 : 0.0);
+    const PackedVec3_ _e10 = vec3_store(hit.point_);
+    const PackedVec3_ _e12 = vec3_store(hit.normal);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+    return hitreport_1;
+}
+
+uint NagaBufferLength(ByteAddressBuffer buffer)
+{
+    uint ret;
+    buffer.GetDimensions(ret);
+    return ret;
+}
+
+[numthreads(64, 1, 1)]
+void cylinder(uint3 id : SV_DispatchThreadID)
+{
+    if ((id.x >= ((NagaBufferLength(cases) - 0) / 52))) {
+        return;
+    }
+    PackedRay _e9 = ConstructPackedRay(ConstructPackedVec3_(asfloat(cases.Load(0+id.x*52+0+0)), asfloat(cases.Load(0+id.x*52+0+4)), asfloat(cases.Load(0+id.x*52+0+8))), ConstructPackedVec3_(asfloat(cases.Load(0+id.x*52+12+0)), asfloat(cases.Load(0+id.x*52+12+4)), asfloat(cases.Load(0+id.x*52+12+8))));
+    const Ray _e10 = ray_load(_e9);
+    PackedVec3_ _e15 = ConstructPackedVec3_(asfloat(cases.Load(24+id.x*52+0)), asfloat(cases.Load(24+id.x*52+4)), asfloat(cases.Load(24+id.x*52+8)));
+    const float3 _e16 = vec3_load(_e15);
+    float _e21 = asfloat(cases.Load(36+id.x*52));
+    PackedVec3_ _e26 = ConstructPackedVec3_(asfloat(cases.Load(40+id.x*52+0)), asfloat(cases.Load(40+id.x*52+4)), asfloat(cases.Load(40+id.x*52+8)));
+    const float3 _e27 = vec3_load(_e26);
+    const CylinderRecord _e28 = cylinder_new(_e16, _e21, _e27);
+    const CylinderRoot _e29 = cylinder_intersect(_e28, _e10);
+    if (!(_e29.some)) {
+        const HitReport _e35 = hit_report_none();
+        {
+            HitReport _value3 = _e35;
+            reports.Store(id.x*40+0, asuint(_value3.some));
+            reports.Store(id.x*40+4, asuint(_value3.lambda));
+            reports.Store(id.x*40+8, asuint(_value3.part));
+            reports.Store(id.x*40+12, asuint(_value3.front));
+            {
+                PackedVec3_ _value4 = _value3.point_;
+                reports.Store(id.x*40+16+0, asuint(_value4.x));
+                reports.Store(id.x*40+16+4, asuint(_value4.y));
+                reports.Store(id.x*40+16+8, asuint(_value4.z));
+            }
+            {
+                PackedVec3_ _value4 = _value3.normal;
+                reports.Store(id.x*40+28+0, asuint(_value4.x));
+                reports.Store(id.x*40+28+4, asuint(_value4.y));
+                reports.Store(id.x*40+28+8, asuint(_value4.z));
+            }
+        }
+        return;
+    }
+    const float3 _e37 = ray_at(_e10, _e29.lambda);
+    const float3 _e40 = cylinder_outward(_e28, _e29.part, _e37);
+    const Hit _e41 = hit_facing(_e10.direction, _e37, _e40);
+    const HitReport _e47 = hit_report(_e29.lambda, _e29.part, _e41);
+    {
+        HitReport _value2 = _e47;
+        reports.Store(id.x*40+0, asuint(_value2.some));
+        reports.Store(id.x*40+4, asuint(_value2.lambda));
+        reports.Store(id.x*40+8, asuint(_value2.part));
+        reports.Store(id.x*40+12, asuint(_value2.front));
+        {
+            PackedVec3_ _value3 = _value2.point_;
+            reports.Store(id.x*40+16+0, asuint(_value3.x));
+            reports.Store(id.x*40+16+4, asuint(_value3.y));
+            reports.Store(id.x*40+16+8, asuint(_value3.z));
+        }
+        {
+            PackedVec3_ _value3 = _value2.normal;
+            reports.Store(id.x*40+28+0, asuint(_value3.x));
+            reports.Store(id.x*40+28+4, asuint(_value3.y));
+            reports.Store(id.x*40+28+8, asuint(_value3.z));
+        }
+    }
+    return;
+}

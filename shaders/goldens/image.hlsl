@@ -1,0 +1,1189 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct SphereRecord {
+    float3 center_;
+    float radius;
+    float radius_squared;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+struct SphereView {
+    float3 r_c;
+    float c;
+};
+
+struct SphereQuadratic {
+    float h;
+    float discriminant;
+};
+
+struct CylinderRecord {
+    float3 center_;
+    int _pad1_0;
+    float3 axis;
+    int _pad2_0;
+    float3 top;
+    int _pad3_0;
+    float3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderView {
+    float3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+
+struct Camera {
+    float3 position;
+    int _pad1_0;
+    float3 origin;
+    int _pad2_0;
+    float3 delta_x;
+    int _pad3_0;
+    float3 delta_y;
+    int _end_pad_0;
+};
+
+struct Background {
+    float3 dark;
+    int _pad1_0;
+    float3 light;
+    int _end_pad_0;
+};
+
+struct Material {
+    float3 reflectance;
+    float index;
+    uint kind;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
+struct PlacedSphere {
+    PackedVec3_ center_;
+    float radius;
+    float radius_squared;
+    uint order;
+    uint material;
+};
+
+struct PlacedCylinder {
+    PackedVec3_ center_;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    uint order;
+    uint material;
+};
+
+struct PackedMaterial {
+    PackedVec3_ reflectance;
+    float index;
+    uint kind;
+    uint unused;
+};
+
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    float offset_x;
+    float offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint unused;
+};
+
+struct PackedPath {
+    PackedRay ray;
+    uint met_count;
+    uint ended;
+};
+
+struct Nearest {
+    bool some;
+    float lambda;
+    uint order;
+    bool is_cylinder;
+    uint index;
+    uint part;
+};
+
+struct SurfaceHit {
+    bool some;
+    int _pad1_0;
+    int _pad1_1;
+    int _pad1_2;
+    Hit hit;
+    uint material;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+static const uint SIDE = 0u;
+static const uint TOP = 1u;
+static const uint BOTTOM = 2u;
+static const uint MATTE = 0u;
+static const uint METAL = 1u;
+static const uint REFRACTIVE = 2u;
+static const bool has_spheres = true;
+static const bool has_cylinders = true;
+static const bool has_matte = true;
+static const bool has_metal = true;
+static const bool has_refraction = true;
+static const uint max_depth = 5u;
+
+ByteAddressBuffer picture : register(t0);
+ByteAddressBuffer spheres : register(t1);
+ByteAddressBuffer cylinders : register(t2);
+ByteAddressBuffer materials : register(t3);
+RWByteAddressBuffer met : register(u4);
+RWByteAddressBuffer pixels : register(u5);
+RWByteAddressBuffer paths : register(u6);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_unit(float3 v_1)
+{
+    const float _e1 = vec3_length(v_1);
+    return (v_1 / (_e1).xxx);
+}
+
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
+{
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_3)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+float3 ray_at(Ray ray, float lambda)
+{
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        const Hit hit = ConstructHit(point_, outward, front);
+        return hit;
+    }
+    const Hit hit_1 = ConstructHit(point_, -(outward), front);
+    return hit_1;
+}
+
+SphereView ConstructSphereView(float3 arg0, float arg1) {
+    SphereView ret = (SphereView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, float3 origin)
+{
+    float3 r_c = (sphere.center_ - origin);
+    const float _e4 = vec3_dot(r_c, r_c);
+    const SphereView sphereview = ConstructSphereView(r_c, (_e4 - sphere.radius_squared));
+    return sphereview;
+}
+
+SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
+    SphereQuadratic ret = (SphereQuadratic)0;
+    ret.h = arg0;
+    ret.discriminant = arg1;
+    return ret;
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
+{
+    const float _e4 = vec3_dot(direction_1, view.r_c);
+    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+    return spherequadratic;
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant)
+{
+    float root_1 = sqrt(discriminant);
+    float near = ((h - root_1) / a_2);
+    float far = ((h + root_1) / a_2);
+    const bool _e8 = in_range(near);
+    float lambda_4 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_4);
+    const Root root_2 = ConstructRoot(_e10, lambda_4);
+    return root_2;
+}
+
+float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
+{
+    return ((point_1 - sphere_1.center_) / (sphere_1.radius).xxx);
+}
+
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
+{
+    const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    const SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        const Root _e12 = root_none();
+        const Root root_3 = _e12;
+        return root_3;
+    }
+    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_4 = _e15;
+    return root_4;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    ret.to_top = arg2;
+    ret.to_bottom = arg3;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
+    const float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    return cylinderview;
+}
+
+CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
+    CylinderQuadratic ret = (CylinderQuadratic)0;
+    ret.a = arg0;
+    ret.h = arg1;
+    ret.discriminant = arg2;
+    return ret;
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, float3 along)
+{
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view_1.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
+    return cylinderquadratic;
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2)
+{
+    const float3 _e3 = ray_at(ray_2, lambda_2);
+    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
+
+    float root_5 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    const bool _e15 = in_range(near_1);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    const bool _e21 = in_range(far_1);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
+    return root_6;
+}
+
+Root cylinder_base(CylinderRecord cylinder_4, Ray ray_4, float3 base, float distance_)
+{
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
+
+    const float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    float lambda_5 = (distance_ / _e6);
+    const float3 _e8 = ray_at(ray_4, lambda_5);
+    const float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_4.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        const bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    const Root root_7 = ConstructRoot(_e25, lambda_5);
+    return root_7;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
+    CylinderRoot ret = (CylinderRoot)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    return ret;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
+{
+    CylinderRoot nearest = (CylinderRoot)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
+        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    const Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
+    }
+    const Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    const CylinderRoot cylinderroot = _e64;
+    return cylinderroot;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray camera_ray(Camera camera, float row, float column, float2 offset)
+{
+    float x = offset.x;
+    float y = offset.y;
+    float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
+    const Ray ray_10 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_10;
+}
+
+float3 background_color(Background background, float3 direction_2)
+{
+    const float _e3 = vec3_length(direction_2);
+    float m = (((direction_2.y / _e3) + 1.0) / 2.0);
+    return ((background.light * (1.0 - m)) + (background.dark * m));
+}
+
+float3 scatter_matte(float3 normal, float3 vector_)
+{
+    float3 direction_8 = (normal + vector_);
+    const bool _e3 = vec3_is_negligible(direction_8);
+    if (_e3) {
+        return normal;
+    }
+    return direction_8;
+}
+
+float3 scatter_reflect(float3 direction_3, float3 normal_1)
+{
+    const float _e2 = vec3_dot(direction_3, normal_1);
+    return (direction_3 - (normal_1 * (_e2 * 2.0)));
+}
+
+float3 scatter_mirror(float3 direction_4, float3 normal_2)
+{
+    const float3 _e2 = scatter_reflect(direction_4, normal_2);
+    const float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+float3 scatter_metal(float3 direction_5, float3 normal_3, float3 vector_1)
+{
+    const float3 _e3 = scatter_mirror(direction_5, normal_3);
+    return (_e3 + vector_1);
+}
+
+float3 scatter_refract(float3 direction_6, float3 normal_4, float ratio)
+{
+    const float3 _e4 = vec3_unit(direction_6);
+    const float _e5 = vec3_dot(_e4, normal_4);
+    float product = -(_e5);
+    float cos_ = ((product < 1.0) ? product : 1.0);
+    float sin_ = sqrt((1.0 - (cos_ * cos_)));
+    const float3 _e12 = scatter_reflect(_e4, normal_4);
+    float3 p = ((_e4 + (normal_4 * cos_)) * ratio);
+    const float _e16 = vec3_dot(p, p);
+    float3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
+    bool beyond = (1.0 < (ratio * sin_));
+    return (beyond ? _e12 : refracted);
+}
+
+float3 vec3_load(PackedVec3_ v_4)
+{
+    return float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_5)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    return packedvec3_;
+}
+
+Ray ray_load(PackedRay ray_6)
+{
+    const float3 _e2 = vec3_load(ray_6.origin);
+    const float3 _e4 = vec3_load(ray_6.direction);
+    const Ray ray_11 = ConstructRay(_e2, _e4);
+    return ray_11;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_7)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_7.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_7.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
+}
+
+SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
+    SphereRecord ret = (SphereRecord)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    return ret;
+}
+
+SphereRecord sphere_load(PlacedSphere sphere_3)
+{
+    const float3 _e2 = vec3_load(sphere_3.center_);
+    const SphereRecord sphererecord = ConstructSphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
+    return sphererecord;
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_load(PlacedCylinder cylinder_7)
+{
+    const float3 _e2 = vec3_load(cylinder_7.center_);
+    const float3 _e4 = vec3_load(cylinder_7.axis);
+    const float3 _e6 = vec3_load(cylinder_7.top);
+    const float3 _e8 = vec3_load(cylinder_7.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
+    return cylinderrecord;
+}
+
+Material ConstructMaterial(float3 arg0, float arg1, uint arg2) {
+    Material ret = (Material)0;
+    ret.reflectance = arg0;
+    ret.index = arg1;
+    ret.kind = arg2;
+    return ret;
+}
+
+Material material_load(PackedMaterial material)
+{
+    const float3 _e2 = vec3_load(material.reflectance);
+    const Material material_1 = ConstructMaterial(_e2, material.index, material.kind);
+    return material_1;
+}
+
+Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Camera ret = (Camera)0;
+    ret.position = arg0;
+    ret.origin = arg1;
+    ret.delta_x = arg2;
+    ret.delta_y = arg3;
+    return ret;
+}
+
+Camera picture_camera()
+{
+    PackedVec3_ _e3 = ConstructPackedVec3_(asfloat(picture.Load(0+0+0)), asfloat(picture.Load(0+0+4)), asfloat(picture.Load(0+0+8)));
+    const float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = ConstructPackedVec3_(asfloat(picture.Load(12+0+0)), asfloat(picture.Load(12+0+4)), asfloat(picture.Load(12+0+8)));
+    const float3 _e9 = vec3_load(_e8);
+    PackedVec3_ _e13 = ConstructPackedVec3_(asfloat(picture.Load(24+0+0)), asfloat(picture.Load(24+0+4)), asfloat(picture.Load(24+0+8)));
+    const float3 _e14 = vec3_load(_e13);
+    PackedVec3_ _e18 = ConstructPackedVec3_(asfloat(picture.Load(36+0+0)), asfloat(picture.Load(36+0+4)), asfloat(picture.Load(36+0+8)));
+    const float3 _e19 = vec3_load(_e18);
+    const Camera camera_1 = ConstructCamera(_e4, _e9, _e14, _e19);
+    return camera_1;
+}
+
+Background ConstructBackground(float3 arg0, float3 arg1) {
+    Background ret = (Background)0;
+    ret.dark = arg0;
+    ret.light = arg1;
+    return ret;
+}
+
+Background picture_background()
+{
+    PackedVec3_ _e3 = ConstructPackedVec3_(asfloat(picture.Load(0+48+0)), asfloat(picture.Load(0+48+4)), asfloat(picture.Load(0+48+8)));
+    const float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = ConstructPackedVec3_(asfloat(picture.Load(12+48+0)), asfloat(picture.Load(12+48+4)), asfloat(picture.Load(12+48+8)));
+    const float3 _e9 = vec3_load(_e8);
+    const Background background_1 = ConstructBackground(_e4, _e9);
+    return background_1;
+}
+
+bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order)
+{
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
+    bool local_13 = (bool)0;
+
+    if (!(!(nearest_1.some))) {
+        local_11 = (lambda_3 < nearest_1.lambda);
+    } else {
+        local_11 = true;
+    }
+    bool _e11 = local_11;
+    if (!(_e11)) {
+        if ((lambda_3 == nearest_1.lambda)) {
+            local_13 = (order > nearest_1.order);
+        } else {
+            local_13 = false;
+        }
+        bool _e22 = local_13;
+        local_12 = _e22;
+    } else {
+        local_12 = true;
+    }
+    bool _e24 = local_12;
+    return _e24;
+}
+
+Nearest ConstructNearest(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
+    Nearest ret = (Nearest)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.order = arg2;
+    ret.is_cylinder = arg3;
+    ret.index = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2) {
+    SurfaceHit ret = (SurfaceHit)0;
+    ret.some = arg0;
+    ret.hit = arg1;
+    ret.material = arg2;
+    return ret;
+}
+
+PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
+    PlacedSphere ret = (PlacedSphere)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    ret.order = arg3;
+    ret.material = arg4;
+    return ret;
+}
+
+PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2, PackedVec3_ arg3, float arg4, float arg5, float arg6, uint arg7, uint arg8) {
+    PlacedCylinder ret = (PlacedCylinder)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    ret.order = arg7;
+    ret.material = arg8;
+    return ret;
+}
+
+SurfaceHit nearest_hit(Ray ray_8)
+{
+    Nearest nearest_2 = (Nearest)0;
+    uint index = 0u;
+    bool local_14 = (bool)0;
+    uint index_1 = 0u;
+    bool local_15 = (bool)0;
+    SurfaceHit surface = (SurfaceHit)0;
+    bool local_16 = (bool)0;
+    bool local_17 = (bool)0;
+
+    if (has_spheres) {
+        uint2 loop_bound = uint2(4294967295u, 4294967295u);
+        bool loop_init = true;
+        while(true) {
+            if (all(loop_bound == uint2(0u, 0u))) { break; }
+            loop_bound -= uint2(loop_bound.y == 0u, 1u);
+            if (!loop_init) {
+                uint _e36 = index;
+                index = (_e36 + 1u);
+            }
+            loop_init = false;
+            uint _e5 = index;
+            uint _e8 = asuint(picture.Load(104));
+            if ((_e5 < _e8)) {
+            } else {
+                break;
+            }
+            {
+                uint _e11 = index;
+                PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
+                const SphereRecord _e14 = sphere_load(_e13);
+                const Root _e15 = sphere_intersect(_e14, ray_8);
+                uint _e17 = index;
+                uint order_1 = asuint(spheres.Load(20+_e17*28));
+                if (_e15.some) {
+                    Nearest _e24 = nearest_2;
+                    const bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    local_14 = _e26;
+                } else {
+                    local_14 = false;
+                }
+                bool _e28 = local_14;
+                if (_e28) {
+                    uint _e32 = index;
+                    nearest_2 = ConstructNearest(true, _e15.lambda, order_1, false, _e32, SIDE);
+                }
+            }
+        }
+    }
+    if (has_cylinders) {
+        uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+        bool loop_init_1 = true;
+        while(true) {
+            if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
+            loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+            if (!loop_init_1) {
+                uint _e72 = index_1;
+                index_1 = (_e72 + 1u);
+            }
+            loop_init_1 = false;
+            uint _e41 = index_1;
+            uint _e44 = asuint(picture.Load(108));
+            if ((_e41 < _e44)) {
+            } else {
+                break;
+            }
+            {
+                uint _e47 = index_1;
+                PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
+                const CylinderRecord _e50 = cylinder_load(_e49);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
+                uint _e53 = index_1;
+                uint order_2 = asuint(cylinders.Load(60+_e53*68));
+                if (_e51.some) {
+                    Nearest _e60 = nearest_2;
+                    const bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    local_15 = _e62;
+                } else {
+                    local_15 = false;
+                }
+                bool _e64 = local_15;
+                if (_e64) {
+                    uint _e68 = index_1;
+                    nearest_2 = ConstructNearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                }
+            }
+        }
+    }
+    bool _e76 = nearest_2.some;
+    if (!(_e76)) {
+        SurfaceHit _e78 = surface;
+        const SurfaceHit surfacehit = _e78;
+        return surfacehit;
+    }
+    float _e80 = nearest_2.lambda;
+    const float3 _e81 = ray_at(ray_8, _e80);
+    if (has_spheres) {
+        bool _e86 = nearest_2.is_cylinder;
+        local_16 = !(_e86);
+    } else {
+        local_16 = false;
+    }
+    bool _e89 = local_16;
+    if (_e89) {
+        uint _e92 = nearest_2.index;
+        PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
+        const SphereRecord _e95 = sphere_load(_e94);
+        const float3 _e96 = sphere_outward(_e95, _e81);
+        const Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
+        uint _e102 = nearest_2.index;
+        uint _e105 = asuint(spheres.Load(24+_e102*28));
+        surface = ConstructSurfaceHit(true, _e99, _e105);
+    }
+    if (has_cylinders) {
+        bool _e111 = nearest_2.is_cylinder;
+        local_17 = _e111;
+    } else {
+        local_17 = false;
+    }
+    bool _e113 = local_17;
+    if (_e113) {
+        uint _e116 = nearest_2.index;
+        PlacedCylinder _e118 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+0+0)), asfloat(cylinders.Load(_e116*68+0+4)), asfloat(cylinders.Load(_e116*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+12+0)), asfloat(cylinders.Load(_e116*68+12+4)), asfloat(cylinders.Load(_e116*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+24+0)), asfloat(cylinders.Load(_e116*68+24+4)), asfloat(cylinders.Load(_e116*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+36+0)), asfloat(cylinders.Load(_e116*68+36+4)), asfloat(cylinders.Load(_e116*68+36+8))), asfloat(cylinders.Load(_e116*68+48)), asfloat(cylinders.Load(_e116*68+52)), asfloat(cylinders.Load(_e116*68+56)), asuint(cylinders.Load(_e116*68+60)), asuint(cylinders.Load(_e116*68+64)));
+        const CylinderRecord _e119 = cylinder_load(_e118);
+        uint _e121 = nearest_2.part;
+        const float3 _e122 = cylinder_outward(_e119, _e121, _e81);
+        const Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
+        uint _e128 = nearest_2.index;
+        uint _e131 = asuint(cylinders.Load(64+_e128*68));
+        surface = ConstructSurfaceHit(true, _e125, _e131);
+    }
+    SurfaceHit _e133 = surface;
+    const SurfaceHit surfacehit_1 = _e133;
+    return surfacehit_1;
+}
+
+float3 trace_attenuated(float3 color, uint first, uint met_count)
+{
+    float3 attenuated = (float3)0;
+    uint left = (uint)0;
+
+    attenuated = color;
+    left = met_count;
+    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
+    bool loop_init_2 = true;
+    while(true) {
+        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
+        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
+        if (!loop_init_2) {
+            uint _e23 = left;
+            left = (_e23 - 1u);
+        }
+        loop_init_2 = false;
+        uint _e5 = left;
+        if ((_e5 > 0u)) {
+        } else {
+            break;
+        }
+        {
+            float3 _e8 = attenuated;
+            uint _e11 = left;
+            uint _e16 = asuint(met.Load(((first + _e11) - 1u)*4));
+            PackedVec3_ _e19 = ConstructPackedVec3_(asfloat(materials.Load(0+_e16*24+0)), asfloat(materials.Load(0+_e16*24+4)), asfloat(materials.Load(0+_e16*24+8)));
+            const float3 _e20 = vec3_load(_e19);
+            attenuated = (_e8 * _e20);
+        }
+    }
+    float3 _e25 = attenuated;
+    return _e25;
+}
+
+PackedPath ConstructPackedPath(PackedRay arg0, uint arg1, uint arg2) {
+    PackedPath ret = (PackedPath)0;
+    ret.ray = arg0;
+    ret.met_count = arg1;
+    ret.ended = arg2;
+    return ret;
+}
+
+float3 ZeroValuefloat3() {
+    return (float3)0;
+}
+
+PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, uint arg3) {
+    PackedMaterial ret = (PackedMaterial)0;
+    ret.reflectance = arg0;
+    ret.index = arg1;
+    ret.kind = arg2;
+    ret.unused = arg3;
+    return ret;
+}
+
+void trace_path(Ray primary, uint slot)
+{
+    Ray ray_9 = (Ray)0;
+    uint met_count_1 = 0u;
+    uint depth = (uint)0;
+    float3 direction_7 = (float3)0;
+    bool local_18 = (bool)0;
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
+    float ratio_1 = (float)0;
+
+    ray_9 = primary;
+    PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
+    const float3 _e6 = vec3_load(_e5);
+    uint first_1 = (slot * max_depth);
+    uint _e13 = asuint(picture.Load(112));
+    if ((_e13 > 0u)) {
+        uint _e19 = asuint(paths.Load(28+slot*32));
+        if ((_e19 != 0u)) {
+            return;
+        }
+        PackedRay _e25 = ConstructPackedRay(ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+0+0)), asfloat(paths.Load(0+slot*32+0+4)), asfloat(paths.Load(0+slot*32+0+8))), ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+12+0)), asfloat(paths.Load(0+slot*32+12+4)), asfloat(paths.Load(0+slot*32+12+8))));
+        const Ray _e26 = ray_load(_e25);
+        ray_9 = _e26;
+        uint _e30 = asuint(paths.Load(24+slot*32));
+        met_count_1 = _e30;
+    }
+    uint _e33 = asuint(picture.Load(112));
+    depth = _e33;
+    uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
+    bool loop_init_3 = true;
+    while(true) {
+        if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
+        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
+        if (!loop_init_3) {
+            uint _e128 = depth;
+            depth = (_e128 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e35 = depth;
+        uint _e39 = asuint(picture.Load(116));
+        if ((_e35 < min(max_depth, _e39))) {
+        } else {
+            break;
+        }
+        {
+            Ray _e42 = ray_9;
+            const SurfaceHit _e43 = nearest_hit(_e42);
+            if (!(_e43.some)) {
+                const Background _e46 = picture_background();
+                float3 _e48 = ray_9.direction;
+                const float3 _e49 = background_color(_e46, _e48);
+                uint _e52 = met_count_1;
+                const float3 _e53 = trace_attenuated(_e49, first_1, _e52);
+                const PackedVec3_ _e54 = vec3_store(_e53);
+                {
+                    PackedVec3_ _value5 = _e54;
+                    pixels.Store(slot*12+0, asuint(_value5.x));
+                    pixels.Store(slot*12+4, asuint(_value5.y));
+                    pixels.Store(slot*12+8, asuint(_value5.z));
+                }
+                paths.Store(28+slot*32, asuint(1u));
+                return;
+            }
+            Hit hit_2 = _e43.hit;
+            PackedMaterial _e63 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e43.material*24+0+0)), asfloat(materials.Load(_e43.material*24+0+4)), asfloat(materials.Load(_e43.material*24+0+8))), asfloat(materials.Load(_e43.material*24+12)), asuint(materials.Load(_e43.material*24+16)), asuint(materials.Load(_e43.material*24+20)));
+            const Material _e64 = material_load(_e63);
+            direction_7 = ZeroValuefloat3();
+            if (has_matte) {
+                local_18 = (_e64.kind == MATTE);
+            } else {
+                local_18 = false;
+            }
+            bool _e74 = local_18;
+            if (_e74) {
+                uint _e76 = met_count_1;
+                met.Store((first_1 + _e76)*4, asuint(_e43.material));
+                uint _e81 = met_count_1;
+                met_count_1 = (_e81 + 1u);
+                const float3 _e84 = scatter_matte(hit_2.normal, _e6);
+                direction_7 = _e84;
+            }
+            if (has_metal) {
+                local_19 = (_e64.kind == METAL);
+            } else {
+                local_19 = false;
+            }
+            bool _e92 = local_19;
+            if (_e92) {
+                uint _e94 = met_count_1;
+                met.Store((first_1 + _e94)*4, asuint(_e43.material));
+                uint _e99 = met_count_1;
+                met_count_1 = (_e99 + 1u);
+                float3 _e102 = ray_9.direction;
+                const float3 _e104 = scatter_metal(_e102, hit_2.normal, _e6);
+                direction_7 = _e104;
+            }
+            if (has_refraction) {
+                local_20 = (_e64.kind == REFRACTIVE);
+            } else {
+                local_20 = false;
+            }
+            bool _e112 = local_20;
+            if (_e112) {
+                ratio_1 = _e64.index;
+                if (hit_2.front) {
+                    ratio_1 = (1.0 / _e64.index);
+                }
+                float3 _e120 = ray_9.direction;
+                float _e122 = ratio_1;
+                const float3 _e123 = scatter_refract(_e120, hit_2.normal, _e122);
+                direction_7 = _e123;
+            }
+            float3 _e125 = direction_7;
+            ray_9 = ConstructRay(hit_2.point_, _e125);
+        }
+    }
+    const PackedVec3_ _e133 = vec3_store(ZeroValuefloat3());
+    {
+        PackedVec3_ _value2 = _e133;
+        pixels.Store(slot*12+0, asuint(_value2.x));
+        pixels.Store(slot*12+4, asuint(_value2.y));
+        pixels.Store(slot*12+8, asuint(_value2.z));
+    }
+    Ray _e136 = ray_9;
+    const PackedRay _e137 = ray_store(_e136);
+    uint _e138 = met_count_1;
+    {
+        PackedPath _value2 = ConstructPackedPath(_e137, _e138, 0u);
+        {
+            PackedRay _value3 = _value2.ray;
+            {
+                PackedVec3_ _value4 = _value3.origin;
+                paths.Store(slot*32+0+0+0, asuint(_value4.x));
+                paths.Store(slot*32+0+0+4, asuint(_value4.y));
+                paths.Store(slot*32+0+0+8, asuint(_value4.z));
+            }
+            {
+                PackedVec3_ _value4 = _value3.direction;
+                paths.Store(slot*32+0+12+0, asuint(_value4.x));
+                paths.Store(slot*32+0+12+4, asuint(_value4.y));
+                paths.Store(slot*32+0+12+8, asuint(_value4.z));
+            }
+        }
+        paths.Store(slot*32+24, asuint(_value2.met_count));
+        paths.Store(slot*32+28, asuint(_value2.ended));
+    }
+    return;
+}
+
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / (rhs == 0u ? 1u : rhs);
+}
+
+uint naga_mod(uint lhs, uint rhs) {
+    return lhs % (rhs == 0u ? 1u : rhs);
+}
+
+[numthreads(64, 1, 1)]
+void image(uint3 id : SV_DispatchThreadID)
+{
+    uint _e4 = asuint(picture.Load(100));
+    if ((id.x >= _e4)) {
+        return;
+    }
+    uint _e8 = asuint(picture.Load(96));
+    uint pixel = (_e8 + id.x);
+    uint _e13 = asuint(picture.Load(92));
+    float row_1 = float(naga_div(pixel, _e13));
+    uint _e18 = asuint(picture.Load(92));
+    float column_1 = float(naga_mod(pixel, _e18));
+    float _e23 = asfloat(picture.Load(72));
+    float _e26 = asfloat(picture.Load(76));
+    float2 offset_1 = float2(_e23, _e26);
+    const Camera _e28 = picture_camera();
+    const Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
+    trace_path(_e29, id.x);
+    return;
+}

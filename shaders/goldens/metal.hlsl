@@ -1,0 +1,253 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
+struct MetalCase {
+    PackedVec3_ direction;
+    PackedVec3_ normal;
+    PackedVec3_ vector_;
+};
+
+ByteAddressBuffer cases : register(t0);
+RWByteAddressBuffer results : register(u1);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_unit(float3 v_1)
+{
+    const float _e1 = vec3_length(v_1);
+    return (v_1 / (_e1).xxx);
+}
+
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
+{
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_3)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+float3 ray_at(Ray ray, float lambda)
+{
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        const Hit hit = ConstructHit(point_, outward, front);
+        return hit;
+    }
+    const Hit hit_1 = ConstructHit(point_, -(outward), front);
+    return hit_1;
+}
+
+float3 scatter_matte(float3 normal, float3 vector_)
+{
+    float3 direction_5 = (normal + vector_);
+    const bool _e3 = vec3_is_negligible(direction_5);
+    if (_e3) {
+        return normal;
+    }
+    return direction_5;
+}
+
+float3 scatter_reflect(float3 direction_1, float3 normal_1)
+{
+    const float _e2 = vec3_dot(direction_1, normal_1);
+    return (direction_1 - (normal_1 * (_e2 * 2.0)));
+}
+
+float3 scatter_mirror(float3 direction_2, float3 normal_2)
+{
+    const float3 _e2 = scatter_reflect(direction_2, normal_2);
+    const float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+float3 scatter_metal(float3 direction_3, float3 normal_3, float3 vector_1)
+{
+    const float3 _e3 = scatter_mirror(direction_3, normal_3);
+    return (_e3 + vector_1);
+}
+
+float3 scatter_refract(float3 direction_4, float3 normal_4, float ratio)
+{
+    const float3 _e4 = vec3_unit(direction_4);
+    const float _e5 = vec3_dot(_e4, normal_4);
+    float product = -(_e5);
+    float cos_ = ((product < 1.0) ? product : 1.0);
+    float sin_ = sqrt((1.0 - (cos_ * cos_)));
+    const float3 _e12 = scatter_reflect(_e4, normal_4);
+    float3 p = ((_e4 + (normal_4 * cos_)) * ratio);
+    const float _e16 = vec3_dot(p, p);
+    float3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
+    bool beyond = (1.0 < (ratio * sin_));
+    return (beyond ? _e12 : refracted);
+}
+
+float3 vec3_load(PackedVec3_ v_4)
+{
+    return float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_5)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    return packedvec3_;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray ray_load(PackedRay ray_1)
+{
+    const float3 _e2 = vec3_load(ray_1.origin);
+    const float3 _e4 = vec3_load(ray_1.direction);
+    const Ray ray_3 = ConstructRay(_e2, _e4);
+    return ray_3;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_2)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
+}
+
+uint NagaBufferLength(ByteAddressBuffer buffer)
+{
+    uint ret;
+    buffer.GetDimensions(ret);
+    return ret;
+}
+
+MetalCase ConstructMetalCase(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2) {
+    MetalCase ret = (MetalCase)0;
+    ret.direction = arg0;
+    ret.normal = arg1;
+    ret.vector_ = arg2;
+    return ret;
+}
+
+[numthreads(64, 1, 1)]
+void metal(uint3 id : SV_DispatchThreadID)
+{
+    if ((id.x >= ((NagaBufferLength(cases) - 0) / 36))) {
+        return;
+    }
+    MetalCase this_case = ConstructMetalCase(ConstructPackedVec3_(asfloat(cases.Load(id.x*36+0+0)), asfloat(cases.Load(id.x*36+0+4)), asfloat(cases.Load(id.x*36+0+8))), ConstructPackedVec3_(asfloat(cases.Load(id.x*36+12+0)), asfloat(cases.Load(id.x*36+12+4)), asfloat(cases.Load(id.x*36+12+8))), ConstructPackedVec3_(asfloat(cases.Load(id.x*36+24+0)), asfloat(cases.Load(id.x*36+24+4)), asfloat(cases.Load(id.x*36+24+8))));
+    const float3 _e10 = vec3_load(this_case.direction);
+    const float3 _e12 = vec3_load(this_case.normal);
+    const float3 _e17 = vec3_load(this_case.vector_);
+    const float3 _e18 = scatter_metal(_e10, _e12, _e17);
+    const PackedVec3_ _e19 = vec3_store(_e18);
+    {
+        PackedVec3_ _value2 = _e19;
+        results.Store(id.x*12+0, asuint(_value2.x));
+        results.Store(id.x*12+4, asuint(_value2.y));
+        results.Store(id.x*12+8, asuint(_value2.z));
+    }
+    return;
+}

@@ -1,0 +1,52 @@
+// language: metal2.0
+#include <metal_stdlib>
+#include <simd/simd.h>
+
+using metal::uint;
+
+struct _mslBufferSizes {
+    uint size0;
+    uint size1;
+};
+
+typedef float real;
+struct RewriteCase {
+    real x;
+    real y;
+    real z;
+    real minus_zero;
+    real not_a_number;
+};
+struct RewriteReport {
+    real sum_less_term;
+    real common_factor;
+    real root_squared;
+    real zero_added;
+    real is_not_itself;
+};
+typedef RewriteCase type[1];
+typedef RewriteReport type_1[1];
+
+struct rewritesInput {
+};
+kernel void rewrites(
+  metal::uint3 id [[thread_position_in_grid]]
+, device type const& cases [[buffer(0)]]
+, device type_1& reports [[buffer(1)]]
+, constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
+) {
+    if (id.x >= (1 + (_buffer_sizes.size0 - 0 - 20) / 20)) {
+        return;
+    }
+    real x = cases[id.x].x;
+    real y = cases[id.x].y;
+    real z = cases[id.x].z;
+    float root = metal::sqrt(x);
+    real _e25 = cases[id.x].minus_zero;
+    real zero_added = _e25 + 0.0;
+    real _e34 = cases[id.x].not_a_number;
+    real _e39 = cases[id.x].not_a_number;
+    float is_not_itself = (_e34 != _e39) ? 1.0 : 0.0;
+    reports[id.x] = RewriteReport {(x + y) - x, (x * y) + (x * z), root * root, zero_added, is_not_itself};
+    return;
+}

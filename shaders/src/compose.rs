@@ -1,0 +1,186 @@
+//! A module and all that it needs, in one text.
+//!
+//! WGSL has no imports, and names here are unique over all modules, so plain concatenation is enough: a module follows
+//! what it needs, each of them once. The composition remembers which lines came from which file.
+
+use std::borrow::Cow;
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::module::{self, MODULES, Module};
+use crate::{Error, Precision, Validated};
+
+/// The modules to compose from: the crate's own, any of them replaced.
+#[derive(Clone, Debug, Default)]
+pub struct Library {
+    replaced: BTreeMap<&'static str, Replacement>,
+}
+
+/// A module's other text.
+#[derive(Clone, Debug)]
+struct Replacement {
+    path: String,
+    source: String,
+}
+
+impl Library {
+    /// The crate's own modules.
+    #[must_use]
+    pub fn standard() -> Self {
+        Self::default()
+    }
+
+    /// Puts `source` in the place of the module `name`; messages call it `path`.
+    ///
+    /// # Errors
+    /// [`Error::UnknownModule`].
+    pub fn replace(&mut self, name: &str, path: &str, source: impl Into<String>) -> Result<(), Error> {
+        let module = find(name)?;
+        self.replaced.insert(module.name, Replacement { path: path.to_owned(), source: source.into() });
+        Ok(())
+    }
+
+    /// The text of the module `name` as it stands in this library.
+    ///
+    /// # Errors
+    /// [`Error::UnknownModule`].
+    pub fn source(&self, name: &str) -> Result<&str, Error> {
+        Ok(self.text(find(name)?).1)
+    }
+
+    /// The module `root` and all that it needs, over `precision`.
+    ///
+    /// # Errors
+    /// [`Error::UnknownModule`].
+    pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
+        let root = find(root)?;
+        let mut needed = BTreeSet::new();
+        need(root, &mut needed);
+        let real = find(precision.module())?;
+        let modules = std::iter::once(real).chain(MODULES.iter().filter(|module| needed.contains(module.name)));
+        let (mut source, mut parts, mut line) = (String::new(), Vec::new(), 1);
+        for module in modules {
+            let (path, text) = self.text(module);
+            // A text without its last line end would otherwise run into the next module.
+            let end = if text.ends_with('\n') { "" } else { "\n" };
+            parts.push(Part { path: path.into_owned(), first_line: line });
+            source.push_str(text);
+            source.push_str(end);
+            line += text.lines().count();
+        }
+        Ok(Composition { source, precision, root: root.name, parts })
+    }
+
+    /// The path and the text of `module`.
+    fn text<'a>(&'a self, module: &'a Module) -> (Cow<'a, str>, &'a str) {
+        match self.replaced.get(module.name) {
+            Some(replacement) => (Cow::Borrowed(&replacement.path), &replacement.source),
+            None => (Cow::Owned(format!("shaders/{}", module.path)), module.source),
+        }
+    }
+}
+
+fn find(name: &str) -> Result<&'static Module, Error> {
+    module::find(name).ok_or_else(|| Error::UnknownModule { name: name.to_owned() })
+}
+
+/// Adds `module` and all that it needs to `needed`.
+fn need(module: &Module, needed: &mut BTreeSet<&'static str>) {
+    if needed.insert(module.name) {
+        for name in module.needs {
+            need(module::find(name).expect("a test holds the list of needs complete"), needed);
+        }
+    }
+}
+
+/// A text that naga can read, and where its lines came from.
+#[derive(Clone, Debug)]
+pub struct Composition {
+    source: String,
+    precision: Precision,
+    root: &'static str,
+    parts: Vec<Part>,
+}
+
+/// Lines of one file, up to the next part.
+#[derive(Clone, Debug)]
+struct Part {
+    path: String,
+    first_line: usize,
+}
+
+impl Composition {
+    /// The whole text.
+    #[must_use]
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// What `real` stands for.
+    #[must_use]
+    pub const fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// The module that was asked for.
+    #[must_use]
+    pub const fn root(&self) -> &'static str {
+        self.root
+    }
+
+    /// The file and the line in it that the composition's line `line` came from; lines count from 1.
+    #[must_use]
+    pub fn origin(&self, line: usize) -> (&str, usize) {
+        let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
+        (&part.path, (line + 1).saturating_sub(part.first_line))
+    }
+
+    /// Has naga read and check the text.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`], with the place in the module's own file.
+    pub fn validate(&self) -> Result<Validated, Error> {
+        Validated::new(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_composition_holds_what_it_needs_once_and_nothing_else() {
+        let composition = Library::standard().compose("sphere", Precision::F64).expect("it exists");
+        for text in ["alias real = f64;", "fn vec3_dot", "fn ray_at", "fn sphere_intersect"] {
+            assert_eq!(composition.source().matches(text).count(), 1, "{text}");
+        }
+        assert!(!composition.source().contains("cylinder_intersect"));
+    }
+
+    #[test]
+    fn lines_are_traced_to_their_files() {
+        let composition = Library::standard().compose("sphere", Precision::F32).expect("it exists");
+        let lines: Vec<_> = composition.source().lines().collect();
+        let place = lines.iter().position(|line| line.starts_with("fn ray_at")).expect("ray is needed");
+        let (path, line) = composition.origin(place + 1);
+        assert_eq!(path, "shaders/wgsl/ray.wgsl");
+        let original = module::find("ray").expect("it exists").source;
+        assert_eq!(original.lines().nth(line - 1), Some(lines[place]));
+    }
+
+    #[test]
+    fn a_module_can_be_replaced() {
+        let mut library = Library::standard();
+        library.replace("background", "mine.wgsl", "const mine = 1;").expect("it exists");
+        let composition = library.compose("background", Precision::F32).expect("it exists");
+        assert!(composition.source().ends_with("const mine = 1;\n"));
+        let last = composition.source().lines().count();
+        assert_eq!(composition.origin(last), ("mine.wgsl", 1));
+        assert_eq!(library.source("background"), Ok("const mine = 1;"));
+    }
+
+    #[test]
+    fn an_unknown_module_is_named_and_the_others_listed() {
+        let error = Library::standard().compose("torus", Precision::F32).expect_err("there is none");
+        assert!(error.to_string().starts_with("there is no WGSL module [torus]; there are: vec3, "), "{error}");
+    }
+}

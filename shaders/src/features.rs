@@ -1,0 +1,65 @@
+//! What a scene needs, as values of the pipeline-overridable constants in `features.wgsl`.
+
+/// The switches of a pipeline. What is off costs nothing; what is on and not needed costs a test that never holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Features {
+    /// Whether any object is a sphere.
+    pub has_spheres: bool,
+    /// Whether any object is a cylinder.
+    pub has_cylinders: bool,
+    /// Whether any object is of a matte material.
+    pub has_matte: bool,
+    /// Whether any object is of a metal.
+    pub has_metal: bool,
+    /// Whether any object is of a refractive material.
+    pub has_refraction: bool,
+    /// The most surfaces that a ray may meet.
+    pub max_depth: u32,
+}
+
+impl Features {
+    /// Everything on: a pipeline for any scene.
+    #[must_use]
+    pub const fn all(max_depth: u32) -> Self {
+        Self {
+            has_spheres: true,
+            has_cylinders: true,
+            has_matte: true,
+            has_metal: true,
+            has_refraction: true,
+            max_depth,
+        }
+    }
+
+    /// Name and value of every constant, as wgpu and naga take them.
+    #[must_use]
+    pub fn constants(&self) -> [(&'static str, f64); 6] {
+        let number = |on: bool| if on { 1.0 } else { 0.0 };
+        [
+            ("has_spheres", number(self.has_spheres)),
+            ("has_cylinders", number(self.has_cylinders)),
+            ("has_matte", number(self.has_matte)),
+            ("has_metal", number(self.has_metal)),
+            ("has_refraction", number(self.has_refraction)),
+            ("max_depth", f64::from(self.max_depth)),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Library, Precision};
+
+    #[test]
+    fn the_shader_has_these_constants_and_no_others() {
+        let composition = Library::standard().compose("features", Precision::F32).expect("it exists");
+        let validated = composition.validate().expect("it is valid");
+        let mut in_shader: Vec<_> =
+            validated.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
+        let mut here = Features::all(5).constants().map(|(name, _)| name);
+        in_shader.sort_unstable();
+        here.sort_unstable();
+        assert_eq!(in_shader, here);
+    }
+}

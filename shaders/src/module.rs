@@ -1,0 +1,100 @@
+//! The modules, and what each needs.
+
+/// One WGSL file.
+#[derive(Clone, Copy, Debug)]
+pub struct Module {
+    /// Its name: the file's, without folder and ending.
+    pub name: &'static str,
+    /// Where the file is, from the crate's folder.
+    pub path: &'static str,
+    /// Its text.
+    pub source: &'static str,
+    /// Modules that it names things of. What these need in turn is not listed again.
+    pub needs: &'static [&'static str],
+}
+
+macro_rules! modules {
+    ($($name:literal in $path:literal needs [$($need:literal)*];)*) => {
+        /// All modules but the two that define `real`, which [`crate::Precision`] chooses between. A module stands
+        /// after everything that it needs.
+        pub const MODULES: &[Module] = &[$(Module {
+            name: $name,
+            path: $path,
+            source: include_str!(concat!("../", $path)),
+            needs: &[$($need),*],
+        }),*];
+    };
+}
+
+modules! {
+    "vec3" in "wgsl/vec3.wgsl" needs [];
+    "exact" in "wgsl/exact.wgsl" needs [];
+    "ray" in "wgsl/ray.wgsl" needs ["vec3"];
+    "sphere" in "wgsl/sphere.wgsl" needs ["ray"];
+    "cylinder" in "wgsl/cylinder.wgsl" needs ["ray"];
+    "camera" in "wgsl/camera.wgsl" needs ["ray"];
+    "background" in "wgsl/background.wgsl" needs ["vec3"];
+    "scatter" in "wgsl/scatter.wgsl" needs ["vec3"];
+    "material" in "wgsl/material.wgsl" needs [];
+    "features" in "wgsl/features.wgsl" needs [];
+    "layout" in "wgsl/layout.wgsl" needs ["ray"];
+    "picture" in "wgsl/picture.wgsl" needs ["layout" "sphere" "cylinder" "camera" "background" "material"];
+    "nearest" in "wgsl/nearest.wgsl" needs ["picture" "features"];
+    "trace" in "wgsl/trace.wgsl" needs ["nearest" "scatter"];
+    "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
+    "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
+    "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];
+    "kernels/camera" in "wgsl/kernels/camera.wgsl" needs ["camera" "layout"];
+    "kernels/background" in "wgsl/kernels/background.wgsl" needs ["background" "layout"];
+    "kernels/matte" in "wgsl/kernels/matte.wgsl" needs ["scatter" "layout"];
+    "kernels/reflection" in "wgsl/kernels/reflection.wgsl" needs ["scatter" "layout"];
+    "kernels/metal" in "wgsl/kernels/metal.wgsl" needs ["scatter" "layout"];
+    "kernels/refraction" in "wgsl/kernels/refraction.wgsl" needs ["scatter" "layout"];
+    "kernels/barrier" in "wgsl/kernels/barrier.wgsl" needs ["exact"];
+    "kernels/rewrites" in "wgsl/kernels/rewrites.wgsl" needs [];
+    "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
+}
+
+/// The two modules that define `real`.
+pub const REALS: [Module; 2] = [
+    Module { name: "real_f32", path: "wgsl/real_f32.wgsl", source: include_str!("../wgsl/real_f32.wgsl"), needs: &[] },
+    Module { name: "real_f64", path: "wgsl/real_f64.wgsl", source: include_str!("../wgsl/real_f64.wgsl"), needs: &[] },
+];
+
+/// The module of this name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Module> {
+    MODULES.iter().chain(&REALS).find(|module| module.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_stands_after_what_it_needs() {
+        assert!(MODULES.len() > 20);
+        for (place, module) in MODULES.iter().enumerate() {
+            for need in module.needs {
+                assert!(MODULES[..place].iter().any(|earlier| earlier.name == *need), "{} needs {need}", module.name);
+            }
+        }
+    }
+
+    #[test]
+    fn every_file_is_a_module() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let mut files = 0;
+        for inner in ["wgsl", "wgsl/kernels"] {
+            for entry in std::fs::read_dir(folder.join(inner)).expect("the folder is there") {
+                let name = entry.expect("the folder is readable").file_name().into_string().expect("names are ASCII");
+                if name.ends_with(".wgsl") {
+                    let path = format!("{inner}/{name}");
+                    assert!(MODULES.iter().chain(&REALS).any(|module| module.path == path), "{path} is not listed");
+                    files += 1;
+                }
+            }
+        }
+        assert_eq!(files, MODULES.len() + REALS.len());
+    }
+}

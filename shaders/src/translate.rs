@@ -1,0 +1,157 @@
+//! A valid shader in the languages of other systems.
+//!
+//! Which of them can calculate in f64 is decided here and not left to naga: its Metal writer panics on f64, and its HLSL
+//! writer gives code whose `sqrt` silently rounds to f32.
+
+mod text;
+
+use std::fmt;
+
+use naga::ShaderStage;
+use naga::back::pipeline_constants::process_overrides;
+
+use crate::{Error, Features, Precision, Validated};
+
+/// A language that naga writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Target {
+    /// SPIR-V 1.0, for Vulkan.
+    SpirV,
+    /// Metal Shading Language 2.0, for Apple's systems.
+    Msl,
+    /// High Level Shading Language, shader model 5.1, for Direct3D 12.
+    Hlsl,
+    /// GLSL 4.30, for desktop OpenGL.
+    Glsl430,
+    /// GLSL ES 3.10, for OpenGL ES.
+    GlslEs310,
+}
+
+/// What a shader becomes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Translation {
+    /// Words of SPIR-V.
+    Words(Vec<u32>),
+    /// A text.
+    Text(String),
+}
+
+impl Target {
+    /// All targets.
+    pub const ALL: [Self; 5] = [Self::SpirV, Self::Msl, Self::Hlsl, Self::Glsl430, Self::GlslEs310];
+
+    /// Why the target cannot calculate in `precision`; nothing when it can.
+    #[must_use]
+    pub const fn obstacle(self, precision: Precision) -> Option<&'static str> {
+        match (self, precision) {
+            (_, Precision::F32) | (Self::SpirV | Self::Glsl430, Precision::F64) => None,
+            (Self::Msl, Precision::F64) => Some("Metal has no 64-bit floating point type"),
+            (Self::Hlsl, Precision::F64) => Some("the square root of HLSL takes 32 bits only and would round silently"),
+            (Self::GlslEs310, Precision::F64) => Some("OpenGL ES has no 64-bit floating point type"),
+        }
+    }
+
+    /// The usual ending of a file's name.
+    #[must_use]
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::SpirV => "spvasm",
+            Self::Msl => "metal",
+            Self::Hlsl => "hlsl",
+            Self::Glsl430 => "430.comp",
+            Self::GlslEs310 => "es310.comp",
+        }
+    }
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SpirV => "SPIR-V",
+            Self::Msl => "Metal",
+            Self::Hlsl => "HLSL",
+            Self::Glsl430 => "GLSL 4.30",
+            Self::GlslEs310 => "GLSL ES 3.10",
+        })
+    }
+}
+
+/// Writes the only entry point of `shader` for `target`, specialised to `features` where it has such constants.
+///
+/// # Errors
+/// [`Error::Unsupported`] when the target lacks the precision, [`Error::Write`] when naga cannot write it.
+pub fn translate(shader: &Validated, target: Target, features: &Features) -> Result<Translation, Error> {
+    let precision = shader.precision;
+    if let Some(reason) = target.obstacle(precision) {
+        return Err(Error::Unsupported { target, precision, reason });
+    }
+    let failed = |message: String| Error::Write { target, message };
+    let entries = shader.entry_points();
+    let [entry] = entries[..] else {
+        return Err(failed(format!("it has {} entry points and needs one", entries.len())));
+    };
+    let has = |name: &str| shader.module.overrides.iter().any(|(_, constant)| constant.name.as_deref() == Some(name));
+    let constants =
+        features.constants().into_iter().filter(|(name, _)| has(name)).map(|(name, value)| (name.to_owned(), value));
+    let stage = ShaderStage::Compute;
+    let (module, info) = process_overrides(&shader.module, &shader.info, Some((stage, entry)), &constants.collect())
+        .map_err(|error| failed(error.to_string()))?;
+    let input = text::Input { module: &module, info: &info, entry };
+    let result = match target {
+        Target::SpirV => return input.spirv().map(Translation::Words).map_err(failed),
+        Target::Msl => input.msl(),
+        Target::Hlsl => input.hlsl(),
+        Target::Glsl430 => input.glsl(naga::back::glsl::Version::Desktop(430)),
+        Target::GlslEs310 => input.glsl(naga::back::glsl::Version::new_gles(310)),
+    };
+    result.map(Translation::Text).map_err(failed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Library;
+
+    fn image(precision: Precision) -> Validated {
+        let composition = Library::standard().compose("kernels/image", precision).expect("it exists");
+        composition.validate().expect("it is valid")
+    }
+
+    #[test]
+    fn a_target_without_f64_says_so() {
+        let shader = image(Precision::F64);
+        let refused = Target::ALL.into_iter().filter(|target| target.obstacle(Precision::F64).is_some());
+        let messages: Vec<_> = refused
+            .map(|target| translate(&shader, target, &Features::all(5)).expect_err("it is refused").to_string())
+            .collect();
+        assert_eq!(
+            messages,
+            [
+                "Metal cannot take f64: Metal has no 64-bit floating point type; compose for f32 instead",
+                "HLSL cannot take f64: the square root of HLSL takes 32 bits only and would round silently; \
+                 compose for f32 instead",
+                "GLSL ES 3.10 cannot take f64: OpenGL ES has no 64-bit floating point type; compose for f32 instead",
+            ]
+        );
+    }
+
+    #[test]
+    fn the_others_take_f64() {
+        let shader = image(Precision::F64);
+        for target in [Target::SpirV, Target::Glsl430] {
+            translate(&shader, target, &Features::all(5)).unwrap_or_else(|error| panic!("{error}"));
+        }
+    }
+
+    #[test]
+    fn a_feature_that_is_off_leaves_no_trace() {
+        let shader = image(Precision::F32);
+        let text = |features| match translate(&shader, Target::Glsl430, &features).expect("it is f32") {
+            Translation::Text(text) => text,
+            Translation::Words(_) => panic!("GLSL is a text"),
+        };
+        let all = Features::all(5);
+        let without = Features { max_depth: 7, ..all };
+        assert_ne!(text(all), text(without));
+    }
+}

@@ -1,0 +1,138 @@
+//! naga's opinion of a composition.
+
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::{AddressSpace, Module, StorageAccess, Type};
+
+use crate::{Composition, Diagnostic, Error, Precision};
+
+/// A buffer that a shader binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Binding {
+    /// Its number, within group 0.
+    pub number: u32,
+    /// Whether the shader writes it.
+    pub written: bool,
+}
+
+/// Every buffer that `module` binds.
+pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
+    module.global_variables.iter().filter_map(|(_, variable)| {
+        let written = match variable.space {
+            AddressSpace::Storage { access } => access.contains(StorageAccess::STORE),
+            _ => false,
+        };
+        variable.binding.map(|binding| Binding { number: binding.binding, written })
+    })
+}
+
+/// A composition that naga has read and found valid.
+#[derive(Clone, Debug)]
+pub struct Validated {
+    /// naga's form of it.
+    pub module: Module,
+    /// What the validator found out about it.
+    pub info: ModuleInfo,
+    /// What `real` stands for.
+    pub precision: Precision,
+}
+
+impl Validated {
+    pub(crate) fn new(composition: &Composition) -> Result<Self, Error> {
+        let module = naga::front::wgsl::parse_str(composition.source())
+            .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
+        // No more than what a device offers: f64 only where it was asked for.
+        let capabilities = match composition.precision() {
+            Precision::F32 => Capabilities::empty(),
+            Precision::F64 => Capabilities::FLOAT64,
+        };
+        let info = Validator::new(ValidationFlags::all(), capabilities)
+            .validate(&module)
+            .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;
+        Ok(Self { module, info, precision: composition.precision() })
+    }
+
+    /// Every buffer that the shader binds in group 0.
+    pub fn bindings(&self) -> impl Iterator<Item = Binding> {
+        bindings(&self.module)
+    }
+
+    /// Bytes that the structure of this name takes in a buffer, with what separates it from the next of its kind.
+    #[must_use]
+    pub fn size_of(&self, structure: &str) -> Option<u32> {
+        let is_it = |inner: &Type| inner.name.as_deref() == Some(structure);
+        self.module
+            .types
+            .iter()
+            .find(|(_, inner)| is_it(inner))
+            .map(|(_, inner)| inner.inner.size(self.module.to_ctx()))
+    }
+
+    /// Names of the entry points.
+    #[must_use]
+    pub fn entry_points(&self) -> Vec<&str> {
+        self.module.entry_points.iter().map(|entry| entry.name.as_str()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Library;
+    use crate::module::MODULES;
+
+    #[test]
+    fn every_module_is_valid_with_what_it_needs_in_both_precisions() {
+        let library = Library::standard();
+        let mut checked = 0;
+        for module in MODULES {
+            for precision in Precision::ALL {
+                let result = library.compose(module.name, precision).and_then(|composition| composition.validate());
+                if let Err(error) = result {
+                    panic!("{} over {precision}:\n{error}", module.name);
+                }
+                checked += 1;
+            }
+        }
+        assert_eq!(checked, 2 * MODULES.len());
+    }
+
+    #[test]
+    fn a_need_that_is_not_listed_is_noticed() {
+        // What keeps the list honest: a module composed without one of its needs names something unknown.
+        let mut library = Library::standard();
+        library.replace("vec3", "empty.wgsl", "").expect("it exists");
+        assert!(library.compose("ray", Precision::F32).expect("it exists").validate().is_err());
+    }
+
+    #[test]
+    fn every_kernel_has_one_entry_point_named_as_its_file() {
+        let library = Library::standard();
+        let mut checked = 0;
+        for module in MODULES {
+            let Some(name) = module.name.strip_prefix("kernels/").filter(|name| *name != "hit_report") else {
+                continue;
+            };
+            let composition = library.compose(module.name, Precision::F32).expect("it exists");
+            let validated = composition.validate().expect("it is valid");
+            assert_eq!(validated.entry_points(), [name]);
+            checked += 1;
+        }
+        assert!(checked >= 10, "{checked} kernels");
+    }
+
+    #[test]
+    fn bindings_tell_what_is_written() {
+        let composition = Library::standard().compose("kernels/sphere", Precision::F32).expect("it exists");
+        let bindings: Vec<_> = composition.validate().expect("it is valid").bindings().collect();
+        assert_eq!(bindings, [Binding { number: 0, written: false }, Binding { number: 1, written: true }]);
+    }
+
+    #[test]
+    fn the_f32_composition_uses_no_f64() {
+        // The validator has no FLOAT64 capability for it: a literal of the wrong kind would be an error.
+        let mut library = Library::standard();
+        library.replace("vec3", "mine.wgsl", "const wide = 0.1lf;").expect("it exists");
+        assert!(library.compose("vec3", Precision::F32).expect("it exists").validate().is_err());
+        assert!(library.compose("vec3", Precision::F64).expect("it exists").validate().is_ok());
+    }
+}

@@ -1,0 +1,13 @@
+// The colour of a ray that meets nothing: a gradient along y; twin of cpu/src/background.rs.
+
+// Background: the two ends of the gradient, linear colours.
+struct Background {
+    dark: vec3<real>,
+    light: vec3<real>,
+}
+
+// Background::color: `(1 - m) light + m dark` with `m = (unit(direction).y + 1) / 2`.
+fn background_color(background: Background, direction: vec3<real>) -> vec3<real> {
+    let m = (direction.y / vec3_length(direction) + real(1.0)) / real(2.0);
+    return background.light * (real(1.0) - m) + background.dark * m;
+}

@@ -1,0 +1,19 @@
+// The rays through the projection window's pixels; twin of cpu/src/camera.rs.
+//
+// The window itself is prepared on the CPU: it needs a tangent, and drivers have no exact one.
+
+// Camera: everything a primary ray needs.
+struct Camera {
+    position: vec3<real>,
+    origin: vec3<real>,
+    delta_x: vec3<real>,
+    delta_y: vec3<real>,
+}
+
+// Camera::ray: the ray through the point `offset` pixels from the middle of pixel (`row`, `column`).
+fn camera_ray(camera: Camera, row: real, column: real, offset: vec2<real>) -> Ray {
+    let x = offset.x;
+    let y = offset.y;
+    let window_point = camera.origin + camera.delta_x * (column + x) + camera.delta_y * (row + y);
+    return Ray(camera.position, window_point - camera.position);
+}

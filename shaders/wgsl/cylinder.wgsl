@@ -1,0 +1,131 @@
+// Ray against closed cylinder; twin of cpu/src/cylinder.rs, which has the equations.
+
+// CylinderRecord: a cylinder with what its rays need computed once.
+struct CylinderRecord {
+    center: vec3<real>,
+    axis: vec3<real>,
+    top: vec3<real>,
+    bottom: vec3<real>,
+    radius: real,
+    radius_squared: real,
+    half_height: real,
+}
+
+// Part: the part of a cylinder that a ray meets.
+const SIDE: u32 = 0u;
+const TOP: u32 = 1u;
+const BOTTOM: u32 = 2u;
+
+// CylinderRecord::new: the cylinder whose `axis` is as long as it is high.
+fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderRecord {
+    let height = vec3_length(axis);
+    let unit = axis / height;
+    let half_height = height / real(2.0);
+    let reach = unit * half_height;
+    let top = center + reach;
+    let bottom = center - reach;
+    return CylinderRecord(center, unit, top, bottom, radius, radius * radius, half_height);
+}
+
+// CylinderView: what the rays from one point share.
+struct CylinderView {
+    // From the centre to the origin, perpendicular to the axis.
+    r_c: vec3<real>,
+    // `r_c.r_c - r^2`: negative inside the infinite cylinder.
+    c: real,
+    // From the origin to the upper base's plane, along the axis.
+    to_top: real,
+    // From the origin to the lower base's plane, along the axis.
+    to_bottom: real,
+}
+
+// CylinderRecord::seen_from
+fn cylinder_seen_from(cylinder: CylinderRecord, origin: vec3<real>) -> CylinderView {
+    let r_c = vec3_perpendicular_to(origin - cylinder.center, cylinder.axis);
+    return CylinderView(
+        r_c,
+        vec3_dot(r_c, r_c) - cylinder.radius_squared,
+        vec3_dot(cylinder.top - origin, cylinder.axis),
+        vec3_dot(cylinder.bottom - origin, cylinder.axis),
+    );
+}
+
+struct CylinderQuadratic {
+    a: real,
+    h: real,
+    discriminant: real,
+}
+
+// CylinderRecord::quadratic: `a`, half of `b` and a quarter of the discriminant for the infinite cylinder.
+fn cylinder_quadratic(cylinder: CylinderRecord, view: CylinderView, along: vec3<real>) -> CylinderQuadratic {
+    let direction = vec3_perpendicular_to(along, cylinder.axis);
+    let a = vec3_dot(direction, direction);
+    let h = vec3_dot(view.r_c, direction);
+    return CylinderQuadratic(a, h, h * h - a * view.c);
+}
+
+// CylinderRecord::within_height: whether the side's point at `lambda` lies between the bases.
+fn cylinder_within_height(cylinder: CylinderRecord, ray: Ray, lambda: real) -> bool {
+    return abs(vec3_dot(ray_at(ray, lambda) - cylinder.center, cylinder.axis)) <= cylinder.half_height;
+}
+
+// CylinderRecord::side: the smaller root that is in range and between the bases, else the larger; and whether that
+// counts.
+fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadratic) -> Root {
+    let root = sqrt(quadratic.discriminant);
+    let near = (-quadratic.h - root) / quadratic.a;
+    let far = (-quadratic.h + root) / quadratic.a;
+    let near_counts = in_range(near) && cylinder_within_height(cylinder, ray, near);
+    let far_counts = in_range(far) && cylinder_within_height(cylinder, ray, far);
+    return Root(near_counts || far_counts, select(far, near, near_counts));
+}
+
+// CylinderRecord::base: the disc around `base`, `distance` along the axis from the ray's origin; PARALLEL is 1e-8.
+fn cylinder_base(cylinder: CylinderRecord, ray: Ray, base: vec3<real>, distance: real) -> Root {
+    let slope = vec3_dot(ray.direction, cylinder.axis);
+    let lambda = distance / slope;
+    let on_disc = vec3_length(ray_at(ray, lambda) - base) <= cylinder.radius;
+    return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
+}
+
+// CylinderRecord::outward: the normal at `point` that leaves `part`. The side's is as long as the radius.
+fn cylinder_outward(cylinder: CylinderRecord, part: u32, point: vec3<real>) -> vec3<real> {
+    switch part {
+        case SIDE: {
+            return vec3_perpendicular_to(point - cylinder.center, cylinder.axis);
+        }
+        case TOP: {
+            return cylinder.axis;
+        }
+        default: {
+            return -cylinder.axis;
+        }
+    }
+}
+
+// Option<(T, Part)>
+struct CylinderRoot {
+    some: bool,
+    lambda: real,
+    part: u32,
+}
+
+// CylinderRecord::intersect: the side, then the upper base, then the lower; of equals the later.
+fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
+    let view = cylinder_seen_from(cylinder, ray.origin);
+    let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
+    var nearest: CylinderRoot;
+    if !(quadratic.discriminant < real(0.0)) {
+        let side = cylinder_side(cylinder, ray, quadratic);
+        nearest = CylinderRoot(side.some, side.lambda, SIDE);
+    }
+    let top = cylinder_base(cylinder, ray, cylinder.top, view.to_top);
+    if top.some && (!nearest.some || top.lambda <= nearest.lambda) {
+        nearest = CylinderRoot(true, top.lambda, TOP);
+    }
+    let bottom = cylinder_base(cylinder, ray, cylinder.bottom, view.to_bottom);
+    if bottom.some && (!nearest.some || bottom.lambda <= nearest.lambda) {
+        nearest = CylinderRoot(true, bottom.lambda, BOTTOM);
+    }
+    return nearest;
+}

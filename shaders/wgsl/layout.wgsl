@@ -1,0 +1,31 @@
+// The layout of the buffers. Every structure here is made of scalars alone, so that it has no padding in f32 or in f64
+// and is, byte for byte, the #[repr(C)] type of Rust that it names.
+
+// cpu::Vec3<T>
+struct PackedVec3 {
+    x: real,
+    y: real,
+    z: real,
+}
+
+fn vec3_load(v: PackedVec3) -> vec3<real> {
+    return vec3<real>(v.x, v.y, v.z);
+}
+
+fn vec3_store(v: vec3<real>) -> PackedVec3 {
+    return PackedVec3(v.x, v.y, v.z);
+}
+
+// cpu::Ray<T>
+struct PackedRay {
+    origin: PackedVec3,
+    direction: PackedVec3,
+}
+
+fn ray_load(ray: PackedRay) -> Ray {
+    return Ray(vec3_load(ray.origin), vec3_load(ray.direction));
+}
+
+fn ray_store(ray: Ray) -> PackedRay {
+    return PackedRay(vec3_store(ray.origin), vec3_store(ray.direction));
+}

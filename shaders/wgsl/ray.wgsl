@@ -1,0 +1,43 @@
+// Rays, and what is known of a point where one meets a surface; twin of cpu/src/ray.rs.
+
+// Ray: a half-line from `origin` along `direction`, which need not have length one.
+struct Ray {
+    origin: vec3<real>,
+    direction: vec3<real>,
+}
+
+// Ray::at: the point `origin + direction lambda`.
+fn ray_at(ray: Ray, lambda: real) -> vec3<real> {
+    return ray.origin + ray.direction * lambda;
+}
+
+// in_range: whether a hit at `lambda` counts (LAMBDA_MIN is 1e-3); something that is not a number never does.
+fn in_range(lambda: real) -> bool {
+    return real(1e-3) <= lambda;
+}
+
+// Option<T>: where a ray meets a surface, if it does.
+struct Root {
+    some: bool,
+    lambda: real,
+}
+
+fn root_none() -> Root {
+    return Root(false, real(0.0));
+}
+
+// Hit: a point where a ray meets a surface.
+struct Hit {
+    point: vec3<real>,
+    normal: vec3<real>,
+    front: bool,
+}
+
+// Hit::facing: the hit at `point` of a ray along `direction`, given the normal that points `outward`.
+fn hit_facing(direction: vec3<real>, point: vec3<real>, outward: vec3<real>) -> Hit {
+    let front = vec3_dot(direction, outward) < real(0.0);
+    if front {
+        return Hit(point, outward, front);
+    }
+    return Hit(point, -outward, front);
+}

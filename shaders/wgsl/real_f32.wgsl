@@ -1,0 +1,2 @@
+// The number that all formulas are written over; twin of the parameter T in cpu/src/real.rs. In this composition: f32.
+alias real = f32;

@@ -1,0 +1,40 @@
+// How surfaces send light on; twin of cpu/src/scatter.rs. The random vectors come from outside.
+
+// scatter::matte: around the normal.
+fn scatter_matte(normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
+    let direction = normal + vector;
+    if vec3_is_negligible(direction) {
+        return normal;
+    }
+    return direction;
+}
+
+// scatter::reflect: the mirror image of `direction` in a surface.
+fn scatter_reflect(direction: vec3<real>, normal: vec3<real>) -> vec3<real> {
+    return direction - normal * (vec3_dot(direction, normal) * real(2.0));
+}
+
+// scatter::mirror: the direction, of length one, in which a metal surface without diffusion sends light.
+fn scatter_mirror(direction: vec3<real>, normal: vec3<real>) -> vec3<real> {
+    return vec3_unit(scatter_reflect(direction, normal));
+}
+
+// scatter::metal: the mirror image's direction, spread.
+fn scatter_metal(direction: vec3<real>, normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
+    return scatter_mirror(direction, normal) + vector;
+}
+
+// scatter::refract: bent by Snell's law, or reflected beyond the critical angle. `ratio` is `1 / index` where the ray
+// enters and `index` where it leaves.
+fn scatter_refract(direction: vec3<real>, normal: vec3<real>, ratio: real) -> vec3<real> {
+    let one = real(1.0);
+    let u = vec3_unit(direction);
+    let product = -vec3_dot(u, normal);
+    let cos = select(one, product, product < one);
+    let sin = sqrt(one - cos * cos);
+    let reflected = scatter_reflect(u, normal);
+    let p = (u + normal * cos) * ratio;
+    let refracted = p - normal * sqrt(abs(one - vec3_dot(p, p)));
+    let beyond = one < ratio * sin;
+    return select(refracted, reflected, beyond);
+}

@@ -1,0 +1,62 @@
+// Ray against sphere; twin of cpu/src/sphere.rs, which has the equations.
+
+// SphereRecord: a sphere with what its rays need computed once.
+struct SphereRecord {
+    center: vec3<real>,
+    radius: real,
+    radius_squared: real,
+}
+
+// SphereRecord::new
+fn sphere_new(center: vec3<real>, radius: real) -> SphereRecord {
+    return SphereRecord(center, radius, radius * radius);
+}
+
+// SphereView: what the rays from one point share.
+struct SphereView {
+    // From the origin to the centre.
+    r_c: vec3<real>,
+    // `r_c.r_c - r^2`: negative inside.
+    c: real,
+}
+
+// SphereRecord::seen_from
+fn sphere_seen_from(sphere: SphereRecord, origin: vec3<real>) -> SphereView {
+    let r_c = sphere.center - origin;
+    return SphereView(r_c, vec3_dot(r_c, r_c) - sphere.radius_squared);
+}
+
+struct SphereQuadratic {
+    h: real,
+    discriminant: real,
+}
+
+// SphereView::quadratic: half of `-b`, and a quarter of the discriminant; `a` is `direction . direction`.
+fn sphere_quadratic(view: SphereView, direction: vec3<real>, a: real) -> SphereQuadratic {
+    let h = vec3_dot(direction, view.r_c);
+    return SphereQuadratic(h, h * h - a * view.c);
+}
+
+// SphereRecord::first_root: the smaller root that is in range, else the larger, and whether that is in range.
+fn sphere_first_root(a: real, h: real, discriminant: real) -> Root {
+    let root = sqrt(discriminant);
+    let near = (h - root) / a;
+    let far = (h + root) / a;
+    let lambda = select(far, near, in_range(near));
+    return Root(in_range(lambda), lambda);
+}
+
+// SphereRecord::outward: the normal at `point` that leaves the sphere, of length one.
+fn sphere_outward(sphere: SphereRecord, point: vec3<real>) -> vec3<real> {
+    return (point - sphere.center) / sphere.radius;
+}
+
+// SphereRecord::intersect: where the ray meets the sphere, if it does.
+fn sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
+    let a = vec3_dot(ray.direction, ray.direction);
+    let quadratic = sphere_quadratic(sphere_seen_from(sphere, ray.origin), ray.direction, a);
+    if quadratic.discriminant < real(0.0) {
+        return root_none();
+    }
+    return sphere_first_root(a, quadratic.h, quadratic.discriminant);
+}

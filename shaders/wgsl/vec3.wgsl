@@ -1,0 +1,30 @@
+// Three-component vectors, for points, directions and colours alike; twin of cpu/src/vec3.rs.
+//
+// The products are written out: WGSL leaves the order of operations inside its own dot, cross and length to the driver,
+// and here the order is part of the result.
+
+// Vec3::dot: scalar product, summed left to right.
+fn vec3_dot(a: vec3<real>, b: vec3<real>) -> real {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// Vec3::length: Euclidean length.
+fn vec3_length(v: vec3<real>) -> real {
+    return sqrt(vec3_dot(v, v));
+}
+
+// Vec3::unit: the vector of length one in the same direction.
+fn vec3_unit(v: vec3<real>) -> vec3<real> {
+    return v / vec3_length(v);
+}
+
+// Vec3::perpendicular_to: the part perpendicular to `axis`, a unit vector.
+fn vec3_perpendicular_to(v: vec3<real>, axis: vec3<real>) -> vec3<real> {
+    return v - axis * vec3_dot(v, axis);
+}
+
+// Vec3::is_negligible: whether every component is smaller than 1e-8 in magnitude.
+fn vec3_is_negligible(v: vec3<real>) -> bool {
+    let limit = real(1e-8);
+    return abs(v.x) < limit && abs(v.y) < limit && abs(v.z) < limit;
+}
