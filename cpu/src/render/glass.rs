@@ -77,8 +77,7 @@ fn step_all<S: Simd, L: Layout>(
         let color = spread(background.color(ray.direction));
         let shaded = shade(prepared, &ray, &hits);
         let (point, base) = (spread(shaded.point), spread(shaded.base));
-        for lane in 0..lanes {
-            let sample = samples[lane];
+        for (lane, &sample) in samples.iter().enumerate().take(lanes) {
             if hits.bits >> lane & 1 == 0 {
                 batch.color.set(sample, get(&color, lane));
                 continue;

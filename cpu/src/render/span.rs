@@ -163,7 +163,8 @@ fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
             f64::from(if component >= 0.0 { bounds.high[axis] } else { bounds.low[axis] })
         };
         let farthest = Vec3::new(corner(0, wall.x), corner(1, wall.y), corner(2, wall.z)) - from;
-        !(wall.dot(farthest) < -1e-9 * (farthest.length() + from.length()))
+        let outside = wall.dot(farthest) < -1e-9 * (farthest.length() + from.length());
+        !outside
     })
 }
 
@@ -178,18 +179,20 @@ fn reaches<L: Layout>(prepared: &Prepared<L>, id: ObjectId, walls: &[HalfSpace; 
             let record = objects.sphere(id as usize).record;
             let middle = record.center - from;
             let scale = middle.length() + from.length() + record.radius;
-            walls.iter().all(|wall| !(wall.dot(middle) < -record.radius - MARGIN * scale))
+            let outside = |wall: &HalfSpace| wall.dot(middle) < -record.radius - MARGIN * scale;
+            !walls.iter().any(outside)
         }
         Some(index) => {
             let record = objects.cylinder(index).record;
             let middle = record.center - from;
             let scale = middle.length() + from.length() + record.radius + record.half_height;
-            walls.iter().all(|wall| {
+            let outside = |wall: &HalfSpace| {
                 let along = wall.dot(record.axis);
                 let across = (1.0 - along * along).max(0.0).sqrt();
                 let reach = record.half_height * along.abs() + record.radius * across;
-                !(wall.dot(middle) < -reach - MARGIN * scale - 1e-7 * record.radius)
-            })
+                wall.dot(middle) < -reach - MARGIN * scale - 1e-7 * record.radius
+            };
+            !walls.iter().any(outside)
         }
     }
 }

@@ -190,7 +190,7 @@ impl Hierarchy {
         let mut found = Found::NOTHING;
         let a = ray.direction.dot(ray.direction);
         // A direction of no length, or of no number, has no distances; every object that it could meet is none.
-        if !(a > 0.0) || self.nodes.is_empty() {
+        if a <= 0.0 || a.is_nan() || self.nodes.is_empty() {
             return found;
         }
         let box_ray = BoxRay::<S::F32>::new(ray);

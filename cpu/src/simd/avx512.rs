@@ -25,9 +25,9 @@ impl Avx512 {
 
 impl Simd for Avx512 {
     type F64 = F64;
-    // Measured: on one ray, 256 bits answer sooner than 512 (docs/performance.md).
+    // Measured: for a handful of objects 256 bits answer sooner than 512 (docs/performance.md).
     type Narrow = super::avx2::F64;
-    type F32 = super::avx2::F32;
+    type F32 = F32;
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
