@@ -68,11 +68,18 @@ impl<T: Real> CylinderRecord<T> {
         (a, h, h * h - a * c)
     }
 
+    /// How far the point at `lambda` is from the plane halfway between the bases.
+    #[inline(always)]
+    #[must_use]
+    pub fn distance_from_middle(&self, ray: &Ray<T>, lambda: T) -> T {
+        (ray.at(lambda) - self.center).dot(self.axis).abs()
+    }
+
     /// Whether the side's point at `lambda` lies between the bases.
     #[inline(always)]
     #[must_use]
     pub fn within_height(&self, ray: &Ray<T>, lambda: T) -> T::Mask {
-        (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
+        self.distance_from_middle(ray, lambda).less_equal(self.half_height)
     }
 
     /// Where the ray meets the plane through `base`, one of the two centres, and the product of ray and axis.

@@ -1,0 +1,121 @@
+//! The running certificate of a quadratic's roots: when rounding cannot have changed what they say.
+//!
+//! Spheres and the sides of cylinders lead to `a lambda^2 - 2 h lambda + c = 0`. Rounding moves the discriminant
+//! `D = h^2 - a c` by at most `noise u M`, where `u` is the unit roundoff, `M = |d|^2 (|O - C|^2 + r^2)` and `noise` a
+//! small number that counts operations; it moves the numerator `n = h -+ sqrt(D)` of a root by at most
+//! `noise u M / sqrt(D)`. Both are derived in `docs/accuracy.md`. Hence, all quantities as computed:
+//!
+//! - the ray misses when `-D > noise u M`;
+//! - a root is below [`LAMBDA_MIN`] when `(a LAMBDA_MIN - n) sqrt(D) > noise u M`;
+//! - a root is accurate to `noise CONDITION u` when `M < CONDITION n sqrt(D)`, and then `D > 0` is certain too.
+//!
+//! A comparison with something that is not a number fails, so whatever overflows is in doubt. Underflow is covered by
+//! a tiny constant beside `M`, and by the demand that the direction is [in scale](in_scale).
+
+use crate::ray::LAMBDA_MIN;
+use crate::real::Real;
+
+/// What a formula gives, or that rounding may have changed it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict<A> {
+    /// The decisions are right, and a lambda is accurate.
+    Certain(A),
+    /// Something may be wrong.
+    Doubtful,
+}
+
+/// Arithmetic of known precision.
+pub trait Rounding: Real {
+    /// The largest relative error of an operation.
+    const UNIT_ROUNDOFF: f64;
+    /// The largest condition number of a root that is accepted.
+    const CONDITION: f64;
+
+    /// What the relative error of an accepted lambda stays below, with room to spare.
+    const LAMBDA_ERROR: f64 = 256.0 * Self::CONDITION * Self::UNIT_ROUNDOFF;
+}
+
+impl Rounding for f64 {
+    const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    const CONDITION: f64 = 4096.0;
+}
+
+/// Added where a product may underflow: 2^-600.
+const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
+/// The largest `M` whose products cannot overflow: 2^1000.
+const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
+/// The shortest direction's length squared whose relative error is not spoilt by underflow: 2^-300.
+const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
+/// The longest direction's length squared: 2^300.
+const LONGEST: f64 = f64::from_bits((1023 + 300) << 52);
+
+/// Whether a direction's length squared is at most 2^300; see [`not_short`].
+#[inline(always)]
+pub fn not_long<T: Real>(length_squared: T) -> T::Mask {
+    length_squared.less_equal(T::of(LONGEST))
+}
+
+/// Whether a direction's length squared is at least 2^-300. Outside both limits nothing is certain in f64.
+#[inline(always)]
+pub fn not_short<T: Real>(length_squared: T) -> T::Mask {
+    T::of(SHORTEST).less_equal(length_squared)
+}
+
+/// Whether a direction's length squared lies between 2^-300 and 2^300. The same for all objects that a ray is tried on.
+#[inline(always)]
+#[must_use]
+pub fn in_scale<T: Real<Mask = bool>>(length_squared: T) -> bool {
+    not_short(length_squared) && not_long(length_squared)
+}
+
+/// The bounds for one ray and one object.
+#[derive(Clone, Copy, Debug)]
+pub struct Certificate<T> {
+    /// `M`, the size of what cancels in the discriminant.
+    size: T,
+    /// `noise u M`.
+    noise: T,
+}
+
+impl<T: Rounding> Certificate<T> {
+    /// The bounds for a direction's length squared, and the sum of the squares of distance to the centre and radius.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(noise: f64, length_squared: T, squares: T) -> Self {
+        let size = length_squared * squares;
+        Self { size, noise: size * T::of(noise * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW) }
+    }
+
+    /// Whether the line certainly misses.
+    #[inline(always)]
+    pub fn misses(&self, discriminant: T) -> T::Mask {
+        self.noise.less(-discriminant)
+    }
+
+    /// Whether the root `numerator / a` certainly is below [`LAMBDA_MIN`].
+    #[inline(always)]
+    pub fn too_near(&self, a: T, numerator: T, root: T) -> T::Mask {
+        // Lowered by more than the relative error of `a`.
+        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * T::LAMBDA_ERROR);
+        self.noise.less((a * least - numerator) * root)
+    }
+
+    /// Whether the root with this numerator certainly is accurate.
+    #[inline(always)]
+    pub fn accurate(&self, numerator: T, root: T) -> T::Mask {
+        // Strictly: two infinities give no certainty.
+        (self.size * T::of(1.0 / T::CONDITION) + T::of(UNDERFLOW)).less(root * numerator)
+    }
+
+    /// Whether no product can have overflowed; needed beside [`accurate`](Self::accurate) alone.
+    #[inline(always)]
+    pub fn finite(&self) -> T::Mask {
+        self.size.less(T::of(OVERFLOW))
+    }
+}
+
+/// Whether an accurate lambda certainly is at least [`LAMBDA_MIN`].
+#[inline(always)]
+pub fn certainly_in_range<T: Rounding>(lambda: T) -> T::Mask {
+    (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * T::LAMBDA_ERROR)).less_equal(lambda)
+}

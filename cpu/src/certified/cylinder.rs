@@ -1,0 +1,275 @@
+//! Ray against closed cylinder, certified; see [`crate::cylinder`] for the formulas.
+//!
+//! To the quadratic's certificate come margins for what the textbook decides afterwards: whether a point of the side
+//! is between the bases, whether a point of a base's plane is on the disc, whether a plane is met at all, and which
+//! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
+//! have the size of the cylinder's coordinates ([`extent`]).
+
+use super::certificate::{Certificate, Rounding, Verdict, certainly_in_range, in_scale};
+use super::double_double::DoubleDouble;
+use super::sphere::widened;
+use super::{cylinder_exact, sphere_exact::NotFinite};
+use crate::cylinder::{CylinderRecord, PARALLEL, Part};
+use crate::ray::{LAMBDA_MIN, Ray};
+use crate::real::Real;
+use crate::vec3::Vec3;
+
+/// Rounding errors in the discriminant and in a root's numerator, counted in `docs/accuracy.md`: at most 144.
+pub const NOISE: f64 = 192.0;
+
+/// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
+/// as long as the cylinder is high, and `record` was made from it.
+///
+/// ```
+/// use cpu::{Ray, Vec3, certified, cylinder::{CylinderRecord, Part}};
+///
+/// let axis = Vec3::new(0.0, 4.0, 0.0);
+/// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
+/// // To the last bit through the rim: side and base are equally near, and the later counts.
+/// let ray = Ray { origin: Vec3::new(0.0, 4.0, -3.0), direction: Vec3::new(0.0, -1.0, 1.0) };
+/// assert_eq!(certified::cylinder::intersect(&cylinder, &axis, &ray), Some((2.0, Part::Top)));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    match judge(record, ray) {
+        Verdict::Certain(answer) => answer,
+        Verdict::Doubtful => resolve(record, axis, ray),
+    }
+}
+
+/// What the textbook says in the arithmetic `T`, unless rounding may have changed it.
+#[inline(always)]
+#[must_use]
+pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
+    let length_squared = ray.direction.dot(ray.direction);
+    let (a, h, discriminant) = record.quadratic(ray);
+    let r_c = ray.origin - record.center;
+    let certificate = Certificate::new(NOISE, length_squared, r_c.dot(r_c) + record.radius_squared);
+    if !in_scale(length_squared) {
+        return Verdict::Doubtful;
+    }
+    if certificate.misses(discriminant) {
+        // A line that misses the endless cylinder meets no base either.
+        return Verdict::Certain(None);
+    }
+    let Verdict::Certain(side) = judge_side(record, ray, &certificate, length_squared, (a, h, discriminant)) else {
+        return Verdict::Doubtful;
+    };
+    if let Some((lambda, Entry)) = side {
+        // The cylinder is convex: where a line enters through the side, no base is nearer.
+        return Verdict::Certain(Some((lambda, Part::Side)));
+    }
+    let mut nearest = side.map(|(lambda, _)| (lambda, Part::Side));
+    for (base, part) in [(record.top, Part::Top), (record.bottom, Part::Bottom)] {
+        let Verdict::Certain(met) = judge_base(record, ray, base) else {
+            return Verdict::Doubtful;
+        };
+        let Some(lambda) = met else { continue };
+        if let Some((best, _)) = nearest {
+            let doubt = T::of(2.0 * T::LAMBDA_ERROR) * best;
+            if (lambda - best).abs().less_equal(doubt) {
+                return Verdict::Doubtful;
+            }
+            if best.less(lambda) {
+                continue;
+            }
+        }
+        nearest = Some((lambda, part));
+    }
+    Verdict::Certain(nearest)
+}
+
+/// Which of the two roots meets the side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Root {
+    Entry,
+    Exit,
+}
+use Root::{Entry, Exit};
+
+#[inline(always)]
+fn judge_side<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    certificate: &Certificate<T>,
+    length_squared: T,
+    (a, h, discriminant): (T, T, T),
+) -> Verdict<Option<(T, Root)>> {
+    // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
+    let steepest = T::of(64.0 * T::CONDITION * T::CONDITION);
+    if discriminant.less(T::of(0.0)) || !length_squared.less_equal(a * steepest) {
+        return Verdict::Doubtful;
+    }
+    let root = discriminant.sqrt();
+    for (numerator, which) in [(-h - root, Entry), (-h + root, Exit)] {
+        if certificate.too_near(a, numerator, root) {
+            continue;
+        }
+        let lambda = numerator / a;
+        if !(certificate.accurate(numerator, root) && certificate.finite() && certainly_in_range(lambda)) {
+            return Verdict::Doubtful;
+        }
+        let along = record.distance_from_middle(ray, lambda);
+        let margin = margin(record, ray, lambda);
+        if along.less(record.half_height - margin) {
+            return Verdict::Certain(Some((lambda, which)));
+        }
+        if !(record.half_height + margin).less(along) {
+            return Verdict::Doubtful;
+        }
+    }
+    Verdict::Certain(None)
+}
+
+#[inline(always)]
+fn judge_base<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    base: Vec3<T>,
+) -> Verdict<Option<T>> {
+    let (lambda, slope) = record.plane(ray, base);
+    let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
+    let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
+    if (steepness + slope_noise).less(T::of(PARALLEL)) {
+        return Verdict::Certain(None);
+    }
+    if !(T::of(PARALLEL) + slope_noise).less(steepness) {
+        return Verdict::Doubtful;
+    }
+    // The distance to the plane, positive in front of the ray. The compiler finds the product again in `plane`.
+    let to_base = base - ray.origin;
+    let distance = to_base.dot(record.axis);
+    let distance = T::select(slope.less(T::of(0.0)), -distance, distance);
+    let size = extent(record) + magnitude(to_base);
+    let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
+    if (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN)) {
+        return Verdict::Certain(None);
+    }
+    let accurate = size.less(distance * T::of(4.0 * T::CONDITION)) && reach.less(steepness * T::of(8.0 * T::CONDITION));
+    if !(accurate && certainly_in_range(lambda)) {
+        return Verdict::Doubtful;
+    }
+    let from_center = (ray.at(lambda) - base).length();
+    let margin = margin(record, ray, lambda);
+    if from_center.less(record.radius - margin) {
+        return Verdict::Certain(Some(lambda));
+    }
+    if (record.radius + margin).less(from_center) { Verdict::Certain(None) } else { Verdict::Doubtful }
+}
+
+/// The size of a cylinder's coordinates, and of itself. The same for all rays.
+#[inline(always)]
+#[must_use]
+pub fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
+    // Underflow in lengths, of which this is the measure, is far below 2^-300.
+    const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
+    magnitude(record.center) + record.radius + record.half_height + T::of(UNDERFLOW)
+}
+
+/// How far rounding may have moved the point at an accepted lambda.
+#[inline(always)]
+fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
+    let along = lambda * magnitude(ray.direction) * T::of(2.0 * T::LAMBDA_ERROR);
+    along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
+}
+
+/// A number not smaller than the vector's length, and at most 1.74 times as large.
+#[inline(always)]
+fn magnitude<T: Real>(vector: Vec3<T>) -> T {
+    vector.x.abs() + vector.y.abs() + vector.z.abs()
+}
+
+/// The answer of a ray that is in doubt, at the price of some thousand operations.
+#[cold]
+#[inline(never)]
+#[must_use]
+pub fn resolve(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    let precise = CylinderRecord::new(widened(record.center), DoubleDouble::of(record.radius), widened(*axis));
+    let precise_ray = Ray { origin: widened(ray.origin), direction: widened(ray.direction) };
+    match judge(&precise, &precise_ray) {
+        Verdict::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
+        Verdict::Doubtful => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
+            .unwrap_or_else(|NotFinite| record.intersect(ray)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+        Ray { origin: origin.into(), direction: direction.into() }
+    }
+
+    fn meets(axis: [f64; 3], ray: &Ray) -> Option<(f64, Part)> {
+        let axis = axis.into();
+        intersect(&CylinderRecord::new(Vec3::ZERO, 1.0, axis), &axis, ray)
+    }
+
+    const UPRIGHT: [f64; 3] = [0.0, 4.0, 0.0];
+
+    #[test]
+    fn plain_rays_are_certain_and_the_textbooks() {
+        let record = CylinderRecord::new(Vec3::ZERO, 1.0, UPRIGHT.into());
+        for (ray, expected) in [
+            (ray([0.1, 0.0, -3.0], [0.0, 0.1, 1.0]), Some(Part::Side)),
+            (ray([0.0, 0.1, 0.0], [0.0, 0.1, 1.0]), Some(Part::Side)),
+            (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(Part::Top)),
+            (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(Part::Bottom)),
+            (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(Part::Top)),
+            (ray([1.1, 5.0, 0.0], [0.0, -1.0, 0.1]), None),
+            (ray([0.0, 2.1, -3.0], [0.0, 0.1, 1.0]), None),
+            (ray([0.0, 0.0, 3.0], [0.0, 0.1, 1.0]), None),
+        ] {
+            let verdict = judge(&record, &ray);
+            assert_eq!(verdict, Verdict::Certain(record.intersect(&ray)), "{ray:?}");
+            let Verdict::Certain(answer) = verdict else { unreachable!() };
+            assert_eq!(answer.map(|(_, part)| part), expected, "{ray:?}");
+        }
+    }
+
+    #[test]
+    fn through_the_rim_the_base_counts() {
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, Part::Top)));
+        assert_eq!(meets(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, Part::Bottom)));
+        // Out of it: the far root is on the rim.
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, Part::Top)));
+    }
+
+    #[test]
+    fn along_the_axis_only_bases_are_met() {
+        for axis in [UPRIGHT, [1.0, 2.0, -0.3]] {
+            let direction = axis.map(|component| component * 0.25);
+            let hit = meets(axis, &ray([0.0; 3], direction));
+            assert_eq!(hit, Some((2.0, Part::Top)), "{axis:?}");
+        }
+        assert_eq!(meets(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])), Some((1.5, Part::Top)), "on the rim");
+        assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 5.0, 0.0], [0.0, -2.0, 0.0])), None);
+    }
+
+    #[test]
+    fn along_the_bases_only_the_side_is_met() {
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])), Some((2.0, Part::Side)), "in the plane");
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, Part::Side)));
+        assert_eq!(meets(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, Part::Side)), "tangent");
+        assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 0.0, -3.0], [0.0, 0.0, 0.5])), None);
+    }
+
+    #[test]
+    fn planes_within_the_limit_of_parallel_are_skipped() {
+        // Slopes around 1e-8: the one just below meets no base, though its line would.
+        let start = [0.0, 1.0 - 1e-9, 0.0];
+        let toward = |slope: f64| ray(start, [0.5, slope, 0.0]);
+        let flat = [0.0, 2.0, 0.0];
+        assert_eq!(meets(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(Part::Top));
+        assert_eq!(meets(flat, &toward(PARALLEL.next_down())), None, "the side is met above the base");
+    }
+
+    #[test]
+    fn a_null_direction_and_numbers_that_are_none_are_the_textbooks() {
+        assert_eq!(meets(UPRIGHT, &ray([0.0; 3], [0.0; 3])), None);
+        assert_eq!(meets(UPRIGHT, &ray([0.0, f64::NAN, 0.0], [0.0, 1.0, 0.0])), None);
+    }
+}

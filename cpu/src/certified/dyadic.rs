@@ -1,0 +1,223 @@
+//! Exact arithmetic on the numbers that f64 can hold, and on what sums and products make of them.
+//!
+//! A number is an integer of any size times a power of two. Nothing is rounded, nothing overflows; each operation
+//! allocates, so this is for the few rays that nothing else can decide.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use super::double_double::DoubleDouble;
+
+/// The number `(-1)^negative magnitude 2^exponent`.
+#[derive(Clone, Debug)]
+pub struct Dyadic {
+    negative: bool,
+    /// Little endian, the last limb not zero; empty for zero.
+    magnitude: Vec<u64>,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// Exactly `value`; none when it is infinite or not a number.
+    #[must_use]
+    pub fn new(value: f64) -> Option<Self> {
+        const FRACTION: u64 = (1 << 52) - 1;
+        if !value.is_finite() {
+            return None;
+        }
+        let bits = value.to_bits();
+        let biased = (bits >> 52 & 0x7ff) as i64;
+        let implicit = if biased == 0 { 0 } else { 1 << 52 };
+        let integer = bits & FRACTION | implicit;
+        let magnitude = if integer == 0 { Vec::new() } else { vec![integer] };
+        Some(Self { negative: value < 0.0, magnitude, exponent: biased.max(1) - 1075 })
+    }
+
+    /// One.
+    #[must_use]
+    pub fn one() -> Self {
+        Self { negative: false, magnitude: vec![1], exponent: 0 }
+    }
+
+    /// How the number compares with zero.
+    #[must_use]
+    pub fn sign(&self) -> Ordering {
+        match (self.magnitude.is_empty(), self.negative) {
+            (true, _) => Ordering::Equal,
+            (false, true) => Ordering::Less,
+            (false, false) => Ordering::Greater,
+        }
+    }
+
+    /// The number's square.
+    #[must_use]
+    pub fn squared(&self) -> Self {
+        self * self
+    }
+
+    /// The number times `2^power`.
+    #[must_use]
+    pub fn scaled(&self, power: i64) -> Self {
+        Self { exponent: self.exponent + power, ..self.clone() }
+    }
+
+    /// The least `e` with `|self| < 2^e`.
+    #[must_use]
+    pub fn order(&self) -> i64 {
+        self.exponent + self.bits()
+    }
+
+    /// The number to 106 bits, the rest cut off.
+    #[must_use]
+    pub fn to_double_double(&self) -> DoubleDouble {
+        let (high, low) = (self.digits(0), self.digits(53));
+        let part = |digits: u64, skipped: i64| power_of_two(digits as f64, self.order() - 53 - skipped);
+        let (high, low) = (part(high, 0), part(low, 53));
+        if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }.renormalized()
+    }
+
+    fn bits(&self) -> i64 {
+        self.magnitude.last().map_or(0, |last| 64 * self.magnitude.len() as i64 - i64::from(last.leading_zeros()))
+    }
+
+    /// 53 bits of the magnitude, after the first `skipped`.
+    fn digits(&self, skipped: i64) -> u64 {
+        let lowest = self.bits() - skipped - 53;
+        (0..53).filter(|&index| self.bit(lowest + index)).fold(0, |digits, index| digits | 1 << index)
+    }
+
+    fn bit(&self, index: i64) -> bool {
+        let Ok(index) = usize::try_from(index) else { return false };
+        self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)
+    }
+
+    /// The magnitude as a multiple of `2^exponent`, which is at most the number's own.
+    fn aligned(&self, exponent: i64) -> Vec<u64> {
+        let shift = self.exponent.abs_diff(exponent);
+        let mut limbs = vec![0; (shift / 64) as usize];
+        let shift = shift % 64;
+        let mut carry = 0;
+        for &limb in &self.magnitude {
+            limbs.push(limb << shift | carry);
+            carry = if shift == 0 { 0 } else { limb >> (64 - shift) };
+        }
+        limbs.push(carry);
+        trimmed(limbs)
+    }
+}
+
+/// `value 2^power`, zero or infinite when f64 has no such number.
+pub fn power_of_two(mut value: f64, power: i64) -> f64 {
+    let mut left = power.clamp(-4000, 4000);
+    while left != 0 {
+        let step = left.clamp(-1022, 1023);
+        value *= f64::from_bits(((1023 + step) as u64) << 52);
+        left -= step;
+    }
+    value
+}
+
+/// The sign of `x + y sqrt(d)`, for `d >= 0`.
+#[must_use]
+pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
+    let y_sign = if d.sign() == Ordering::Equal { Ordering::Equal } else { y.sign() };
+    match (x.sign(), y_sign) {
+        (sign, Ordering::Equal) | (Ordering::Equal, sign) => sign,
+        (x_sign, y_sign) if x_sign == y_sign => x_sign,
+        // The larger of the two squares decides.
+        (Ordering::Greater, _) => (&x.squared() - &(&y.squared() * d)).sign(),
+        (_, _) => (&(&y.squared() * d) - &x.squared()).sign(),
+    }
+}
+
+fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
+    while limbs.last() == Some(&0) {
+        limbs.pop();
+    }
+    limbs
+}
+
+fn compare(a: &[u64], b: &[u64]) -> Ordering {
+    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
+}
+
+fn sum(a: &[u64], b: &[u64]) -> Vec<u64> {
+    let mut carry = false;
+    let limb = |list: &[u64], index: usize| list.get(index).copied().unwrap_or(0);
+    let mut limbs: Vec<u64> = (0..a.len().max(b.len()))
+        .map(|index| {
+            let (partial, first) = limb(a, index).overflowing_add(limb(b, index));
+            let (total, second) = partial.overflowing_add(u64::from(carry));
+            carry = first | second;
+            total
+        })
+        .collect();
+    limbs.push(u64::from(carry));
+    trimmed(limbs)
+}
+
+/// `a - b`, where `a` is not the smaller.
+fn difference(a: &[u64], b: &[u64]) -> Vec<u64> {
+    let mut borrow = false;
+    let limbs = a.iter().enumerate().map(|(index, &limb)| {
+        let (partial, first) = limb.overflowing_sub(b.get(index).copied().unwrap_or(0));
+        let (rest, second) = partial.overflowing_sub(u64::from(borrow));
+        borrow = first | second;
+        rest
+    });
+    trimmed(limbs.collect())
+}
+
+impl Add for &Dyadic {
+    type Output = Dyadic;
+    fn add(self, other: Self) -> Dyadic {
+        if self.magnitude.is_empty() {
+            return other.clone();
+        }
+        if other.magnitude.is_empty() {
+            return self.clone();
+        }
+        let exponent = self.exponent.min(other.exponent);
+        let (a, b) = (self.aligned(exponent), other.aligned(exponent));
+        let (negative, magnitude) = match (self.negative == other.negative, compare(&a, &b)) {
+            (true, _) => (self.negative, sum(&a, &b)),
+            (false, Ordering::Less) => (other.negative, difference(&b, &a)),
+            (false, _) => (self.negative, difference(&a, &b)),
+        };
+        Dyadic { negative, magnitude, exponent }
+    }
+}
+
+impl Neg for &Dyadic {
+    type Output = Dyadic;
+    fn neg(self) -> Dyadic {
+        Dyadic { negative: !self.negative, ..self.clone() }
+    }
+}
+
+impl Sub for &Dyadic {
+    type Output = Dyadic;
+    fn sub(self, other: Self) -> Dyadic {
+        self + &-other
+    }
+}
+
+impl Mul for &Dyadic {
+    type Output = Dyadic;
+    fn mul(self, other: Self) -> Dyadic {
+        let mut limbs = vec![0; self.magnitude.len() + other.magnitude.len()];
+        for (shift, &x) in self.magnitude.iter().enumerate() {
+            let mut carry = 0;
+            for (limb, &y) in limbs[shift..].iter_mut().zip(other.magnitude.iter().chain([&0])) {
+                let total = u128::from(x) * u128::from(y) + u128::from(*limb) + carry;
+                *limb = total as u64;
+                carry = total >> 64;
+            }
+        }
+        Dyadic {
+            negative: self.negative != other.negative,
+            magnitude: trimmed(limbs),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+}
