@@ -7,7 +7,7 @@
 //!
 //! - the ray misses when `-D > noise u M`;
 //! - a root is below [`LAMBDA_MIN`] when `(a LAMBDA_MIN - n) sqrt(D) > noise u M`;
-//! - a root is accurate to `noise CONDITION u` when `M < CONDITION n sqrt(D)`, and then `D > 0` is certain too.
+//! - a root is accurate when `M + 4 n^2 < condition n sqrt(D)`, and then `D > 0` is certain too.
 //!
 //! A comparison with something that is not a number fails, so whatever overflows is in doubt. Underflow is covered by
 //! a tiny constant beside `M`, and by the demand that the direction is [in scale](in_scale).
@@ -28,16 +28,39 @@ pub enum Verdict<A> {
 pub trait Rounding: Real {
     /// The largest relative error of an operation.
     const UNIT_ROUNDOFF: f64;
-    /// The largest condition number of a root that is accepted.
-    const CONDITION: f64;
-
-    /// What the relative error of an accepted lambda stays below, with room to spare.
-    const LAMBDA_ERROR: f64 = 256.0 * Self::CONDITION * Self::UNIT_ROUNDOFF;
+    /// How many times worse conditioned than in f64 a root may be that is accepted.
+    const LENIENCE: f64;
 }
 
 impl Rounding for f64 {
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    const CONDITION: f64 = 4096.0;
+    const LENIENCE: f64 = 1.0;
+}
+
+/// What depends on the shape.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Rounding errors in the discriminant, in units of `u M`.
+    pub noise: f64,
+    /// The largest condition number of a root that is accepted in f64. The smaller, the more accurate is lambda, and
+    /// the fewer rays keep the textbook's bits.
+    pub condition: f64,
+}
+
+impl Limits {
+    /// The condition number up to which a root is accepted in the arithmetic `T`.
+    #[inline(always)]
+    #[must_use]
+    pub const fn condition<T: Rounding>(&self) -> f64 {
+        self.condition * T::LENIENCE
+    }
+
+    /// What the relative error of an accepted lambda stays below, with room to spare.
+    #[inline(always)]
+    #[must_use]
+    pub const fn lambda_error<T: Rounding>(&self) -> f64 {
+        256.0 * self.condition::<T>() * T::UNIT_ROUNDOFF
+    }
 }
 
 /// Added where a product may underflow: 2^-600.
@@ -71,6 +94,7 @@ pub fn in_scale<T: Real<Mask = bool>>(length_squared: T) -> bool {
 /// The bounds for one ray and one object.
 #[derive(Clone, Copy, Debug)]
 pub struct Certificate<T> {
+    limits: Limits,
     /// `M`, the size of what cancels in the discriminant.
     size: T,
     /// `noise u M`.
@@ -81,9 +105,9 @@ impl<T: Rounding> Certificate<T> {
     /// The bounds for a direction's length squared, and the sum of the squares of distance to the centre and radius.
     #[inline(always)]
     #[must_use]
-    pub fn new(noise: f64, length_squared: T, squares: T) -> Self {
+    pub fn new(limits: Limits, length_squared: T, squares: T) -> Self {
         let size = length_squared * squares;
-        Self { size, noise: size * T::of(noise * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW) }
+        Self { limits, size, noise: size * T::of(limits.noise * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW) }
     }
 
     /// Whether the line certainly misses.
@@ -96,7 +120,7 @@ impl<T: Rounding> Certificate<T> {
     #[inline(always)]
     pub fn too_near(&self, a: T, numerator: T, root: T) -> T::Mask {
         // Lowered by more than the relative error of `a`.
-        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * T::LAMBDA_ERROR);
+        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
         self.noise.less((a * least - numerator) * root)
     }
 
@@ -104,7 +128,8 @@ impl<T: Rounding> Certificate<T> {
     #[inline(always)]
     pub fn accurate(&self, numerator: T, root: T) -> T::Mask {
         // Strictly: two infinities give no certainty.
-        (self.size * T::of(1.0 / T::CONDITION) + T::of(UNDERFLOW)).less(root * numerator)
+        let size = self.size + numerator * numerator * T::of(4.0);
+        (size * T::of(1.0 / self.limits.condition::<T>()) + T::of(UNDERFLOW)).less(root * numerator)
     }
 
     /// Whether no product can have overflowed; needed beside [`accurate`](Self::accurate) alone.
@@ -112,10 +137,10 @@ impl<T: Rounding> Certificate<T> {
     pub fn finite(&self) -> T::Mask {
         self.size.less(T::of(OVERFLOW))
     }
-}
 
-/// Whether an accurate lambda certainly is at least [`LAMBDA_MIN`].
-#[inline(always)]
-pub fn certainly_in_range<T: Rounding>(lambda: T) -> T::Mask {
-    (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * T::LAMBDA_ERROR)).less_equal(lambda)
+    /// Whether an accurate lambda certainly is at least [`LAMBDA_MIN`].
+    #[inline(always)]
+    pub fn in_range(&self, lambda: T) -> T::Mask {
+        (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.limits.lambda_error::<T>())).less_equal(lambda)
+    }
 }

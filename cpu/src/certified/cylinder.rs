@@ -5,7 +5,7 @@
 //! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
 //! have the size of the cylinder's coordinates ([`extent`]).
 
-use super::certificate::{Certificate, Rounding, Verdict, certainly_in_range, in_scale};
+use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale};
 use super::double_double::DoubleDouble;
 use super::sphere::widened;
 use super::{cylinder_exact, sphere_exact::NotFinite};
@@ -14,8 +14,8 @@ use crate::ray::{LAMBDA_MIN, Ray};
 use crate::real::Real;
 use crate::vec3::Vec3;
 
-/// Rounding errors in the discriminant and in a root's numerator, counted in `docs/accuracy.md`: at most 144.
-pub const NOISE: f64 = 192.0;
+/// Counted in `docs/accuracy.md`: the noise is at most 144.
+pub const LIMITS: Limits = Limits { noise: 192.0, condition: 32768.0 };
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
 /// as long as the cylinder is high, and `record` was made from it.
@@ -45,7 +45,7 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>)
     let length_squared = ray.direction.dot(ray.direction);
     let (a, h, discriminant) = record.quadratic(ray);
     let r_c = ray.origin - record.center;
-    let certificate = Certificate::new(NOISE, length_squared, r_c.dot(r_c) + record.radius_squared);
+    let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
     if !in_scale(length_squared) {
         return Verdict::Doubtful;
     }
@@ -62,12 +62,12 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>)
     }
     let mut nearest = side.map(|(lambda, _)| (lambda, Part::Side));
     for (base, part) in [(record.top, Part::Top), (record.bottom, Part::Bottom)] {
-        let Verdict::Certain(met) = judge_base(record, ray, base) else {
+        let Verdict::Certain(met) = judge_base(record, ray, &certificate, base) else {
             return Verdict::Doubtful;
         };
         let Some(lambda) = met else { continue };
         if let Some((best, _)) = nearest {
-            let doubt = T::of(2.0 * T::LAMBDA_ERROR) * best;
+            let doubt = T::of(2.0 * LIMITS.lambda_error::<T>()) * best;
             if (lambda - best).abs().less_equal(doubt) {
                 return Verdict::Doubtful;
             }
@@ -97,7 +97,7 @@ fn judge_side<T: Rounding<Mask = bool>>(
     (a, h, discriminant): (T, T, T),
 ) -> Verdict<Option<(T, Root)>> {
     // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
-    let steepest = T::of(64.0 * T::CONDITION * T::CONDITION);
+    let steepest = T::of(64.0 * LIMITS.condition::<T>() * LIMITS.condition::<T>());
     if discriminant.less(T::of(0.0)) || !length_squared.less_equal(a * steepest) {
         return Verdict::Doubtful;
     }
@@ -107,7 +107,7 @@ fn judge_side<T: Rounding<Mask = bool>>(
             continue;
         }
         let lambda = numerator / a;
-        if !(certificate.accurate(numerator, root) && certificate.finite() && certainly_in_range(lambda)) {
+        if !(certificate.accurate(numerator, root) && certificate.finite() && certificate.in_range(lambda)) {
             return Verdict::Doubtful;
         }
         let along = record.distance_from_middle(ray, lambda);
@@ -126,6 +126,7 @@ fn judge_side<T: Rounding<Mask = bool>>(
 fn judge_base<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
     ray: &Ray<T>,
+    certificate: &Certificate<T>,
     base: Vec3<T>,
 ) -> Verdict<Option<T>> {
     let (lambda, slope) = record.plane(ray, base);
@@ -146,8 +147,8 @@ fn judge_base<T: Rounding<Mask = bool>>(
     if (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN)) {
         return Verdict::Certain(None);
     }
-    let accurate = size.less(distance * T::of(4.0 * T::CONDITION)) && reach.less(steepness * T::of(8.0 * T::CONDITION));
-    if !(accurate && certainly_in_range(lambda)) {
+    let accurate = size.less(distance * T::of(4.0 * LIMITS.condition::<T>())) && reach.less(steepness * T::of(8.0 * LIMITS.condition::<T>()));
+    if !(accurate && certificate.in_range(lambda)) {
         return Verdict::Doubtful;
     }
     let from_center = (ray.at(lambda) - base).length();
@@ -170,7 +171,7 @@ pub fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
 /// How far rounding may have moved the point at an accepted lambda.
 #[inline(always)]
 fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
-    let along = lambda * magnitude(ray.direction) * T::of(2.0 * T::LAMBDA_ERROR);
+    let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
     along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
 }
 

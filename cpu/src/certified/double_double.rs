@@ -153,8 +153,8 @@ impl Real for DoubleDouble {
 
 impl Rounding for DoubleDouble {
     const UNIT_ROUNDOFF: f64 = 16.0 * <f64 as Rounding>::UNIT_ROUNDOFF * <f64 as Rounding>::UNIT_ROUNDOFF;
-    // So that an accepted lambda, 256 times this in units, is right to 2^-54: half a unit in the last place of f64.
-    const CONDITION: f64 = (1_u64 << 40) as f64;
+    // So that an accepted lambda is right to half a unit in the last place of f64.
+    const LENIENCE: f64 = (1 << 24) as f64;
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::ops::{BitAnd, BitOr, Not};
 
-use super::certificate::{Certificate, Rounding, Verdict, certainly_in_range, in_scale, not_long, not_short};
+use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale, not_long, not_short};
 use super::double_double::DoubleDouble;
 use super::sphere_exact;
 use crate::ray::Ray;
@@ -10,8 +10,8 @@ use crate::real::Real;
 use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
-/// Rounding errors in the discriminant and in a root's numerator, counted in `docs/accuracy.md`: at most 26.
-pub const NOISE: f64 = 32.0;
+/// Counted in `docs/accuracy.md`: the noise is at most 26.
+pub const LIMITS: Limits = Limits { noise: 32.0, condition: 8192.0 };
 
 /// Where the ray meets the sphere: the contract of [`SphereRecord::intersect`], and right.
 ///
@@ -48,7 +48,7 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -
     let root = discriminant.sqrt();
     for numerator in [h - root, h + root] {
         let lambda = numerator / a;
-        if certificate.accurate(numerator, root) && certificate.finite() && certainly_in_range(lambda) {
+        if certificate.accurate(numerator, root) && certificate.finite() && certificate.in_range(lambda) {
             return Verdict::Certain(Some(lambda));
         }
         if !certificate.too_near(a, numerator, root) {
@@ -80,8 +80,8 @@ where
     let root = discriminant.sqrt();
     let (n_near, n_far) = (h - root, h + root);
     let (near, far) = (n_near / a, n_far / a);
-    let near_hits = certificate.accurate(n_near, root) & certainly_in_range(near);
-    let far_hits = certificate.too_near(a, n_near, root) & certificate.accurate(n_far, root) & certainly_in_range(far);
+    let near_hits = certificate.accurate(n_near, root) & certificate.in_range(near);
+    let far_hits = certificate.too_near(a, n_near, root) & certificate.accurate(n_far, root) & certificate.in_range(far);
     let misses = certificate.misses(discriminant) | certificate.too_near(a, n_far, root);
     let nowhere = T::of(f64::INFINITY);
     Lanes {
@@ -94,7 +94,7 @@ where
 fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Certificate<T> {
     // The compiler finds this product again in the quadratic.
     let r_c = record.center - ray.origin;
-    Certificate::new(NOISE, a, r_c.dot(r_c) + record.radius_squared)
+    Certificate::new(LIMITS, a, r_c.dot(r_c) + record.radius_squared)
 }
 
 /// The answer of a ray that is in doubt, at the price of some hundred operations.

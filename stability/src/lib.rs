@@ -1,0 +1,2 @@
+//! Holds the intersections of [`cpu`] against exact arithmetic.
+pub mod observed;
