@@ -25,6 +25,18 @@ pub struct Counts {
 impl Counts {
     const NONE: Self = Self { tests: 0, doubtful: 0, hits: 0, same_bits: 0, other_decision: 0 };
 
+    /// These and those.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        Self {
+            tests: self.tests + other.tests,
+            doubtful: self.doubtful + other.doubtful,
+            hits: self.hits + other.hits,
+            same_bits: self.same_bits + other.same_bits,
+            other_decision: self.other_decision + other.other_decision,
+        }
+    }
+
     fn record<A>(&mut self, textbook: Option<f64>, truth: Option<f64>, same_part: bool, verdict: &Verdict<A>) {
         self.tests += 1;
         self.doubtful += u64::from(matches!(verdict, Verdict::Doubtful));

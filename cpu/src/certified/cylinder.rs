@@ -15,7 +15,7 @@ use crate::real::Real;
 use crate::vec3::Vec3;
 
 /// Counted in `docs/accuracy.md`: the noise is at most 144.
-pub const LIMITS: Limits = Limits { noise: 192.0, condition: 32768.0 };
+pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
 /// as long as the cylinder is high, and `record` was made from it.

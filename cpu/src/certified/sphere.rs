@@ -11,7 +11,7 @@ use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
 /// Counted in `docs/accuracy.md`: the noise is at most 26.
-pub const LIMITS: Limits = Limits { noise: 32.0, condition: 8192.0 };
+pub const LIMITS: Limits = Limits { noise: 32.0, condition: 12288.0 };
 
 /// Where the ray meets the sphere: the contract of [`SphereRecord::intersect`], and right.
 ///
