@@ -120,9 +120,11 @@ impl<P: Intersect> Method for Double<P> {
 /// Single precision.
 struct Single {
     name: &'static str,
-    sphere: fn(&SphereRecord<f32>, &Ray<f32>) -> Option<f32>,
-    cylinder: fn(&CylinderRecord<f32>, &Ray<f32>) -> Option<(f32, Part)>,
+    sphere: Intersection<SphereRecord<f32>, f32>,
+    cylinder: Intersection<CylinderRecord<f32>, (f32, Part)>,
 }
+
+type Intersection<R, H> = fn(&R, &Ray<f32>) -> Option<H>;
 
 impl Method for Single {
     fn name(&self) -> &'static str {

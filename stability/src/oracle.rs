@@ -154,7 +154,7 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         let outward = big(sign) * &slope;
         let lambda = (&half - big(sign) * &height) / &outward;
         let point = minus(&at(ray, &lambda), &big3(cylinder.center));
-        let from_base = [0, 1, 2].map(|index| &point[index] - (big(sign) * &axis[index] >> 1));
+        let from_base = [0, 1, 2].map(|index| &point[index] - ((big(sign) * &axis[index]) >> 1));
         if in_range(&lambda) && at_most(&dot(&from_base, &from_base), &radius_squared) {
             hits.push(Truth { lambda: lambda.clone(), part, front: outward < Big::ZERO });
         }

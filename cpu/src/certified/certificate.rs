@@ -12,6 +12,8 @@
 //! A comparison with something that is not a number fails, so whatever overflows is in doubt. Underflow is covered by
 //! a tiny constant beside `M`, and by the demand that the direction is [in scale](in_scale).
 
+use std::ops::{BitAnd, BitOr};
+
 use crate::ray::LAMBDA_MIN;
 use crate::real::Real;
 
@@ -24,8 +26,13 @@ pub enum Verdict<A> {
     Doubtful,
 }
 
+/// Masks that can be combined: `bool`, and what lanes compare to.
+pub trait Logic: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {}
+
+impl<M: Copy + BitAnd<Output = Self> + BitOr<Output = Self>> Logic for M {}
+
 /// Arithmetic of known precision.
-pub trait Rounding: Real {
+pub trait Rounding: Real<Mask: Logic> {
     /// The largest relative error of an operation.
     const UNIT_ROUNDOFF: f64;
     /// How many times worse conditioned than in f64 a root may be that is accepted.
@@ -61,6 +68,12 @@ impl Limits {
     pub const fn lambda_error<T: Rounding>(&self) -> f64 {
         256.0 * self.condition::<T>() * T::UNIT_ROUNDOFF
     }
+
+    /// Whether an accurate lambda certainly is at least [`LAMBDA_MIN`].
+    #[inline(always)]
+    pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
+        (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error::<T>())).less_equal(lambda)
+    }
 }
 
 /// Added where a product may underflow: 2^-600.
@@ -72,23 +85,22 @@ const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
 /// The longest direction's length squared: 2^300.
 const LONGEST: f64 = f64::from_bits((1023 + 300) << 52);
 
-/// Whether a direction's length squared is at most 2^300; see [`not_short`].
+/// Whether a direction's length squared lies between 2^-300 and 2^300, outside of which nothing is certain in f64. The
+/// same for all objects that a ray is tried on.
 #[inline(always)]
-pub fn not_long<T: Real>(length_squared: T) -> T::Mask {
-    length_squared.less_equal(T::of(LONGEST))
+pub fn in_scale<T: Rounding>(length_squared: T) -> T::Mask {
+    T::of(SHORTEST).less_equal(length_squared) & length_squared.less_equal(T::of(LONGEST))
 }
 
-/// Whether a direction's length squared is at least 2^-300. Outside both limits nothing is certain in f64.
-#[inline(always)]
-pub fn not_short<T: Real>(length_squared: T) -> T::Mask {
-    T::of(SHORTEST).less_equal(length_squared)
-}
-
-/// Whether a direction's length squared lies between 2^-300 and 2^300. The same for all objects that a ray is tried on.
-#[inline(always)]
-#[must_use]
-pub fn in_scale<T: Real<Mask = bool>>(length_squared: T) -> bool {
-    not_short(length_squared) && not_long(length_squared)
+/// What is certain of one surface or one root. Where it neither hits nor fails it is in doubt.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome<T: Real> {
+    /// Where, if it hits.
+    pub lambda: T,
+    /// It certainly counts.
+    pub hits: T::Mask,
+    /// It certainly does not.
+    pub fails: T::Mask,
 }
 
 /// The bounds for one ray and one object.
@@ -116,31 +128,17 @@ impl<T: Rounding> Certificate<T> {
         self.noise.less(-discriminant)
     }
 
-    /// Whether the root `numerator / a` certainly is below [`LAMBDA_MIN`].
+    /// The root `numerator / a`, where `root` is that of the discriminant: whether it is in range.
     #[inline(always)]
-    pub fn too_near(&self, a: T, numerator: T, root: T) -> T::Mask {
-        // Lowered by more than the relative error of `a`.
-        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
-        self.noise.less((a * least - numerator) * root)
-    }
-
-    /// Whether the root with this numerator certainly is accurate.
-    #[inline(always)]
-    pub fn accurate(&self, numerator: T, root: T) -> T::Mask {
+    pub fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
+        let lambda = numerator / a;
         // Strictly: two infinities give no certainty.
         let size = self.size + numerator * numerator * T::of(4.0);
-        (size * T::of(1.0 / self.limits.condition::<T>()) + T::of(UNDERFLOW)).less(root * numerator)
-    }
-
-    /// Whether no product can have overflowed; needed beside [`accurate`](Self::accurate) alone.
-    #[inline(always)]
-    pub fn finite(&self) -> T::Mask {
-        self.size.less(T::of(OVERFLOW))
-    }
-
-    /// Whether an accurate lambda certainly is at least [`LAMBDA_MIN`].
-    #[inline(always)]
-    pub fn in_range(&self, lambda: T) -> T::Mask {
-        (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.limits.lambda_error::<T>())).less_equal(lambda)
+        let accurate = (size * T::of(1.0 / self.limits.condition::<T>()) + T::of(UNDERFLOW)).less(root * numerator);
+        let finite = self.size.less(T::of(OVERFLOW));
+        // Lowered by more than the relative error of `a`.
+        let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
+        let fails = self.noise.less((a * least - numerator) * root);
+        Outcome { lambda, hits: accurate & finite & self.limits.in_range(lambda), fails }
     }
 }

@@ -5,7 +5,7 @@
 //! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
 //! have the size of the cylinder's coordinates ([`extent`]).
 
-use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale};
+use super::certificate::{Certificate, Limits, Outcome, Rounding, Verdict, in_scale};
 use super::double_double::DoubleDouble;
 use super::sphere::widened;
 use super::{cylinder_exact, sphere_exact::NotFinite};
@@ -42,121 +42,157 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 #[inline(always)]
 #[must_use]
 pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
-    let length_squared = ray.direction.dot(ray.direction);
-    let (a, h, discriminant) = record.quadratic(ray);
-    let r_c = ray.origin - record.center;
-    let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
-    if !in_scale(length_squared) {
+    let side = Side::new(record, ray);
+    if !in_scale(side.length_squared) {
         return Verdict::Doubtful;
     }
-    if certificate.misses(discriminant) {
-        // A line that misses the endless cylinder meets no base either.
+    if side.certificate.misses(side.discriminant) {
         return Verdict::Certain(None);
     }
-    let Verdict::Certain(side) = judge_side(record, ray, &certificate, length_squared, (a, h, discriminant)) else {
-        return Verdict::Doubtful;
-    };
-    if let Some((lambda, Entry)) = side {
-        // The cylinder is convex: where a line enters through the side, no base is nearer.
-        return Verdict::Certain(Some((lambda, Part::Side)));
+    let root = side.discriminant.sqrt();
+    let entry = side.crossing(record, ray, -side.h - root, root);
+    if entry.hits {
+        return Verdict::Certain(Some((entry.lambda, Part::Side)));
     }
-    let mut nearest = side.map(|(lambda, _)| (lambda, Part::Side));
+    let exit = side.crossing(record, ray, -side.h + root, root);
+    if !(entry.fails && (exit.hits || exit.fails)) {
+        return Verdict::Doubtful;
+    }
+    let mut nearest = exit.hits.then_some((exit.lambda, Part::Side));
     for (base, part) in [(record.top, Part::Top), (record.bottom, Part::Bottom)] {
-        let Verdict::Certain(met) = judge_base(record, ray, &certificate, base) else {
+        let disc = disc(record, ray, base);
+        if disc.hits {
+            match nearest {
+                Some((best, _)) if in_either_order(best, disc.lambda) => return Verdict::Doubtful,
+                Some((best, _)) if best.less(disc.lambda) => {}
+                _ => nearest = Some((disc.lambda, part)),
+            }
+        } else if !disc.fails {
             return Verdict::Doubtful;
-        };
-        let Some(lambda) = met else { continue };
-        if let Some((best, _)) = nearest {
-            let doubt = T::of(2.0 * LIMITS.lambda_error::<T>()) * best;
-            if (lambda - best).abs().less_equal(doubt) {
-                return Verdict::Doubtful;
-            }
-            if best.less(lambda) {
-                continue;
-            }
         }
-        nearest = Some((lambda, part));
     }
     Verdict::Certain(nearest)
 }
 
-/// Which of the two roots meets the side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Root {
-    Entry,
-    Exit,
+/// The answers of several rays or cylinders at once.
+#[derive(Clone, Copy, Debug)]
+pub struct Lanes<T: Real> {
+    /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
+    pub lambda: T,
+    /// Lanes that meet the upper base, if they meet anything.
+    pub top: T::Mask,
+    /// Lanes that meet the lower base rather than anything else, if they meet anything. It comes before `top`.
+    pub bottom: T::Mask,
+    /// Lanes whose answer is right. The others are for [`resolve`].
+    pub certain: T::Mask,
 }
-use Root::{Entry, Exit};
 
+/// [`judge`] without a branch, for several lanes at once: the same bits in every lane. That directions are
+/// [in scale](in_scale) the caller sees to, once a ray.
 #[inline(always)]
-fn judge_side<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-    certificate: &Certificate<T>,
+#[must_use]
+pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+    let nowhere = T::of(f64::INFINITY);
+    let side = Side::new(record, ray);
+    let misses = side.certificate.misses(side.discriminant);
+    let root = side.discriminant.sqrt();
+    let entry = side.crossing(record, ray, -side.h - root, root);
+    let exit = side.crossing(record, ray, -side.h + root, root);
+    let (top, bottom) = (disc(record, ray, record.top), disc(record, ray, record.bottom));
+    let exit_lambda = T::select(exit.hits, exit.lambda, nowhere);
+    let top_lambda = T::select(top.hits, top.lambda, nowhere);
+    let bottom_lambda = T::select(bottom.hits, bottom.lambda, nowhere);
+    let over_top = T::select(top_lambda.less(exit_lambda), top_lambda, exit_lambda);
+    let over_all = T::select(bottom_lambda.less(over_top), bottom_lambda, over_top);
+    // The larger of two must exceed the smaller by more than both may be wrong; nowhere exceeds all.
+    let apart = |one: T, other: T| {
+        let (low, high) = (T::select(one.less(other), one, other), T::select(one.less(other), other, one));
+        (low + low * T::of(2.0 * LIMITS.lambda_error::<T>())).less(high) | nowhere.less_equal(low)
+    };
+    let known = entry.fails & (exit.hits | exit.fails) & (top.hits | top.fails) & (bottom.hits | bottom.fails);
+    let ordered = apart(exit_lambda, top_lambda) & apart(over_top, bottom_lambda);
+    // Where the side is entered no base can be nearer, so that none may be named.
+    let not_entered = |mask: T::Mask| entry.fails & mask;
+    Lanes {
+        lambda: T::select(misses, nowhere, T::select(entry.hits, entry.lambda, over_all)),
+        top: not_entered(top_lambda.less(exit_lambda)),
+        bottom: not_entered(bottom_lambda.less(over_top)),
+        certain: misses | entry.hits | (known & ordered),
+    }
+}
+
+/// The endless cylinder's quadratic, and its certificate.
+struct Side<T> {
+    certificate: Certificate<T>,
     length_squared: T,
-    (a, h, discriminant): (T, T, T),
-) -> Verdict<Option<(T, Root)>> {
-    // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
-    let steepest = T::of(64.0 * LIMITS.condition::<T>() * LIMITS.condition::<T>());
-    if discriminant.less(T::of(0.0)) || !length_squared.less_equal(a * steepest) {
-        return Verdict::Doubtful;
-    }
-    let root = discriminant.sqrt();
-    for (numerator, which) in [(-h - root, Entry), (-h + root, Exit)] {
-        if certificate.too_near(a, numerator, root) {
-            continue;
-        }
-        let lambda = numerator / a;
-        if !(certificate.accurate(numerator, root) && certificate.finite() && certificate.in_range(lambda)) {
-            return Verdict::Doubtful;
-        }
-        let along = record.distance_from_middle(ray, lambda);
-        let margin = margin(record, ray, lambda);
-        if along.less(record.half_height - margin) {
-            return Verdict::Certain(Some((lambda, which)));
-        }
-        if !(record.half_height + margin).less(along) {
-            return Verdict::Doubtful;
-        }
-    }
-    Verdict::Certain(None)
+    a: T,
+    h: T,
+    /// A line that misses the endless cylinder meets no base either.
+    discriminant: T,
 }
 
+impl<T: Rounding> Side<T> {
+    #[inline(always)]
+    fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
+        let length_squared = ray.direction.dot(ray.direction);
+        let (a, h, discriminant) = record.quadratic(ray);
+        let r_c = ray.origin - record.center;
+        let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
+        Self { certificate, length_squared, a, h, discriminant }
+    }
+
+    /// Whether the side is met where the line crosses the endless cylinder. The cylinder is convex: where the line
+    /// enters through the side, with the smaller root, no base is nearer.
+    #[inline(always)]
+    fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Outcome<T> {
+        // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
+        let condition = LIMITS.condition::<T>();
+        let steep_enough = self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition));
+        let crossing = self.certificate.root(self.a, numerator, root);
+        let along = record.distance_from_middle(ray, crossing.lambda);
+        let margin = margin(record, ray, crossing.lambda);
+        let (between, beyond) =
+            (along.less(record.half_height - margin), (record.half_height + margin).less(along));
+        Outcome {
+            lambda: crossing.lambda,
+            hits: steep_enough & crossing.hits & between,
+            fails: steep_enough & (crossing.fails | (crossing.hits & beyond)),
+        }
+    }
+}
+
+/// Whether two accepted lambdas are too near to each other for their order to be certain.
 #[inline(always)]
-fn judge_base<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-    certificate: &Certificate<T>,
-    base: Vec3<T>,
-) -> Verdict<Option<T>> {
+fn in_either_order<T: Rounding>(one: T, other: T) -> T::Mask {
+    (one - other).abs().less_equal(one * T::of(2.0 * LIMITS.lambda_error::<T>()))
+}
+
+/// Whether the disc around `base` is met.
+#[inline(always)]
+fn disc<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, base: Vec3<T>) -> Outcome<T> {
+    let condition = LIMITS.condition::<T>();
     let (lambda, slope) = record.plane(ray, base);
     let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
     let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
-    if (steepness + slope_noise).less(T::of(PARALLEL)) {
-        return Verdict::Certain(None);
-    }
-    if !(T::of(PARALLEL) + slope_noise).less(steepness) {
-        return Verdict::Doubtful;
-    }
+    let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
+    let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
     // The distance to the plane, positive in front of the ray. The compiler finds the product again in `plane`.
     let to_base = base - ray.origin;
     let distance = to_base.dot(record.axis);
     let distance = T::select(slope.less(T::of(0.0)), -distance, distance);
     let size = extent(record) + magnitude(to_base);
     let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-    if (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN)) {
-        return Verdict::Certain(None);
-    }
-    let accurate = size.less(distance * T::of(4.0 * LIMITS.condition::<T>())) && reach.less(steepness * T::of(8.0 * LIMITS.condition::<T>()));
-    if !(accurate && certificate.in_range(lambda)) {
-        return Verdict::Doubtful;
-    }
+    let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));
+    let accurate = size.less(distance * T::of(4.0 * condition)) & reach.less(steepness * T::of(8.0 * condition));
+    let in_range = accurate & LIMITS.in_range(lambda);
     let from_center = (ray.at(lambda) - base).length();
     let margin = margin(record, ray, lambda);
-    if from_center.less(record.radius - margin) {
-        return Verdict::Certain(Some(lambda));
+    let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
+    Outcome {
+        lambda,
+        hits: steep & in_range & within,
+        fails: parallel | (steep & (too_near | (in_range & beyond))),
     }
-    if (record.radius + margin).less(from_center) { Verdict::Certain(None) } else { Verdict::Doubtful }
 }
 
 /// The size of a cylinder's coordinates, and of itself. The same for all rays.

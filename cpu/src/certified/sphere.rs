@@ -1,8 +1,6 @@
 //! Ray against sphere, certified; see [`crate::sphere`] for the formulas and [`super::certificate`] for the bounds.
 
-use std::ops::{BitAnd, BitOr, Not};
-
-use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale, not_long, not_short};
+use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale};
 use super::double_double::DoubleDouble;
 use super::sphere_exact;
 use crate::ray::Ray;
@@ -46,16 +44,17 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -
         return Verdict::Certain(None);
     }
     let root = discriminant.sqrt();
-    for numerator in [h - root, h + root] {
-        let lambda = numerator / a;
-        if certificate.accurate(numerator, root) && certificate.finite() && certificate.in_range(lambda) {
-            return Verdict::Certain(Some(lambda));
-        }
-        if !certificate.too_near(a, numerator, root) {
-            return Verdict::Doubtful;
-        }
+    let near = certificate.root(a, h - root, root);
+    if near.hits {
+        return Verdict::Certain(Some(near.lambda));
     }
-    Verdict::Certain(None)
+    let far = certificate.root(a, h + root, root);
+    match (near.fails && far.hits, far.fails) {
+        (true, _) => Verdict::Certain(Some(far.lambda)),
+        // The larger root too near: the smaller too.
+        (_, true) => Verdict::Certain(None),
+        _ => Verdict::Doubtful,
+    }
 }
 
 /// The answers of several rays or spheres at once.
@@ -68,25 +67,19 @@ pub struct Lanes<T: Real> {
 }
 
 /// [`judge`] without a branch, for several lanes at once: the same bits in every lane. `a` is the direction's length
-/// squared.
+/// squared; that it is [in scale](in_scale) the caller sees to, once a ray.
 #[inline(always)]
 #[must_use]
-pub fn judge_lanes<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Lanes<T>
-where
-    T::Mask: BitAnd<Output = T::Mask> + BitOr<Output = T::Mask> + Not<Output = T::Mask>,
-{
+pub fn judge_lanes<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Lanes<T> {
     let (h, discriminant) = record.quadratic(ray, a);
     let certificate = certificate(record, ray, a);
     let root = discriminant.sqrt();
-    let (n_near, n_far) = (h - root, h + root);
-    let (near, far) = (n_near / a, n_far / a);
-    let near_hits = certificate.accurate(n_near, root) & certificate.in_range(near);
-    let far_hits = certificate.too_near(a, n_near, root) & certificate.accurate(n_far, root) & certificate.in_range(far);
-    let misses = certificate.misses(discriminant) | certificate.too_near(a, n_far, root);
-    let nowhere = T::of(f64::INFINITY);
+    let (near, far) = (certificate.root(a, h - root, root), certificate.root(a, h + root, root));
+    let misses = certificate.misses(discriminant) | far.fails;
+    let lambda = T::select(near.hits, near.lambda, far.lambda);
     Lanes {
-        lambda: T::select(misses, nowhere, T::select(near_hits, near, far)),
-        certain: (misses | ((near_hits | far_hits) & certificate.finite())) & not_short(a) & not_long(a),
+        lambda: T::select(misses, T::of(f64::INFINITY), lambda),
+        certain: misses | near.hits | (near.fails & far.hits),
     }
 }
 

@@ -110,7 +110,7 @@ fn leaving(random: &mut Random, center: Vec3, radius: f64, length: f64) -> Case 
         // Nearly along the surface.
         random.perpendicular(up) + up * (random.sign() * random.decades(-16.0, 0.0))
     } else {
-        up + random.cube(1.0)
+        up * random.sign() + random.cube(1.0)
     };
     Case::sphere(center, radius, origin, direction * (length * random.uniform(0.5, 2.0)))
 }
