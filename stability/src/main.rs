@@ -10,10 +10,10 @@ use std::path::{Path, PathBuf};
 
 use cpu::{Config, Scatter, Scene};
 use stability::methods::{CERTIFIED, PROJECTED};
-use stability::report::{self, Picture, Section};
-use stability::run::{self, LargeSpheres};
 use stability::observed::Counts;
 use stability::regimes;
+use stability::report::{self, Picture, Section};
+use stability::run::{self, LargeSpheres};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -29,13 +29,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_costs(&cylinders);
     fs::write(folder.join("table.csv"), report::csv(&[("sphere", &spheres), ("cylinder", &cylinders)]))?;
     for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
-        let wrong = run::plot(
-            &format!("{kind}: wrong decisions (no mark: none)"),
-            "share of rays",
-            (-5, 0),
-            sections,
-            |row| row.wrong as f64 / row.cases as f64,
-        );
+        let wrong =
+            run::plot(&format!("{kind}: wrong decisions (no mark: none)"), "share of rays", (-5, 0), sections, |row| {
+                row.wrong as f64 / row.cases as f64
+            });
         fs::write(folder.join(format!("{name}-wrong.svg")), wrong.svg())?;
         let errors = run::plot(
             &format!("{kind}: largest relative error of lambda where the decision is right"),

@@ -137,7 +137,8 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         let root = discriminant.sqrt();
         let roots = [(-&h - &root) / &a, (-&h + &root) / &a];
         let counts = |lambda: &Big| {
-            in_range(lambda) && at_most(&magnitude(&dot(&minus(&at(ray, lambda), &big3(cylinder.center)), &axis)), &half)
+            in_range(lambda)
+                && at_most(&magnitude(&dot(&minus(&at(ray, lambda), &big3(cylinder.center)), &axis)), &half)
         };
         if let Some(index) = (0..2).find(|&index| counts(&roots[index])) {
             let front = index == 0 && root > Big::ZERO;
@@ -211,7 +212,11 @@ mod tests {
         assert_eq!(nearest(&ray(0.0, 0.0)), Some((1.0, Part::Side, false)));
         assert_eq!(nearest(&ray(1.0, -3.0)), Some((3.0, Part::Side, false)), "a tangent comes from no side");
         assert_eq!(nearest(&ray(1.0_f64.next_up(), -3.0)), None);
-        assert_eq!(nearest(&ray(0.0, -1.0 - LAMBDA_MIN)).map(|hit| hit.0 < 1.0), Some(false), "1.001 is nearer than 1e-3");
+        assert_eq!(
+            nearest(&ray(0.0, -1.0 - LAMBDA_MIN)).map(|hit| hit.0 < 1.0),
+            Some(false),
+            "1.001 is nearer than 1e-3"
+        );
     }
 
     #[test]

@@ -120,7 +120,8 @@ impl Plot {
         if self.joined {
             let points: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
             let (points, color) = (points.join(" "), series.color);
-            let _ = writeln!(text, "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"2\"/>");
+            let _ =
+                writeln!(text, "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"2\"/>");
         }
         for (x, y) in places {
             let color = series.color;

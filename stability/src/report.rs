@@ -47,7 +47,11 @@ pub fn markdown(sections: &[Section]) -> String {
     );
     for Section { rows, fallbacks } in sections {
         for (index, row) in rows.iter().enumerate() {
-            let regime = if index == 0 { format!("**{}** ({} of {} hit)", row.regime, row.hits, row.cases) } else { String::new() };
+            let regime = if index == 0 {
+                format!("**{}** ({} of {} hit)", row.regime, row.hits, row.cases)
+            } else {
+                String::new()
+            };
             let certified = row.method == crate::methods::CERTIFIED;
             let [double, exact] = fallbacks.map(|share| if certified { percent(share) } else { String::new() });
             let beyond = row.wrong_beyond_noise.map_or(String::from("-"), |count| count.to_string());

@@ -36,11 +36,9 @@ fn white_objects_under_a_white_sky_cannot_be_seen() {
 fn no_light_leaks_into_a_closed_room() {
     // All rays start inside and none may leave, so that none sees the sky. The cylinder is so large that no ray starts
     // within the least lambda of its rim, where the specification lets it out.
-    for (room, radius) in [
-        ("sphere: 0 0 0 5", 5.0),
-        ("sphere: 0 0 0 5e5", 5e5),
-        ("cylinder: 0 0 0 5e5 3e5 4e5 5e5", 5e5),
-    ] {
+    for (room, radius) in
+        [("sphere: 0 0 0 5", 5.0), ("sphere: 0 0 0 5e5", 5e5), ("cylinder: 0 0 0 5e5 3e5 4e5 5e5", 5e5)]
+    {
         let config = format!(
             "{WHITE}image_width: 40\naspect_ratio: 1 1\ncamera_position: 0 0 {}\nfield_of_view: 120\n\
              samples_per_pixel: 4\nmax_depth: 20\n",
@@ -109,7 +107,8 @@ fn a_scene_of_spheres_looks_the_same_wherever_it_stands() {
     for shift in [[16.0, -8.0, 4.0], [1024.0, 2048.0, -512.0], [-1_048_576.0, 65536.0, 262_144.0]] {
         let (config, scene) = scaled_and_moved(1.0, shift);
         let moved = bytes(&render::<Certified>(&config, &scene, Scatter::Deterministic));
-        let differs = |(one, other): (&[u8; 3], &[u8; 3])| (0..3).any(|channel| one[channel].abs_diff(other[channel]) > 2);
+        let differs =
+            |(one, other): (&[u8; 3], &[u8; 3])| (0..3).any(|channel| one[channel].abs_diff(other[channel]) > 2);
         let parted = original.iter().zip(&moved).filter(|&pair| differs(pair)).count();
         assert!(parted * 200 <= original.len(), "moved by {shift:?}: {parted} pixels of {} part", original.len());
     }

@@ -2,8 +2,8 @@
 //!
 //! Spheres and the sides of cylinders lead to `a lambda^2 - 2 h lambda + c = 0`. Rounding moves the discriminant
 //! `D = h^2 - a c` by at most `noise u M`, where `u` is the unit roundoff, `M = |d|^2 (|O - C|^2 + r^2)` and `noise` a
-//! small number that counts operations; it moves the numerator `n = h -+ sqrt(D)` of a root by at most
-//! `noise u M / sqrt(D)`. Both are derived in `docs/accuracy.md`. Hence, all quantities as computed:
+//! number that counts operations; it moves the numerator `n = h -+ sqrt(D)` of a root by at most `noise u M / sqrt(D)`.
+//! Both are derived in `docs/accuracy.md`. Hence, all quantities as computed:
 //!
 //! - the ray misses when `-D > noise u M`;
 //! - a root is below [`LAMBDA_MIN`] when `(a LAMBDA_MIN - n) sqrt(D) > noise u M`;
@@ -47,7 +47,7 @@ impl Rounding for f64 {
 /// What depends on the shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Rounding errors in the discriminant, in units of `u M`.
+    /// A bound of the rounding errors in the discriminant, in units of `u M`.
     pub noise: f64,
     /// The largest condition number of a root that is accepted in f64. The smaller, the more accurate is lambda, and
     /// the fewer rays keep the textbook's bits.
@@ -62,7 +62,7 @@ impl Limits {
         self.condition * T::LENIENCE
     }
 
-    /// What the relative error of an accepted lambda stays below, with room to spare.
+    /// What the relative error of an accepted lambda stays below, with room to spare: it is at most a third of this.
     #[inline(always)]
     #[must_use]
     pub const fn lambda_error<T: Rounding>(&self) -> f64 {
@@ -132,9 +132,10 @@ impl<T: Rounding> Certificate<T> {
     #[inline(always)]
     pub fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
         let lambda = numerator / a;
-        // Strictly: two infinities give no certainty.
-        let size = self.size + numerator * numerator * T::of(4.0);
-        let accurate = (size * T::of(1.0 / self.limits.condition::<T>()) + T::of(UNDERFLOW)).less(root * numerator);
+        let share = 1.0 / self.limits.condition::<T>();
+        // The first sum is the same for both roots. Strictly less: two infinities give no certainty.
+        let least = (self.size * T::of(share) + T::of(UNDERFLOW)) + numerator * numerator * T::of(4.0 * share);
+        let accurate = least.less(root * numerator);
         let finite = self.size.less(T::of(OVERFLOW));
         // Lowered by more than the relative error of `a`.
         let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());

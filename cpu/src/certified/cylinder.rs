@@ -14,7 +14,7 @@ use crate::ray::{LAMBDA_MIN, Ray};
 use crate::real::Real;
 use crate::vec3::Vec3;
 
-/// Counted in `docs/accuracy.md`: the noise is at most 144.
+/// Counted in `docs/accuracy.md`: the noise is at most 132.
 pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
@@ -151,8 +151,7 @@ impl<T: Rounding> Side<T> {
         let crossing = self.certificate.root(self.a, numerator, root);
         let along = record.distance_from_middle(ray, crossing.lambda);
         let margin = margin(record, ray, crossing.lambda);
-        let (between, beyond) =
-            (along.less(record.half_height - margin), (record.half_height + margin).less(along));
+        let (between, beyond) = (along.less(record.half_height - margin), (record.half_height + margin).less(along));
         Outcome {
             lambda: crossing.lambda,
             hits: steep_enough & crossing.hits & between,
@@ -188,11 +187,7 @@ fn disc<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, base: Vec3<T>) ->
     let from_center = (ray.at(lambda) - base).length();
     let margin = margin(record, ray, lambda);
     let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
-    Outcome {
-        lambda,
-        hits: steep & in_range & within,
-        fails: parallel | (steep & (too_near | (in_range & beyond))),
-    }
+    Outcome { lambda, hits: steep & in_range & within, fails: parallel | (steep & (too_near | (in_range & beyond))) }
 }
 
 /// The size of a cylinder's coordinates, and of itself. The same for all rays.

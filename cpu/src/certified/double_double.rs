@@ -170,7 +170,10 @@ mod tests {
         assert_eq!(two_sum(1e16, 1.0), DoubleDouble { high: 1e16, low: 1.0 });
         assert_eq!(two_sum(1.0, 1e16), DoubleDouble { high: 1e16, low: 1.0 });
         let x = 1.0 + f64::EPSILON;
-        assert_eq!(two_product(x, x), DoubleDouble { high: 1.0 + 2.0 * f64::EPSILON, low: f64::EPSILON * f64::EPSILON });
+        assert_eq!(
+            two_product(x, x),
+            DoubleDouble { high: 1.0 + 2.0 * f64::EPSILON, low: f64::EPSILON * f64::EPSILON }
+        );
     }
 
     #[test]

@@ -221,3 +221,77 @@ impl Mul for &Dyadic {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::Uniform;
+
+    fn exact(value: f64) -> Dyadic {
+        Dyadic::new(value).expect("the value is finite")
+    }
+
+    fn high(number: &Dyadic) -> f64 {
+        number.to_double_double().high
+    }
+
+    #[test]
+    fn every_finite_number_is_held_and_no_other() {
+        for value in [0.0, 1.0, -1.5, 0.1, f64::MAX, f64::MIN_POSITIVE, 5e-324, -3e-310] {
+            let sign = value.partial_cmp(&0.0);
+            assert_eq!((high(&exact(value)), Some(exact(value).sign())), (value, sign));
+        }
+        assert!(Dyadic::new(f64::NAN).is_none() && Dyadic::new(f64::INFINITY).is_none());
+    }
+
+    #[test]
+    fn sums_and_products_of_whole_numbers_are_theirs() {
+        // Whole numbers below 2^62, whose products need two limbs and whose sums carry.
+        let mut draws = Uniform::new(1);
+        for _ in 0..2_000 {
+            let [a, b] = [(); 2].map(|()| draws.draw(-4.6e18, 4.6e18).round());
+            let [x, y] = [a, b].map(|value| value as i128);
+            for (actual, expected) in
+                [(&exact(a) + &exact(b), x + y), (&exact(a) - &exact(b), x - y), (&exact(a) * &exact(b), x * y)]
+            {
+                // In digits of 50 bits, which f64 holds exactly.
+                let digit = |place: u32| exact(((expected >> (50 * place)) & ((1 << 50) - 1)) as f64);
+                let top = exact((expected >> 100) as f64);
+                let whole = &(&top.scaled(50) + &digit(1)).scaled(50) + &digit(0);
+                assert_eq!((&actual - &whole).sign(), Ordering::Equal, "{a:e} {b:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_lost_beside_something_large() {
+        let (large, tiny) = (exact(1e300), exact(5e-324));
+        let sum = &large + &tiny;
+        assert_eq!((&sum - &large).sign(), Ordering::Greater);
+        assert_eq!(high(&(&sum - &large)), 5e-324);
+        // (large + tiny)(large - tiny) - large^2 = -tiny^2
+        let difference = &(&sum * &(&large - &tiny)) - &large.squared();
+        assert_eq!((&difference + &tiny.squared()).sign(), Ordering::Equal);
+    }
+
+    #[test]
+    fn roots_are_compared_without_being_taken() {
+        let [one, two, three] = [1.0, 2.0, 3.0].map(exact);
+        assert_eq!(sign_with_root(&-&three, &two, &two), Ordering::Less, "-3 + 2 sqrt(2)");
+        assert_eq!(sign_with_root(&three, &-&two, &two), Ordering::Greater, "3 - 2 sqrt(2)");
+        assert_eq!(sign_with_root(&-&two, &one, &exact(4.0)), Ordering::Equal, "-2 + sqrt(4)");
+        assert_eq!(sign_with_root(&exact(-2.0_f64.next_down()), &one, &exact(4.0)), Ordering::Greater);
+        assert_eq!(sign_with_root(&exact(0.0), &-&one, &two), Ordering::Less);
+        assert_eq!(sign_with_root(&exact(0.0), &one, &exact(0.0)), Ordering::Equal);
+    }
+
+    #[test]
+    fn rounding_keeps_106_bits() {
+        let third = &(&exact(1.0) + &exact(2.0_f64.powi(-100))) * &exact(3.0);
+        let DoubleDouble { high, low } = third.to_double_double();
+        assert_eq!((high, low), (3.0, 3.0 * 2.0_f64.powi(-100)));
+        assert_eq!(power_of_two(1.5, 3000), f64::INFINITY);
+        assert_eq!(power_of_two(1.5, -3000), 0.0);
+        assert_eq!(power_of_two(1.5, -1), 0.75);
+    }
+}

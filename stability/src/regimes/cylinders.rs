@@ -146,7 +146,8 @@ fn through_the_rim(random: &mut Random) -> Case {
         // Numbers so short that a ray through the rim itself can be written down.
         let short = |random: &mut Random| f64::from(random.below(64) as u32 + 1) / 16.0;
         let (radius, half, steep) = (short(random), short(random), short(random) * random.sign());
-        let cylinder = Cylinder { center: random.cube(8.0).map(f64::round), radius, axis: Vec3::new(0.0, 2.0 * half, 0.0) };
+        let cylinder =
+            Cylinder { center: random.cube(8.0).map(f64::round), radius, axis: Vec3::new(0.0, 2.0 * half, 0.0) };
         let forward = Vec3::new(0.0, steep, 1.0);
         let rim = Vec3::new(0.0, half * random.sign(), radius * random.sign());
         let origin = cylinder.center + rim - forward * short(random);
