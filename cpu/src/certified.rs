@@ -21,8 +21,10 @@
 pub mod certificate;
 pub mod cylinder;
 mod cylinder_exact;
+mod cylinder_lanes;
 pub mod double_double;
 pub mod dyadic;
+mod limbs;
 pub mod sphere;
 mod sphere_exact;
 

@@ -48,7 +48,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::write(folder.join("large-spheres.svg"), large.plot().svg())?;
     let pictures = pictures(&root, arguments.get(2..).unwrap_or_default())?;
 
-    let command = format!("cargo run --release -p stability -- {rays} {seed}");
+    let mut command = format!("cargo run --release -p stability -- {rays} {seed}");
+    for triple in arguments.get(2..).unwrap_or_default().chunks_exact(3) {
+        command += &format!(" {} CONFIG SCENE", triple[0]);
+    }
     let limits = format!(
         "Of {rays} rays that leave a sphere, up to which radius at most none, and at most one in a thousand, is \
          decided wrongly: projected f32 {:.0} and {:.0}, certified f64 {:.0e} (the largest tried) and the same.\n",

@@ -101,7 +101,10 @@ pub fn pictures(pictures: &[Picture]) -> String {
     );
     for Picture { name, counts, same_bytes } in pictures {
         let doubt = percent(counts.doubtful as f64 / counts.tests.max(1) as f64);
-        let kept = format!("{:.3} %", 100.0 * counts.same_bits as f64 / counts.hits.max(1) as f64);
+        let kept = match counts.hits {
+            0 => String::from("-"),
+            hits => format!("{:.3} %", 100.0 * counts.same_bits as f64 / hits as f64),
+        };
         let same = if *same_bytes { "yes" } else { "no" };
         let Counts { tests, hits, other_decision, .. } = counts;
         let _ = writeln!(text, "| {name} | {tests} | {doubt} | {hits} | {kept} | {other_decision} | {same} |");

@@ -98,7 +98,8 @@ impl LargeSpheres {
     /// The shares over the radii.
     #[must_use]
     pub fn plot(&self) -> Plot {
-        let name = |radius: &f64| format!("{radius:.0e}");
+        let name =
+            |radius: &f64| if radius.log10().fract() < 0.1 { format!("r = {radius:.0e}") } else { String::new() };
         let series = (0..)
             .zip(&self.wrong)
             .map(|(index, (name, shares)): (usize, _)| Series {
@@ -110,7 +111,7 @@ impl LargeSpheres {
         Plot {
             title: "Rays that leave a sphere: wrong decisions over its radius (at the bottom: none)".into(),
             axis: "share of rays".into(),
-            decades: (-5, 0),
+            decades: (-6, 0),
             categories: self.radii.iter().map(name).collect(),
             series,
             joined: true,

@@ -8,11 +8,14 @@
 use super::certificate::{Certificate, Limits, Outcome, Rounding, Verdict, in_scale};
 use super::double_double::DoubleDouble;
 use super::sphere::widened;
-use super::{cylinder_exact, sphere_exact::NotFinite};
+use super::sphere_exact::NotFinite;
+use super::{cylinder_exact, cylinder_lanes};
 use crate::cylinder::{CylinderRecord, PARALLEL, Part};
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::real::Real;
 use crate::vec3::Vec3;
+
+pub use cylinder_lanes::{Lanes, judge_lanes};
 
 /// Counted in `docs/accuracy.md`: the noise is at most 132.
 pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
@@ -74,66 +77,19 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>)
     Verdict::Certain(nearest)
 }
 
-/// The answers of several rays or cylinders at once.
-#[derive(Clone, Copy, Debug)]
-pub struct Lanes<T: Real> {
-    /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
-    pub lambda: T,
-    /// Lanes that meet the upper base, if they meet anything.
-    pub top: T::Mask,
-    /// Lanes that meet the lower base rather than anything else, if they meet anything. It comes before `top`.
-    pub bottom: T::Mask,
-    /// Lanes whose answer is right. The others are for [`resolve`].
-    pub certain: T::Mask,
-}
-
-/// [`judge`] without a branch, for several lanes at once: the same bits in every lane. That directions are
-/// [in scale](in_scale) the caller sees to, once a ray.
-#[inline(always)]
-#[must_use]
-pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
-    let nowhere = T::of(f64::INFINITY);
-    let side = Side::new(record, ray);
-    let misses = side.certificate.misses(side.discriminant);
-    let root = side.discriminant.sqrt();
-    let entry = side.crossing(record, ray, -side.h - root, root);
-    let exit = side.crossing(record, ray, -side.h + root, root);
-    let (top, bottom) = (disc(record, ray, record.top), disc(record, ray, record.bottom));
-    let exit_lambda = T::select(exit.hits, exit.lambda, nowhere);
-    let top_lambda = T::select(top.hits, top.lambda, nowhere);
-    let bottom_lambda = T::select(bottom.hits, bottom.lambda, nowhere);
-    let over_top = T::select(top_lambda.less(exit_lambda), top_lambda, exit_lambda);
-    let over_all = T::select(bottom_lambda.less(over_top), bottom_lambda, over_top);
-    // The larger of two must exceed the smaller by more than both may be wrong; nowhere exceeds all.
-    let apart = |one: T, other: T| {
-        let (low, high) = (T::select(one.less(other), one, other), T::select(one.less(other), other, one));
-        (low + low * T::of(2.0 * LIMITS.lambda_error::<T>())).less(high) | nowhere.less_equal(low)
-    };
-    let known = entry.fails & (exit.hits | exit.fails) & (top.hits | top.fails) & (bottom.hits | bottom.fails);
-    let ordered = apart(exit_lambda, top_lambda) & apart(over_top, bottom_lambda);
-    // Where the side is entered no base can be nearer, so that none may be named.
-    let not_entered = |mask: T::Mask| entry.fails & mask;
-    Lanes {
-        lambda: T::select(misses, nowhere, T::select(entry.hits, entry.lambda, over_all)),
-        top: not_entered(top_lambda.less(exit_lambda)),
-        bottom: not_entered(bottom_lambda.less(over_top)),
-        certain: misses | entry.hits | (known & ordered),
-    }
-}
-
 /// The endless cylinder's quadratic, and its certificate.
-struct Side<T> {
-    certificate: Certificate<T>,
+pub(super) struct Side<T> {
+    pub certificate: Certificate<T>,
     length_squared: T,
     a: T,
-    h: T,
+    pub h: T,
     /// A line that misses the endless cylinder meets no base either.
-    discriminant: T,
+    pub discriminant: T,
 }
 
 impl<T: Rounding> Side<T> {
     #[inline(always)]
-    fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
+    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
         let length_squared = ray.direction.dot(ray.direction);
         let (a, h, discriminant) = record.quadratic(ray);
         let r_c = ray.origin - record.center;
@@ -144,7 +100,7 @@ impl<T: Rounding> Side<T> {
     /// Whether the side is met where the line crosses the endless cylinder. The cylinder is convex: where the line
     /// enters through the side, with the smaller root, no base is nearer.
     #[inline(always)]
-    fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Outcome<T> {
+    pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Outcome<T> {
         // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
         let condition = LIMITS.condition::<T>();
         let steep_enough = self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition));
@@ -168,7 +124,7 @@ fn in_either_order<T: Rounding>(one: T, other: T) -> T::Mask {
 
 /// Whether the disc around `base` is met.
 #[inline(always)]
-fn disc<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, base: Vec3<T>) -> Outcome<T> {
+pub(super) fn disc<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, base: Vec3<T>) -> Outcome<T> {
     let condition = LIMITS.condition::<T>();
     let (lambda, slope) = record.plane(ray, base);
     let (steepness, reach) = (slope.abs(), magnitude(ray.direction));

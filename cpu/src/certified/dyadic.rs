@@ -7,6 +7,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::double_double::DoubleDouble;
+use super::limbs;
 
 /// The number `(-1)^negative magnitude 2^exponent`.
 #[derive(Clone, Debug)]
@@ -93,16 +94,7 @@ impl Dyadic {
 
     /// The magnitude as a multiple of `2^exponent`, which is at most the number's own.
     fn aligned(&self, exponent: i64) -> Vec<u64> {
-        let shift = self.exponent.abs_diff(exponent);
-        let mut limbs = vec![0; (shift / 64) as usize];
-        let shift = shift % 64;
-        let mut carry = 0;
-        for &limb in &self.magnitude {
-            limbs.push(limb << shift | carry);
-            carry = if shift == 0 { 0 } else { limb >> (64 - shift) };
-        }
-        limbs.push(carry);
-        trimmed(limbs)
+        limbs::shifted(&self.magnitude, self.exponent.abs_diff(exponent))
     }
 }
 
@@ -130,44 +122,6 @@ pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
     }
 }
 
-fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
-    while limbs.last() == Some(&0) {
-        limbs.pop();
-    }
-    limbs
-}
-
-fn compare(a: &[u64], b: &[u64]) -> Ordering {
-    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
-}
-
-fn sum(a: &[u64], b: &[u64]) -> Vec<u64> {
-    let mut carry = false;
-    let limb = |list: &[u64], index: usize| list.get(index).copied().unwrap_or(0);
-    let mut limbs: Vec<u64> = (0..a.len().max(b.len()))
-        .map(|index| {
-            let (partial, first) = limb(a, index).overflowing_add(limb(b, index));
-            let (total, second) = partial.overflowing_add(u64::from(carry));
-            carry = first | second;
-            total
-        })
-        .collect();
-    limbs.push(u64::from(carry));
-    trimmed(limbs)
-}
-
-/// `a - b`, where `a` is not the smaller.
-fn difference(a: &[u64], b: &[u64]) -> Vec<u64> {
-    let mut borrow = false;
-    let limbs = a.iter().enumerate().map(|(index, &limb)| {
-        let (partial, first) = limb.overflowing_sub(b.get(index).copied().unwrap_or(0));
-        let (rest, second) = partial.overflowing_sub(u64::from(borrow));
-        borrow = first | second;
-        rest
-    });
-    trimmed(limbs.collect())
-}
-
 impl Add for &Dyadic {
     type Output = Dyadic;
     fn add(self, other: Self) -> Dyadic {
@@ -179,10 +133,10 @@ impl Add for &Dyadic {
         }
         let exponent = self.exponent.min(other.exponent);
         let (a, b) = (self.aligned(exponent), other.aligned(exponent));
-        let (negative, magnitude) = match (self.negative == other.negative, compare(&a, &b)) {
-            (true, _) => (self.negative, sum(&a, &b)),
-            (false, Ordering::Less) => (other.negative, difference(&b, &a)),
-            (false, _) => (self.negative, difference(&a, &b)),
+        let (negative, magnitude) = match (self.negative == other.negative, limbs::compare(&a, &b)) {
+            (true, _) => (self.negative, limbs::sum(&a, &b)),
+            (false, Ordering::Less) => (other.negative, limbs::difference(&b, &a)),
+            (false, _) => (self.negative, limbs::difference(&a, &b)),
         };
         Dyadic { negative, magnitude, exponent }
     }
@@ -205,18 +159,9 @@ impl Sub for &Dyadic {
 impl Mul for &Dyadic {
     type Output = Dyadic;
     fn mul(self, other: Self) -> Dyadic {
-        let mut limbs = vec![0; self.magnitude.len() + other.magnitude.len()];
-        for (shift, &x) in self.magnitude.iter().enumerate() {
-            let mut carry = 0;
-            for (limb, &y) in limbs[shift..].iter_mut().zip(other.magnitude.iter().chain([&0])) {
-                let total = u128::from(x) * u128::from(y) + u128::from(*limb) + carry;
-                *limb = total as u64;
-                carry = total >> 64;
-            }
-        }
         Dyadic {
             negative: self.negative != other.negative,
-            magnitude: trimmed(limbs),
+            magnitude: limbs::product(&self.magnitude, &other.magnitude),
             exponent: self.exponent + other.exponent,
         }
     }
