@@ -20,7 +20,7 @@ pub struct Lanes<T: Real> {
 }
 
 /// [`judge`](super::cylinder::judge) without a branch, for several lanes at once: the same bits in every lane. That directions are
-/// [in scale](in_scale) the caller sees to, once a ray.
+/// [in scale](super::certificate::in_scale) the caller sees to, once a ray.
 #[inline(always)]
 #[must_use]
 pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
