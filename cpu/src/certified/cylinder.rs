@@ -17,7 +17,8 @@ use crate::vec3::Vec3;
 
 pub use cylinder_lanes::{Lanes, judge_lanes};
 
-/// Counted in `docs/accuracy.md`: the noise is at most 132.
+/// Counted in `docs/accuracy.md`: the noise is at most 132. With this condition lambdas are right to 1.6e-10 on the side
+/// and 6.2e-10 on a base (measured: 1.4e-11).
 pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
