@@ -1,16 +1,25 @@
-//! `reference CONFIG SCENE OUT.ppm`: renders by the definition, for timing the real programs against it.
+//! `reference CONFIG SCENE OUT.ppm [certified]`: renders by the definition, for timing the real programs against it and
+//! for digests of pictures that are too large for the tests.
 
 use std::path::Path;
 
+use cpu::certified::{Certified, Textbook};
 use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
 
 fn main() -> Result<(), Error> {
     let names: Vec<_> = std::env::args_os().skip(1).collect();
-    let [config, scene, out] = &names[..] else {
-        return Err(Error::ArgumentCount(names.len()));
+    let (config, scene, out, certified) = match &names[..] {
+        [config, scene, out] => (config, scene, out, false),
+        [config, scene, out, word] if word == "certified" => (config, scene, out, true),
+        _ => return Err(Error::ArgumentCount(names.len())),
     };
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
     let output = cpu::output::Output::open(Path::new(out))?;
-    let image: <Aos as Layout>::Image = cpu::reference::render(&config, &scene, Scatter::Statement)?;
+    let render = if certified {
+        cpu::reference::render_with::<<Aos as Layout>::Image, Certified>
+    } else {
+        cpu::reference::render_with::<<Aos as Layout>::Image, Textbook>
+    };
+    let image = render(&config, &scene, Scatter::Statement)?;
     output.write(|file| cpu::ppm::write_ppm(&image, file))
 }

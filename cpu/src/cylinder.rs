@@ -123,11 +123,18 @@ impl<T: Real> CylinderRecord<T> {
         (a, h, h * h - a * view.c)
     }
 
+    /// How far the point at `lambda` is from the plane halfway between the bases.
+    #[inline(always)]
+    #[must_use]
+    pub fn distance_from_middle(&self, ray: &Ray<T>, lambda: T) -> T {
+        (ray.at(lambda) - self.center).dot(self.axis).abs()
+    }
+
     /// Whether the side's point at `lambda` lies between the bases.
     #[inline(always)]
     #[must_use]
     pub fn within_height(&self, ray: &Ray<T>, lambda: T) -> T::Mask {
-        (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
+        self.distance_from_middle(ray, lambda).less_equal(self.half_height)
     }
 
     /// The curved side, given the quadratic: the smaller root that is in range and between the bases, else the larger;
@@ -142,14 +149,22 @@ impl<T: Real> CylinderRecord<T> {
         (T::select(near_counts, near, far), near_counts | far_counts)
     }
 
+    /// Where the ray meets the plane of a base that is `distance` along the axis from the ray's origin, and the product
+    /// of ray and axis.
+    #[inline(always)]
+    #[must_use]
+    pub fn plane(&self, ray: &Ray<T>, distance: T) -> (T, T) {
+        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
+        let slope = ray.direction.dot(self.axis);
+        (distance / slope, slope)
+    }
+
     /// The disc around `base`, one of the two centres, `distance` along the axis from the ray's origin: where the ray
     /// meets its plane, and whether that counts.
     #[inline(always)]
     #[must_use]
     pub fn base(&self, ray: &Ray<T>, base: Vec3<T>, distance: T) -> (T, T::Mask) {
-        // The lower base's normal is -axis: negating numerator and denominator leaves the quotient's bits.
-        let slope = ray.direction.dot(self.axis);
-        let lambda = distance / slope;
+        let (lambda, slope) = self.plane(ray, distance);
         let on_disc = (ray.at(lambda) - base).length().less_equal(self.radius);
         (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & on_disc)
     }

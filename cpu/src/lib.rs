@@ -21,6 +21,7 @@
 
 pub mod background;
 pub mod camera;
+pub mod certified;
 pub mod config;
 pub mod cylinder;
 pub mod error;
@@ -47,6 +48,7 @@ pub mod text;
 pub mod vec3;
 
 pub use camera::Camera;
+pub use certified::Precision;
 pub use config::Config;
 pub use error::Error;
 pub use image::{Image, Rgb, Size};

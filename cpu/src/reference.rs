@@ -3,8 +3,14 @@
 //! A loop over all objects in the order of the file, for every ray. It shares no formula with the real
 //! renderer, only the vector arithmetic, the random numbers, the camera's window and the definition of a byte, so that
 //! each of the two tells when the other is wrong. Every fast path must give its bytes.
+//!
+//! With [certified](crate::certified) intersections it asks these for every object in turn, and shares the rest.
 
+use std::marker::PhantomData;
+
+use crate::certified::{Intersect, Precision, Textbook};
 use crate::config::Config;
+use crate::cylinder::{CylinderRecord, Part};
 use crate::error::Error;
 use crate::image::{Image, Rgb};
 use crate::material::Material;
@@ -12,7 +18,8 @@ use crate::quantize::quantize;
 use crate::rng::Uniform;
 use crate::scatter::{Scatter, ScatterVectors};
 use crate::scene::{Cylinder, Scene, Shape, Sphere};
-use crate::{Camera, Vec3};
+use crate::sphere::SphereRecord;
+use crate::{Camera, Ray, Vec3};
 
 /// A ray's nearest hit so far.
 struct Nearest {
@@ -22,25 +29,47 @@ struct Nearest {
     outward: Vec3,
 }
 
-/// Renders by the definition.
+/// Renders by the definition, with the textbook's intersections.
 ///
 /// # Errors
 /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
 pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
+    render_with::<I, Textbook>(config, scene, scatter)
+}
+
+/// Renders by the definition, with the intersections of `P`.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     let size = config.image_size()?;
     let mut image = I::black(size)?;
-    render_linear(config, scene, scatter, |index, mean| {
+    render_linear_with::<P>(config, scene, scatter, |index, mean| {
         let [red, green, blue] = mean.to_array().map(|channel| quantize(channel, config.gamma));
         image.set_pixel(index, Rgb { red, green, blue });
     })?;
     Ok(image)
 }
 
-/// Renders by the definition and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
+/// Renders by the definition, with the textbook's intersections, and hands every pixel's mean, before it becomes
+/// bytes, to `pixel` with its index.
 ///
 /// # Errors
 /// [`Error::Picture`] when the configuration makes no picture.
 pub fn render_linear(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    pixel: impl FnMut(usize, Vec3),
+) -> Result<(), Error> {
+    render_linear_with::<Textbook>(config, scene, scatter, pixel)
+}
+
+/// As [`render_linear`], with the intersections of `P`.
+///
+/// # Errors
+/// [`Error::Picture`] when the configuration makes no picture.
+pub fn render_linear_with<P: Intersect>(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,
@@ -52,7 +81,7 @@ pub fn render_linear(
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
     let mut offsets = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
-    let mut path = Path { config, scene, vectors, reflectances: Vec::new() };
+    let mut path = Path::<P> { config, scene, vectors, reflectances: Vec::new(), intersect: PhantomData };
     for row in 0..size.height() {
         for column in 0..size.width() {
             let mut sum = Vec3::ZERO;
@@ -72,15 +101,16 @@ pub fn render_linear(
 }
 
 /// What all rays of a picture share.
-struct Path<'a> {
+struct Path<'a, P> {
     config: &'a Config,
     scene: &'a Scene,
     vectors: ScatterVectors,
     /// Reflectances met by the ray being followed, first hit first. Empty between rays.
     reflectances: Vec<Vec3>,
+    intersect: PhantomData<P>,
 }
 
-impl Path<'_> {
+impl<P: Intersect> Path<'_, P> {
     /// The colour that arrives along a ray: the recursion of SPEC.md, unrolled so that no depth overflows the stack.
     fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Vec3 {
         let mut reflectances = std::mem::take(&mut self.reflectances);
@@ -109,9 +139,18 @@ impl Path<'_> {
         let mut nearest = Nearest { lambda: f64::INFINITY, point: Vec3::ZERO, outward: Vec3::ZERO };
         let mut hit = None;
         for object in &self.scene.objects {
-            let met = match &object.shape {
-                Shape::Sphere(sphere) => meets_sphere(sphere, origin, direction, &mut nearest),
-                Shape::Cylinder(cylinder) => meets_cylinder(cylinder, origin, direction, &mut nearest),
+            let nearest = &mut nearest;
+            let met = match (P::PRECISION, &object.shape) {
+                (Precision::Textbook, Shape::Sphere(sphere)) => meets_sphere(sphere, origin, direction, nearest),
+                (Precision::Textbook, Shape::Cylinder(cylinder)) => {
+                    meets_cylinder(cylinder, origin, direction, nearest)
+                }
+                (Precision::Certified, Shape::Sphere(sphere)) => {
+                    meets_certified_sphere::<P>(sphere, Ray { origin, direction }, nearest)
+                }
+                (Precision::Certified, Shape::Cylinder(cylinder)) => {
+                    meets_certified_cylinder::<P>(cylinder, Ray { origin, direction }, nearest)
+                }
             };
             if met {
                 hit = Some(object.material);
@@ -156,6 +195,35 @@ impl Path<'_> {
 /// Whether `lambda` is in range and not farther than the nearest so far. Not a number is neither.
 fn counts(lambda: f64, nearest: &Nearest) -> bool {
     lambda >= 1e-3 && lambda <= nearest.lambda
+}
+
+/// The certified intersection, with the normal of SPEC.md.
+fn meets_certified_sphere<P: Intersect>(sphere: &Sphere, ray: Ray, nearest: &mut Nearest) -> bool {
+    let record = SphereRecord::new(sphere.center, sphere.radius);
+    let Some(lambda) = P::sphere(&record, &ray).filter(|&lambda| counts(lambda, nearest)) else {
+        return false;
+    };
+    let point = ray.origin + ray.direction * lambda;
+    *nearest = Nearest { lambda, point, outward: (point - sphere.center) / sphere.radius };
+    true
+}
+
+/// The certified intersection, with the normals of SPEC.md.
+fn meets_certified_cylinder<P: Intersect>(cylinder: &Cylinder, ray: Ray, nearest: &mut Nearest) -> bool {
+    let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
+    let met = P::cylinder(&record, &cylinder.axis, &ray);
+    let Some((lambda, part)) = met.filter(|&(lambda, _)| counts(lambda, nearest)) else {
+        return false;
+    };
+    let axis = cylinder.axis / cylinder.axis.length();
+    let point = ray.origin + ray.direction * lambda;
+    let outward = match part {
+        Part::Side => (point - cylinder.center) - axis * (point - cylinder.center).dot(axis),
+        Part::Top => axis,
+        Part::Bottom => -axis,
+    };
+    *nearest = Nearest { lambda, point, outward };
+    true
 }
 
 fn meets_sphere(sphere: &Sphere, origin: Vec3, direction: Vec3, nearest: &mut Nearest) -> bool {

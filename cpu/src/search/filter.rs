@@ -19,7 +19,7 @@ const ROUNDING: f32 = f32::EPSILON / 2.0;
 /// Margin of the sphere's discriminant, in roundings of its terms.
 const SPHERE_MARGIN: f32 = 64.0 * ROUNDING;
 /// Margin of the cylinder's discriminant, whose terms have passed through one more cancellation.
-const SIDE_MARGIN: f32 = 160.0 * ROUNDING;
+const SIDE_MARGIN: f32 = 224.0 * ROUNDING;
 
 /// Bounding spheres of 16 objects, relative to the scene's middle; what is not there has radius "minus infinity".
 #[derive(Clone, Copy, Debug)]

@@ -201,7 +201,7 @@ impl Hierarchy {
             let (index, distance) = stack[waiting % STACK];
             // The nearest hit so far, rounded up; infinite at first.
             let farthest = (found.lambda as f32).next_up();
-            if distance > farthest {
+            if distance > farthest * SLACK {
                 continue;
             }
             let node = &self.nodes[index as usize];

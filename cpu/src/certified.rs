@@ -1,0 +1,95 @@
+//! Intersections whose decisions are right and whose lambdas are accurate, at nearly the textbook's price.
+//!
+//! The textbook's formulas run first. A running certificate, a few multiplications, bounds what rounding may have
+//! done to them; where it holds, the textbook's bits are the answer. Where it does not, the same formulas and the
+//! same certificate run again in [double-double](double_double) arithmetic, and where even these are in doubt, every
+//! decision is taken in [exact](dyadic) arithmetic:
+//!
+//! | step | unit roundoff | taken by |
+//! |---|---|---|
+//! | textbook, f64 | 2^-53 | nearly all rays |
+//! | double-double | 2^-102 | rays that graze, start near a large surface, or meet a small or far object |
+//! | exact | 0 | rays that are tangent, or pass through a rim, to the last bit |
+//!
+//! What is true is decided by the numbers of the scene file, taken as exact: the sphere `|C - O - d lambda| = r`; the
+//! cylinder of height `|axis|` around the line through its centre along `axis`, which need not be a multiple of a
+//! rounded unit vector. The bounds are derived in `docs/accuracy.md`, where they are also measured.
+//!
+//! A ray that is not finite has no exact meaning: it gets what the textbook says. So does a null direction, which
+//! meets nothing, and the side of a cylinder that the ray is parallel to.
+
+pub mod certificate;
+pub mod cylinder;
+mod cylinder_exact;
+mod cylinder_lanes;
+pub mod double_double;
+pub mod dyadic;
+mod limbs;
+pub mod sphere;
+mod sphere_exact;
+
+pub use certificate::{Rounding, Verdict};
+pub use double_double::DoubleDouble;
+
+use crate::cylinder::{CylinderRecord, Part};
+use crate::ray::Ray;
+use crate::sphere::SphereRecord;
+use crate::vec3::Vec3;
+
+/// How a renderer intersects: the choice as a value. [`Intersect`] is the same choice as a type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// The textbook's formulas, with whatever rounding makes of them.
+    Textbook,
+    /// The same, checked, and repeated more precisely where they may be wrong.
+    Certified,
+}
+
+/// How a renderer intersects: a type, so that the choice costs nothing at run time.
+pub trait Intersect {
+    /// The choice as a value.
+    const PRECISION: Precision;
+
+    /// Where the ray meets the sphere; the contract of [`SphereRecord::intersect`].
+    fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
+
+    /// Where the ray meets the cylinder that the file describes with `axis`; the contract of
+    /// [`CylinderRecord::intersect`].
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)>;
+}
+
+/// [`Precision::Textbook`] as a type.
+#[derive(Clone, Copy, Debug)]
+pub enum Textbook {}
+
+/// [`Precision::Certified`] as a type.
+#[derive(Clone, Copy, Debug)]
+pub enum Certified {}
+
+impl Intersect for Textbook {
+    const PRECISION: Precision = Precision::Textbook;
+
+    #[inline(always)]
+    fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+        record.intersect(ray)
+    }
+
+    #[inline(always)]
+    fn cylinder(record: &CylinderRecord, _: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+        record.intersect(ray)
+    }
+}
+
+impl Intersect for Certified {
+    const PRECISION: Precision = Precision::Certified;
+
+    #[inline(always)]
+    fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+        sphere::intersect(record, ray)
+    }
+
+    #[inline(always)]
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+        cylinder::intersect(record, axis, ray)
+    }
+}

@@ -1,0 +1,264 @@
+//! Ray against closed cylinder, certified; see [`crate::cylinder`] for the formulas.
+//!
+//! To the quadratic's certificate come margins for what the textbook decides afterwards: whether a point of the side
+//! is between the bases, whether a point of a base's plane is on the disc, whether a plane is met at all, and which
+//! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
+//! have the size of the cylinder's coordinates ([`extent`]).
+
+use super::certificate::{Certificate, Limits, Outcome, Rounding, Verdict, in_scale};
+use super::double_double::DoubleDouble;
+use super::sphere::widened;
+use super::sphere_exact::NotFinite;
+use super::{cylinder_exact, cylinder_lanes};
+use crate::cylinder::{CylinderRecord, PARALLEL, Part};
+use crate::ray::{LAMBDA_MIN, Ray};
+use crate::real::Real;
+use crate::vec3::Vec3;
+
+pub use cylinder_lanes::{Lanes, judge_lanes};
+
+/// Counted in `docs/accuracy.md`: the noise is at most 132. With this condition lambdas are right to 1.6e-10 on the side
+/// and 6.2e-10 on a base (measured: 1.4e-11).
+pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
+
+/// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
+/// as long as the cylinder is high, and `record` was made from it.
+///
+/// ```
+/// use cpu::{Ray, Vec3, certified, cylinder::{CylinderRecord, Part}};
+///
+/// let axis = Vec3::new(0.0, 4.0, 0.0);
+/// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
+/// // To the last bit through the rim: side and base are equally near, and the later counts.
+/// let ray = Ray { origin: Vec3::new(0.0, 4.0, -3.0), direction: Vec3::new(0.0, -1.0, 1.0) };
+/// assert_eq!(certified::cylinder::intersect(&cylinder, &axis, &ray), Some((2.0, Part::Top)));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    match judge(record, ray) {
+        Verdict::Certain(answer) => answer,
+        Verdict::Doubtful => resolve(record, axis, ray),
+    }
+}
+
+/// What the textbook says in the arithmetic `T`, unless rounding may have changed it.
+#[inline(always)]
+#[must_use]
+pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
+    let side = Side::new(record, ray);
+    if !in_scale(side.length_squared) {
+        return Verdict::Doubtful;
+    }
+    if side.certificate.misses(side.discriminant) {
+        return Verdict::Certain(None);
+    }
+    let root = side.discriminant.sqrt();
+    let entry = side.crossing(record, ray, -side.h - root, root);
+    if entry.hits {
+        return Verdict::Certain(Some((entry.lambda, Part::Side)));
+    }
+    let exit = side.crossing(record, ray, -side.h + root, root);
+    if !(entry.fails && (exit.hits || exit.fails)) {
+        return Verdict::Doubtful;
+    }
+    let mut nearest = exit.hits.then_some((exit.lambda, Part::Side));
+    for (base, part) in [(record.top, Part::Top), (record.bottom, Part::Bottom)] {
+        let disc = disc(record, ray, base);
+        if disc.hits {
+            match nearest {
+                Some((best, _)) if in_either_order(best, disc.lambda) => return Verdict::Doubtful,
+                Some((best, _)) if best.less(disc.lambda) => {}
+                _ => nearest = Some((disc.lambda, part)),
+            }
+        } else if !disc.fails {
+            return Verdict::Doubtful;
+        }
+    }
+    Verdict::Certain(nearest)
+}
+
+/// The endless cylinder's quadratic, and its certificate.
+pub(super) struct Side<T> {
+    pub certificate: Certificate<T>,
+    length_squared: T,
+    a: T,
+    pub h: T,
+    /// A line that misses the endless cylinder meets no base either.
+    pub discriminant: T,
+}
+
+impl<T: Rounding> Side<T> {
+    #[inline(always)]
+    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
+        let length_squared = ray.direction.dot(ray.direction);
+        let (a, h, discriminant) = record.quadratic(&record.seen_from(ray.origin), ray.direction);
+        let r_c = ray.origin - record.center;
+        let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
+        Self { certificate, length_squared, a, h, discriminant }
+    }
+
+    /// Whether the side is met where the line crosses the endless cylinder. The cylinder is convex: where the line
+    /// enters through the side, with the smaller root, no base is nearer.
+    #[inline(always)]
+    pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Outcome<T> {
+        // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
+        let condition = LIMITS.condition::<T>();
+        let steep_enough = self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition));
+        let crossing = self.certificate.root(self.a, numerator, root);
+        let along = record.distance_from_middle(ray, crossing.lambda);
+        let margin = margin(record, ray, crossing.lambda);
+        let (between, beyond) = (along.less(record.half_height - margin), (record.half_height + margin).less(along));
+        Outcome {
+            lambda: crossing.lambda,
+            hits: steep_enough & crossing.hits & between,
+            fails: steep_enough & (crossing.fails | (crossing.hits & beyond)),
+        }
+    }
+}
+
+/// Whether two accepted lambdas are too near to each other for their order to be certain.
+#[inline(always)]
+fn in_either_order<T: Rounding>(one: T, other: T) -> T::Mask {
+    (one - other).abs().less_equal(one * T::of(2.0 * LIMITS.lambda_error::<T>()))
+}
+
+/// Whether the disc around `base` is met.
+#[inline(always)]
+pub(super) fn disc<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, base: Vec3<T>) -> Outcome<T> {
+    let condition = LIMITS.condition::<T>();
+    // The distance to the plane along the axis; below, positive in front of the ray.
+    let to_base = base - ray.origin;
+    let distance = to_base.dot(record.axis);
+    let (lambda, slope) = record.plane(ray, distance);
+    let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
+    let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
+    let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
+    let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
+    let distance = T::select(slope.less(T::of(0.0)), -distance, distance);
+    let size = extent(record) + magnitude(to_base);
+    let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
+    let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));
+    let accurate = size.less(distance * T::of(4.0 * condition)) & reach.less(steepness * T::of(8.0 * condition));
+    let in_range = accurate & LIMITS.in_range(lambda);
+    let from_center = (ray.at(lambda) - base).length();
+    let margin = margin(record, ray, lambda);
+    let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
+    Outcome { lambda, hits: steep & in_range & within, fails: parallel | (steep & (too_near | (in_range & beyond))) }
+}
+
+/// The size of a cylinder's coordinates, and of itself. The same for all rays.
+#[inline(always)]
+#[must_use]
+pub fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
+    // Underflow in lengths, of which this is the measure, is far below 2^-300.
+    const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
+    magnitude(record.center) + record.radius + record.half_height + T::of(UNDERFLOW)
+}
+
+/// How far rounding may have moved the point at an accepted lambda.
+#[inline(always)]
+fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
+    let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
+    along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
+}
+
+/// A number not smaller than the vector's length, and at most 1.74 times as large.
+#[inline(always)]
+fn magnitude<T: Real>(vector: Vec3<T>) -> T {
+    vector.x.abs() + vector.y.abs() + vector.z.abs()
+}
+
+/// The answer of a ray that is in doubt, at the price of some thousand operations.
+#[cold]
+#[inline(never)]
+#[must_use]
+pub fn resolve(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    let precise = CylinderRecord::new(widened(record.center), DoubleDouble::of(record.radius), widened(*axis));
+    let precise_ray = Ray { origin: widened(ray.origin), direction: widened(ray.direction) };
+    match judge(&precise, &precise_ray) {
+        Verdict::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
+        Verdict::Doubtful => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
+            .unwrap_or_else(|NotFinite| record.intersect(ray)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+        Ray { origin: origin.into(), direction: direction.into() }
+    }
+
+    fn meets(axis: [f64; 3], ray: &Ray) -> Option<(f64, Part)> {
+        let axis = axis.into();
+        intersect(&CylinderRecord::new(Vec3::ZERO, 1.0, axis), &axis, ray)
+    }
+
+    const UPRIGHT: [f64; 3] = [0.0, 4.0, 0.0];
+
+    #[test]
+    fn plain_rays_are_certain_and_the_textbooks() {
+        let record = CylinderRecord::new(Vec3::ZERO, 1.0, UPRIGHT.into());
+        for (ray, expected) in [
+            (ray([0.1, 0.0, -3.0], [0.0, 0.1, 1.0]), Some(Part::Side)),
+            (ray([0.0, 0.1, 0.0], [0.0, 0.1, 1.0]), Some(Part::Side)),
+            (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(Part::Top)),
+            (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(Part::Bottom)),
+            (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(Part::Top)),
+            (ray([1.1, 5.0, 0.0], [0.0, -1.0, 0.1]), None),
+            (ray([0.0, 2.1, -3.0], [0.0, 0.1, 1.0]), None),
+            (ray([0.0, 0.0, 3.0], [0.0, 0.1, 1.0]), None),
+        ] {
+            let verdict = judge(&record, &ray);
+            assert_eq!(verdict, Verdict::Certain(record.intersect(&ray)), "{ray:?}");
+            let Verdict::Certain(answer) = verdict else { unreachable!() };
+            assert_eq!(answer.map(|(_, part)| part), expected, "{ray:?}");
+        }
+    }
+
+    #[test]
+    fn through_the_rim_the_base_counts() {
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, Part::Top)));
+        assert_eq!(meets(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, Part::Bottom)));
+        // Out of it: the far root is on the rim.
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, Part::Top)));
+    }
+
+    #[test]
+    fn along_the_axis_only_bases_are_met() {
+        for axis in [UPRIGHT, [1.0, 2.0, -0.3]] {
+            let direction = axis.map(|component| component * 0.25);
+            let hit = meets(axis, &ray([0.0; 3], direction));
+            assert_eq!(hit, Some((2.0, Part::Top)), "{axis:?}");
+        }
+        assert_eq!(meets(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])), Some((1.5, Part::Top)), "on the rim");
+        assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 5.0, 0.0], [0.0, -2.0, 0.0])), None);
+    }
+
+    #[test]
+    fn along_the_bases_only_the_side_is_met() {
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])), Some((2.0, Part::Side)), "in the plane");
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, Part::Side)));
+        assert_eq!(meets(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, Part::Side)), "tangent");
+        assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 0.0, -3.0], [0.0, 0.0, 0.5])), None);
+    }
+
+    #[test]
+    fn planes_within_the_limit_of_parallel_are_skipped() {
+        // Slopes around 1e-8: the one just below meets no base, though its line would.
+        let start = [0.0, 1.0 - 1e-9, 0.0];
+        let toward = |slope: f64| ray(start, [0.5, slope, 0.0]);
+        let flat = [0.0, 2.0, 0.0];
+        assert_eq!(meets(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(Part::Top));
+        assert_eq!(meets(flat, &toward(PARALLEL.next_down())), None, "the side is met above the base");
+    }
+
+    #[test]
+    fn a_null_direction_and_numbers_that_are_none_are_the_textbooks() {
+        assert_eq!(meets(UPRIGHT, &ray([0.0; 3], [0.0; 3])), None);
+        assert_eq!(meets(UPRIGHT, &ray([0.0, f64::NAN, 0.0], [0.0, 1.0, 0.0])), None);
+    }
+}

@@ -1,0 +1,71 @@
+//! Whole numbers of any length: lists of 64-bit limbs, the lowest first, the last not zero, none for zero.
+
+use std::cmp::Ordering;
+
+/// Without zeros at the upper end.
+fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
+    while limbs.last() == Some(&0) {
+        limbs.pop();
+    }
+    limbs
+}
+
+/// Which of two is the larger.
+pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
+    a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
+}
+
+/// `a + b`.
+pub fn sum(a: &[u64], b: &[u64]) -> Vec<u64> {
+    let mut carry = false;
+    let limb = |list: &[u64], index: usize| list.get(index).copied().unwrap_or(0);
+    let mut limbs: Vec<u64> = (0..a.len().max(b.len()))
+        .map(|index| {
+            let (partial, first) = limb(a, index).overflowing_add(limb(b, index));
+            let (total, second) = partial.overflowing_add(u64::from(carry));
+            carry = first | second;
+            total
+        })
+        .collect();
+    limbs.push(u64::from(carry));
+    trimmed(limbs)
+}
+
+/// `a - b`, where `a` is not the smaller.
+pub fn difference(a: &[u64], b: &[u64]) -> Vec<u64> {
+    let mut borrow = false;
+    let limbs = a.iter().enumerate().map(|(index, &limb)| {
+        let (partial, first) = limb.overflowing_sub(b.get(index).copied().unwrap_or(0));
+        let (rest, second) = partial.overflowing_sub(u64::from(borrow));
+        borrow = first | second;
+        rest
+    });
+    trimmed(limbs.collect())
+}
+
+/// `a b`.
+pub fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
+    let mut limbs = vec![0; a.len() + b.len()];
+    for (shift, &x) in a.iter().enumerate() {
+        let mut carry = 0;
+        for (limb, &y) in limbs[shift..].iter_mut().zip(b.iter().chain([&0])) {
+            let total = u128::from(x) * u128::from(y) + u128::from(*limb) + carry;
+            *limb = total as u64;
+            carry = total >> 64;
+        }
+    }
+    trimmed(limbs)
+}
+
+/// `a 2^shift`.
+pub fn shifted(a: &[u64], shift: u64) -> Vec<u64> {
+    let mut limbs = vec![0; (shift / 64) as usize];
+    let shift = shift % 64;
+    let mut carry = 0;
+    for &limb in a {
+        limbs.push(limb << shift | carry);
+        carry = if shift == 0 { 0 } else { limb >> (64 - shift) };
+    }
+    limbs.push(carry);
+    trimmed(limbs)
+}

@@ -1,0 +1,167 @@
+//! One regime, one implementation: how often and by how much it is wrong.
+
+use cpu::Vec3;
+use cpu::certified::{self, DoubleDouble, Verdict};
+use cpu::cylinder::CylinderRecord;
+use cpu::real::Real;
+use cpu::scene::Shape;
+use cpu::sphere::SphereRecord;
+
+use crate::case::Case;
+use crate::methods::{Answer, Method};
+use crate::oracle::{self, Judgement, big, to_f64};
+
+/// What came out for one regime and one implementation.
+#[derive(Clone, Debug, Default)]
+pub struct Row {
+    /// The regime.
+    pub regime: &'static str,
+    /// The implementation.
+    pub method: &'static str,
+    /// Cases.
+    pub cases: usize,
+    /// Cases in which the ray meets the object.
+    pub hits: usize,
+    /// Wrong hit, miss, root or part.
+    pub wrong: usize,
+    /// Of these, where the surface would have to move by more than 8 u S to make them right. Not known for cylinders.
+    pub wrong_beyond_noise: Option<usize>,
+    /// Rays taken for coming from the other side.
+    pub wrong_side: usize,
+    /// Relative errors of lambda where the decision is right: median, 99.9 % and largest.
+    pub lambda_error: [f64; 3],
+    /// Distances of the hit points from the surface, in units of u times the largest coordinate: median and largest.
+    pub surface_error: [f64; 2],
+    /// What a test costs, where that is known.
+    pub nanoseconds: Option<f64>,
+}
+
+/// Cases, and what is true of them: as they are, and rounded to single precision.
+#[derive(Debug)]
+pub struct Judged {
+    /// The regime's name.
+    pub regime: &'static str,
+    cases: [Vec<Case>; 2],
+    judgements: [Vec<Judgement>; 2],
+}
+
+impl Judged {
+    /// Asks the oracle.
+    #[must_use]
+    pub fn new(regime: &'static str, cases: Vec<Case>) -> Self {
+        let single = cases.iter().map(Case::single).collect();
+        let cases = [cases, single];
+        let judgements = [0, 1].map(|index| cases[index].iter().map(oracle::judge).collect());
+        Self { regime, cases, judgements }
+    }
+
+    /// Holds an implementation against the truth.
+    #[must_use]
+    pub fn measure(&self, method: &dyn Method) -> Row {
+        let precision = usize::from(method.unit_roundoff() > f64::EPSILON);
+        let (cases, judgements) = (&self.cases[precision], &self.judgements[precision]);
+        let (answers, nanoseconds) = (method.answer(cases), method.nanoseconds(cases));
+        let hits = judgements.iter().filter(|judgement| judgement.truth.is_some()).count();
+        let mut row = Row {
+            regime: self.regime,
+            method: method.name(),
+            cases: cases.len(),
+            hits,
+            nanoseconds,
+            wrong_beyond_noise: judgements.first().and_then(|judgement| judgement.slack).map(|_| 0),
+            ..Row::default()
+        };
+        let (mut lambda_errors, mut surface_errors) = (Vec::new(), Vec::new());
+        for ((case, judgement), answer) in cases.iter().zip(judgements).zip(answers) {
+            let Some(error) = lambda_error(judgement, answer, method.unit_roundoff()) else {
+                row.wrong += 1;
+                let noise = 8.0 * method.unit_roundoff() * case.size();
+                if let (Some(count), Some(slack)) = (&mut row.wrong_beyond_noise, judgement.slack) {
+                    *count += usize::from(slack > noise);
+                }
+                continue;
+            };
+            let (Some(truth), Some(answer)) = (&judgement.truth, answer) else { continue };
+            lambda_errors.push(error);
+            row.wrong_side += usize::from(truth.front != answer.front);
+            let distance = oracle::distance_from_surface(case, answer.part, answer.point);
+            surface_errors.push(distance / (method.unit_roundoff() * largest(case, answer.point)));
+        }
+        row.lambda_error = [0.5, 0.999, 1.0].map(|share| quantile(&mut lambda_errors, share));
+        row.surface_error = [0.5, 1.0].map(|share| quantile(&mut surface_errors, share));
+        row
+    }
+
+    /// Shares of the cases that the certificate leaves to double-double and to exact arithmetic.
+    #[must_use]
+    pub fn fallbacks(&self) -> [f64; 2] {
+        let cases = &self.cases[0];
+        let share = |in_doubt: fn(&Case) -> bool| {
+            cases.iter().filter(|case| in_doubt(case)).count() as f64 / cases.len() as f64
+        };
+        [share(is_doubtful), share(|case| is_doubtful(case) && is_doubtful_in_double_double(case))]
+    }
+}
+
+/// The relative error of lambda, 0 for a miss; none when the decision is wrong.
+fn lambda_error(judgement: &Judgement, answer: Option<Answer>, unit_roundoff: f64) -> Option<f64> {
+    match (&judgement.truth, answer) {
+        (None, None) => Some(0.0),
+        (Some(truth), Some(answer)) if truth.part == answer.part => {
+            let lambda = big(answer.lambda);
+            let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
+            let error = distance(&truth.lambda);
+            // Nearer to where the line meets the object elsewhere: the wrong root. But nothing tells roots apart that
+            // are nearer to each other than two numbers of this precision.
+            let resolution = 4.0 * unit_roundoff * to_f64(&truth.lambda);
+            let other_root = judgement.crossings.iter().any(|other| distance(other) < error);
+            (!other_root || error <= resolution).then(|| error / to_f64(&truth.lambda))
+        }
+        _ => None,
+    }
+}
+
+/// The largest coordinate that a hit point is made of.
+fn largest(case: &Case, point: Vec3) -> f64 {
+    let reach = |vector: Vec3| vector.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
+    let radius = match case.shape {
+        Shape::Sphere(sphere) => sphere.radius,
+        Shape::Cylinder(cylinder) => cylinder.radius,
+    };
+    reach(point).max(reach(case.ray.origin)).max(radius)
+}
+
+fn quantile(values: &mut [f64], share: f64) -> f64 {
+    if values.is_empty() {
+        return 0.0;
+    }
+    values.sort_by(f64::total_cmp);
+    values[((values.len() - 1) as f64 * share).round() as usize]
+}
+
+fn is_doubtful(case: &Case) -> bool {
+    match &case.shape {
+        Shape::Sphere(sphere) => {
+            certified::sphere::judge(&SphereRecord::new(sphere.center, sphere.radius), &case.ray) == Verdict::Doubtful
+        }
+        Shape::Cylinder(cylinder) => {
+            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
+            certified::cylinder::judge(&record, &case.ray) == Verdict::Doubtful
+        }
+    }
+}
+
+fn is_doubtful_in_double_double(case: &Case) -> bool {
+    let wide = |vector: Vec3| vector.map(DoubleDouble::of);
+    let ray = cpu::Ray { origin: wide(case.ray.origin), direction: wide(case.ray.direction) };
+    match &case.shape {
+        Shape::Sphere(sphere) => {
+            let record = SphereRecord::new(wide(sphere.center), sphere.radius.into());
+            certified::sphere::judge(&record, &ray) == Verdict::Doubtful
+        }
+        Shape::Cylinder(cylinder) => {
+            let record = CylinderRecord::new(wide(cylinder.center), cylinder.radius.into(), wide(cylinder.axis));
+            certified::cylinder::judge(&record, &ray) == Verdict::Doubtful
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! The truth: the definitions of SPEC.md in arithmetic of 2,048 bits, from the exact numbers of a [`Case`].
+//!
+//! As long as no input is zero but for a bit (all regimes keep within 2^-100 and 2^60), sums and products of the inputs
+//! fit these bits, so a discriminant of zero is zero. Roots and quotients are rounded; two lambdas that agree to 1,000
+//! bits are taken for equal, which others cannot come near: they are roots of polynomials with shorter coefficients.
+//! Written apart from `cpu::certified` and with another big-number library, so that each can tell when the other is
+//! wrong: here formulas are plain and comparisons compare lambdas, there no root is ever taken to decide.
+
+use cpu::cylinder::{PARALLEL, Part};
+use cpu::ray::LAMBDA_MIN;
+use cpu::scene::{Cylinder, Shape, Sphere};
+use cpu::{Ray, Vec3};
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+
+use crate::case::Case;
+
+/// A number of 2,048 bits.
+pub type Big = FBig<HalfEven, 2>;
+
+const BITS: usize = 2048;
+const EQUAL_BITS: isize = 1000;
+
+/// `value` with room for more digits; zero for what is not finite, which no case holds.
+#[must_use]
+pub fn big(value: f64) -> Big {
+    Big::try_from(value).unwrap_or(Big::ZERO).with_precision(BITS).value()
+}
+
+/// Where and how a ray meets an object.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// The nearest lambda that counts.
+    pub lambda: Big,
+    /// What is met.
+    pub part: Part,
+    /// Whether the ray comes from outside.
+    pub front: bool,
+}
+
+/// A ray and an object in the oracle's eyes.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// Where the ray meets the object, if it does.
+    pub truth: Option<Truth>,
+    /// All lambdas at which the line meets the object's surfaces, whether they count or not.
+    pub crossings: Vec<Big>,
+    /// By how much a sphere's surface would have to move for the ray to meet it otherwise: to touch it, or to have it
+    /// pass the point at the least lambda. Not known for cylinders.
+    pub slack: Option<f64>,
+}
+
+type Big3 = [Big; 3];
+
+/// The vector with room for more digits.
+#[must_use]
+pub fn big3(vector: Vec3) -> Big3 {
+    vector.to_array().map(big)
+}
+
+fn dot(a: &Big3, b: &Big3) -> Big {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn minus(a: &Big3, b: &Big3) -> Big3 {
+    [0, 1, 2].map(|index| &a[index] - &b[index])
+}
+
+/// The point of a ray at `lambda`.
+fn at(ray: &Ray, lambda: &Big) -> Big3 {
+    let (origin, direction) = (big3(ray.origin), big3(ray.direction));
+    [0, 1, 2].map(|index| &origin[index] + &direction[index] * lambda)
+}
+
+fn magnitude(value: &Big) -> Big {
+    if *value < Big::ZERO { -value.clone() } else { value.clone() }
+}
+
+/// Whether `a <= b`, where agreement to 1,000 bits is equality.
+fn at_most(a: &Big, b: &Big) -> bool {
+    a <= b || magnitude(&(a - b)) << EQUAL_BITS <= magnitude(a).max(magnitude(b))
+}
+
+fn in_range(lambda: &Big) -> bool {
+    at_most(&big(LAMBDA_MIN), lambda)
+}
+
+/// What is true of a case.
+#[must_use]
+pub fn judge(case: &Case) -> Judgement {
+    match &case.shape {
+        Shape::Sphere(sphere) => judge_sphere(sphere, &case.ray),
+        Shape::Cylinder(cylinder) => judge_cylinder(cylinder, &case.ray),
+    }
+}
+
+fn judge_sphere(sphere: &Sphere, ray: &Ray) -> Judgement {
+    let direction = big3(ray.direction);
+    let r_c = minus(&big3(sphere.center), &big3(ray.origin));
+    let (a, h) = (dot(&direction, &direction), dot(&direction, &r_c));
+    let radius = big(sphere.radius);
+    let c = dot(&r_c, &r_c) - &radius * &radius;
+    let discriminant = &h * &h - &a * &c;
+    // The line's distance from the centre is sqrt(r^2 - D / a).
+    let off_center = magnitude(&(&radius * &radius - &discriminant / &a)).sqrt();
+    let start = minus(&at(ray, &big(LAMBDA_MIN)), &big3(sphere.center));
+    let moves = [off_center, dot(&start, &start).sqrt()].map(|distance| to_f64(&magnitude(&(distance - &radius))));
+    let slack = Some(moves[0].min(moves[1]));
+    if discriminant < Big::ZERO {
+        return Judgement { truth: None, crossings: Vec::new(), slack };
+    }
+    let root = discriminant.sqrt();
+    let crossings = vec![(&h - &root) / &a, (&h + &root) / &a];
+    let truth = crossings.iter().enumerate().find(|(_, lambda)| in_range(lambda)).map(|(index, lambda)| Truth {
+        lambda: lambda.clone(),
+        part: Part::Side,
+        front: index == 0 && root > Big::ZERO,
+    });
+    Judgement { truth, crossings, slack }
+}
+
+fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
+    let (direction, axis) = (big3(ray.direction), big3(cylinder.axis));
+    let r_c = minus(&big3(ray.origin), &big3(cylinder.center));
+    let (square, half) = (dot(&axis, &axis), dot(&axis, &axis) >> 1);
+    let (slope, height) = (dot(&direction, &axis), dot(&r_c, &axis));
+    let radius_squared = big(cylinder.radius) * big(cylinder.radius);
+    let mut crossings = Vec::new();
+    let mut hits = Vec::new();
+
+    // The side, multiplied by axis . axis throughout.
+    let a = dot(&direction, &direction) * &square - &slope * &slope;
+    let h = dot(&r_c, &direction) * &square - &height * &slope;
+    let c = (dot(&r_c, &r_c) - &radius_squared) * &square - &height * &height;
+    let discriminant = &h * &h - &a * &c;
+    if a > Big::ZERO && discriminant >= Big::ZERO {
+        let root = discriminant.sqrt();
+        let roots = [(-&h - &root) / &a, (-&h + &root) / &a];
+        let counts = |lambda: &Big| {
+            in_range(lambda)
+                && at_most(&magnitude(&dot(&minus(&at(ray, lambda), &big3(cylinder.center)), &axis)), &half)
+        };
+        if let Some(index) = (0..2).find(|&index| counts(&roots[index])) {
+            let front = index == 0 && root > Big::ZERO;
+            hits.push(Truth { lambda: roots[index].clone(), part: Part::Side, front });
+        }
+        crossings.extend(roots);
+    }
+
+    let steep = &slope * &slope >= big(PARALLEL) * big(PARALLEL) * &square;
+    for (sign, part) in [(1.0, Part::Top), (-1.0, Part::Bottom)] {
+        if !steep {
+            continue;
+        }
+        let outward = big(sign) * &slope;
+        let lambda = (&half - big(sign) * &height) / &outward;
+        let point = minus(&at(ray, &lambda), &big3(cylinder.center));
+        let from_base = [0, 1, 2].map(|index| &point[index] - ((big(sign) * &axis[index]) >> 1));
+        if in_range(&lambda) && at_most(&dot(&from_base, &from_base), &radius_squared) {
+            hits.push(Truth { lambda: lambda.clone(), part, front: outward < Big::ZERO });
+        }
+        crossings.push(lambda);
+    }
+
+    // The nearest; of equals the later.
+    let truth = hits.into_iter().reduce(|best, hit| if at_most(&hit.lambda, &best.lambda) { hit } else { best });
+    Judgement { truth, crossings, slack: None }
+}
+
+/// How far `point` is from a part of the object's surface.
+#[must_use]
+pub fn distance_from_surface(case: &Case, part: Part, point: Vec3) -> f64 {
+    let from_center = minus(&big3(point), &big3(case.center()));
+    let distance = match (&case.shape, part) {
+        (Shape::Sphere(sphere), _) => dot(&from_center, &from_center).sqrt() - big(sphere.radius),
+        (Shape::Cylinder(cylinder), Part::Side) => {
+            let axis = big3(cylinder.axis);
+            let along = dot(&from_center, &axis);
+            let across = dot(&from_center, &from_center) - &along * &along / dot(&axis, &axis);
+            // Rounded far away, a point on the axis may have a square below zero by the division's last bit.
+            across.max(Big::ZERO).sqrt() - big(cylinder.radius)
+        }
+        (Shape::Cylinder(cylinder), Part::Top | Part::Bottom) => {
+            let axis = big3(cylinder.axis);
+            let length = dot(&axis, &axis).sqrt();
+            magnitude(&(dot(&from_center, &axis) / &length)) - (length >> 1)
+        }
+    };
+    to_f64(&magnitude(&distance))
+}
+
+/// The nearest f64.
+#[must_use]
+pub fn to_f64(value: &Big) -> f64 {
+    value.to_f64().value()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nearest(case: &Case) -> Option<(f64, Part, bool)> {
+        judge(case).truth.map(|truth| (to_f64(&truth.lambda), truth.part, truth.front))
+    }
+
+    const Z: Vec3 = Vec3::new(0.0, 0.0, 1.0);
+
+    #[test]
+    fn spheres_are_met_touched_and_missed_by_one_bit() {
+        let ray = |x: f64, z: f64| Case::sphere(Vec3::ZERO, 1.0, Vec3::new(x, 0.0, z), Z);
+        assert_eq!(nearest(&ray(0.0, -3.0)), Some((2.0, Part::Side, true)));
+        assert_eq!(nearest(&ray(0.0, 0.0)), Some((1.0, Part::Side, false)));
+        assert_eq!(nearest(&ray(1.0, -3.0)), Some((3.0, Part::Side, false)), "a tangent comes from no side");
+        assert_eq!(nearest(&ray(1.0_f64.next_up(), -3.0)), None);
+        assert_eq!(
+            nearest(&ray(0.0, -1.0 - LAMBDA_MIN)).map(|hit| hit.0 < 1.0),
+            Some(false),
+            "1.001 is nearer than 1e-3"
+        );
+    }
+
+    #[test]
+    fn the_slack_is_the_distance_to_the_nearest_other_decision() {
+        let case = |x: f64, z: f64| Case::sphere(Vec3::ZERO, 1.0, Vec3::new(x, 0.0, z), Z);
+        assert_eq!(judge(&case(1.5, -3.0)).slack, Some(0.5));
+        assert_eq!(judge(&case(0.75, -3.0)).slack, Some(0.25));
+        assert_eq!(judge(&case(0.0, -1.25)).slack, Some(0.25 - LAMBDA_MIN));
+    }
+
+    #[test]
+    fn cylinders_are_met_at_all_parts_and_the_base_counts_on_the_rim() {
+        let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis: Vec3::new(0.0, 4.0, 0.0) };
+        let case = |origin: [f64; 3], direction: [f64; 3]| Case::cylinder(cylinder, origin.into(), direction.into());
+        assert_eq!(nearest(&case([0.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some((2.0, Part::Side, true)));
+        assert_eq!(nearest(&case([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])), Some((1.0, Part::Side, false)));
+        assert_eq!(nearest(&case([0.0, 5.0, 0.0], [0.0, -1.0, 0.0])), Some((3.0, Part::Top, true)));
+        assert_eq!(nearest(&case([0.0, 0.0, 0.0], [0.0, -1.0, 0.0])), Some((2.0, Part::Bottom, false)));
+        assert_eq!(nearest(&case([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, Part::Top, true)));
+        assert_eq!(nearest(&case([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
+    }
+
+    #[test]
+    fn distances_are_measured_from_the_part() {
+        let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis: Vec3::new(0.0, 4.0, 0.0) };
+        let case = Case::cylinder(cylinder, Vec3::ZERO, Z);
+        assert_eq!(distance_from_surface(&case, Part::Side, Vec3::new(0.0, 1.0, 1.5)), 0.5);
+        assert_eq!(distance_from_surface(&case, Part::Bottom, Vec3::new(0.5, -2.25, 0.0)), 0.25);
+        let case = Case::sphere(Vec3::ZERO, 1.0, Vec3::ZERO, Z);
+        assert_eq!(distance_from_surface(&case, Part::Side, Vec3::new(0.0, 0.0, 3.0)), 2.0);
+    }
+}

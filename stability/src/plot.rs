@@ -1,0 +1,138 @@
+//! Plots as SVG, small enough to write by hand: grouped marks over a logarithmic scale, and lines.
+
+use std::fmt::Write;
+
+/// One implementation's marks, in the order of the categories; none where there is nothing to show.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Its name in the legend.
+    pub name: String,
+    /// Its colour.
+    pub color: &'static str,
+    /// A value a category, or a value an abscissa.
+    pub values: Vec<Option<f64>>,
+}
+
+/// Colours that differ in brightness too.
+pub const COLORS: [&str; 4] = ["#d62728", "#1f4fb4", "#f0a030", "#59a14f"];
+
+/// What is shown and how.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// Above the plot.
+    pub title: String,
+    /// What the values are.
+    pub axis: String,
+    /// Decades from the lowest to the highest that is shown. What is lower is drawn at the bottom.
+    pub decades: (i32, i32),
+    /// Names of the categories or of some abscissae.
+    pub categories: Vec<String>,
+    /// What is compared.
+    pub series: Vec<Series>,
+    /// Whether marks are joined, which makes categories abscissae.
+    pub joined: bool,
+}
+
+const WIDTH: f64 = 960.0;
+const HEIGHT: f64 = 480.0;
+const LEFT: f64 = 80.0;
+const RIGHT: f64 = 20.0;
+const TOP: f64 = 66.0;
+const BOTTOM: f64 = 110.0;
+
+impl Plot {
+    fn height_of(&self, value: f64) -> f64 {
+        let (low, high) = (f64::from(self.decades.0), f64::from(self.decades.1));
+        let share = ((value.log10() - low) / (high - low)).clamp(0.0, 1.0);
+        HEIGHT - BOTTOM - share * (HEIGHT - TOP - BOTTOM)
+    }
+
+    fn middle_of(&self, category: usize) -> f64 {
+        LEFT + (category as f64 + 0.5) * (WIDTH - LEFT - RIGHT) / self.categories.len() as f64
+    }
+
+    /// The plot as a file.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" font-family=\"sans-serif\" \
+             font-size=\"12\">\n<rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"white\"/>\n\
+             <text x=\"{LEFT}\" y=\"22\" font-size=\"16\">{}</text>\n",
+            self.title
+        );
+        self.scale(&mut text);
+        for (index, series) in self.series.iter().enumerate() {
+            self.legend(&mut text, index, series);
+            self.marks(&mut text, index, series);
+        }
+        text.push_str("</svg>\n");
+        text
+    }
+
+    fn scale(&self, text: &mut String) {
+        // Writing to a string cannot fail.
+        for decade in self.decades.0..=self.decades.1 {
+            let y = self.height_of(10.0_f64.powi(decade));
+            let _ = writeln!(text, "<path d=\"M{LEFT} {y:.1}H{}\" stroke=\"#ddd\"/>", WIDTH - RIGHT);
+            let every = (self.decades.1 - self.decades.0) / 10 + 1;
+            if (decade - self.decades.0) % every == 0 {
+                let _ = writeln!(
+                    text,
+                    "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">1e{decade}</text>",
+                    LEFT - 6.0,
+                    y + 4.0
+                );
+            }
+        }
+        let middle = (TOP + HEIGHT - BOTTOM) / 2.0;
+        let _ = writeln!(
+            text,
+            "<text x=\"18\" y=\"{middle}\" transform=\"rotate(-90 18 {middle})\" text-anchor=\"middle\">{}</text>",
+            self.axis
+        );
+        for (index, category) in self.categories.iter().enumerate() {
+            let (x, y) = (self.middle_of(index), HEIGHT - BOTTOM + 16.0);
+            let _ = writeln!(
+                text,
+                "<text x=\"{x:.1}\" y=\"{y}\" transform=\"rotate(-25 {x:.1} {y})\" text-anchor=\"end\">{category}</text>"
+            );
+        }
+    }
+
+    fn legend(&self, text: &mut String, index: usize, series: &Series) {
+        let x = LEFT + 200.0 * index as f64;
+        let _ = writeln!(
+            text,
+            "<rect x=\"{x}\" y=\"36\" width=\"12\" height=\"12\" fill=\"{}\"/><text x=\"{}\" y=\"47\">{}</text>",
+            series.color,
+            x + 18.0,
+            series.name
+        );
+    }
+
+    fn marks(&self, text: &mut String, index: usize, series: &Series) {
+        let spread = (WIDTH - LEFT - RIGHT) / self.categories.len() as f64 * 0.7;
+        let offset = if self.joined { 0.0 } else { ((index as f64 + 0.5) / self.series.len() as f64 - 0.5) * spread };
+        let places: Vec<(f64, f64)> = (0..)
+            .zip(&series.values)
+            .filter_map(|(category, value)| Some((self.middle_of(category) + offset, self.height_of((*value)?))))
+            .collect();
+        if self.joined {
+            let points: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
+            let (points, color) = (points.join(" "), series.color);
+            let _ =
+                writeln!(text, "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"2\"/>");
+        }
+        for (x, y) in places {
+            let color = series.color;
+            let foot = HEIGHT - BOTTOM;
+            if !self.joined {
+                let _ = writeln!(
+                    text,
+                    "<path d=\"M{x:.1} {foot}V{y:.1}\" stroke=\"{color}\" stroke-width=\"3\" stroke-opacity=\".35\"/>"
+                );
+            }
+            let _ = writeln!(text, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{color}\"/>");
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Secondary rays on spheres of a given radius: how large may a ground be?
+
+use cpu::Vec3;
+
+use crate::case::Case;
+use crate::random::Random;
+
+/// Rays that leave a sphere of this radius outwards or inwards, where it touches the middle of the scene.
+#[must_use]
+pub fn cases(radius: f64, seed: u64, count: usize) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let center = Vec3::new(0.0, -radius, 0.0);
+    let mut draw = || {
+        let extent = radius.min(10.0) * 0.5;
+        let (x, z) = (random.uniform(-extent, extent), random.uniform(-extent, extent));
+        let across = x * x + z * z;
+        // sqrt(r^2 - across) - r without cancellation.
+        let y = -across / (radius + (radius * radius - across).sqrt());
+        let origin = Vec3::new(x, y, z);
+        let outward = (origin - center) / radius;
+        let direction = outward * random.sign() + random.cube(1.0);
+        Case::sphere(center, radius, origin, direction)
+    };
+    (0..count).map(|_| draw()).collect()
+}

@@ -1,0 +1,146 @@
+//! Rays and spheres. Lengths are scene units; a direction has length one unless its lengths are the point.
+
+use cpu::Vec3;
+
+use super::Regime;
+use crate::case::Case;
+use crate::random::Random;
+
+pub const REGIMES: [Regime; 9] = [
+    Regime { name: "ordinary", draw: ordinary },
+    Regime { name: "far and small", draw: far_and_small },
+    Regime { name: "huge and near", draw: huge_and_near },
+    Regime { name: "grazing", draw: grazing },
+    Regime { name: "tangent to the last bit", draw: tangent },
+    Regime { name: "origin on the surface", draw: on_the_surface },
+    Regime { name: "inside and at the centre", draw: inside },
+    Regime { name: "direction lengths", draw: direction_lengths },
+    Regime { name: "everything at once", draw: everything },
+];
+
+/// A ray that passes the centre at `off` radii, from `distance` away, along a direction of length `length`.
+fn passing(random: &mut Random, center: Vec3, radius: f64, distance: f64, off: f64, length: f64) -> Case {
+    let forward = random.unit();
+    let target = center + random.perpendicular(forward) * (radius * off);
+    Case::sphere(center, radius, target - forward * distance, forward * length)
+}
+
+fn ordinary(random: &mut Random) -> Case {
+    let (center, radius, distance) = (random.cube(10.0), random.uniform(0.1, 2.0), random.uniform(2.5, 30.0));
+    let off = random.uniform(0.0, 1.5);
+    passing(random, center, radius, distance, off, 1.0)
+}
+
+fn far_and_small(random: &mut Random) -> Case {
+    let (radius, distance) = (random.decades(-6.0, 0.0), random.decades(2.0, 12.0));
+    let off = random.uniform(0.0, 1.5);
+    if random.below(2) == 0 {
+        let center = random.cube(1.0);
+        return passing(random, center, radius, distance, off, 1.0);
+    }
+    // Far away a direction cannot be aimed at what is small, unless it is along a coordinate axis.
+    let (near, far) = (random.unit() * (radius * off), distance * random.sign());
+    let direction = Vec3::new(0.0, 0.0, -far.signum() * random.uniform(0.5, 2.0));
+    let swap = random.below(3);
+    let rotate = |vector: Vec3| {
+        let mut components = vector.to_array();
+        components.rotate_left(swap);
+        Vec3::from(components)
+    };
+    Case::sphere(Vec3::ZERO, radius, rotate(Vec3::new(near.x, near.y, far)), rotate(direction))
+}
+
+fn huge_and_near(random: &mut Random) -> Case {
+    let radius = random.decades(3.0, 9.0);
+    let up = if random.below(2) == 0 { Vec3::new(0.0, 1.0, 0.0) } else { random.unit() };
+    let height = random.decades(-4.0, 2.0) * random.sign();
+    let origin = random.cube(10.0).perpendicular_to(up) + up * height;
+    let direction = random.unit();
+    Case::sphere(up * -radius, radius, origin, direction)
+}
+
+/// 1 minus or plus a power of ten down to rounding.
+fn almost_one(random: &mut Random) -> f64 {
+    1.0 + random.sign() * random.decades(-16.0, 0.0)
+}
+
+fn grazing(random: &mut Random) -> Case {
+    let (center, radius, distance) = (random.cube(10.0), random.decades(-1.0, 1.0), random.decades(0.0, 2.0));
+    let off = almost_one(random);
+    passing(random, center, radius, radius + distance, off, 1.0)
+}
+
+/// Tangents that f64 can write down, and their neighbours: along an axis of coordinates, or along (3, 4, 0).
+fn tangent(random: &mut Random) -> Case {
+    // Few digits, so that sums of products are exact.
+    let short = |random: &mut Random, extent: f64| (random.uniform(-extent, extent) * 1024.0).round() / 1024.0;
+    let center = Vec3::from([(); 3].map(|()| short(random, 16.0)));
+    let radius = 5.0 * (short(random, 1.0).abs() + 1.0 / 1024.0);
+    let distance = short(random, 256.0).abs() + 16.0;
+    let (forward, across) = if random.below(2) == 0 {
+        (Vec3::new(0.0, 0.0, 5.0), Vec3::new(5.0, 0.0, 0.0))
+    } else {
+        (Vec3::new(3.0, 4.0, 0.0), Vec3::new(4.0, -3.0, 0.0))
+    };
+    let origin = center + across * (radius / 5.0) - forward * distance;
+    let radius = random.nudged(radius, 1);
+    let origin = Vec3::new(random.nudged(origin.x, 1), origin.y, origin.z);
+    let case = Case::sphere(center, radius, origin, forward);
+    let seed = random.below(6);
+    shuffled(case, seed)
+}
+
+/// The case with the coordinates of all its vectors exchanged in the same way.
+fn shuffled(case: Case, seed: usize) -> Case {
+    let exchange = |vector: Vec3| Random::new(seed as u64 + 1).shuffled(vector);
+    let cpu::scene::Shape::Sphere(sphere) = case.shape else { return case };
+    Case::sphere(exchange(sphere.center), sphere.radius, exchange(case.ray.origin), exchange(case.ray.direction))
+}
+
+/// Secondary rays: from where a ray met the sphere, to anywhere.
+fn on_the_surface(random: &mut Random) -> Case {
+    let (center, radius) = (random.cube(10.0), random.decades(-2.0, 4.0));
+    leaving(random, center, radius, 1.0)
+}
+
+fn leaving(random: &mut Random, center: Vec3, radius: f64, length: f64) -> Case {
+    let up = random.unit();
+    let origin = center + up * radius;
+    let direction = if random.below(4) == 0 {
+        // Nearly along the surface.
+        random.perpendicular(up) + up * (random.sign() * random.decades(-16.0, 0.0))
+    } else {
+        up * random.sign() + random.cube(1.0)
+    };
+    Case::sphere(center, radius, origin, direction * (length * random.uniform(0.5, 2.0)))
+}
+
+fn inside(random: &mut Random) -> Case {
+    let (center, radius, direction) = (random.cube(10.0), random.decades(-2.0, 4.0), random.unit());
+    let origin = if random.below(4) == 0 { center } else { center + random.unit() * random.uniform(0.0, radius) };
+    Case::sphere(center, radius, origin, direction)
+}
+
+fn direction_lengths(random: &mut Random) -> Case {
+    let Case { shape, mut ray } = ordinary(random);
+    ray.direction = ray.direction * random.decades(-6.0, 6.0);
+    Case { shape, ray }
+}
+
+fn everything(random: &mut Random) -> Case {
+    let (radius, length) = (random.decades(-6.0, 9.0), random.decades(-6.0, 6.0));
+    let extent = random.decades(-6.0, 9.0);
+    let center = random.cube(extent);
+    match random.below(4) {
+        0 => leaving(random, center, radius, length),
+        1 => {
+            let (origin, direction) = (center + random.unit() * (radius * random.uniform(0.0, 1.0)), random.unit());
+            Case::sphere(center, radius, origin, direction * length)
+        }
+        kind => {
+            let distance = radius + random.decades(-2.0, 12.0);
+            let off = if kind == 2 { almost_one(random) } else { random.uniform(0.0, 1.5) };
+            passing(random, center, radius, distance, off, length)
+        }
+    }
+}

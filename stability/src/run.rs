@@ -1,0 +1,142 @@
+//! The whole stress test: every regime with every implementation, pictures, and spheres of growing radius.
+
+use cpu::certified::Textbook;
+use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
+
+use crate::measure::Judged;
+use crate::methods::{self, TEXTBOOK};
+use crate::observed::{Observed, take_counts};
+use crate::plot::{COLORS, Plot, Series};
+use crate::regimes::{Regime, large};
+use crate::report::{Picture, Section};
+
+/// Runs all implementations over `count` cases of each regime.
+#[must_use]
+pub fn sections(regimes: &[Regime], seed: u64, count: usize) -> Vec<Section> {
+    let section = |regime: &Regime| {
+        let judged = Judged::new(regime.name, regime.cases(seed, count));
+        let rows = methods::all().iter().map(|method| judged.measure(method.as_ref())).collect();
+        Section { rows, fallbacks: judged.fallbacks() }
+    };
+    regimes.iter().map(section).collect()
+}
+
+/// Renders a picture with certified intersections and counts what the certificate does; and with the textbook's, to
+/// compare.
+///
+/// # Errors
+/// As [`cpu::reference::render`].
+pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
+    type Pixels = <Aos as Layout>::Image;
+    let _ = take_counts();
+    let certified: Pixels = cpu::reference::render_with::<_, Observed>(config, scene, scatter)?;
+    let [spheres, cylinders] = take_counts();
+    let textbook: Pixels = cpu::reference::render_with::<_, Textbook>(config, scene, scatter)?;
+    let same_bytes = (0..certified.size().pixels()).all(|index| certified.pixel(index) == textbook.pixel(index));
+    Ok(Picture { name: name.into(), counts: spheres.with(&cylinders), same_bytes })
+}
+
+/// A plot of one figure of every regime and implementation.
+#[must_use]
+pub fn plot(
+    title: &str,
+    axis: &str,
+    decades: (i32, i32),
+    sections: &[Section],
+    figure: impl Fn(&crate::measure::Row) -> f64,
+) -> Plot {
+    let methods = sections.first().map_or(0, |section| section.rows.len());
+    let series = (0..methods)
+        .filter_map(|index| {
+            let name = sections.first()?.rows.get(index)?.method.to_string();
+            let value = |section: &Section| Some(figure(&section.rows[index])).filter(|&value| value > 0.0);
+            let values = sections.iter().map(value).collect();
+            Some(Series { name, color: COLORS[index % COLORS.len()], values })
+        })
+        .collect();
+    let categories = sections.iter().filter_map(|section| Some(section.rows.first()?.regime.to_string())).collect();
+    Plot { title: title.into(), axis: axis.into(), decades, categories, series, joined: false }
+}
+
+/// Wrong decisions of rays that leave spheres of growing radius, a series an implementation.
+#[derive(Clone, Debug)]
+pub struct LargeSpheres {
+    /// Radii, growing.
+    pub radii: Vec<f64>,
+    /// Names of implementations and their shares of wrong decisions, a share a radius.
+    pub wrong: Vec<(&'static str, Vec<f64>)>,
+}
+
+impl LargeSpheres {
+    /// Tries `count` rays a radius.
+    #[must_use]
+    pub fn new(seed: u64, count: usize) -> Self {
+        let radii: Vec<f64> = (0..=18).map(|half_decades| 10.0_f64.powf(f64::from(half_decades) / 2.0)).collect();
+        let mut wrong: Vec<(&'static str, Vec<f64>)> = Vec::new();
+        for &radius in &radii {
+            let judged = Judged::new("large spheres", large::cases(radius, seed, count));
+            for method in methods::all() {
+                let row = judged.measure(method.as_ref());
+                let share = row.wrong as f64 / row.cases as f64;
+                match wrong.iter_mut().find(|(name, _)| *name == row.method) {
+                    Some((_, shares)) => shares.push(share),
+                    None => wrong.push((row.method, vec![share])),
+                }
+            }
+        }
+        Self { radii, wrong }
+    }
+
+    /// The largest radius up to which an implementation was wrong for no more than `share` of the rays.
+    #[must_use]
+    pub fn limit(&self, method: &str, share: f64) -> f64 {
+        let shares = self.wrong.iter().find(|(name, _)| *name == method).map(|(_, shares)| shares.as_slice());
+        let good = shares.unwrap_or_default().iter().take_while(|&&wrong| wrong <= share).count();
+        good.checked_sub(1).map_or(0.0, |last| self.radii[last])
+    }
+
+    /// The shares over the radii.
+    #[must_use]
+    pub fn plot(&self) -> Plot {
+        let name =
+            |radius: &f64| if radius.log10().fract() < 0.1 { format!("r = {radius:.0e}") } else { String::new() };
+        let series = (0..)
+            .zip(&self.wrong)
+            .map(|(index, (name, shares)): (usize, _)| Series {
+                name: (*name).into(),
+                color: COLORS[index % COLORS.len()],
+                values: shares.iter().map(|&share| Some(share.max(1e-9))).collect(),
+            })
+            .collect();
+        Plot {
+            title: "Rays that leave a sphere: wrong decisions over its radius (at the bottom: none)".into(),
+            axis: "share of rays".into(),
+            decades: (-6, 0),
+            categories: self.radii.iter().map(name).collect(),
+            series,
+            joined: true,
+        }
+    }
+}
+
+/// What a run must show of the sections of one kind; the first failing, in words.
+///
+/// # Errors
+/// The regime and the figure that is out of bounds.
+pub fn check(sections: &[Section], most_errors: [f64; 2]) -> Result<usize, String> {
+    let mut textbook_wrong = 0;
+    for row in sections.iter().flat_map(|section| &section.rows) {
+        let [_, high, most] = row.lambda_error;
+        if row.method == TEXTBOOK {
+            textbook_wrong += row.wrong;
+        }
+        if row.method == methods::CERTIFIED && (row.wrong > 0 || high > most_errors[0] || most > most_errors[1]) {
+            let wrong = row.wrong;
+            return Err(format!("{}: {wrong} wrong, lambda p99.9 {high:e}, max {most:e}", row.regime));
+        }
+        if row.hits * 50 < row.cases {
+            return Err(format!("{}: only {} hits of {}", row.regime, row.hits, row.cases));
+        }
+    }
+    Ok(textbook_wrong)
+}

@@ -1,0 +1,122 @@
+//! What must hold along whole paths, whatever the scene.
+
+use cpu::certified::{Certified, Intersect, Textbook};
+use cpu::cylinder::{CylinderRecord, Part};
+use cpu::ray::LAMBDA_MIN;
+use cpu::scene::{Cylinder, Shape, Sphere};
+use cpu::sphere::SphereRecord;
+use cpu::{Hit, Ray, Vec3};
+use stability::random::Random;
+
+const SHAPES: usize = if cfg!(debug_assertions) { 100 } else { 1_000 };
+const RAYS: usize = if cfg!(debug_assertions) { 100 } else { 1_000 };
+
+/// Rays leave at angles whose sine is a power of ten down to this one.
+const LEAST_SLOPE_DECADE: f64 = -6.0;
+
+/// Whether the rounding of the ray's origin, not of the intersection, may put a ray below the surface for longer than
+/// the least lambda.
+fn starts_in_noise(origin: Vec3, slope: f64) -> bool {
+    let largest = origin.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
+    slope.abs() * LAMBDA_MIN < 16.0 * f64::EPSILON * largest
+}
+
+fn meet<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
+    let (lambda, outward) = match shape {
+        Shape::Sphere(sphere) => {
+            let record = SphereRecord::new(sphere.center, sphere.radius);
+            let lambda = P::sphere(&record, ray)?;
+            (lambda, record.outward(ray.at(lambda)))
+        }
+        Shape::Cylinder(cylinder) => {
+            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
+            let (lambda, part) = P::cylinder(&record, &cylinder.axis, ray)?;
+            let outward = record.outward(part, ray.at(lambda));
+            (lambda, if part == Part::Side { outward.unit() } else { outward })
+        }
+    };
+    Some((lambda, Hit::facing(ray.direction, ray.at(lambda), outward)))
+}
+
+/// The length of the way through a sphere at an angle with this sine; through a cylinder it is not known.
+fn chord(shape: &Shape, slope: f64) -> f64 {
+    match shape {
+        Shape::Sphere(sphere) => 2.0 * sphere.radius * slope.abs(),
+        Shape::Cylinder(_) => 0.0,
+    }
+}
+
+/// What became of the rays that left a surface again.
+#[derive(Debug, Default)]
+struct Outcome {
+    left: usize,
+    met_from_outside: usize,
+    entered: usize,
+    lost_inside: usize,
+}
+
+/// Rays that meet a shape, and from there leave it outwards and inwards.
+fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: f64, outcome: &mut Outcome) {
+    for _ in 0..RAYS {
+        let origin = aim + random.unit() * distance;
+        let ray = Ray { origin, direction: aim + random.cube(0.5) - origin };
+        let Some((_, hit)) = meet::<P>(shape, &ray) else { continue };
+        let outward = if hit.front { hit.normal } else { -hit.normal };
+        let slope = random.sign() * random.decades(LEAST_SLOPE_DECADE, 0.0);
+        let scattered = random.perpendicular(outward) + outward * slope;
+        if starts_in_noise(hit.point, slope) {
+            continue;
+        }
+        let again = meet::<P>(shape, &Ray { origin: hit.point, direction: scattered });
+        if slope > 0.0 {
+            outcome.left += 1;
+            outcome.met_from_outside += usize::from(again.is_some());
+        } else {
+            outcome.entered += 1;
+            // From inside, the way out is met, unless it is too near, and not the way in a second time.
+            let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |(_, hit)| hit.front);
+            outcome.lost_inside += usize::from(lost);
+        }
+    }
+}
+
+fn spheres<P: Intersect>() -> Outcome {
+    let (mut random, mut outcome) = (Random::new(17), Outcome::default());
+    for _ in 0..SHAPES {
+        // The surface passes the middle of the scene, as a ground does.
+        let radius = random.decades(-1.0, 9.0);
+        let up = random.unit();
+        let shape = Shape::Sphere(Sphere { center: up * -radius, radius });
+        leave::<P>(&shape, &mut random, Vec3::ZERO, radius.min(20.0) * 0.5, &mut outcome);
+    }
+    outcome
+}
+
+fn cylinders<P: Intersect>() -> Outcome {
+    let (mut random, mut outcome) = (Random::new(19), Outcome::default());
+    for _ in 0..SHAPES {
+        let (radius, height) = (random.decades(-0.5, 6.0), random.decades(-0.5, 6.0));
+        let axis = random.unit() * height;
+        let side = random.perpendicular(axis) * radius;
+        let center = if random.below(2) == 0 { -side } else { axis * -0.5 };
+        let shape = Shape::Cylinder(Cylinder { center, radius, axis });
+        leave::<P>(&shape, &mut random, Vec3::ZERO, 10.0, &mut outcome);
+    }
+    outcome
+}
+
+#[test]
+fn rays_leaving_a_sphere_do_not_meet_it_again_from_the_wrong_side() {
+    let outcome = spheres::<Certified>();
+    assert!(outcome.left > SHAPES * RAYS / 10 && outcome.entered > SHAPES * RAYS / 10, "{outcome:?}");
+    assert_eq!((outcome.met_from_outside, outcome.lost_inside), (0, 0), "{outcome:?}");
+    let textbook = spheres::<Textbook>();
+    assert!(textbook.met_from_outside > 0, "the test is too mild to find the textbook's errors: {textbook:?}");
+}
+
+#[test]
+fn rays_leaving_a_cylinder_do_not_meet_it_again_from_the_wrong_side() {
+    let outcome = cylinders::<Certified>();
+    assert!(outcome.left > SHAPES * RAYS / 10 && outcome.entered > SHAPES * RAYS / 10, "{outcome:?}");
+    assert_eq!((outcome.met_from_outside, outcome.lost_inside), (0, 0), "{outcome:?}");
+}

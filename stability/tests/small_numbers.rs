@@ -1,0 +1,88 @@
+//! Rays and objects of small whole numbers: tangents, rims, surfaces through the origin and the least lambda come up
+//! all the time, and the answer is known to the last bit.
+
+use cpu::Vec3;
+use cpu::certified::{Certified, Intersect};
+use cpu::cylinder::{CylinderRecord, Part};
+use cpu::scene::Cylinder;
+use cpu::sphere::SphereRecord;
+use stability::case::Case;
+use stability::oracle::{self, to_f64};
+use stability::random::Random;
+
+const CASES: usize = if cfg!(debug_assertions) { 20_000 } else { 200_000 };
+
+fn whole(random: &mut Random, most: usize) -> Vec3 {
+    Vec3::from([(); 3].map(|()| random.below(2 * most + 1) as f64 - most as f64))
+}
+
+/// A vector of whole numbers that is not null.
+fn some_direction(random: &mut Random, most: usize) -> Vec3 {
+    loop {
+        let vector = whole(random, most);
+        if vector != Vec3::ZERO {
+            return vector;
+        }
+    }
+}
+
+/// Whole numbers at another scale: all lengths times a power of two, and directions times another.
+fn scales(random: &mut Random) -> [f64; 2] {
+    [(); 2].map(|()| 2.0_f64.powi(random.below(41) as i32 - 20))
+}
+
+fn agrees(case: &Case, answer: Option<(f64, Part)>) -> bool {
+    let judgement = oracle::judge(case);
+    match (&judgement.truth, answer) {
+        (Some(truth), Some((lambda, part))) => {
+            assert_eq!(part, truth.part, "{case:?}");
+            let error = (lambda / to_f64(&truth.lambda) - 1.0).abs();
+            assert!(error < 1e-12, "{case:?}: {lambda} is off by {error:e}");
+            true
+        }
+        (None, None) => false,
+        (truth, _) => panic!("{case:?}: {answer:?}, in truth {:?}", truth.as_ref().map(|truth| truth.part)),
+    }
+}
+
+#[test]
+fn spheres_of_small_numbers_are_met_rightly() {
+    let mut random = Random::new(3);
+    let (mut hits, mut tangents) = (0, 0);
+    for _ in 0..CASES {
+        let [scale, length] = scales(&mut random);
+        let (center, radius) = (whole(&mut random, 6) * scale, (random.below(6) + 1) as f64 * scale);
+        let (origin, direction) = (whole(&mut random, 6) * scale, some_direction(&mut random, 4) * length);
+        let case = Case::sphere(center, radius, origin, direction);
+        let lambda = Certified::sphere(&SphereRecord::new(center, radius), &case.ray);
+        hits += usize::from(agrees(&case, lambda.map(|lambda| (lambda, Part::Side))));
+        let crossings = oracle::judge(&case).crossings;
+        tangents += usize::from(crossings.len() == 2 && crossings[0] == crossings[1]);
+    }
+    assert!(hits > CASES / 20 && tangents > CASES / 1000, "{hits} hits, {tangents} tangents");
+}
+
+#[test]
+fn cylinders_of_small_numbers_are_met_rightly() {
+    let mut random = Random::new(5);
+    let (mut hits, mut ties) = (0, 0);
+    for _ in 0..CASES {
+        let [scale, length] = scales(&mut random);
+        let radius = (random.below(4) + 1) as f64 * scale;
+        // Half of them along a coordinate axis, where rims are hit.
+        let axis = if random.below(2) == 0 {
+            let along = Vec3::new(0.0, (random.below(4) + 1) as f64 * 2.0, 0.0);
+            random.shuffled(along)
+        } else {
+            some_direction(&mut random, 3)
+        };
+        let cylinder = Cylinder { center: whole(&mut random, 4) * scale, radius, axis: axis * scale };
+        let (origin, direction) = (whole(&mut random, 5) * scale, some_direction(&mut random, 3) * length);
+        let case = Case::cylinder(cylinder, origin, direction);
+        let record = CylinderRecord::new(cylinder.center, radius, cylinder.axis);
+        hits += usize::from(agrees(&case, Certified::cylinder(&record, &cylinder.axis, &case.ray)));
+        let crossings = oracle::judge(&case).crossings;
+        ties += usize::from(crossings.len() == 4 && crossings[..2].iter().any(|side| crossings[2..].contains(side)));
+    }
+    assert!(hits > CASES / 20 && ties > CASES / 200, "{hits} hits, {ties} rims");
+}
