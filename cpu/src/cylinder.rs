@@ -159,14 +159,20 @@ impl<T: Real> CylinderRecord<T> {
         (distance / slope, slope)
     }
 
+    /// Whether the point at `lambda` lies on the disc around `base`.
+    #[inline(always)]
+    #[must_use]
+    pub fn on_disc(&self, ray: &Ray<T>, base: Vec3<T>, lambda: T) -> T::Mask {
+        (ray.at(lambda) - base).length().less_equal(self.radius)
+    }
+
     /// The disc around `base`, one of the two centres, `distance` along the axis from the ray's origin: where the ray
     /// meets its plane, and whether that counts.
     #[inline(always)]
     #[must_use]
     pub fn base(&self, ray: &Ray<T>, base: Vec3<T>, distance: T) -> (T, T::Mask) {
         let (lambda, slope) = self.plane(ray, distance);
-        let on_disc = (ray.at(lambda) - base).length().less_equal(self.radius);
-        (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & on_disc)
+        (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & self.on_disc(ray, base, lambda))
     }
 
     /// The first of the three parts that the ray meets, whether it meets any, and which one, as [`Part`]'s number;

@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::image::Image;
 use crate::scene::{MaterialId, Scene};
 use crate::sphere::SphereRecord;
+use crate::vec3::Vec3;
 
 /// A choice of layout.
 pub trait Layout {
@@ -55,6 +56,11 @@ pub trait Objects: Sized {
     /// # Panics
     /// When there is none.
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord>;
+    /// The axis of the cylinder at `index` as the file has it: what its record is the rounding of.
+    ///
+    /// # Panics
+    /// When there is none.
+    fn axis(&self, index: usize) -> Vec3;
 }
 
 /// Calls `sphere` and `cylinder` for the objects of `scene`, in the order of the file.
@@ -64,7 +70,7 @@ pub trait Objects: Sized {
 fn for_each_object(
     scene: &Scene,
     mut sphere: impl FnMut(Placed<SphereRecord>) -> Result<(), Error>,
-    mut cylinder: impl FnMut(Placed<CylinderRecord>) -> Result<(), Error>,
+    mut cylinder: impl FnMut(Placed<CylinderRecord>, Vec3) -> Result<(), Error>,
 ) -> Result<(), Error> {
     use crate::scene::Shape;
     for (order, object) in scene.objects.iter().enumerate() {
@@ -77,7 +83,7 @@ fn for_each_object(
             }
             Shape::Cylinder(shape) => {
                 let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
-                cylinder(Placed { record, order, material })?;
+                cylinder(Placed { record, order, material }, shape.axis)?;
             }
         }
     }
@@ -115,6 +121,7 @@ mod tests {
         assert_eq!((objects.sphere(1).order, objects.sphere(1).material), (2, 1));
         let record = CylinderRecord::new([5.0, 6.0, 7.0].into(), 8.0, [0.0, 2.0, 0.0].into());
         assert_eq!(objects.cylinder(0), Placed { record, order: 1, material: 1 });
+        assert_eq!(objects.axis(0), Vec3::new(0.0, 2.0, 0.0));
         let empty = L::Objects::build(&Scene::default()).expect("nothing fits");
         assert_eq!((empty.sphere_count(), empty.cylinder_count()), (0, 0));
     }

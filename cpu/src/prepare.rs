@@ -6,8 +6,11 @@ mod finish;
 pub use extent::Extent;
 pub use finish::{Finish, Kind};
 
+use std::marker::PhantomData;
+
 use crate::background::Background;
 use crate::camera::Camera;
+use crate::certified::{Certified, Intersect};
 use crate::config::Config;
 use crate::error::Error;
 use crate::image::Size;
@@ -17,9 +20,10 @@ use crate::scatter::Scatter;
 use crate::scene::Scene;
 use crate::search::Search;
 
-/// Everything that is the same for all rays, computed once. After it nothing can fail.
+/// Everything that is the same for all rays, computed once. After it nothing can fail. `P` chooses the intersections, with
+/// [`Textbook`](crate::certified::Textbook) as the other choice.
 #[derive(Debug)]
-pub struct Prepared<L: Layout> {
+pub struct Prepared<L: Layout, P = Certified> {
     /// The picture's size.
     pub size: Size,
     /// Where primary rays come from.
@@ -44,9 +48,11 @@ pub struct Prepared<L: Layout> {
     pub ray_seed: u64,
     /// Seed of the random vectors.
     pub material_seed: u64,
+    /// How rays and objects are intersected.
+    pub intersect: PhantomData<P>,
 }
 
-impl<L: Layout> Prepared<L> {
+impl<L: Layout, P: Intersect> Prepared<L, P> {
     /// Prepares to render `scene` as `config` asks.
     ///
     /// # Errors
@@ -70,6 +76,7 @@ impl<L: Layout> Prepared<L> {
             scatter,
             ray_seed: config.ray_rng_seed,
             material_seed: config.material_rng_seed,
+            intersect: PhantomData,
         })
     }
 }

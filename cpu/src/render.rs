@@ -9,6 +9,7 @@
 mod batch;
 mod ends;
 mod glass;
+mod hits;
 mod pixels;
 mod primary;
 mod shade;
@@ -19,6 +20,7 @@ mod walk;
 
 use std::ops::ControlFlow;
 
+use crate::certified::Intersect;
 use crate::config::Config;
 use crate::error::Error;
 use crate::image::{Image, Rgb};
@@ -39,14 +41,14 @@ use walk::Walk;
 /// # Errors
 /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
 pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<L::Image, Error> {
-    render_with::<L>(&Prepared::new(config, scene, scatter)?, InstructionSet::chosen())
+    render_with(&Prepared::<L>::new(config, scene, scatter)?, InstructionSet::chosen())
 }
 
 /// Renders what was prepared, with a given instruction set.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] when the picture does not fit.
-pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
+pub fn render_with<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // Nobody stops this one.
     let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()));
@@ -55,8 +57,8 @@ pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Re
 
 /// Renders what was prepared into an image of its size, and calls `after_row` with the number of rows that are done; the
 /// rendering stops where it breaks off, with the rows done so far in the image.
-pub fn render_into<L: Layout>(
-    prepared: &Prepared<L>,
+pub fn render_into<L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
     set: InstructionSet,
     image: &mut L::Image,
     after_row: impl FnMut(usize) -> ControlFlow<()>,
@@ -65,13 +67,13 @@ pub fn render_into<L: Layout>(
 }
 
 /// The whole picture.
-struct Picture<'a, L: Layout, R> {
-    prepared: &'a Prepared<L>,
+struct Picture<'a, L: Layout, P, R> {
+    prepared: &'a Prepared<L, P>,
     image: &'a mut L::Image,
     after_row: R,
 }
 
-impl<L: Layout, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, R> {
+impl<L: Layout, P: Intersect, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, R> {
     type Output = ControlFlow<()>;
 
     #[inline(always)]
@@ -95,8 +97,8 @@ impl<L: Layout, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, R>
 }
 
 /// What goes on from span to span.
-struct Painter<'a, L: Layout> {
-    prepared: &'a Prepared<L>,
+struct Painter<'a, L: Layout, P> {
+    prepared: &'a Prepared<L, P>,
     image: &'a mut L::Image,
     offsets: Offsets,
     batch: Box<Batch>,
@@ -105,7 +107,7 @@ struct Painter<'a, L: Layout> {
     sums: Sums,
 }
 
-impl<L: Layout> Painter<'_, L> {
+impl<L: Layout, P: Intersect> Painter<'_, L, P> {
     fn row<S: Simd>(&mut self, simd: S, row: usize) {
         let prepared = self.prepared;
         self.candidates.begin_row(prepared, row);

@@ -19,6 +19,7 @@ pub use filter::Filter;
 pub use found::Found;
 pub use hierarchy::{Hierarchy, Stack};
 
+use crate::certified::Intersect;
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -65,13 +66,19 @@ impl Search {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
+    pub fn nearest<S: Simd, O: Objects, P: Intersect>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        from: ObjectId,
+        stack: &mut Stack,
+    ) -> Found {
         match self {
-            Self::Plain => plain(objects, ray),
-            Self::Few(few) => few.nearest::<S, O>(objects, ray),
-            Self::Flat(filter) => filter.nearest::<S, O>(objects, ray, from),
-            Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O>(objects, ray, from, stack),
-            Self::Tree(_) => plain(objects, ray),
+            Self::Plain => plain::<O, P>(objects, ray),
+            Self::Few(few) => few.nearest::<S, O, P>(objects, ray),
+            Self::Flat(filter) => filter.nearest::<S, O, P>(objects, ray, from),
+            Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O, P>(objects, ray, from, stack),
+            Self::Tree(_) => plain::<O, P>(objects, ray),
         }
     }
 }
@@ -95,13 +102,13 @@ pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
 
 /// The nearest object, by asking every one.
 #[inline(never)]
-fn plain<O: Objects>(objects: &O, ray: &Ray) -> Found {
+fn plain<O: Objects, P: Intersect>(objects: &O, ray: &Ray) -> Found {
     let mut found = Found::NOTHING;
     for index in 0..objects.sphere_count() {
-        found.ask_sphere(objects, index, ray);
+        found.ask_sphere::<O, P>(objects, index, ray);
     }
     for index in 0..objects.cylinder_count() {
-        found.ask_cylinder(objects, index, ray);
+        found.ask_cylinder::<O, P>(objects, index, ray);
     }
     found
 }

@@ -19,7 +19,7 @@ mod sse2;
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::real::Real;
+use crate::certified::Rounding;
 
 pub use portable::Portable;
 
@@ -54,7 +54,7 @@ pub trait LaneMask: Copy {
 }
 
 /// Lanes of `f64`.
-pub trait Lanes: Real<Mask: LaneMask> {
+pub trait Lanes: Rounding<Mask: LaneMask> {
     /// Their number.
     const LANES: usize;
 

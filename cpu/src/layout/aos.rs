@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::image::{Image, Rgb, Size, zeroed};
 use crate::scene::Scene;
 use crate::sphere::SphereRecord;
+use crate::vec3::Vec3;
 
 /// Arrays of structures.
 #[derive(Clone, Copy, Debug)]
@@ -48,21 +49,25 @@ impl Image for AosImage {
 pub struct AosObjects {
     spheres: Vec<Placed<SphereRecord>>,
     cylinders: Vec<Placed<CylinderRecord>>,
+    /// Apart, since hardly a ray asks for it.
+    axes: Vec<Vec3>,
 }
 
 impl Objects for AosObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = count_kinds(scene);
         let (mut spheres, mut cylinders) = (with_room(sphere_count)?, with_room(cylinder_count)?);
+        let mut axes = with_room(cylinder_count)?;
         let add_sphere = |sphere| {
             spheres.push(sphere);
             Ok(())
         };
-        for_each_object(scene, add_sphere, |cylinder| {
+        for_each_object(scene, add_sphere, |cylinder, axis| {
             cylinders.push(cylinder);
+            axes.push(axis);
             Ok(())
         })?;
-        Ok(Self { spheres, cylinders })
+        Ok(Self { spheres, cylinders, axes })
     }
 
     fn sphere_count(&self) -> usize {
@@ -81,5 +86,9 @@ impl Objects for AosObjects {
     #[inline(always)]
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
         self.cylinders[index]
+    }
+
+    fn axis(&self, index: usize) -> Vec3 {
+        self.axes[index]
     }
 }

@@ -110,6 +110,8 @@ pub struct SoaObjects {
     spheres: Common,
     cylinders: Common,
     axis: Vectors,
+    /// As the file has it; hardly a ray asks for it.
+    file_axis: Vectors,
     top: Vectors,
     bottom: Vectors,
     half_height: Vec<f64>,
@@ -121,6 +123,7 @@ impl Objects for SoaObjects {
         let mut spheres = Common::with_room(sphere_count)?;
         let mut cylinders = Common::with_room(cylinder_count)?;
         let mut axis = Vectors::with_room(cylinder_count)?;
+        let mut file_axis = Vectors::with_room(cylinder_count)?;
         let mut top = Vectors::with_room(cylinder_count)?;
         let mut bottom = Vectors::with_room(cylinder_count)?;
         let mut half_height = with_room(cylinder_count)?;
@@ -128,7 +131,8 @@ impl Objects for SoaObjects {
             spheres.push(record.center, record.radius, order, material);
             Ok(())
         };
-        for_each_object(scene, add_sphere, |Placed { record, order, material }| {
+        for_each_object(scene, add_sphere, |Placed { record, order, material }, axis_of_file| {
+            file_axis.push(axis_of_file);
             cylinders.push(record.center, record.radius, order, material);
             axis.push(record.axis);
             top.push(record.top);
@@ -136,7 +140,7 @@ impl Objects for SoaObjects {
             half_height.push(record.half_height);
             Ok(())
         })?;
-        Ok(Self { spheres, cylinders, axis, top, bottom, half_height })
+        Ok(Self { spheres, cylinders, axis, file_axis, top, bottom, half_height })
     }
 
     fn sphere_count(&self) -> usize {
@@ -171,5 +175,9 @@ impl Objects for SoaObjects {
             half_height: self.half_height[index],
         };
         Placed { record, order: cylinders.order[index], material: cylinders.material[index] }
+    }
+
+    fn axis(&self, index: usize) -> Vec3 {
+        self.file_axis.get(index)
     }
 }

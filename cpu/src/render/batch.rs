@@ -1,5 +1,6 @@
 //! A span's samples on their way: an array for each value, so that several are worked on at once.
 
+use crate::certified::Intersect;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
@@ -50,14 +51,14 @@ impl Vectors {
 }
 
 /// Begins a span: places its samples in their pixels.
-pub struct Draw<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
+pub struct Draw<'a, L: Layout, P> {
+    pub prepared: &'a Prepared<L, P>,
     pub span: &'a Span,
     pub offsets: &'a mut BlockUniform,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Draw<'_, L> {
+impl<L: Layout, P: Intersect> Kernel for Draw<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
@@ -116,7 +117,12 @@ impl Batch {
 
     /// See [`Draw`].
     #[inline(always)]
-    pub fn draw<L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+    pub fn draw<L: Layout, P: Intersect>(
+        &mut self,
+        prepared: &Prepared<L, P>,
+        span: &Span,
+        offsets: &mut BlockUniform,
+    ) {
         self.count = span.count;
         let mut left_in_pixel = prepared.samples - span.first_sample;
         let (mut column, mut from) = (span.first, 0);

@@ -2,6 +2,7 @@
 
 use super::batch::{Batch, CAPACITY, SLACK, Vectors};
 use super::shade::{load, store};
+use crate::certified::Intersect;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::scene::MaterialId;
@@ -60,23 +61,23 @@ impl Ended {
 }
 
 /// Gives every path that has left the scene its colour, and forgets it.
-pub struct Color<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
+pub struct Color<'a, L: Layout, P> {
+    pub prepared: &'a Prepared<L, P>,
     pub ended: &'a mut Ended,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Color<'_, L> {
+impl<L: Layout, P: Intersect> Kernel for Color<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        color::<S, L>(self.prepared, self.ended, self.batch);
+        color::<S, L, P>(self.prepared, self.ended, self.batch);
     }
 }
 
 #[inline(always)]
-fn color<S: Simd, L: Layout>(prepared: &Prepared<L>, ended: &mut Ended, batch: &mut Batch) {
+fn color<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ended: &mut Ended, batch: &mut Batch) {
     let background = prepared.background.lanes::<S::F64>();
     for at in (0..ended.count).step_by(S::F64::LANES) {
         let color = background.color(load::<S::F64>(&ended.direction, at));

@@ -1,8 +1,10 @@
 //! Rays through refractive surfaces, which need no random number: followed ahead up to the first surface that does.
 
 use super::batch::Batch;
+use super::hits::{Hits, MOST_LANES};
 use super::primary::valid_lanes;
-use super::shade::{Hits, MOST_LANES, shade};
+use super::shade::shade;
+use crate::certified::Intersect;
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::ray::Ray;
@@ -12,12 +14,12 @@ use crate::surface::{Onward, Surface};
 use crate::vec3::Vec3;
 
 /// Follows the samples in glass until each meets a surface that scatters, leaves the scene, or has used up its depth.
-pub struct Trace<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
+pub struct Trace<'a, L: Layout, P> {
+    pub prepared: &'a Prepared<L, P>,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Trace<'_, L> {
+impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
@@ -29,11 +31,11 @@ impl<L: Layout> Kernel for Trace<'_, L> {
                 // All samples go from one surface to the next together.
                 let mut passed = 1;
                 while passed < prepared.max_depth && !in_glass.is_empty() {
-                    step_all::<S, L>(prepared, few, batch, &mut in_glass, passed);
+                    step_all::<S, L, P>(prepared, few, batch, &mut in_glass, passed);
                     passed += 1;
                 }
             }
-            _ => in_glass.iter().for_each(|&sample| follow::<S, L>(prepared, batch, sample as usize)),
+            _ => in_glass.iter().for_each(|&sample| follow::<S, L, P>(prepared, batch, sample as usize)),
         }
         in_glass.clear();
         batch.in_glass = in_glass;
@@ -45,8 +47,8 @@ impl<L: Layout> Kernel for Trace<'_, L> {
 /// Takes every sample to the next surface, as many at once as there are lanes; those that stay in glass remain in the
 /// list.
 #[inline(always)]
-fn step_all<S: Simd, L: Layout>(
-    prepared: &Prepared<L>,
+fn step_all<S: Simd, L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
     few: &Few,
     batch: &mut Batch,
     in_glass: &mut Vec<u32>,
@@ -73,7 +75,7 @@ fn step_all<S: Simd, L: Layout>(
             direction: Vec3::new(S::F64::load(dx), S::F64::load(dy), S::F64::load(dz)),
         };
         let valid = valid_lanes::<S::F64>(lanes);
-        let hits = nearest(&prepared.objects, few.in_order(), &ray, valid);
+        let hits = nearest::<_, _, P>(&prepared.objects, few.in_order(), &ray, valid);
         let color = spread(background.color(ray.direction));
         let shaded = shade(prepared, &ray, &hits);
         let (point, base) = (spread(shaded.point), spread(shaded.base));
@@ -99,18 +101,25 @@ fn step_all<S: Simd, L: Layout>(
 
 /// The nearest hits among all objects, given in the order of the file, of rays that each have an origin of their own.
 #[inline(always)]
-fn nearest<V: Lanes, O: Objects>(objects: &O, in_order: &[ObjectId], ray: &Ray<V>, valid: u32) -> Hits<V> {
+fn nearest<V: Lanes, O: Objects, P: Intersect>(
+    objects: &O,
+    in_order: &[ObjectId],
+    ray: &Ray<V>,
+    valid: u32,
+) -> Hits<V> {
     let mut hits = Hits::none();
     let a = ray.direction.dot(ray.direction);
     for &id in in_order {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
-                let record = objects.sphere(id as usize).record.lanes::<V>();
-                hits.ask_sphere(id, &record.seen_from(ray.origin), ray, a, valid);
+                let record = objects.sphere(id as usize).record;
+                let view = record.lanes().seen_from(ray.origin);
+                hits.ask_sphere::<P>(id, &record, &view, ray, a, valid);
             }
             Some(index) => {
-                let record = objects.cylinder(index).record.lanes::<V>();
-                hits.ask_cylinder(id, &record, &record.seen_from(ray.origin), ray, valid);
+                let record = objects.cylinder(index).record;
+                let view = record.lanes().seen_from(ray.origin);
+                hits.ask_cylinder::<P>(id, (&record, &objects.axis(index)), &view, ray, a, valid);
             }
         }
     }
@@ -134,11 +143,11 @@ fn get([x, y, z]: &[[f64; MOST_LANES]; 3], lane: usize) -> Vec3 {
 
 /// Follows one sample, where the search is for one ray at a time.
 #[inline(always)]
-fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, sample: usize) {
+fn follow<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, batch: &mut Batch, sample: usize) {
     let mut ray = Ray { origin: batch.point.get(sample), direction: batch.base.get(sample) };
     let mut from = batch.object[sample];
     for passed in 1..prepared.max_depth {
-        let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut batch.stack);
+        let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, &mut batch.stack);
         if !found.is_hit() {
             batch.color.set(sample, prepared.background.color(ray.direction));
             return;

@@ -1,8 +1,10 @@
 //! Primary rays, several at once: drawn, intersected with the span's candidates, shaded.
 
 use super::batch::Batch;
-use super::shade::{Hits, shade, store};
+use super::hits::{Hits, for_each_lane};
+use super::shade::{shade, store};
 use super::span::{Candidate, Candidates};
+use crate::certified::Intersect;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::ray::Ray;
@@ -11,24 +13,29 @@ use crate::simd::{Kernel, Lanes, Simd};
 
 /// Traces the batch's primary rays: the samples that meet nothing have their colour, the others their point, base and
 /// object.
-pub struct Trace<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
+pub struct Trace<'a, L: Layout, P> {
+    pub prepared: &'a Prepared<L, P>,
     pub row: usize,
     pub candidates: &'a Candidates,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Trace<'_, L> {
+impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        trace::<S, L>(self.prepared, self.row, self.candidates, self.batch);
+        trace::<S, L, P>(self.prepared, self.row, self.candidates, self.batch);
     }
 }
 
 #[inline(always)]
-fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, row: usize, candidates: &Candidates, batch: &mut Batch) {
+fn trace<S: Simd, L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
+    row: usize,
+    candidates: &Candidates,
+    batch: &mut Batch,
+) {
     let camera = prepared.camera.lanes::<S::F64>();
     let background = prepared.background.lanes::<S::F64>();
     let row = S::F64::of(row as f64);
@@ -38,7 +45,7 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, row: usize, candidates: &Ca
         let offset = [S::F64::load(&batch.offset[0][at..]), S::F64::load(&batch.offset[1][at..])];
         let ray = camera.ray(row, S::F64::load(&batch.column[at..]), offset);
         let valid = valid_lanes::<S::F64>(batch.count - at);
-        let hits = nearest(candidates, &ray, valid);
+        let hits = nearest::<_, P>(candidates, &ray, valid);
         if hits.bits != valid {
             store(background.color(ray.direction), &mut batch.color, at);
         }
@@ -46,12 +53,9 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, row: usize, candidates: &Ca
             let shaded = shade(prepared, &ray, &hits);
             store(shaded.point, &mut batch.point, at);
             store(shaded.base, &mut batch.base, at);
-            let mut bits = hits.bits;
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize;
-                bits &= bits - 1;
+            for_each_lane(hits.bits, |lane| {
                 let sample = at + lane;
-                batch.object[sample] = shaded.object[lane % shaded.object.len()];
+                batch.object[sample] = shaded.object[lane];
                 batch.passed[sample] = 0;
                 // Black, until the way on is known to reach the background.
                 batch.color.set(sample, crate::Vec3::ZERO);
@@ -60,7 +64,7 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, row: usize, candidates: &Ca
                 } else {
                     batch.waiting.push(sample as u32);
                 }
-            }
+            });
         }
     }
 }
@@ -74,7 +78,7 @@ pub fn valid_lanes<V: Lanes>(left: usize) -> u32 {
 
 /// The nearest hits among the candidates, which are in the order of the file.
 #[inline(always)]
-fn nearest<V: Lanes>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<V> {
+fn nearest<V: Lanes, P: Intersect>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<V> {
     let mut hits = Hits::none();
     if candidates.span.is_empty() {
         return hits;
@@ -82,9 +86,9 @@ fn nearest<V: Lanes>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<
     let a = ray.direction.dot(ray.direction);
     for (id, candidate) in &candidates.span {
         match candidate {
-            Candidate::Sphere(view) => hits.ask_sphere(*id, &view.lanes(), ray, a, valid),
-            Candidate::Cylinder(record, view) => {
-                hits.ask_cylinder(*id, &record.lanes(), &view.lanes(), ray, valid);
+            Candidate::Sphere(record, view) => hits.ask_sphere::<P>(*id, record, &view.lanes(), ray, a, valid),
+            Candidate::Cylinder(record, axis, view) => {
+                hits.ask_cylinder::<P>(*id, (record, axis), &view.lanes(), ray, a, valid);
             }
         }
     }

@@ -1,6 +1,8 @@
 //! What a surface does to rays that have just met it, several at once.
 
-use crate::cylinder::{CylinderRecord, CylinderView, Part};
+use super::hits::{Hits, MOST_LANES, for_each_lane};
+use crate::certified::Intersect;
+use crate::cylinder::Part;
 use crate::layout::{Layout, Objects};
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
@@ -8,67 +10,7 @@ use crate::real::Real;
 use crate::scatter;
 use crate::search::ObjectId;
 use crate::simd::{LaneMask, Lanes};
-use crate::sphere::{SphereRecord, SphereView};
 use crate::vec3::Vec3;
-
-/// The hits of as many rays as there are lanes; object and part are whole numbers.
-#[derive(Clone, Copy)]
-pub struct Hits<V: Lanes> {
-    /// Where on the ray; infinite in lanes that meet nothing.
-    pub lambda: V,
-    /// The object met.
-    pub object: V,
-    /// The part of a cylinder.
-    pub part: V,
-    /// Lanes that meet something, as bits.
-    pub bits: u32,
-}
-
-impl<V: Lanes> Hits<V> {
-    /// No hits.
-    #[inline(always)]
-    pub fn none() -> Self {
-        Self { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 }
-    }
-
-    /// Takes hits with an object later in the file into account, in the `valid` lanes: of equals the later counts.
-    #[inline(always)]
-    pub fn offer(&mut self, object: ObjectId, lambda: V, met: V::Mask, part: V, valid: u32) {
-        let closer = met & lambda.less_equal(self.lambda);
-        self.lambda = V::select(closer, lambda, self.lambda);
-        self.object = V::select(closer, V::of(f64::from(object)), self.object);
-        self.part = V::select(closer, part, self.part);
-        self.bits |= closer.bits() & valid;
-    }
-
-    /// Takes the hits with a sphere into account, given its view and the directions' squares.
-    #[inline(always)]
-    pub fn ask_sphere(&mut self, id: ObjectId, view: &SphereView<V>, ray: &Ray<V>, a: V, valid: u32) {
-        let (h, discriminant) = view.quadratic(ray.direction, a);
-        if V::of(0.0).less_equal(discriminant).bits() & valid != 0 {
-            let (lambda, met) = SphereRecord::first_root(a, h, discriminant);
-            self.offer(id, lambda, met, V::of(0.0), valid);
-        }
-    }
-
-    /// Takes the hits with a cylinder into account, given its view.
-    #[inline(always)]
-    pub fn ask_cylinder(
-        &mut self,
-        id: ObjectId,
-        record: &CylinderRecord<V>,
-        view: &CylinderView<V>,
-        ray: &Ray<V>,
-        valid: u32,
-    ) {
-        let quadratic = record.quadratic(view, ray.direction);
-        let (lambda, met, part) = record.first_part(view, ray, quadratic);
-        self.offer(id, lambda, met, part, valid);
-    }
-}
-
-/// Most lanes of any instruction set.
-pub const MOST_LANES: usize = 8;
 
 /// The points met, and where the surfaces send light before a random vector is added (see
 /// [`Batch::base`](super::batch::Batch::base)); the object and its material's kind of each lane that meets something.
@@ -82,7 +24,7 @@ pub struct Shaded<V> {
 
 /// Shades the lanes that meet something.
 #[inline(always)]
-pub fn shade<V: Lanes, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &Hits<V>) -> Shaded<V> {
+pub fn shade<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ray: &Ray<V>, hits: &Hits<V>) -> Shaded<V> {
     let objects = &prepared.objects;
     let mut numbers = [0.0; MOST_LANES];
     hits.object.store(&mut numbers);
@@ -124,11 +66,7 @@ pub fn shade<V: Lanes, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &H
             }
         };
         shaded.base = select(same, base, shaded.base);
-        let mut lanes = same_bits;
-        while lanes != 0 {
-            shaded.object[lanes.trailing_zeros() as usize % MOST_LANES] = object;
-            lanes &= lanes - 1;
-        }
+        for_each_lane(same_bits, |lane| shaded.object[lane] = object);
     }
     shaded
 }

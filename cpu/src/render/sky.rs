@@ -13,6 +13,7 @@
 
 use super::batch::Batch;
 use super::span::Span;
+use crate::certified::Intersect;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
@@ -66,7 +67,7 @@ struct Slope {
 }
 
 impl Slope {
-    fn new<L: Layout>(prepared: &Prepared<L>, row: usize, column: usize) -> Self {
+    fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, row: usize, column: usize) -> Self {
         let camera = &prepared.camera;
         let d0 = camera.ray(row as f64, column as f64, [0.0; 2]).direction;
         let length = d0.length();
@@ -99,8 +100,8 @@ pub enum Known {
 }
 
 /// Finds the bytes of a pixel that no object can reach, if they can be known.
-pub struct Look<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
+pub struct Look<'a, L: Layout, P> {
+    pub prepared: &'a Prepared<L, P>,
     pub row: usize,
     /// The span of the pixel.
     pub pixel: &'a Span,
@@ -108,7 +109,7 @@ pub struct Look<'a, L: Layout> {
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Look<'_, L> {
+impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
     type Output = Known;
 
     #[inline(always)]
@@ -140,7 +141,7 @@ fn sum(values: &[f64]) -> f64 {
 
 /// The bytes of a pixel whose mean of `s` is within `radius` of `middle`, if all such means give the same.
 #[inline(always)]
-fn bytes_within<L: Layout>(prepared: &Prepared<L>, (middle, radius): (f64, f64)) -> Option<[u8; 3]> {
+fn bytes_within<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, (middle, radius): (f64, f64)) -> Option<[u8; 3]> {
     let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
     let rounding = rounding(prepared.samples);
     let mut bytes = [0; 3];

@@ -1,10 +1,11 @@
 //! Spans: runs of samples along a row, and the objects that their rays may meet.
 
+use crate::certified::Intersect;
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::search::{self, Bounds, ObjectId, Search};
-use crate::sphere::SphereView;
+use crate::sphere::{SphereRecord, SphereView};
 use crate::vec3::Vec3;
 
 use super::batch::CAPACITY;
@@ -80,9 +81,9 @@ impl Iterator for Spans {
 #[derive(Clone, Copy, Debug)]
 pub enum Candidate {
     /// A sphere.
-    Sphere(SphereView),
-    /// A cylinder.
-    Cylinder(CylinderRecord, CylinderView),
+    Sphere(SphereRecord, SphereView),
+    /// A cylinder, with the file's axis.
+    Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
 /// The half-space of the points `v`, relative to the camera, with `normal.v >= 0`; the normal has length one.
@@ -102,13 +103,13 @@ pub struct Candidates {
 
 impl Candidates {
     /// No candidates yet.
-    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
+    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Self {
         let all = search::in_order(&prepared.objects);
         Self { all, row: Vec::new(), span: Vec::new(), culls: !matches!(prepared.search, Search::Plain) }
     }
 
     /// Finds the objects that the rays of `row` may meet.
-    pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
+    pub fn begin_row<L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, row: usize) {
         let camera = &prepared.camera;
         let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
         let inside = at(row as f64);
@@ -127,7 +128,7 @@ impl Candidates {
     }
 
     /// Finds those among the row's objects that the rays of `span` may meet.
-    pub fn narrow<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
+    pub fn narrow<L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, row: usize, span: &Span) {
         let camera = &prepared.camera;
         let center = camera.origin - camera.position + camera.delta_y * row as f64;
         let at = |column: f64| center + camera.delta_x * column;
@@ -139,10 +140,10 @@ impl Candidates {
             let (objects, spheres) = (&prepared.objects, prepared.objects.sphere_count());
             let candidate = if (id as usize) < spheres {
                 let record = objects.sphere(id as usize).record;
-                Candidate::Sphere(record.seen_from(camera.position))
+                Candidate::Sphere(record, record.seen_from(camera.position))
             } else {
                 let record = objects.cylinder(id as usize - spheres).record;
-                Candidate::Cylinder(record, record.seen_from(camera.position))
+                Candidate::Cylinder(record, objects.axis(id as usize - spheres), record.seen_from(camera.position))
             };
             self.span.push((id, candidate));
         }
@@ -169,7 +170,7 @@ fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
 }
 
 /// Whether an object reaches into all half-spaces; true when in doubt.
-fn reaches<L: Layout>(prepared: &Prepared<L>, id: ObjectId, walls: &[HalfSpace; 2]) -> bool {
+fn reaches<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, id: ObjectId, walls: &[HalfSpace; 2]) -> bool {
     // Relative to distance and size: covers the rounding here, of the rays and of the exact formulas many times over.
     const MARGIN: f64 = 1e-9;
     let objects = &prepared.objects;

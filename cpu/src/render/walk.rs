@@ -4,6 +4,7 @@
 use super::batch::Batch;
 use super::ends::Ended;
 use super::vectors::Triples;
+use crate::certified::Intersect;
 use crate::layout::{Layout, Objects};
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
@@ -24,7 +25,7 @@ pub struct Walk {
 
 impl Walk {
     /// At the beginning of the stream.
-    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
+    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Self {
         Self {
             triples: Triples::new(prepared.scatter, prepared.material_seed),
             ended: Ended::new(),
@@ -34,21 +35,21 @@ impl Walk {
 
     /// Follows every waiting sample to its end.
     #[inline(always)]
-    fn follow<S: Simd, L: Layout>(&mut self, prepared: &Prepared<L>, batch: &mut Batch) {
+    fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, batch: &mut Batch) {
         for &sample in &batch.waiting {
             let sample = sample as usize;
             let object = batch.object[sample];
             let depth_left = prepared.max_depth - 1 - batch.passed[sample];
             let material = material_of(&prepared.objects, object);
             let at = Standing { point: batch.point.get(sample), base: batch.base.get(sample), object, material };
-            self.follow_one::<S, L>(prepared, at, depth_left, sample);
+            self.follow_one::<S, L, P>(prepared, at, depth_left, sample);
         }
     }
 
     #[inline(always)]
-    fn follow_one<S: Simd, L: Layout>(
+    fn follow_one<S: Simd, L: Layout, P: Intersect>(
         &mut self,
-        prepared: &Prepared<L>,
+        prepared: &Prepared<L, P>,
         mut at: Standing,
         mut depth_left: u64,
         sample: usize,
@@ -67,7 +68,7 @@ impl Walk {
                     return self.ended.forget();
                 }
                 depth_left -= 1;
-                let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut self.stack);
+                let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, &mut self.stack);
                 if !found.is_hit() {
                     return self.ended.leave(sample, ray.direction);
                 }
@@ -85,18 +86,18 @@ impl Walk {
 }
 
 /// Follows every waiting sample to its end.
-pub struct Follow<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
+pub struct Follow<'a, L: Layout, P> {
+    pub prepared: &'a Prepared<L, P>,
     pub walk: &'a mut Walk,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Follow<'_, L> {
+impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        self.walk.follow::<S, L>(self.prepared, self.batch);
+        self.walk.follow::<S, L, P>(self.prepared, self.batch);
     }
 }
 

@@ -5,6 +5,7 @@
 //! objects are asked.
 
 use super::{Found, ObjectId};
+use crate::certified::Intersect;
 use crate::layout::Objects;
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::simd::{LaneMask, Lanes, Simd};
@@ -80,7 +81,7 @@ impl Few {
 
     /// The nearest object that a ray meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray) -> Found {
+    pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
         let mut found = Found::NOTHING;
         let mut bits = 0;
         for at in (0..CAPACITY).step_by(S::Narrow::LANES) {
@@ -94,8 +95,8 @@ impl Few {
             let id = bits.trailing_zeros() as usize;
             bits &= bits - 1;
             match id.checked_sub(spheres) {
-                None => found.ask_sphere(objects, id, ray),
-                Some(index) => found.ask_cylinder(objects, index, ray),
+                None => found.ask_sphere::<O, P>(objects, id, ray),
+                Some(index) => found.ask_cylinder::<O, P>(objects, index, ray),
             }
         }
         found

@@ -2,6 +2,7 @@
 
 use super::leaving::{leaves_cylinder, leaves_sphere};
 use super::{Found, NOWHERE, ObjectId};
+use crate::certified::Intersect;
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::ray::{LAMBDA_MIN, Ray};
@@ -167,7 +168,7 @@ impl Filter {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
+    pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
         let mut found = Found::NOTHING;
         let a = ray.direction.dot(ray.direction);
         let filter_ray = FilterRay::<S::F32>::new(ray, self.middle, a);
@@ -210,11 +211,11 @@ impl Filter {
             return found;
         }
         while spheres != 0 {
-            found.ask_sphere(objects, spheres.trailing_zeros() as usize, ray);
+            found.ask_sphere::<O, P>(objects, spheres.trailing_zeros() as usize, ray);
             spheres &= spheres - 1;
         }
         while cylinders != 0 {
-            found.ask_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
+            found.ask_cylinder::<O, P>(objects, cylinders.trailing_zeros() as usize, ray);
             cylinders &= cylinders - 1;
         }
         found

@@ -1,6 +1,7 @@
 //! The nearest hit so far.
 
 use super::{NOWHERE, ObjectId};
+use crate::certified::Intersect;
 use crate::cylinder::Part;
 use crate::layout::Objects;
 use crate::ray::Ray;
@@ -39,18 +40,18 @@ impl Found {
 
     /// Takes the sphere at `index` into account.
     #[inline(always)]
-    pub fn ask_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let sphere = objects.sphere(index);
-        if let Some(lambda) = sphere.record.intersect(ray) {
+        if let Some(lambda) = P::sphere(&sphere.record, ray) {
             self.offer(lambda, index as ObjectId, sphere.order, Part::Side);
         }
     }
 
     /// Takes the cylinder at `index` among the cylinders into account.
     #[inline(always)]
-    pub fn ask_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub fn ask_cylinder<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let cylinder = objects.cylinder(index);
-        if let Some((lambda, part)) = cylinder.record.intersect(ray) {
+        if let Some((lambda, part)) = P::cylinder(&cylinder.record, &objects.axis(index), ray) {
             self.offer(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
         }
     }

@@ -9,6 +9,7 @@ use super::bounds::Bounds;
 use super::build::build;
 use super::leaving::{leaves_cylinder, leaves_sphere};
 use super::{Found, ObjectId};
+use crate::certified::Intersect;
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -180,7 +181,7 @@ impl Hierarchy {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(
+    pub fn nearest<S: Simd, O: Objects, P: Intersect>(
         &self,
         objects: &O,
         ray: &Ray,
@@ -217,7 +218,7 @@ impl Hierarchy {
                 let lane = bits.trailing_zeros() as usize % WIDTH;
                 bits &= bits - 1;
                 match node.child[lane].as_object() {
-                    Some(id) => ask(&mut found, objects, id, ray, a, from),
+                    Some(id) => ask::<O, P>(&mut found, objects, id, ray, a, from),
                     None => {
                         // Kept in order, the nearest last, so that it is taken first.
                         let entry = (node.child[lane].as_node(), distances[lane]);
@@ -256,14 +257,14 @@ impl Hierarchy {
 
 /// Asks an object, unless the ray leaves it.
 #[inline(always)]
-fn ask<O: Objects>(found: &mut Found, objects: &O, id: ObjectId, ray: &Ray, a: f64, from: ObjectId) {
+fn ask<O: Objects, P: Intersect>(found: &mut Found, objects: &O, id: ObjectId, ray: &Ray, a: f64, from: ObjectId) {
     match (id as usize).checked_sub(objects.sphere_count()) {
         None => {
             let sphere = objects.sphere(id as usize).record;
             let view = sphere.seen_from(ray.origin);
-            let (h, discriminant) = view.quadratic(ray.direction, a);
-            if discriminant >= 0.0 && !leaves_sphere(&sphere, &view, a, h) {
-                found.ask_sphere(objects, id as usize, ray);
+            let (h, _) = view.quadratic(ray.direction, a);
+            if !leaves_sphere(&sphere, &view, a, h) {
+                found.ask_sphere::<O, P>(objects, id as usize, ray);
             }
         }
         Some(index) => {
@@ -273,7 +274,7 @@ fn ask<O: Objects>(found: &mut Found, objects: &O, id: ObjectId, ray: &Ray, a: f
                     return;
                 }
             }
-            found.ask_cylinder(objects, index, ray);
+            found.ask_cylinder::<O, P>(objects, index, ray);
         }
     }
 }

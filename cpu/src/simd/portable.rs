@@ -4,6 +4,7 @@ use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
+use crate::certified::Rounding;
 use crate::real::Real;
 
 /// The portable implementation.
@@ -99,6 +100,11 @@ impl Real for F64x4 {
     fn select(mask: Mask4, yes: Self, no: Self) -> Self {
         Self(array::from_fn(|lane| if mask.0[lane] { yes.0[lane] } else { no.0[lane] }))
     }
+}
+
+impl Rounding for F64x4 {
+    const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
+    const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
 }
 
 impl Lanes for F64x4 {

@@ -7,6 +7,7 @@
 use std::arch::x86_64::*;
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
+use crate::certified::Rounding;
 use crate::real::Real;
 
 /// SSE2.
@@ -115,6 +116,11 @@ impl Real for F64 {
         // SAFETY: see the module's head.
         Self(unsafe { _mm_or_pd(_mm_and_pd(mask.0, yes.0), _mm_andnot_pd(mask.0, no.0)) })
     }
+}
+
+impl Rounding for F64 {
+    const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
+    const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
 }
 
 impl Lanes for F64 {

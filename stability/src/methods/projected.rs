@@ -31,7 +31,7 @@ pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>
     let side = crossings(ray.direction.perpendicular_to(cylinder.axis), r_c, cylinder.radius_squared)
         .and_then(|roots| roots.into_iter().find(|&root| in_range(root) && cylinder.within_height(ray, root)));
     let base = |base: Vec3<T>| {
-        let (lambda, slope) = cylinder.plane(ray, base);
+        let (lambda, slope) = cylinder.plane(ray, (base - ray.origin).dot(cylinder.axis));
         let met = T::of(PARALLEL).less_equal(slope.abs()) && in_range(lambda) && cylinder.on_disc(ray, base, lambda);
         met.then_some(lambda)
     };

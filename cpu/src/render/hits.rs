@@ -1,0 +1,181 @@
+//! The nearest hits of several rays at once.
+
+use crate::certified::certificate::in_scale;
+use crate::certified::{self, Intersect, Precision};
+use crate::cylinder::{CylinderRecord, CylinderView, Part};
+use crate::ray::Ray;
+use crate::search::ObjectId;
+use crate::simd::{LaneMask, Lanes};
+use crate::sphere::{SphereRecord, SphereView};
+use crate::vec3::Vec3;
+
+/// Most lanes of any instruction set.
+pub const MOST_LANES: usize = 8;
+
+/// Relative bound of what rounding does to a discriminant, several times what the certificates prove.
+const NOISE: f64 = 512.0 * f64::EPSILON;
+
+/// The hits of as many rays as there are lanes; object and part are whole numbers.
+#[derive(Clone, Copy)]
+pub struct Hits<V: Lanes> {
+    /// Where on the ray; infinite in lanes that meet nothing.
+    pub lambda: V,
+    /// The object met.
+    pub object: V,
+    /// The part of a cylinder, as [`Part`]'s number.
+    pub part: V,
+    /// Lanes that meet something, as bits.
+    pub bits: u32,
+}
+
+impl<V: Lanes> Hits<V> {
+    /// No hits.
+    #[inline(always)]
+    pub fn none() -> Self {
+        Self { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 }
+    }
+
+    /// Takes hits with an object later in the file into account, in the `valid` lanes: of equals the later counts.
+    #[inline(always)]
+    fn offer(&mut self, object: ObjectId, lambda: V, met: V::Mask, part: V, valid: u32) {
+        let closer = met & lambda.less_equal(self.lambda);
+        self.lambda = V::select(closer, lambda, self.lambda);
+        self.object = V::select(closer, V::of(f64::from(object)), self.object);
+        self.part = V::select(closer, part, self.part);
+        self.bits |= closer.bits() & valid;
+    }
+
+    /// Takes the hits with a sphere into account, given its view and the directions' squares.
+    #[inline(always)]
+    pub fn ask_sphere<P: Intersect>(
+        &mut self,
+        id: ObjectId,
+        record: &SphereRecord,
+        view: &SphereView<V>,
+        ray: &Ray<V>,
+        a: V,
+        valid: u32,
+    ) {
+        let (h, discriminant) = view.quadratic(ray.direction, a);
+        match P::PRECISION {
+            Precision::Textbook => {
+                if V::of(0.0).less_equal(discriminant).bits() & valid != 0 {
+                    let (lambda, met) = SphereRecord::first_root(a, h, discriminant);
+                    self.offer(id, lambda, met, V::of(0.0), valid);
+                }
+            }
+            Precision::Certified => {
+                // Most spheres are missed by all lanes: the whole certificate is for the others.
+                let radius_squared = V::of(record.radius_squared);
+                let size = a * (view.c.abs() + radius_squared + radius_squared);
+                let certainly_missed = discriminant.less(-(size * V::of(NOISE)));
+                if (!certainly_missed).bits() & valid == 0 {
+                    return;
+                }
+                let mut lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
+                let doubtful = (!(lanes.certain & in_scale(a))).bits() & valid;
+                if doubtful != 0 {
+                    lanes.lambda = resolve_spheres(record, ray, lanes.lambda, doubtful);
+                }
+                self.offer(id, lanes.lambda, lanes.lambda.less(V::of(f64::INFINITY)), V::of(0.0), valid);
+            }
+        }
+    }
+
+    /// Takes the hits with a cylinder into account, given its view and the file's axis.
+    #[inline(always)]
+    pub fn ask_cylinder<P: Intersect>(
+        &mut self,
+        id: ObjectId,
+        (record, axis): (&CylinderRecord, &Vec3),
+        view: &CylinderView<V>,
+        ray: &Ray<V>,
+        a: V,
+        valid: u32,
+    ) {
+        let lanes_record = record.lanes::<V>();
+        let quadratic = lanes_record.quadratic(view, ray.direction);
+        match P::PRECISION {
+            Precision::Textbook => {
+                let (lambda, met, part) = lanes_record.first_part(view, ray, quadratic);
+                self.offer(id, lambda, met, part, valid);
+            }
+            Precision::Certified => {
+                let from_center = ray.origin - lanes_record.center;
+                let size = a * (from_center.dot(from_center) + lanes_record.radius_squared);
+                let certainly_missed = quadratic.2.less(-(size * V::of(NOISE)));
+                if (!certainly_missed).bits() & valid == 0 {
+                    return;
+                }
+                let lanes = certified::cylinder::judge_lanes(&lanes_record, ray);
+                let number = |part: Part| V::of(f64::from(part as u32));
+                let over = V::select(lanes.top, number(Part::Top), number(Part::Side));
+                let mut part = V::select(lanes.bottom, number(Part::Bottom), over);
+                let mut lambda = lanes.lambda;
+                let doubtful = (!(lanes.certain & in_scale(a))).bits() & valid;
+                if doubtful != 0 {
+                    (lambda, part) = resolve_cylinders((record, axis), ray, (lambda, part), doubtful);
+                }
+                self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), part, valid);
+            }
+        }
+    }
+}
+
+/// Replaces lambda in the doubtful lanes by the precise answer.
+#[inline(always)]
+fn resolve_spheres<V: Lanes>(record: &SphereRecord, ray: &Ray<V>, lambda: V, doubtful: u32) -> V {
+    let mut lambdas = [0.0; MOST_LANES];
+    lambda.store(&mut lambdas);
+    let rays = apart(ray);
+    for_each_lane(doubtful, |lane| {
+        lambdas[lane] = certified::sphere::resolve(record, &rays[lane]).unwrap_or(f64::INFINITY);
+    });
+    V::load(&lambdas)
+}
+
+/// Replaces lambda and part in the doubtful lanes by the precise answer.
+#[inline(always)]
+fn resolve_cylinders<V: Lanes>(
+    (record, axis): (&CylinderRecord, &Vec3),
+    ray: &Ray<V>,
+    (lambda, part): (V, V),
+    doubtful: u32,
+) -> (V, V) {
+    let (mut lambdas, mut parts) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
+    lambda.store(&mut lambdas);
+    part.store(&mut parts);
+    let rays = apart(ray);
+    for_each_lane(doubtful, |lane| {
+        let (lambda, part) =
+            certified::cylinder::resolve(record, axis, &rays[lane]).unwrap_or((f64::INFINITY, Part::Side));
+        (lambdas[lane], parts[lane]) = (lambda, f64::from(part as u32));
+    });
+    (V::load(&lambdas), V::load(&parts))
+}
+
+/// The rays one by one; those beyond the lanes are null.
+#[inline(always)]
+fn apart<V: Lanes>(ray: &Ray<V>) -> [Ray; MOST_LANES] {
+    let mut values = [[0.0; MOST_LANES]; 6];
+    ray.origin.x.store(&mut values[0]);
+    ray.origin.y.store(&mut values[1]);
+    ray.origin.z.store(&mut values[2]);
+    ray.direction.x.store(&mut values[3]);
+    ray.direction.y.store(&mut values[4]);
+    ray.direction.z.store(&mut values[5]);
+    let [x, y, z, dx, dy, dz] = values;
+    std::array::from_fn(|lane| Ray {
+        origin: Vec3::new(x[lane], y[lane], z[lane]),
+        direction: Vec3::new(dx[lane], dy[lane], dz[lane]),
+    })
+}
+
+/// Calls `visit` with every lane whose bit is set.
+#[inline(always)]
+pub fn for_each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
+    while bits != 0 {
+        visit(bits.trailing_zeros() as usize % MOST_LANES);
+        bits &= bits - 1;
+    }
+}
