@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# All functional tests: the built programs, whole pictures, properties. In release, since some render large pictures.
+# All functional tests: the built programs, whole pictures, properties, hard rays, and the shaders against the CPU. What
+# renders large pictures or many rays runs in release; the shaders need no such thing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-cargo test --workspace --release --test '*' "$@"
+cargo test --workspace --exclude shaders --exclude gpu-check --release --test '*' "$@"
+cargo test -p shaders -p gpu-check --test '*' "$@"

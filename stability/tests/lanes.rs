@@ -1,6 +1,6 @@
 //! Several rays at once get the answers that each gets alone.
 
-use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use cpu::certified::{self, Rounding, Verdict};
 use cpu::cylinder::{CylinderRecord, Part};
@@ -38,6 +38,13 @@ each!(Mul, mul, *, Pair);
 each!(Div, div, /, Pair);
 each!(BitAnd, bitand, &, Mask);
 each!(BitOr, bitor, |, Mask);
+
+impl Not for Mask {
+    type Output = Self;
+    fn not(self) -> Self {
+        Self(self.0.map(bool::not))
+    }
+}
 
 impl Neg for Pair {
     type Output = Self;
