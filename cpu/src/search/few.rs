@@ -37,7 +37,7 @@ pub struct Few {
 }
 
 impl Few {
-    /// The search over `objects`, of which there are at most [`CAPACITY`].
+    /// The search over `objects`, of which there are at most eight.
     #[must_use]
     pub fn new(objects: &impl Objects) -> Self {
         let mut few = Self {
