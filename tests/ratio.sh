@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# How many times as fast as the reference render-aos is: user time, the two in turn, the median of the rounds' ratios.
+#
+#   tests/ratio.sh ROUNDS CONFIG SCENE [ROUNDS CONFIG SCENE ...]
+#
+# RENDER_INSTRUCTION_SET=portable|sse2|avx2|avx512 forces an instruction set; PROGRAM and YARDSTICK replace the two.
+set -euo pipefail
+
+top=$(cd "$(dirname "$0")/.." && pwd)
+cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p cpu --bins --examples
+program=${PROGRAM:-$top/target/release/render-aos}
+yardstick=${YARDSTICK:-$top/target/release/examples/reference}
+[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,6p' "$0" >&2; exit 2; }
+
+user_seconds() {
+    local TIMEFORMAT=%U
+    { time $1 "$2" "$3" /dev/null; } 2>&1
+}
+
+while [ $# -gt 0 ]; do
+    for _ in $(seq "$1"); do
+        echo "$(user_seconds "$yardstick" "$2" "$3") $(user_seconds "$program" "$2" "$3")"
+    done | awk -v what="$3" '
+        { slow[NR] = $1; fast[NR] = $2; ratio[NR] = $2 > 0 ? $1 / $2 : 0 }
+        END {
+            n = NR; for (i = 2; i <= n; i++) for (j = i; j > 1 && ratio[j] < ratio[j - 1]; j--) { t = ratio[j]; ratio[j] = ratio[j - 1]; ratio[j - 1] = t }
+            middle = n % 2 ? ratio[(n + 1) / 2] : (ratio[n / 2] + ratio[n / 2 + 1]) / 2
+            printf "%s: %.1f times (%.1f to %.1f, %d rounds)\n", what, middle, ratio[1], ratio[n], n
+        }'
+    shift 3
+done
