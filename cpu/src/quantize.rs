@@ -19,7 +19,8 @@ const CELLS: usize = 4096;
 pub struct Quantizer {
     gamma: f64,
     /// `bounds[k] = (below, from)`: a mean at most `below` gives less than `k`, one of at least `from` gives `k` or more.
-    bounds: Box<[(f64, f64); 256]>,
+    /// Every mean is at least 0, and less than 256.
+    bounds: Box<[(f64, f64); 257]>,
     /// The byte of the lowest mean of each cell.
     first_guess: Box<[u8; CELLS]>,
 }
@@ -28,8 +29,9 @@ impl Quantizer {
     /// The table for a positive `gamma`.
     #[must_use]
     pub fn new(gamma: f64) -> Self {
-        let mut bounds = Box::new([(f64::NEG_INFINITY, f64::NEG_INFINITY); 256]);
-        for (byte, bound) in bounds.iter_mut().enumerate().skip(1) {
+        let mut bounds = Box::new([(f64::INFINITY, f64::INFINITY); 257]);
+        bounds[0] = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for (byte, bound) in bounds.iter_mut().enumerate().take(256).skip(1) {
             *bound = bound_of(byte as f64 / 255.0, gamma);
         }
         let mut first_guess = Box::new([0; CELLS]);
@@ -64,18 +66,26 @@ impl Quantizer {
         byte as u8
     }
 
-    /// The byte of every mean from `low` to `high`, if they certainly have one in common.
+    /// The byte of every mean from `low` to `high`, if they certainly have one in common; `guess` is tried first.
     #[inline]
     #[must_use]
-    pub fn quantize_interval(&self, low: f64, high: f64) -> Option<u8> {
+    pub fn quantize_interval(&self, low: f64, high: f64, guess: u8) -> Option<u8> {
+        if self.holds(guess, low, high) {
+            return Some(guess);
+        }
         let cell = ((low * CELLS as f64) as usize).min(CELLS - 1);
         let mut byte = usize::from(self.first_guess[cell]);
         while byte < 255 && low >= self.bounds[byte + 1].1 {
             byte += 1;
         }
-        let certainly_from = byte == 0 || low >= self.bounds[byte].1;
-        let certainly_below = byte == 255 || high <= self.bounds[byte + 1].0;
-        (certainly_from && certainly_below && low <= high).then_some(byte as u8)
+        self.holds(byte as u8, low, high).then_some(byte as u8)
+    }
+
+    /// Whether every mean from `low` to `high` certainly gives this byte.
+    #[inline]
+    fn holds(&self, byte: u8, low: f64, high: f64) -> bool {
+        let byte = usize::from(byte);
+        low <= high && low >= self.bounds[byte].1 && high <= self.bounds[byte + 1].0
     }
 
     #[cold]
@@ -158,7 +168,8 @@ mod tests {
             for _ in 0..5000 {
                 let low = draws.draw(-0.01, 1.01);
                 let high = low + draws.draw(0.0, 0.01);
-                if let Some(byte) = table.quantize_interval(low, high) {
+                let guess = (255.0 * draws.canonical()) as u8;
+                if let Some(byte) = table.quantize_interval(low, high, guess) {
                     known += 1;
                     for step in 0..=8 {
                         let mean = low + (high - low) * f64::from(step) / 8.0;
@@ -168,13 +179,13 @@ mod tests {
             }
         }
         assert!(known > 1000, "{known} intervals have a byte");
-        assert_eq!(Quantizer::new(2.2).quantize_interval(f64::NAN, f64::NAN), None);
+        assert_eq!(Quantizer::new(2.2).quantize_interval(f64::NAN, f64::NAN, 0), None);
     }
 
     #[test]
     fn a_common_gamma_hardly_ever_needs_the_power() {
         let table = Quantizer::new(2.2);
-        let uncertain: f64 = table.bounds[1..].iter().map(|(below, from)| from - below).sum();
+        let uncertain: f64 = table.bounds[1..256].iter().map(|(below, from)| from - below).sum();
         assert!(uncertain < 1e-9, "{uncertain:e} of all means");
     }
 }

@@ -87,6 +87,7 @@ impl<L: Layout, P: Intersect, R: FnMut(usize) -> ControlFlow<()>> Kernel for Pic
             walk: Walk::new(prepared),
             candidates: Candidates::new(prepared),
             sums: Sums::new(prepared.samples),
+            last_sky: [0; 3],
         };
         for row in 0..prepared.size.height() {
             painter.row(simd, row);
@@ -105,6 +106,8 @@ struct Painter<'a, L: Layout, P> {
     walk: Walk,
     candidates: Candidates,
     sums: Sums,
+    /// See [`Look::last`].
+    last_sky: [u8; 3],
 }
 
 impl<L: Layout, P: Intersect> Painter<'_, L, P> {
@@ -129,7 +132,7 @@ impl<L: Layout, P: Intersect> Painter<'_, L, P> {
     /// A pixel that no object can reach.
     fn sky<S: Simd>(&mut self, simd: S, row: usize, pixel: &Span) {
         let (prepared, offsets, batch) = (self.prepared, &mut self.offsets, &mut self.batch);
-        match simd.run(Look { prepared, row, pixel, offsets, batch }) {
+        match simd.run(Look { prepared, row, pixel, offsets, batch, last: &mut self.last_sky }) {
             Known::Bytes([red, green, blue]) => {
                 self.image.set_pixel(row * prepared.size.width() + pixel.first, Rgb { red, green, blue });
             }

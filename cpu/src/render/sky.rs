@@ -107,6 +107,8 @@ pub struct Look<'a, L: Layout, P> {
     pub pixel: &'a Span,
     pub offsets: &'a mut Offsets,
     pub batch: &'a mut Batch,
+    /// The bytes of the last pixel found: the next one's mostly are the same.
+    pub last: &'a mut [u8; 3],
 }
 
 impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
@@ -114,15 +116,15 @@ impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> Known {
-        let Self { prepared, row, pixel, offsets, batch } = self;
+        let Self { prepared, row, pixel, offsets, batch, last } = self;
         let slope = Slope::new(prepared, row, pixel.first);
-        if let Some(bytes) = bytes_within(prepared, slope.anywhere()) {
+        if let Some(bytes) = bytes_within(prepared, slope.anywhere(), last) {
             offsets.pass_over(prepared.samples);
             return Known::Bytes(bytes);
         }
         batch.draw(prepared, pixel, offsets.stream());
         let means = [0, 1].map(|axis| sum(&batch.offset[axis][..pixel.count]) / pixel.count as f64);
-        bytes_within(prepared, slope.at(means)).map_or(Known::Drawn, Known::Bytes)
+        bytes_within(prepared, slope.at(means), last).map_or(Known::Drawn, Known::Bytes)
     }
 }
 
@@ -141,17 +143,20 @@ fn sum(values: &[f64]) -> f64 {
 
 /// The bytes of a pixel whose mean of `s` is within `radius` of `middle`, if all such means give the same.
 #[inline(always)]
-fn bytes_within<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, (middle, radius): (f64, f64)) -> Option<[u8; 3]> {
+fn bytes_within<L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
+    (middle, radius): (f64, f64),
+    last: &mut [u8; 3],
+) -> Option<[u8; 3]> {
     let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
     let rounding = rounding(prepared.samples);
-    let mut bytes = [0; 3];
     for channel in 0..3 {
         let difference = dark[channel] - light[channel];
         let mean = light[channel] + difference * ((middle + 1.0) / 2.0);
         let radius = difference.abs() * (radius / 2.0) + rounding;
-        bytes[channel] = prepared.quantizer.quantize_interval(mean - radius, mean + radius)?;
+        last[channel] = prepared.quantizer.quantize_interval(mean - radius, mean + radius, last[channel])?;
     }
-    Some(bytes)
+    Some(*last)
 }
 
 #[cfg(test)]
@@ -209,9 +214,17 @@ mod tests {
         let prepared = prepared("image_width: 40\nbackground_dark_color: .3 .4 .5\nbackground_light_color: .3 .4 .5\n");
         let mut batch = Batch::new();
         let mut offsets = Offsets::new(1);
+        let mut last = [0; 3];
         for column in 0..40 {
             let span = Span { first: column, first_sample: 0, count: 20, last: column };
-            let look = Look { prepared: &prepared, row: 3, pixel: &span, offsets: &mut offsets, batch: &mut batch };
+            let look = Look {
+                prepared: &prepared,
+                row: 3,
+                pixel: &span,
+                offsets: &mut offsets,
+                batch: &mut batch,
+                last: &mut last,
+            };
             let known = InstructionSet::Portable.run(look);
             assert!(matches!(known, Known::Bytes(_)), "column {column}: {known:?}");
         }
