@@ -97,3 +97,41 @@ fn color<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ended: &mu
     ended.count = 0;
     ended.met.clear();
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Config;
+    use crate::layout::Aos;
+    use crate::scatter::Scatter;
+    use crate::scene::Scene;
+    use crate::simd::InstructionSet;
+
+    #[test]
+    fn paths_that_left_are_coloured_and_attenuated_from_the_last_surface_back() {
+        let scene = Scene::parse(&b"matte: a .1 .2 .3\nmatte: b .7 .9 .11\n"[..]).expect("the scene is valid");
+        let prepared: Prepared<Aos> =
+            Prepared::new(&Config::default(), &scene, Scatter::Statement).expect("it can be rendered");
+        let reflectance = |material: usize| scene.materials[material].reflectance();
+        let direction = Vec3::new(0.3, -0.7, 0.2);
+        let background = prepared.background.color(direction);
+        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+            let (mut ended, mut batch) = (Ended::new(), Batch::new());
+            ended.begin();
+            ended.meet(0);
+            ended.meet(1);
+            ended.leave(5, direction);
+            ended.begin();
+            ended.meet(0);
+            ended.forget();
+            ended.begin();
+            ended.meet(1);
+            ended.leave(2, direction);
+            set.run(Color { prepared: &prepared, ended: &mut ended, batch: &mut batch });
+            let expected = background.attenuate(reflectance(1)).attenuate(reflectance(0));
+            assert_eq!(batch.color.get(5), expected);
+            assert_eq!(batch.color.get(2), background.attenuate(reflectance(1)));
+            assert_eq!((ended.count, ended.met.len()), (0, 0), "they are forgotten");
+        }
+    }
+}

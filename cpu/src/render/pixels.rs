@@ -39,3 +39,24 @@ impl Sums {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pixel_may_take_several_spans_and_a_span_several_pixels() {
+        let mut batch = Batch::new();
+        for sample in 0..8 {
+            batch.color.set(sample, Vec3::splat(sample as f64));
+        }
+        let mut sums = Sums::new(4);
+        let mut means = Vec::new();
+        // The last three samples of pixel 0, all of pixel 1, one of pixel 2.
+        sums.sum = Vec3::splat(1.0);
+        let span = Span { first: 0, first_sample: 1, count: 8, last: 2 };
+        sums.add(&span, &batch, |column, mean| means.push((column, mean.x)));
+        assert_eq!(means, [(0, (1.0 + 0.0 + 1.0 + 2.0) / 4.0), (1, (3.0 + 4.0 + 5.0 + 6.0) / 4.0)]);
+        assert_eq!(sums.sum, Vec3::splat(7.0));
+    }
+}

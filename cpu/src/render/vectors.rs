@@ -63,3 +63,23 @@ fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scatter::ScatterVectors;
+
+    #[test]
+    fn triples_in_bulk_are_the_ones_drawn_singly() {
+        for convention in [Scatter::Published, Scatter::Deterministic] {
+            let (mut bulk, mut single) = (Triples::new(convention, 3), ScatterVectors::new(convention, 3));
+            for _ in 0..3 * TRIPLES {
+                assert_eq!(bulk.next(), single.next(1.0));
+            }
+        }
+        let (mut bulk, mut single) = (Triples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
+        for _ in 0..3 * TRIPLES {
+            assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
+        }
+    }
+}

@@ -21,7 +21,7 @@ pub fn leaves_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, h: f64) -
 }
 
 /// Whether a ray certainly meets no part of the cylinder: it leaves the infinite cylinder, or the slab between the
-/// bases. `reach` bounds the coordinates' magnitudes.
+/// bases.
 #[inline(always)]
 pub fn leaves_cylinder(cylinder: &CylinderRecord, view: &CylinderView, direction: Vec3, origin: Vec3) -> bool {
     let (a, h, _) = cylinder.quadratic(view, direction);
@@ -32,4 +32,63 @@ pub fn leaves_cylinder(cylinder: &CylinderRecord, view: &CylinderView, direction
     let slope = direction.dot(cylinder.axis);
     let margin = MARGIN * (scale.sqrt() + cylinder.half_height);
     (slope > 0.0 && slope * T - view.to_top > margin) || (slope < 0.0 && view.to_bottom - slope * T > margin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ray::Ray;
+    use crate::rng::Uniform;
+
+    #[test]
+    fn a_ray_that_goes_outward_leaves_and_one_that_goes_inward_does_not() {
+        let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
+        let view = sphere.seen_from(Vec3::new(0.0, 1.0, 0.0));
+        let leaves = |direction: Vec3| {
+            let a = direction.dot(direction);
+            leaves_sphere(&sphere, &view, a, view.quadratic(direction, a).0)
+        };
+        assert!(leaves(Vec3::new(0.3, 1.0, 0.0)) && leaves(Vec3::new(1.0, 1e-9, 0.0)));
+        assert!(!leaves(Vec3::new(0.3, -1.0, 0.0)) && !leaves(Vec3::new(1.0, -1e-9, 0.0)));
+    }
+
+    #[test]
+    fn a_cylinder_is_left_by_its_side_and_by_its_bases() {
+        let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
+        let leaves = |origin: [f64; 3], direction: [f64; 3]| {
+            let origin = Vec3::from(origin);
+            leaves_cylinder(&cylinder, &cylinder.seen_from(origin), direction.into(), origin)
+        };
+        assert!(leaves([1.0, 0.0, 0.0], [1.0, 0.5, 0.0]));
+        assert!(leaves([0.5, 2.0, 0.0], [0.1, 1.0, 0.0]));
+        assert!(leaves([0.5, -2.0, 0.0], [0.1, -1.0, 0.0]));
+        assert!(!leaves([1.0, 0.0, 0.0], [-1.0, 0.5, 0.0]));
+        assert!(!leaves([0.5, 2.0, 0.0], [0.1, -1.0, 0.0]));
+    }
+
+    #[test]
+    fn what_leaves_is_never_met() {
+        let mut draws = Uniform::new(21);
+        let (mut left, mut met) = (0, 0);
+        for _ in 0..20_000 {
+            let size = 10.0_f64.powf(draws.draw(-3.0, 6.0));
+            let sphere = SphereRecord::new([(); 3].map(|()| draws.draw(-1e3, 1e3)).into(), size);
+            let normal = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0))).unit();
+            let origin = sphere.center + normal * size;
+            // Grazing directions, where the test is hardest.
+            let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0))).perpendicular_to(normal)
+                + normal * (draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-12.0, 0.0)));
+            let ray = Ray { origin, direction };
+            let view = sphere.seen_from(origin);
+            let a = direction.dot(direction);
+            let leaves = leaves_sphere(&sphere, &view, a, view.quadratic(direction, a).0);
+            left += u32::from(leaves);
+            met += u32::from(!leaves);
+            if leaves {
+                assert_eq!(sphere.intersect(&ray), None);
+                assert_eq!(crate::certified::sphere::intersect(&sphere, &ray), None);
+            }
+        }
+        assert!(left > 5000 && met > 5000, "{left} leave, {met} do not");
+    }
 }
