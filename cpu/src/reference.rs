@@ -44,15 +44,37 @@ pub fn render_linear(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,
-    mut pixel: impl FnMut(usize, Vec3),
+    pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
+    render_counted(config, scene, scatter, pixel).map(|_| ())
+}
+
+/// How much a picture takes, whoever renders it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Rays for which the nearest object was sought.
+    pub rays: u64,
+    /// Those of them that met one.
+    pub hits: u64,
+}
+
+/// [`render_linear`], and the rays and hits that the picture takes.
+///
+/// # Errors
+/// [`Error::Picture`] when the configuration makes no picture.
+pub fn render_counted(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    mut pixel: impl FnMut(usize, Vec3),
+) -> Result<Counts, Error> {
     let size = config.image_size()?;
     let camera = Camera::new(config, size)?;
     let deterministic = scatter == Scatter::Deterministic;
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
     let mut offsets = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
-    let mut path = Path { config, scene, vectors, reflectances: Vec::new() };
+    let mut path = Path { config, scene, vectors, reflectances: Vec::new(), counts: Counts::default() };
     for row in 0..size.height() {
         for column in 0..size.width() {
             let mut sum = Vec3::ZERO;
@@ -68,7 +90,7 @@ pub fn render_linear(
             pixel(row * size.width() + column, sum / samples as f64);
         }
     }
-    Ok(())
+    Ok(path.counts)
 }
 
 /// What all rays of a picture share.
@@ -78,6 +100,7 @@ struct Path<'a> {
     vectors: ScatterVectors,
     /// Reflectances met by the ray being followed, first hit first. Empty between rays.
     reflectances: Vec<Vec3>,
+    counts: Counts,
 }
 
 impl Path<'_> {
@@ -86,10 +109,12 @@ impl Path<'_> {
         let mut reflectances = std::mem::take(&mut self.reflectances);
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {
+            self.counts.rays += 1;
             let Some((nearest, material)) = self.nearest(origin, direction) else {
                 color = self.background(direction);
                 break;
             };
+            self.counts.hits += 1;
             let front = direction.dot(nearest.outward) < 0.0;
             let normal = if front { nearest.outward } else { -nearest.outward };
             let (reflectance, scattered) = self.scatter(material, direction, normal, front);

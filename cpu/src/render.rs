@@ -69,6 +69,12 @@ pub fn render_into<L: Layout>(
     set.run(Picture { prepared, pixel, after_row })
 }
 
+/// Renders what was prepared and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
+pub fn render_linear<L: Layout>(prepared: &Prepared<L>, set: InstructionSet, pixel: impl FnMut(usize, Vec3)) {
+    // Nobody stops this one.
+    let _ = set.run(Picture { prepared, pixel, after_row: |_| ControlFlow::Continue(()) });
+}
+
 /// The whole picture, every pixel's mean handed to `pixel` with its index.
 struct Picture<'a, L: Layout, P, R> {
     prepared: &'a Prepared<L>,
