@@ -3,7 +3,7 @@
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::Failure;
-use crate::commands::{compare, completions, generate, inspect, render};
+use crate::commands::{bench, compare, completions, generate, inspect, render, report};
 
 /// Exit statuses, shown with every help.
 pub const EXIT_STATUS: &str = "\
@@ -33,6 +33,10 @@ pub enum Command {
     Inspect(inspect::Arguments),
     /// Write a random scene, the same for the same seed, and a configuration that shows it
     Generate(generate::Arguments),
+    /// Measure run time, error and energy
+    Bench(bench::Arguments),
+    /// Turn measured data into charts and one self-contained HTML page
+    Report(report::Arguments),
     /// Write completions for a shell to standard output
     Completions(completions::Completions),
     /// Write manual pages into a folder
@@ -50,6 +54,8 @@ impl Command {
             Self::Compare(arguments) => arguments.run(),
             Self::Inspect(arguments) => arguments.run(),
             Self::Generate(arguments) => arguments.run(),
+            Self::Bench(arguments) => arguments.run(),
+            Self::Report(arguments) => arguments.run(),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
             Self::Man(arguments) => arguments.run(Cli::command()),
         }
@@ -78,7 +84,7 @@ mod tests {
         let mut commands = Vec::new();
         all(&Cli::command(), &mut commands);
         let leaves: Vec<_> = commands.iter().filter(|command| !command.has_subcommands()).collect();
-        assert!(leaves.len() >= 6, "{} commands", leaves.len());
+        assert!(leaves.len() >= 12, "{} commands", leaves.len());
         for command in leaves {
             let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
             assert!(help.contains("Examples:\n") && help.contains("render-lab"), "{}: {help}", command.get_name());

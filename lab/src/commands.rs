@@ -1,10 +1,12 @@
 //! The commands, a module each: its options, and what it does with them.
 
+pub mod bench;
 pub mod compare;
 pub mod completions;
 pub mod generate;
 pub mod inspect;
 pub mod render;
+pub mod report;
 
 use serde::Serialize;
 

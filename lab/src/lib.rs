@@ -2,10 +2,11 @@
 //!
 //! Each command has a module of its own in [`commands`]; what they share lies beside it: pictures from files
 //! ([`picture`]), how two of them differ ([`difference`]), which renderer is meant ([`engine`]), what a process has used
-//! ([`usage`]).
+//! ([`usage`]). Measuring lives in [`bench`], and [`report`] turns its data into charts and pages.
 //!
 //! Rendering is `cpu`'s alone, on one thread: this crate adds eyes and clocks.
 
+pub mod bench;
 pub mod cli;
 pub mod commands;
 pub mod difference;
@@ -14,6 +15,7 @@ pub mod failure;
 pub mod heatmap;
 pub mod interrupt;
 pub mod picture;
+pub mod report;
 pub mod sources;
 pub mod usage;
 

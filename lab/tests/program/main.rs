@@ -1,8 +1,11 @@
 //! The built program, run as a user would.
 
+mod bench;
 mod compare;
 mod files;
 mod render;
+#[cfg(unix)]
+mod slurm;
 mod words;
 
 use std::path::{Path, PathBuf};
