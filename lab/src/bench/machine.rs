@@ -40,7 +40,7 @@ impl Machine {
             date: today(),
             processor: unknown(processor(&file("/proc/cpuinfo"))),
             processors: std::thread::available_parallelism().map_or(1, usize::from),
-            instruction_set: InstructionSet::chosen().name().to_owned(),
+            instruction_set: InstructionSet::best().name().to_owned(),
             system: unknown(format!("{} {}", std::env::consts::OS, file("/proc/sys/kernel/osrelease").trim())),
             load: file("/proc/loadavg").split(' ').next().and_then(|load| load.parse().ok()),
             compiler: env!("LAB_COMPILER").to_owned(),

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::style::{seconds, short};
+use super::style::{seconds, short, with_error};
 use crate::bench::fit::PowerLaw;
 use crate::bench::results::{Results, Timing};
 
@@ -137,10 +137,7 @@ fn instruction_sets(results: &Results) -> Option<String> {
 
 fn scaling(results: &Results) -> Option<String> {
     let best = &results.machines.first()?.instruction_set;
-    let of = |law: &PowerLaw| match law.exponent_error {
-        Some(error) => format!("{} ± {}", short(law.exponent), short(error)),
-        None => short(law.exponent),
-    };
+    let of = |law: &PowerLaw| with_error(law.exponent, law.exponent_error);
     let parts: Vec<_> = crate::bench::matrix::PARAMETERS
         .iter()
         .filter_map(|parameter| {
@@ -163,12 +160,9 @@ fn error(results: &Results) -> Option<String> {
         .filter_map(|curve| {
             let points: Vec<_> = curve.points.iter().map(|p| (p.samples as f64, p.linear.median)).collect();
             let law = PowerLaw::through(&points)?;
-            let error = law.exponent_error.map_or_else(String::new, |error| format!(" ± {}", short(error)));
-            let (scene, exponent) = (&curve.scene, short(law.exponent));
-            Some(format!(
-                "{exponent}{error} ({scene}; the converged picture's own error is {})",
-                short(curve.reference_error)
-            ))
+            let (scene, exponent) = (&curve.scene, with_error(law.exponent, law.exponent_error));
+            let own = short(curve.reference_error);
+            Some(format!("{exponent} ({scene}; the converged picture's own error is {own})"))
         })
         .collect();
     (!parts.is_empty()).then(|| {

@@ -61,6 +61,18 @@ pub fn short(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
+/// A value with its standard error, to the place of the error's first digit.
+#[must_use]
+pub fn with_error(value: f64, error: Option<f64>) -> String {
+    match error.filter(|error| *error > 0.0 && error.is_finite()) {
+        Some(error) => {
+            let places = (-error.log10().floor()).clamp(0.0, 6.0) as usize;
+            format!("{value:.places$} ± {error:.places$}")
+        }
+        None => short(value),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,6 +86,13 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         assert_eq!([0.0, 0.0123456, 1.5, 1234.5, -0.4987].map(short), ["0", "0.0123", "1.5", "1234", "-0.499"]);
+    }
+
+    #[test]
+    fn an_error_has_one_digit() {
+        assert_eq!(with_error(1.9345, Some(0.0252)), "1.93 ± 0.03");
+        assert_eq!(with_error(-0.498_12, Some(0.002)), "-0.498 ± 0.002");
+        assert_eq!((with_error(0.5, None), with_error(0.5, Some(0.0))), ("0.5".to_owned(), "0.5".to_owned()));
     }
 
     #[test]
