@@ -57,7 +57,7 @@ pub struct Point {
     pub bounds: Option<(f64, f64)>,
 }
 
-const WIDTH: u32 = 720;
+const WIDTH: u32 = 600;
 const LEGEND_ROW: u32 = 22;
 const TITLE: u32 = 34;
 const LEFT: i32 = 14;
@@ -80,7 +80,7 @@ impl Chart {
         let legend = self.legend();
         let rows = legend.iter().map(|&(row, _)| row + 1).max().unwrap_or(0);
         let head = TITLE + LEGEND_ROW * rows;
-        let body = if self.rows.is_empty() { 380 } else { 80 + 34 * self.rows.len() as u32 };
+        let body = if self.rows.is_empty() { 330 } else { 80 + 34 * self.rows.len() as u32 };
         let mut svg = String::new();
         {
             let root = SVGBackend::with_string(&mut svg, (WIDTH, head + body)).into_drawing_area();
@@ -209,7 +209,7 @@ impl Chart {
             .axis_style(INK.stroke_width(1))
             .bold_line_style(GRID.stroke_width(1))
             .light_line_style(TRANSPARENT)
-            .x_labels(9)
+            .x_labels(7)
             .x_desc(self.x.label)
             .x_label_formatter(&x_format)
             .y_label_formatter(&y_format);
@@ -307,7 +307,7 @@ mod tests {
     fn a_chart_is_an_svg_that_scales() {
         let points = [1.0, 10.0, 100.0].map(|x| Point { x, y: 2.0 * x, bounds: Some((x, 3.0 * x)) });
         let svg = chart(points.to_vec()).draw().expect("there are points");
-        assert!(svg.starts_with("<svg role=\"img\" aria-label=\"Less &lt; more\" viewBox=\"0 0 720 "), "{svg}");
+        assert!(svg.starts_with("<svg role=\"img\" aria-label=\"Less &lt; more\" viewBox=\"0 0 600 "), "{svg}");
         assert!(svg.contains("time in s") && svg.contains("a &amp; b") && svg.contains("\n100\n"), "{svg}");
         assert_eq!(svg.matches("<circle").count(), 4, "three points and the legend");
     }
