@@ -34,11 +34,6 @@ impl Failure {
             Self::Interrupted => Some(b"interrupted; nothing was written".to_vec()),
         }
     }
-
-    /// Puts `what` before the words of another error.
-    pub fn about(what: impl std::fmt::Display) -> impl FnOnce(Box<dyn std::error::Error>) -> Self {
-        move |error| Self::Other(format!("{what}: {error}"))
-    }
 }
 
 impl From<cpu::Error> for Failure {

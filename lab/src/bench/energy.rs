@@ -1,13 +1,18 @@
 //! Energy of the processor's packages, where the machine has a meter, and the reason where it has none.
 //!
 //! Linux offers the counters of RAPL as files under `/sys/class/powercap`: microjoules that wrap around. They count for
-//! the whole package, idle cores and neighbours too; [`measure`] can subtract what the machine takes when idle.
+//! the whole package, idle cores and neighbours too; [`measure`] can subtract what the machine takes when idle. Where the
+//! files cannot be read, `perf` may still be allowed to (the module `perf`).
+
+mod perf;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
+
+use perf::Perf;
 
 use crate::Failure;
 
@@ -31,9 +36,15 @@ pub struct Energy {
     pub reason: Option<String>,
 }
 
-/// The counters of all packages.
+/// The energy counters of all packages.
 #[derive(Debug)]
-pub struct Meter(Vec<Counter>);
+pub struct Meter(Source);
+
+#[derive(Debug)]
+enum Source {
+    Powercap(Vec<Counter>),
+    Perf(Perf),
+}
 
 #[derive(Debug)]
 struct Counter {
@@ -42,7 +53,26 @@ struct Counter {
     range: u64,
 }
 
+impl Counter {
+    /// Joules from one reading to a later one, when it has not wrapped around twice.
+    fn joules(&self, before: u64, after: u64) -> f64 {
+        let microjoules = if after >= before { after - before } else { after + (self.range - before) };
+        microjoules as f64 * 1e-6
+    }
+}
+
 impl Meter {
+    /// This machine's.
+    ///
+    /// # Errors
+    /// Why it has none, in words.
+    pub fn here() -> Result<Self, String> {
+        Self::open(Path::new(POWERCAP)).or_else(|first| {
+            let perf = Perf::open(Path::new("perf")).map_err(|second| format!("{first}; {second}"))?;
+            Ok(Self(Source::Perf(perf)))
+        })
+    }
+
     /// The packages' counters under `folder`, [`POWERCAP`] on a real machine.
     ///
     /// # Errors
@@ -61,32 +91,36 @@ impl Meter {
         if counters.is_empty() {
             return Err(format!("no RAPL: no package under {}", folder.display()));
         }
-        let meter = Self(counters);
-        meter.read()?;
-        Ok(meter)
-    }
-
-    /// The counters now, in microjoules.
-    fn read(&self) -> Result<Vec<u64>, String> {
-        self.0.iter().map(|counter| number(&counter.file)).collect()
-    }
-
-    /// Joules from one reading to a later one, when no counter has wrapped around twice.
-    fn joules(&self, before: &[u64], after: &[u64]) -> f64 {
-        let pairs = self.0.iter().zip(before.iter().zip(after));
-        let spent = |(counter, (&before, &after)): (&Counter, (&u64, &u64))| {
-            if after >= before { after - before } else { after + (counter.range - before) }
-        };
-        pairs.map(spent).sum::<u64>() as f64 * 1e-6
+        read(&counters)?;
+        Ok(Self(Source::Powercap(counters)))
     }
 
     /// Joules and seconds that `work` takes.
     fn during(&self, work: impl FnOnce() -> Result<(), Failure>) -> Result<(f64, f64), Failure> {
-        let (before, start) = (self.read()?, Instant::now());
-        work()?;
-        let seconds = start.elapsed().as_secs_f64();
-        Ok((self.joules(&before, &self.read()?), seconds))
+        match &self.0 {
+            Source::Powercap(counters) => {
+                let (before, start) = (read(counters)?, Instant::now());
+                work()?;
+                let (seconds, after) = (start.elapsed().as_secs_f64(), read(counters)?);
+                let spent = counters.iter().zip(before.iter().zip(after));
+                Ok((spent.map(|(counter, (&before, after))| counter.joules(before, after)).sum(), seconds))
+            }
+            Source::Perf(perf) => {
+                let start = Instant::now();
+                let counting = perf.start()?;
+                let outcome = work();
+                // Stopped in any case: it would count for ever.
+                let joules = counting.stop()?;
+                outcome?;
+                Ok((joules, start.elapsed().as_secs_f64()))
+            }
+        }
     }
+}
+
+/// The counters now, in microjoules.
+fn read(counters: &[Counter]) -> Result<Vec<u64>, String> {
+    counters.iter().map(|counter| number(&counter.file)).collect()
 }
 
 fn number(file: &Path) -> Result<u64, String> {

@@ -1,6 +1,6 @@
 //! What `bench all` measures, cut into tasks of which a cluster can take one each.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 use ::tests::generator::{self, Arrangement, Options};
@@ -178,7 +178,7 @@ impl Plan {
 
     fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         let (config, scene) = self.scene(name)?;
-        let meter = Meter::open(Path::new(energy::POWERCAP));
+        let meter = Meter::here();
         let shortest = Duration::from_secs(if self.quick { 2 } else { 20 });
         for engine in Engine::main() {
             let names = [name, &engine.to_string()];

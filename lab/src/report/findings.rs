@@ -212,3 +212,58 @@ fn energy(results: &Results) -> Option<String> {
         first.idle_watts.map_or_else(String::new, |watts| format!(", {} W of the idle machine apart", short(watts)));
     Some(format!("Energy{idle}: {}.", parts.join(", ")))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::energy::Energy;
+    use crate::bench::machine::Machine;
+    use crate::bench::results::Setting;
+    use crate::bench::statistics::Median;
+
+    fn timing(engine: &str, value: u64, seconds: f64) -> Timing {
+        let [suite, scene, parameter, engine] = ["scale", "board", "objects", engine].map(str::to_owned);
+        let setting = Setting { suite, scene, parameter, value, engine };
+        let bounds = [0.9 * seconds, seconds, 1.1 * seconds];
+        Timing { setting, seconds: bounds.to_vec(), median: Median::of(&bounds), digest: String::new() }
+    }
+
+    fn text(results: &Results, topic: &str) -> String {
+        of(results).into_iter().find(|finding| finding.topic == topic).expect("it is said").text
+    }
+
+    #[test]
+    fn sentences_have_the_figures_of_the_data() {
+        let machine = Machine { instruction_set: "avx2".to_owned(), ..Machine::here() };
+        let mut timings = Vec::new();
+        for (value, literal) in [(10, 2.0), (100, 8.0)] {
+            timings.extend([timing("reference", value, literal), timing("aos-avx2", value, 1.0)]);
+            timings.extend([timing("soa-avx2", value, 2.0), timing("aos-sse2", value, 1.5)]);
+        }
+        let mut results = Results { machines: vec![machine], timings, ..Results::default() };
+        results.complete();
+        let layouts = text(&results, "Layouts");
+        assert!(layouts.contains("take 2 times the time") && layouts.contains("in 2 of 2 settings"), "{layouts}");
+        let literal = text(&results, "Literal renderer");
+        assert!(literal.contains("4 times as fast"), "the geometric mean of 2 and 8: {literal}");
+        assert!(literal.contains("least 2 times (board, 10 objects), most 8 times (board, 100 objects)"), "{literal}");
+        assert!(text(&results, "Instruction sets").contains("avx2 is 1.5 times as fast as sse2"));
+        assert!(text(&results, "Scaling").contains("objects to the power 0"), "{}", text(&results, "Scaling"));
+    }
+
+    #[test]
+    fn energy_that_was_not_measured_has_its_reason() {
+        let [scene, engine] = ["grid", "reference"].map(str::to_owned);
+        let reason = Some("no RAPL: here".to_owned());
+        let energy = Energy { scene, engine, joules: None, watts: None, idle_watts: None, reason };
+        let mut results = Results { energy: vec![energy.clone()], ..Results::default() };
+        assert_eq!(text(&results, "Energy"), "Energy was not measured: no RAPL: here.");
+        results.energy = vec![Energy { joules: Some(1.5), watts: Some(20.0), reason: None, ..energy }];
+        assert_eq!(text(&results, "Energy"), "Energy: 1.5 J a picture at 20 W (grid, reference).");
+    }
+
+    #[test]
+    fn without_data_nothing_is_said() {
+        assert!(of(&Results::default()).is_empty());
+    }
+}
