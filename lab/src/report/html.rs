@@ -10,7 +10,7 @@ use crate::bench::results::Results;
 const STYLE: &str = "\
 body{font:16px/1.5 system-ui,sans-serif;margin:0 auto;max-width:52rem;padding:1rem;color:var(--ink);background:var(--paper)}\
 h1{font-size:1.6rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.2rem}figure{margin:1.2rem 0;overflow-x:auto}\
-svg{width:100%;min-width:34rem;max-width:46rem;height:auto;display:block}dt{font-weight:600;margin-top:.6rem}dd{margin:0}\
+svg{width:100%;min-width:27rem;max-width:46rem;height:auto;display:block}dt{font-weight:600;margin-top:.6rem}dd{margin:0}\
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.9rem}\
 th,td{padding:.25rem .7rem .25rem 0;text-align:right;border-bottom:1px solid var(--grid);white-space:nowrap}\
 th:first-child,td:first-child{text-align:left}footer{margin-top:2rem;font-size:.9rem}";
