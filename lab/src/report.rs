@@ -4,6 +4,7 @@
 //! [`charts`] chooses what is shown and [`chart`] draws it; [`findings`] puts figures into sentences, so that no
 //! sentence can disagree with the data; [`html`] makes the page.
 
+pub mod axis;
 pub mod chart;
 pub mod charts;
 pub mod findings;
