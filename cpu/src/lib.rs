@@ -56,7 +56,7 @@ pub use layout::{Aos, Layout, Soa};
 pub use material::Material;
 pub use prepare::Prepared;
 pub use ray::{Hit, Ray};
-pub use render::{render, render_into, render_with};
+pub use render::{render, render_into, render_linear, render_with};
 pub use scatter::Scatter;
 pub use scene::Scene;
 pub use simd::InstructionSet;

@@ -73,15 +73,44 @@ pub fn render_linear_with<P: Intersect>(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,
-    mut pixel: impl FnMut(usize, Vec3),
+    pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
+    render_counted::<P>(config, scene, scatter, pixel).map(|_| ())
+}
+
+/// How much a picture takes, whoever renders it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Rays for which the nearest object was sought.
+    pub rays: u64,
+    /// Those of them that met one.
+    pub hits: u64,
+}
+
+/// [`render_linear`], and the rays and hits that the picture takes.
+///
+/// # Errors
+/// [`Error::Picture`] when the configuration makes no picture.
+pub fn render_counted<P: Intersect>(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    mut pixel: impl FnMut(usize, Vec3),
+) -> Result<Counts, Error> {
     let size = config.image_size()?;
     let camera = Camera::new(config, size)?;
     let deterministic = scatter == Scatter::Deterministic;
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
     let mut offsets = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
-    let mut path = Path::<P> { config, scene, vectors, reflectances: Vec::new(), intersect: PhantomData };
+    let mut path = Path::<P> {
+        config,
+        scene,
+        vectors,
+        reflectances: Vec::new(),
+        counts: Counts::default(),
+        intersect: PhantomData,
+    };
     for row in 0..size.height() {
         for column in 0..size.width() {
             let mut sum = Vec3::ZERO;
@@ -97,7 +126,7 @@ pub fn render_linear_with<P: Intersect>(
             pixel(row * size.width() + column, sum / samples as f64);
         }
     }
-    Ok(())
+    Ok(path.counts)
 }
 
 /// What all rays of a picture share.
@@ -108,6 +137,7 @@ struct Path<'a, P> {
     /// Reflectances met by the ray being followed, first hit first. Empty between rays.
     reflectances: Vec<Vec3>,
     intersect: PhantomData<P>,
+    counts: Counts,
 }
 
 impl<P: Intersect> Path<'_, P> {
@@ -116,10 +146,12 @@ impl<P: Intersect> Path<'_, P> {
         let mut reflectances = std::mem::take(&mut self.reflectances);
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {
+            self.counts.rays += 1;
             let Some((nearest, material)) = self.nearest(origin, direction) else {
                 color = self.background(direction);
                 break;
             };
+            self.counts.hits += 1;
             let front = direction.dot(nearest.outward) < 0.0;
             let normal = if front { nearest.outward } else { -nearest.outward };
             let (reflectance, scattered) = self.scatter(material, direction, normal, front);

@@ -26,9 +26,11 @@ use crate::error::Error;
 use crate::image::{Image, Rgb};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
+use crate::quantize::Quantizer;
 use crate::scatter::Scatter;
 use crate::scene::Scene;
 use crate::simd::{InstructionSet, Kernel, Simd};
+use crate::vec3::Vec3;
 
 use batch::{Batch, Draw};
 use pixels::Sums;
@@ -63,25 +65,79 @@ pub fn render_into<L: Layout, P: Intersect>(
     image: &mut L::Image,
     after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
-    set.run(Picture { prepared, image, after_row })
+    let sink = Bytes { image, quantizer: &prepared.quantizer };
+    set.run(Picture { prepared, sink, after_row })
+}
+
+/// Renders what was prepared and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
+pub fn render_linear<L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
+    set: InstructionSet,
+    pixel: impl FnMut(usize, Vec3),
+) {
+    // Nobody stops this one.
+    let _ = set.run(Picture { prepared, sink: Means(pixel), after_row: |_| ControlFlow::Continue(()) });
+}
+
+/// Where pixels go.
+trait Sink {
+    /// Whether a pixel's mean is wanted even where its bytes can be known without it.
+    const WANTS_MEANS: bool;
+
+    /// Takes a pixel's mean.
+    fn mean(&mut self, index: usize, mean: Vec3);
+    /// Takes a pixel's bytes.
+    fn bytes(&mut self, index: usize, color: Rgb);
+}
+
+/// Pixels into an image.
+struct Bytes<'a, I> {
+    image: &'a mut I,
+    quantizer: &'a Quantizer,
+}
+
+impl<I: Image> Sink for Bytes<'_, I> {
+    const WANTS_MEANS: bool = false;
+
+    #[inline(always)]
+    fn mean(&mut self, index: usize, mean: Vec3) {
+        let [red, green, blue] = mean.to_array().map(|channel| self.quantizer.quantize(channel));
+        self.image.set_pixel(index, Rgb { red, green, blue });
+    }
+    #[inline(always)]
+    fn bytes(&mut self, index: usize, color: Rgb) {
+        self.image.set_pixel(index, color);
+    }
+}
+
+/// Means to whoever wants them.
+struct Means<F>(F);
+
+impl<F: FnMut(usize, Vec3)> Sink for Means<F> {
+    const WANTS_MEANS: bool = true;
+
+    fn mean(&mut self, index: usize, mean: Vec3) {
+        self.0(index, mean);
+    }
+    fn bytes(&mut self, _: usize, _: Rgb) {}
 }
 
 /// The whole picture.
-struct Picture<'a, L: Layout, P, R> {
+struct Picture<'a, L: Layout, P, K, R> {
     prepared: &'a Prepared<L, P>,
-    image: &'a mut L::Image,
+    sink: K,
     after_row: R,
 }
 
-impl<L: Layout, P: Intersect, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, R> {
+impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, K, R> {
     type Output = ControlFlow<()>;
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) -> ControlFlow<()> {
-        let Self { prepared, image, mut after_row } = self;
+        let Self { prepared, sink, mut after_row } = self;
         let mut painter = Painter {
             prepared,
-            image,
+            sink,
             offsets: Offsets::new(prepared.ray_seed),
             batch: Batch::new(),
             walk: Walk::new(prepared),
@@ -98,9 +154,9 @@ impl<L: Layout, P: Intersect, R: FnMut(usize) -> ControlFlow<()>> Kernel for Pic
 }
 
 /// What goes on from span to span.
-struct Painter<'a, L: Layout, P> {
+struct Painter<'a, L: Layout, P, K> {
     prepared: &'a Prepared<L, P>,
-    image: &'a mut L::Image,
+    sink: K,
     offsets: Offsets,
     batch: Box<Batch>,
     walk: Walk,
@@ -110,13 +166,14 @@ struct Painter<'a, L: Layout, P> {
     last_sky: [u8; 3],
 }
 
-impl<L: Layout, P: Intersect> Painter<'_, L, P> {
+impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
     fn row<S: Simd>(&mut self, simd: S, row: usize) {
         let prepared = self.prepared;
         self.candidates.begin_row(prepared, row);
         for span in Spans::of_row(prepared.size.width(), prepared.samples) {
             self.candidates.narrow(prepared, row, &span);
-            if self.candidates.span.is_empty()
+            if !K::WANTS_MEANS
+                && self.candidates.span.is_empty()
                 && let Some(pixels) = span.pixels(prepared.samples)
             {
                 for pixel in pixels {
@@ -134,7 +191,7 @@ impl<L: Layout, P: Intersect> Painter<'_, L, P> {
         let (prepared, offsets, batch) = (self.prepared, &mut self.offsets, &mut self.batch);
         match simd.run(Look { prepared, row, pixel, offsets, batch, last: &mut self.last_sky }) {
             Known::Bytes([red, green, blue]) => {
-                self.image.set_pixel(row * prepared.size.width() + pixel.first, Rgb { red, green, blue });
+                self.sink.bytes(row * prepared.size.width() + pixel.first, Rgb { red, green, blue });
             }
             Known::Drawn => self.trace(simd, row, pixel),
         }
@@ -152,9 +209,6 @@ impl<L: Layout, P: Intersect> Painter<'_, L, P> {
             simd.run(ends::Color { prepared, ended: &mut self.walk.ended, batch });
         }
         let first_pixel = row * prepared.size.width();
-        self.sums.add(span, batch, |column, mean| {
-            let [red, green, blue] = mean.to_array().map(|channel| prepared.quantizer.quantize(channel));
-            self.image.set_pixel(first_pixel + column, Rgb { red, green, blue });
-        });
+        self.sums.add(span, batch, |column, mean| self.sink.mean(first_pixel + column, mean));
     }
 }

@@ -1,0 +1,103 @@
+//! The same counters through `perf stat`, which some machines allow where the files of powercap are root's alone.
+
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+
+/// A `perf` that may read the packages' energy.
+#[derive(Debug)]
+pub struct Perf(PathBuf);
+
+/// A count that is going on.
+#[derive(Debug)]
+pub struct Counting(Child);
+
+impl Perf {
+    /// Tries `program` out.
+    ///
+    /// # Errors
+    /// Why it cannot count, in words.
+    pub fn open(program: &Path) -> Result<Self, String> {
+        let perf = Self(program.to_owned());
+        perf.start()?.stop()?;
+        Ok(perf)
+    }
+
+    /// Starts to count, on all processors.
+    ///
+    /// # Errors
+    /// It does not start.
+    pub fn start(&self) -> Result<Counting, String> {
+        // It ends when it is told to, and writes to standard error what it has counted. Its numbers have a point.
+        let child = Command::new(&self.0)
+            .args(["stat", "-a", "-x", ",", "-e", "power/energy-pkg/", "sleep", "86400"])
+            .env("LC_ALL", "C")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|error| format!("no perf: {error}"))?;
+        // Until its counters run: nothing tells when they do.
+        std::thread::sleep(std::time::Duration::from_millis(100));
+        Ok(Counting(child))
+    }
+}
+
+impl Counting {
+    /// Joules since the start.
+    ///
+    /// # Errors
+    /// What `perf` says instead.
+    pub fn stop(self) -> Result<f64, String> {
+        let process = i32::try_from(self.0.id()).map(Pid::from_raw).map_err(|error| error.to_string())?;
+        // It fails when it has ended already; its output says why.
+        let _ = kill(process, Signal::SIGINT);
+        let output = self.0.wait_with_output().map_err(|error| format!("no perf: {error}"))?;
+        joules(&String::from_utf8_lossy(&output.stderr))
+    }
+}
+
+/// The sum over packages of lines like `12.34,Joules,power/energy-pkg/,1000000,100.00,,`.
+fn joules(text: &str) -> Result<f64, String> {
+    let lines: Vec<_> = text.lines().filter(|line| line.contains("power/energy-pkg/")).collect();
+    let value = |line: &&str| line.split_once(",Joules,").and_then(|(number, _)| number.trim().parse::<f64>().ok());
+    let values: Option<Vec<f64>> = lines.iter().map(value).collect();
+    match values {
+        Some(values) if !values.is_empty() => Ok(values.iter().sum()),
+        _ => Err(format!(
+            "no perf: {}",
+            lines.first().copied().or(text.lines().next()).unwrap_or("it says nothing").trim()
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::PermissionsExt;
+
+    #[test]
+    fn joules_are_those_of_all_packages() {
+        assert_eq!(joules("1.5,Joules,power/energy-pkg/,9,100.00,,\n2,Joules,power/energy-pkg/,9,100.00,,\n"), Ok(3.5));
+        for text in
+            ["", "<not supported>,Joules,power/energy-pkg/,0,100.00,,", "event syntax error: 'power/energy-pkg/'"]
+        {
+            assert!(joules(text).is_err_and(|reason| reason.starts_with("no perf: ")), "{text}");
+        }
+    }
+
+    #[test]
+    fn counting_ends_with_what_was_counted() {
+        let folder = tempfile::tempdir().expect("the temporary folder is writable");
+        let program = folder.path().join("perf");
+        let script = "#!/bin/sh\ntrap 'echo 7.25,Joules,power/energy-pkg/,1,100.00,, >&2; exit 0' INT\n\
+                      while true; do sleep 0.01; done\n";
+        std::fs::write(&program, script).expect("the folder is writable");
+        std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).expect("it is ours");
+        let perf = Perf::open(&program).expect("it counts");
+        assert_eq!(perf.start().and_then(Counting::stop), Ok(7.25));
+        assert!(Perf::open(Path::new("/nowhere/perf")).is_err_and(|reason| reason.starts_with("no perf: ")));
+    }
+}

@@ -1,0 +1,121 @@
+//! How far a picture of few samples is from the converged one.
+//!
+//! In linear light, before gamma and truncation, where the error of a mean of n independent samples falls as n^(-1/2);
+//! and as the course measures it, in levels of the finished picture. The error does not depend on the implementation,
+//! for all make the same picture; the time to get there does.
+
+use cpu::quantize::quantize;
+use cpu::{Config, Error, Scene, Vec3};
+use serde::{Deserialize, Serialize};
+
+use super::statistics::Median;
+use crate::Failure;
+use crate::difference::of_pixels;
+use crate::engine::means;
+use crate::interrupt::Interrupt;
+
+/// Error at one number of samples.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ErrorPoint {
+    /// Samples a pixel.
+    pub samples: u64,
+    /// RMSE over channels in linear light, 1 being white, over pictures of several seeds.
+    pub linear: Median,
+    /// RMSE as the course defines it, in levels of 255, over the same pictures.
+    pub course: Median,
+}
+
+/// Error against samples for one scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ErrorCurve {
+    /// The scene's name.
+    pub scene: String,
+    /// Samples a pixel of the converged picture.
+    pub reference_samples: u64,
+    /// The converged picture's own error in linear light, from its two halves.
+    pub reference_error: f64,
+    /// By rising number of samples.
+    pub points: Vec<ErrorPoint>,
+}
+
+/// Seeds of the converged picture's halves, far from any that is measured.
+const REFERENCE_SEEDS: [u64; 2] = [0x5eed_0001, 0x5eed_0002];
+
+fn with_seed(config: &Config, samples: u64, seed: u64) -> Config {
+    // Two generators, two seeds.
+    let (ray_rng_seed, material_rng_seed) = (2 * seed, 2 * seed + 1);
+    Config { samples_per_pixel: samples, ray_rng_seed, material_rng_seed, ..config.clone() }
+}
+
+/// Root of the mean square difference over channels.
+fn rmse(first: &[Vec3], second: &[Vec3]) -> f64 {
+    let squares = first.iter().zip(second).map(|(&a, &b)| (a - b).dot(a - b));
+    (squares.sum::<f64>() / (3 * first.len()) as f64).sqrt()
+}
+
+fn bytes(means: &[Vec3], gamma: f64) -> Vec<[u8; 3]> {
+    means.iter().map(|mean| mean.to_array().map(|channel| quantize(channel, gamma))).collect()
+}
+
+fn course_rmse(first: &[[u8; 3]], second: &[[u8; 3]]) -> f64 {
+    let squares = first.iter().zip(second).map(|(&a, &b)| of_pixels(a, b).powi(2));
+    (squares.sum::<f64>() / first.len() as f64).sqrt()
+}
+
+/// Measures the error for each of `samples`, on pictures of `seeds` different seeds, against one of
+/// `reference_samples`.
+///
+/// # Errors
+/// What the renderer says, or [`Failure::Interrupted`].
+pub fn curve(
+    name: &str,
+    config: &Config,
+    scene: &Scene,
+    samples: &[u64],
+    seeds: u64,
+    reference_samples: u64,
+    interrupt: &Interrupt,
+) -> Result<ErrorCurve, Failure> {
+    let picture = |samples, seed| -> Result<Vec<Vec3>, Failure> {
+        interrupt.check()?;
+        Ok(means(&with_seed(config, samples, seed), scene).map_err(|error: Error| error)?)
+    };
+    let [first, second] = REFERENCE_SEEDS.map(|seed| picture(reference_samples / 2, seed));
+    let (first, second) = (first?, second?);
+    let converged: Vec<Vec3> = first.iter().zip(&second).map(|(&a, &b)| (a + b) / 2.0).collect();
+    let converged_bytes = bytes(&converged, config.gamma);
+    let mut points = Vec::new();
+    for &samples in samples {
+        let (mut linear, mut course) = (Vec::new(), Vec::new());
+        for seed in 1..=seeds {
+            let means = picture(samples, seed)?;
+            linear.push(rmse(&means, &converged));
+            course.push(course_rmse(&bytes(&means, config.gamma), &converged_bytes));
+        }
+        points.push(ErrorPoint { samples, linear: Median::of(&linear), course: Median::of(&course) });
+    }
+    // Halves are independent: their difference has twice the variance of one, and their mean half of it.
+    let reference_error = rmse(&first, &second) / 2.0;
+    Ok(ErrorCurve { scene: name.to_owned(), reference_samples, reference_error, points })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::fit::PowerLaw;
+
+    #[test]
+    fn the_error_falls_with_the_root_of_the_samples() {
+        let config = Config::parse(&b"image_width: 32\naspect_ratio: 1 1\n"[..]).expect("it is valid");
+        let scene = Scene::parse(&b"matte: m .5 .5 .5\nsphere: 0 0 0 6 m\n"[..]).expect("it is valid");
+        let samples = [1, 4, 16, 64];
+        let curve = curve("ball", &config, &scene, &samples, 3, 4096, &Interrupt::default()).expect("it is small");
+        let points: Vec<_> = curve.points.iter().map(|point| (point.samples as f64, point.linear.median)).collect();
+        let law = PowerLaw::through(&points).expect("four points");
+        assert!((law.exponent + 0.5).abs() < 0.05, "{law:?}");
+        // The converged picture keeps the law as well: its error is that of its samples.
+        let ratio = curve.reference_error / law.at(4096.0);
+        assert!((0.7..1.4).contains(&ratio), "{ratio}");
+        assert!(curve.points.is_sorted_by(|a, b| a.course.median > b.course.median), "{:?}", curve.points);
+    }
+}

@@ -1,0 +1,232 @@
+//! What `bench all` measures, cut into tasks of which a cluster can take one each.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use ::tests::generator::{self, Arrangement, Options};
+use cpu::{Config, Scene};
+
+use super::energy::{self, Meter};
+use super::error;
+use super::results::{Omitted, Results, Setting, Timing};
+use super::statistics::Median;
+use super::timing;
+use crate::engine::Engine;
+use crate::interrupt::Interrupt;
+use crate::{Failure, sources};
+
+/// A piece of the matrix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// Time against a parameter: `width`, `samples`, `depth` or `objects`.
+    Scale(&'static str),
+    /// Error against samples, and every engine's time for each number of them, for a scene.
+    Error(&'static str),
+    /// Energy of a scene's picture.
+    Energy(&'static str),
+}
+
+impl std::fmt::Display for Task {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Scale(parameter) => write!(out, "scale {parameter}"),
+            Self::Error(scene) => write!(out, "error {scene}"),
+            Self::Energy(scene) => write!(out, "energy {scene}"),
+        }
+    }
+}
+
+/// Scenes whose error and energy are measured, from `scenes`.
+const SCENES: [&str; 3] = ["materials", "grid", "spheres"];
+
+/// What the parameters are varied on, except objects, which are generated.
+const SCALED: &str = "materials";
+
+/// The parameters of [`Task::Scale`].
+pub const PARAMETERS: [&str; 4] = ["width", "samples", "depth", "objects"];
+
+/// Every task, in an order that never changes: parts of the matrix are told by their numbers.
+#[must_use]
+pub fn tasks() -> Vec<Task> {
+    let scale = PARAMETERS.map(Task::Scale);
+    scale.into_iter().chain(SCENES.map(Task::Error)).chain(SCENES.map(Task::Energy)).collect()
+}
+
+/// How much is measured.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The small matrix.
+    pub quick: bool,
+    /// Repeats of each time.
+    pub repeats: usize,
+    /// Subtract the power of the idle machine from energies.
+    pub idle: bool,
+    /// Where the scenes are.
+    pub scenes: PathBuf,
+}
+
+impl Plan {
+    /// Width of pictures whose width is not what varies.
+    const fn width(&self) -> u64 {
+        if self.quick { 96 } else { 320 }
+    }
+
+    /// The longest that one picture of the literal renderer may be expected to take.
+    const fn patience(&self) -> f64 {
+        if self.quick { 0.7 } else { 20.0 }
+    }
+
+    fn values(&self, parameter: &str) -> Vec<u64> {
+        let powers = |from: u32, to: u32| (from..=to).map(|power| 1 << power).collect();
+        match (parameter, self.quick) {
+            ("width", true) => vec![32, 64, 128, 256],
+            ("width", false) => vec![64, 128, 256, 512, 1024, 2048],
+            ("samples", true) => powers(0, 5),
+            ("samples", false) => powers(0, 10),
+            ("depth", true) => powers(0, 5),
+            ("depth", false) => powers(0, 8),
+            (_, true) => vec![4, 16, 64, 256, 1024, 4096],
+            (_, false) => vec![4, 16, 64, 256, 1024, 4096, 16_384, 65_536],
+        }
+    }
+
+    fn scene(&self, name: &str) -> Result<(Config, Scene), Failure> {
+        let folder = self.scenes.join(name);
+        Ok((sources::config(&folder.join("config.txt"), &[])?, sources::scene(&folder.join("scene.txt"))?))
+    }
+
+    /// Measures a task into `results`.
+    ///
+    /// # Errors
+    /// A scene cannot be read, pictures differ, or [`Failure::Interrupted`].
+    pub fn run(&self, task: &Task, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+        match task {
+            Task::Scale(parameter) => self.scale(parameter, results, interrupt),
+            Task::Error(scene) => self.error(scene, results, interrupt),
+            Task::Energy(scene) => self.energy(scene, results, interrupt),
+        }
+    }
+
+    fn scale(&self, parameter: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+        let (base, scene) = self.scene(SCALED)?;
+        let base = Config { image_width: self.width(), samples_per_pixel: 4, max_depth: 8, ..base };
+        let pictures = self.values(parameter).into_iter().map(|value| match parameter {
+            "width" => (value, Config { image_width: value, ..base.clone() }, scene.clone()),
+            "samples" => (value, Config { samples_per_pixel: value, ..base.clone() }, scene.clone()),
+            "depth" => (value, Config { max_depth: value, ..base.clone() }, scene.clone()),
+            _ => {
+                let (config, scene) = board(value, self.width());
+                (value, config, scene)
+            }
+        });
+        let name = if parameter == "objects" { "board" } else { SCALED };
+        self.times(["scale", name, parameter], &Engine::main(), pictures, results, interrupt)
+    }
+
+    fn error(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+        let (config, scene) = self.scene(name)?;
+        let config = Config { image_width: self.width(), ..config };
+        let samples: Vec<u64> = (0..=if self.quick { 6 } else { 10 }).map(|power| 1 << power).collect();
+        // Sixty-four times the samples of the finest picture: an eighth of its error.
+        let reference = 64 * samples.iter().max().copied().unwrap_or(1);
+        results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference, interrupt)?);
+        let pictures = samples.into_iter().map(|samples| {
+            let config = Config { samples_per_pixel: samples, ..config.clone() };
+            (samples, config, scene.clone())
+        });
+        self.times(["error", name, "samples"], &Engine::all(), pictures, results, interrupt)
+    }
+
+    /// Times of `engines` for pictures of rising value. One of which the time before says that it would take longer than
+    /// [`Plan::patience`] is left out, with that reason.
+    fn times(
+        &self,
+        [suite, scene_name, parameter]: [&str; 3],
+        engines: &[Engine],
+        pictures: impl Iterator<Item = (u64, Config, Scene)>,
+        results: &mut Results,
+        interrupt: &Interrupt,
+    ) -> Result<(), Failure> {
+        let setting = |value, engine: Engine| Setting {
+            suite: suite.to_owned(),
+            scene: scene_name.to_owned(),
+            parameter: parameter.to_owned(),
+            value,
+            engine: engine.to_string(),
+        };
+        let mut last: Vec<(Engine, u64, f64)> = Vec::new();
+        for (value, config, scene) in pictures {
+            let growth = |before: u64| (value as f64 / before as f64).powi(if parameter == "width" { 2 } else { 1 });
+            let expected = |engine: Engine| {
+                last.iter().rev().find(|(other, ..)| *other == engine).map_or(0.0, |&(_, at, time)| time * growth(at))
+            };
+            let (wanted, slow): (Vec<_>, Vec<_>) = engines.iter().partition(|&&e| expected(e) <= self.patience());
+            for engine in slow {
+                let reason = format!("a picture would take about {:.1} s", expected(engine));
+                results.omitted.push(Omitted { setting: setting(value, engine), reason });
+            }
+            let times = timing::measure(&wanted, self.repeats, &config, &scene, interrupt)?;
+            for (engine, seconds) in times.of {
+                let median = Median::of(&seconds);
+                last.push((engine, value, median.median));
+                let (setting, digest) = (setting(value, engine), times.digest.clone());
+                results.timings.push(Timing { setting, seconds, median, digest });
+            }
+        }
+        Ok(())
+    }
+
+    fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+        let (config, scene) = self.scene(name)?;
+        let meter = Meter::here();
+        let shortest = Duration::from_secs(if self.quick { 2 } else { 20 });
+        for engine in Engine::main() {
+            let names = [name, &engine.to_string()];
+            results.energy.push(energy::measure(&meter, names, self.idle, shortest, || {
+                interrupt.check()?;
+                std::hint::black_box(engine.ppm(&config, &scene)?);
+                Ok(())
+            })?);
+        }
+        Ok(())
+    }
+}
+
+/// A ground with objects on the squares of a board, seen from near its edge.
+fn board(objects: u64, width: u64) -> (Config, Scene) {
+    let objects = usize::try_from(objects).unwrap_or(usize::MAX);
+    let options = Options { objects, arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };
+    let view = generator::view(&options);
+    (Config { image_width: width, samples_per_pixel: 4, ..view }, generator::scene(&options))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_rise() {
+        for quick in [true, false] {
+            let plan = Plan { quick, repeats: 1, idle: false, scenes: PathBuf::new() };
+            for parameter in PARAMETERS {
+                let values = plan.values(parameter);
+                assert!(values.len() >= 4 && values.is_sorted_by(|a, b| a < b), "{parameter}: {values:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_would_take_too_long_is_left_out_with_its_reason() {
+        let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new() };
+        let (config, scene) = board(300, 48);
+        // Enough for the literal renderer to take more than a hundredth of the patience at first.
+        let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
+        let mut results = Results::default();
+        let engines = [Engine::Reference, Engine::main()[1]];
+        let outcome =
+            plan.times(["scale", "s", "samples"], &engines, pictures.into_iter(), &mut results, &Interrupt::default());
+        outcome.expect("nothing fails");
+        assert!(results.omitted.iter().any(|omitted| omitted.setting.engine == "reference"), "{:?}", results.omitted);
+        assert!(results.omitted[0].reason.starts_with("a picture would take about "));
+    }
+}

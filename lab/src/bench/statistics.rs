@@ -1,0 +1,78 @@
+//! What repeated measurements say.
+
+use serde::{Deserialize, Serialize};
+
+/// The middle of some measurements, and between which bounds the true median lies.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Median {
+    /// The middle one, or the mean of the two middle ones.
+    pub median: f64,
+    /// Lower bound.
+    pub low: f64,
+    /// Upper bound.
+    pub high: f64,
+    /// Probability that the bounds hold the true median, whatever the distribution; at least 0.95 from six
+    /// measurements on, less with fewer.
+    pub confidence: f64,
+}
+
+impl Median {
+    /// The median of `values` with the bounds that order statistics give: the k-th smallest and the k-th largest hold
+    /// the true median unless fewer than k of the values fall on one side of it.
+    ///
+    /// # Panics
+    /// Without values.
+    #[must_use]
+    pub fn of(values: &[f64]) -> Self {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let count = sorted.len();
+        assert!(count > 0, "nothing was measured");
+        // Chances of i values of `count` below the median: binomial, each half.
+        let mut chance = 0.5_f64.powi(i32::try_from(count).unwrap_or(i32::MAX));
+        let (mut below, mut best) = (chance, (0, 1.0 - 2.0 * chance));
+        for index in 1..count / 2 {
+            chance *= (count - index + 1) as f64 / index as f64;
+            below += chance;
+            if 1.0 - 2.0 * below < 0.95 {
+                break;
+            }
+            best = (index, 1.0 - 2.0 * below);
+        }
+        let (outside, confidence) = best;
+        let median = (sorted[(count - 1) / 2] + sorted[count / 2]) / 2.0;
+        Self { median, low: sorted[outside], high: sorted[count - 1 - outside], confidence }
+    }
+
+    /// Width of the bounds as a share of the median.
+    #[must_use]
+    pub fn spread(&self) -> f64 {
+        (self.high - self.low) / self.median
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_measurements_are_bounded_by_their_extremes() {
+        let median = Median::of(&[3.0, 1.0, 2.0, 5.0, 4.0]);
+        assert_eq!((median.median, median.low, median.high), (3.0, 1.0, 5.0));
+        // All five on one side of the true median: 2 in 32.
+        assert_eq!(median.confidence, 1.0 - 2.0 / 32.0);
+        let one = Median::of(&[7.0]);
+        assert_eq!((one.median, one.low, one.high, one.confidence), (7.0, 7.0, 7.0, 0.0));
+        assert_eq!(Median::of(&[1.0, 3.0]).median, 2.0);
+    }
+
+    #[test]
+    fn many_measurements_are_bounded_closer() {
+        let values: Vec<f64> = (1..=20).map(f64::from).collect();
+        // The table of binomial confidence intervals has the 6th and the 15th of 20, 95.9 %.
+        let median = Median::of(&values);
+        assert_eq!((median.median, median.low, median.high), (10.5, 6.0, 15.0));
+        assert!((median.confidence - 0.9586).abs() < 1e-4, "{}", median.confidence);
+        assert!((median.spread() - 9.0 / 10.5).abs() < 1e-15);
+    }
+}

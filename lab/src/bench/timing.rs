@@ -1,0 +1,87 @@
+//! User time of engines on one picture, repeats interleaved, answers checked.
+//!
+//! Repeats go round: every engine once, then again, starting with another one each time, so that a machine that slows
+//! down for a while slows all of them. A picture that takes less than [`SHORTEST`] is rendered several times a repeat.
+//! All engines must make the same bytes: a fast wrong one would not be worth a time.
+
+use ::tests::digest::sha256;
+use cpu::{Config, Scene};
+
+use crate::Failure;
+use crate::engine::Engine;
+use crate::interrupt::Interrupt;
+use crate::usage::{Seconds, Usage};
+
+/// Shortest user time that is measured, for the system's clock of user time may be coarse.
+pub const SHORTEST: Seconds = 0.05;
+
+/// Times of engines on one picture.
+#[derive(Clone, Debug)]
+pub struct Times {
+    /// Each engine with the seconds a picture took it, in the order measured.
+    pub of: Vec<(Engine, Vec<Seconds>)>,
+    /// SHA-256 of the picture that all of them made.
+    pub digest: String,
+}
+
+/// Measures `engines` on a picture.
+///
+/// # Errors
+/// What the renderer says, an engine whose picture is another, or [`Failure::Interrupted`].
+pub fn measure(
+    engines: &[Engine],
+    repeats: usize,
+    config: &Config,
+    scene: &Scene,
+    interrupt: &Interrupt,
+) -> Result<Times, Failure> {
+    let mut digest: Option<String> = None;
+    let mut turns = Vec::new();
+    for &engine in engines {
+        interrupt.check()?;
+        // The first picture warms caches up, is checked, and says how many make a repeat.
+        let before = Usage::now().user;
+        let picture = engine.ppm(config, scene)?;
+        let seconds = Usage::now().user - before;
+        let own = sha256(&picture);
+        match &digest {
+            Some(expected) if *expected != own => {
+                return Err(format!("{engine} makes another picture than {}: {own}, not {expected}", engines[0]).into());
+            }
+            _ => digest = Some(own),
+        }
+        turns.push((SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32);
+    }
+    let mut times: Vec<Vec<Seconds>> = vec![Vec::with_capacity(repeats); engines.len()];
+    for repeat in 0..repeats {
+        for place in 0..engines.len() {
+            interrupt.check()?;
+            let index = (place + repeat) % engines.len();
+            let before = Usage::now().user;
+            for _ in 0..turns[index] {
+                std::hint::black_box(engines[index].ppm(config, scene)?);
+            }
+            times[index].push((Usage::now().user - before) / f64::from(turns[index]));
+        }
+    }
+    Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_engine_is_measured_as_often_as_asked() {
+        let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 1\n"[..]).expect("it is valid");
+        let scene = Scene::parse(&b"matte: m 1 1 1\nsphere: 0 0 0 3 m\n"[..]).expect("it is valid");
+        let engines = Engine::main();
+        let times = measure(&engines, 2, &config, &scene, &Interrupt::default()).expect("it is small");
+        assert_eq!(times.of.len(), 3);
+        for (engine, seconds) in &times.of {
+            assert!(seconds.len() == 2 && seconds.iter().all(|&seconds| seconds > 0.0), "{engine}: {seconds:?}");
+        }
+        let expected = Engine::Reference.ppm(&config, &scene).expect("it is small");
+        assert_eq!(times.digest, sha256(&expected));
+    }
+}

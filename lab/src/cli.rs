@@ -1,0 +1,93 @@
+//! The command line: every command with its options, in one place.
+
+use clap::{CommandFactory, Parser, Subcommand};
+
+use crate::Failure;
+use crate::commands::{bench, compare, completions, generate, inspect, render, report};
+
+/// Exit statuses, shown with every help.
+pub const EXIT_STATUS: &str = "\
+Exit status:
+  0    done; for compare: accepted
+  1    compare only: not accepted
+  2    an error, or a command line that is not understood
+  130  interrupted; no file was written or changed";
+
+/// Renders spheres and cylinders, compares pictures, and measures how long it all takes.
+#[derive(Debug, Parser)]
+#[command(name = "render-lab", version, after_help = EXIT_STATUS, max_term_width = 120)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Render a scene into a PPM or PNG file, with progress on a terminal
+    Render(render::Arguments),
+    /// Say how far two pictures differ, and whether the course accepts it
+    Compare(compare::Arguments),
+    /// Say what is in a scene and how the renderer prepares for it
+    Inspect(inspect::Arguments),
+    /// Write a random scene, the same for the same seed, and a configuration that shows it
+    Generate(generate::Arguments),
+    /// Measure run time, error and energy
+    Bench(bench::Arguments),
+    /// Turn measured data into charts and one self-contained HTML page
+    Report(report::Arguments),
+    /// Write completions for a shell to standard output
+    Completions(completions::Completions),
+    /// Write manual pages into a folder
+    Man(completions::Man),
+}
+
+impl Command {
+    /// Runs the command.
+    ///
+    /// # Errors
+    /// Whatever ends it early.
+    pub fn run(&self) -> Result<(), Failure> {
+        match self {
+            Self::Render(arguments) => arguments.run(),
+            Self::Compare(arguments) => arguments.run(),
+            Self::Inspect(arguments) => arguments.run(),
+            Self::Generate(arguments) => arguments.run(),
+            Self::Bench(arguments) => arguments.run(),
+            Self::Report(arguments) => arguments.run(),
+            Self::Completions(arguments) => arguments.run(&mut Cli::command()),
+            Self::Man(arguments) => arguments.run(Cli::command()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every command with those below it.
+    fn all(command: &clap::Command, into: &mut Vec<clap::Command>) {
+        into.push(command.clone());
+        for child in command.get_subcommands().filter(|child| child.get_name() != "help") {
+            all(child, into);
+        }
+    }
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_that_does_something_shows_examples() {
+        let mut commands = Vec::new();
+        all(&Cli::command(), &mut commands);
+        let leaves: Vec<_> = commands.iter().filter(|command| !command.has_subcommands()).collect();
+        assert!(leaves.len() >= 12, "{} commands", leaves.len());
+        for command in leaves {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(help.contains("Examples:\n") && help.contains("render-lab"), "{}: {help}", command.get_name());
+        }
+    }
+}

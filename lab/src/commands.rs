@@ -1,0 +1,23 @@
+//! The commands, a module each: its options, and what it does with them.
+
+pub mod bench;
+pub mod compare;
+pub mod completions;
+pub mod generate;
+pub mod inspect;
+pub mod render;
+pub mod report;
+
+use serde::Serialize;
+
+use crate::Failure;
+
+/// Writes a value as JSON to standard output.
+///
+/// # Errors
+/// Standard output takes no more.
+pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    use std::io::Write;
+    let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
+    Ok(writeln!(std::io::stdout(), "{text}")?)
+}

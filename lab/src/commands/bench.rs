@@ -1,0 +1,168 @@
+//! `render-lab bench`: measurements into files.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Subcommand};
+
+use crate::Failure;
+use crate::bench::machine::Machine;
+use crate::bench::matrix::{PARAMETERS, Plan, Task, tasks};
+use crate::bench::results::Results;
+use crate::interrupt::Interrupt;
+
+/// Options of `bench`.
+#[derive(Debug, Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    what: What,
+}
+
+/// What is measured.
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Time against width, samples, depth and number of objects
+    #[command(after_help = "Examples:\n  render-lab bench scale --out scale.json\n  \
+                            render-lab bench scale objects --quick --out objects.json")]
+    Scale {
+        /// One parameter; all without it
+        #[arg(value_parser = clap::builder::PossibleValuesParser::new(PARAMETERS))]
+        parameter: Option<String>,
+        #[command(flatten)]
+        how: How,
+    },
+    /// Run time against error, for every implementation
+    #[command(after_help = "Examples:\n  render-lab bench error --repeats 9 --out error.json")]
+    Error {
+        #[command(flatten)]
+        how: How,
+    },
+    /// Energy and power, from RAPL or perf where the machine has them; null with the reason where it has not
+    #[command(after_help = "Examples:\n  render-lab bench energy --subtract-idle --out energy.json")]
+    Energy {
+        #[command(flatten)]
+        how: How,
+    },
+    /// All of it
+    #[command(after_help = "Examples:\n  render-lab bench all --out docs/report/data/bench.json\n  \
+                            render-lab bench all --quick --part 3/10 --out part-3.json")]
+    All {
+        /// The I-th of N shares of the tasks, for a cluster; join them with merge
+        #[arg(long, value_name = "I/N", value_parser = parse_part, default_value = "1/1")]
+        part: (usize, usize),
+        #[command(flatten)]
+        how: How,
+    },
+    /// List the tasks of the matrix, one a line: as many parts as make sense
+    #[command(after_help = "Examples:\n  render-lab bench tasks | wc -l")]
+    Tasks,
+    /// Join the results of parts
+    #[command(after_help = "Examples:\n  render-lab bench merge --out bench.json part-*.json")]
+    Merge {
+        /// File to write
+        #[arg(long, value_name = "OUT.json")]
+        out: PathBuf,
+        /// Results to join, all of one commit
+        #[arg(required = true)]
+        parts: Vec<PathBuf>,
+    },
+}
+
+/// How it is measured, and where to.
+#[derive(Debug, Args)]
+struct How {
+    /// File to write; OUT.csv and OUT-error.csv go beside it
+    #[arg(long, value_name = "OUT.json")]
+    out: PathBuf,
+    /// Small pictures, to try it out in minutes
+    #[arg(long)]
+    quick: bool,
+    /// Repeats of each time
+    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u16).range(1..))]
+    repeats: u16,
+    /// Measure the idle machine's power too and subtract it from energies
+    #[arg(long)]
+    subtract_idle: bool,
+    /// Folder of the scenes
+    #[arg(long, default_value_os_t = ::tests::project_root().join("scenes"), hide_default_value = true)]
+    scenes: PathBuf,
+}
+
+fn parse_part(text: &str) -> Result<(usize, usize), String> {
+    let numbers = text.split_once('/').and_then(|(part, parts)| Some((part.parse().ok()?, parts.parse().ok()?)));
+    numbers.filter(|&(part, parts)| part >= 1 && part <= parts).ok_or_else(|| "I/N is needed, as in 3/10".to_owned())
+}
+
+impl Arguments {
+    /// Measures.
+    ///
+    /// # Errors
+    /// What is wrong with a file, or [`Failure::Interrupted`].
+    pub fn run(&self) -> Result<(), Failure> {
+        let all = tasks();
+        match &self.what {
+            What::Scale { parameter, how } => {
+                let is_wanted = |name: &str| parameter.as_ref().is_none_or(|parameter| parameter == name);
+                how.run(all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
+            }
+            What::Error { how } => how.run(all.iter().filter(|task| matches!(task, Task::Error(_)))),
+            What::Energy { how } => how.run(all.iter().filter(|task| matches!(task, Task::Energy(_)))),
+            What::All { part: (part, parts), how } => how.run(all.iter().skip(part - 1).step_by(*parts)),
+            What::Tasks => {
+                all.iter().for_each(|task| println!("{task}"));
+                Ok(())
+            }
+            What::Merge { out, parts } => merge(out, parts),
+        }
+    }
+}
+
+fn merge(out: &Path, parts: &[PathBuf]) -> Result<(), Failure> {
+    let results: Result<Vec<_>, _> = parts.iter().map(|path| Results::read(path)).collect();
+    Results::merge(results?)?.write(out)
+}
+
+impl How {
+    fn run<'a>(&self, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
+        let interrupt = Interrupt::listen()?;
+        // Before minutes are spent on figures that could not be kept.
+        cpu::output::Output::open(&self.out)?;
+        let plan = Plan {
+            quick: self.quick,
+            repeats: usize::from(self.repeats),
+            idle: self.subtract_idle,
+            scenes: self.scenes.clone(),
+        };
+        let mut results = Results { quick: self.quick, machines: vec![Machine::here()], ..Results::default() };
+        for task in tasks {
+            eprintln!("measuring {task}");
+            plan.run(task, &mut results, &interrupt)?;
+        }
+        results.complete();
+        results.write(&self.out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_is_one_of_some() {
+        assert_eq!(parse_part("3/10"), Ok((3, 10)));
+        for text in ["", "0/3", "4/3", "1", "a/b", "1/0"] {
+            assert!(parse_part(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn parts_have_every_task_once() {
+        let all = tasks();
+        for parts in [1, 3, all.len(), all.len() + 5] {
+            let mut joined: Vec<_> =
+                (1..=parts).flat_map(|part| all.iter().skip(part - 1).step_by(parts)).cloned().collect();
+            assert_eq!(joined.len(), all.len());
+            joined.retain(|task| !all.contains(task));
+            assert!(joined.is_empty());
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! `render-lab completions` and `render-lab man`: what packages install beside a program.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use clap_complete::Shell;
+
+use crate::Failure;
+
+/// Options of `completions`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  render-lab completions bash > ~/.local/share/bash-completion/completions/render-lab
+  render-lab completions fish > ~/.config/fish/completions/render-lab.fish")]
+pub struct Completions {
+    /// The shell
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+impl Completions {
+    /// Writes the script.
+    ///
+    /// # Errors
+    /// Standard output takes no more.
+    pub fn run(&self, command: &mut clap::Command) -> Result<(), Failure> {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, command, "render-lab", &mut script);
+        Ok(std::io::stdout().write_all(&script)?)
+    }
+}
+
+/// Options of `man`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  render-lab man ~/.local/share/man/man1 && man render-lab-bench")]
+pub struct Man {
+    /// Folder for the pages, one for each command; it is made if it is not there
+    folder: PathBuf,
+}
+
+impl Man {
+    /// Writes the pages.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn run(&self, command: clap::Command) -> Result<(), Failure> {
+        let explain = |error: std::io::Error| format!("{}: {error}", self.folder.display());
+        std::fs::create_dir_all(&self.folder).map_err(explain)?;
+        Ok(clap_mangen::generate_to(command, &self.folder).map_err(explain)?)
+    }
+}

@@ -1,0 +1,134 @@
+//! `render-lab generate`: the seeded scenes that the tests use, as files.
+
+use std::path::PathBuf;
+
+use ::tests::generator::{self, Arrangement, Options};
+use clap::{Args, ValueEnum};
+use cpu::output::Output;
+
+use crate::Failure;
+
+/// Examples.
+const EXAMPLES: &str = "\
+Examples:
+  render-lab generate config.txt scene.txt --seed 7 --objects 500
+  render-lab generate config.txt scene.txt --arrangement grid --objects 101 --matte 3 --metal 2
+  render-lab generate config.txt scene.txt --cylinders 1 --refractive 0";
+
+/// Options of `generate`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Configuration file to write
+    config: PathBuf,
+    /// Scene file to write
+    scene: PathBuf,
+    /// Where all random numbers come from
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Number of objects
+    #[arg(long, default_value_t = 100)]
+    objects: usize,
+    /// Share of cylinders, from 0 to 1; the others are spheres
+    #[arg(long, default_value_t = 0.5, value_parser = share)]
+    cylinders: f64,
+    /// Weight of matte materials
+    #[arg(long, default_value_t = 2.0, value_parser = weight)]
+    matte: f64,
+    /// Weight of metal materials
+    #[arg(long, default_value_t = 1.0, value_parser = weight)]
+    metal: f64,
+    /// Weight of refractive materials
+    #[arg(long, default_value_t = 1.0, value_parser = weight)]
+    refractive: f64,
+    /// Half the side of the cube that holds the objects' centres
+    #[arg(long, default_value_t = 10.0, value_parser = length)]
+    extent: f64,
+    /// Where objects are put
+    #[arg(long, value_enum, default_value_t)]
+    arrangement: ArrangementName,
+}
+
+/// Where objects are put.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum ArrangementName {
+    /// Anywhere in the cube
+    #[default]
+    Scattered,
+    /// On a ground, one on each square of a board
+    Grid,
+    /// Where arithmetic is hard: copies, touching and nested objects, the huge beside the tiny
+    Degenerate,
+}
+
+fn number(text: &str, is_right: impl Fn(f64) -> bool, what: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|&value: &f64| value.is_finite() && is_right(value)).ok_or_else(|| what.to_owned())
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    number(text, |value| (0.0..=1.0).contains(&value), "a number from 0 to 1 is needed")
+}
+
+fn weight(text: &str) -> Result<f64, String> {
+    number(text, |value| value >= 0.0, "a number that is not negative is needed")
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    number(text, |value| value > 0.0, "a positive number is needed")
+}
+
+impl Arguments {
+    fn options(&self) -> Result<Options, String> {
+        let materials = [self.matte, self.metal, self.refractive];
+        if materials.iter().sum::<f64>() <= 0.0 {
+            return Err("one of --matte, --metal and --refractive must be positive".to_owned());
+        }
+        let arrangement = match self.arrangement {
+            ArrangementName::Scattered => Arrangement::Scattered,
+            ArrangementName::Grid => Arrangement::Grid,
+            ArrangementName::Degenerate => Arrangement::Degenerate,
+        };
+        let (seed, objects, cylinders, extent) = (self.seed, self.objects, self.cylinders, self.extent);
+        Ok(Options { seed, objects, cylinders, materials, extent, arrangement })
+    }
+
+    /// Writes both files.
+    ///
+    /// # Errors
+    /// A file cannot be written, or no material is asked for.
+    pub fn run(&self) -> Result<(), Failure> {
+        let options = self.options()?;
+        // Both places are looked at before either file is written.
+        let (config, scene) = (Output::open(&self.config)?, Output::open(&self.scene)?);
+        config.write(|file| file.write_all(::tests::write::config(&generator::view(&options)).as_bytes()))?;
+        scene.write(|file| file.write_all(::tests::write::scene(&generator::scene(&options)).as_bytes()))?;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Alone {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+
+    #[test]
+    fn the_defaults_are_the_generators() {
+        let alone = Alone::try_parse_from(["generate", "c", "s"]).expect("two names are enough");
+        assert_eq!(alone.arguments.options(), Ok(Options::default()));
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused() {
+        for option in ["--cylinders=1.5", "--cylinders=nan", "--matte=-1", "--extent=0", "--objects=-1"] {
+            assert!(Alone::try_parse_from(["generate", "c", "s", option]).is_err(), "{option}");
+        }
+        let none = ["generate", "c", "s", "--matte=0", "--metal=0", "--refractive=0"];
+        assert!(Alone::try_parse_from(none).expect("each may be zero").arguments.options().is_err());
+    }
+}

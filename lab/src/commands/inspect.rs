@@ -1,0 +1,253 @@
+//! `render-lab inspect`: what is in a scene, and how the renderer prepares for it.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use clap::Args;
+use cpu::prepare::Extent;
+use cpu::scene::Shape;
+use cpu::search::{Bounds, Hierarchy, Search};
+use cpu::{Aos, Config, Material, Prepared, Scatter, Scene};
+use serde::Serialize;
+
+use crate::{Failure, sources};
+
+/// Examples.
+const EXAMPLES: &str = "\
+Examples:
+  render-lab inspect scenes/grid/scene.txt
+  render-lab inspect scene.txt config.txt --json";
+
+/// Options of `inspect`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Scene file
+    scene: PathBuf,
+    /// Configuration file; the defaults count without one
+    config: Option<PathBuf>,
+    /// Print it as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// What there is to say about a scene.
+#[derive(Debug, PartialEq, Serialize)]
+struct Inspection {
+    spheres: usize,
+    cylinders: usize,
+    /// Objects by the kind of their material.
+    objects_by_material: BTreeMap<&'static str, usize>,
+    materials: usize,
+    unused_materials: usize,
+    /// Of the objects, in scene units; absent without objects.
+    lowest_corner: Option<[f32; 3]>,
+    highest_corner: Option<[f32; 3]>,
+    /// Largest coordinate that objects or the camera reach.
+    reach: f64,
+    /// Whether all magnitudes are such that filters may be trusted.
+    moderate: bool,
+    search: SearchKind,
+    picture: [usize; 2],
+    samples: u64,
+    /// What the picture can do without, by its configuration and scene.
+    not_needed: Vec<&'static str>,
+}
+
+/// How nearest objects are found.
+#[derive(Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "kind")]
+enum SearchKind {
+    /// Every object is asked.
+    Plain,
+    /// All of a handful of objects are looked at together.
+    Few,
+    /// A filter over all objects.
+    Flat,
+    /// A tree of boxes.
+    Tree(Tree),
+}
+
+/// Figures of a tree of boxes.
+#[derive(Debug, PartialEq, Serialize)]
+struct Tree {
+    nodes: usize,
+    children_per_node: f64,
+    /// Boxes that a random line through the whole is expected to meet: the sum of their surfaces over the whole's.
+    boxes_met_by_a_line: f64,
+}
+
+impl Arguments {
+    /// Inspects.
+    ///
+    /// # Errors
+    /// What is wrong with a file.
+    pub fn run(&self) -> Result<(), Failure> {
+        let scene = sources::scene(&self.scene)?;
+        let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
+        let inspection = Inspection::of(&config, &scene)?;
+        if self.json {
+            super::print_json(&inspection)?;
+        } else {
+            println!("{inspection}");
+        }
+        Ok(())
+    }
+}
+
+impl Inspection {
+    fn of(config: &Config, scene: &Scene) -> Result<Self, Failure> {
+        let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
+        let extent = Extent::new(&prepared.objects, &prepared.camera, &scene.materials);
+        let bounds = (0..scene.objects.len())
+            .map(|id| Bounds::of_object(&prepared.objects, id, &extent))
+            .reduce(|all, one| all.union(&one));
+        let mut used = vec![false; scene.materials.len()];
+        let mut objects_by_material = BTreeMap::new();
+        for object in &scene.objects {
+            used[object.material as usize] = true;
+            *objects_by_material.entry(kind(&scene.materials[object.material as usize])).or_insert(0) += 1;
+        }
+        let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
+        Ok(Self {
+            spheres,
+            cylinders: scene.objects.len() - spheres,
+            objects_by_material,
+            materials: scene.materials.len(),
+            unused_materials: used.iter().filter(|&&used| !used).count(),
+            lowest_corner: bounds.map(|bounds| bounds.low),
+            highest_corner: bounds.map(|bounds| bounds.high),
+            reach: extent.reach,
+            moderate: extent.moderate,
+            search: match &prepared.search {
+                Search::Plain => SearchKind::Plain,
+                Search::Few(_) => SearchKind::Few,
+                Search::Flat(_) => SearchKind::Flat,
+                Search::Tree(tree) => SearchKind::Tree(Tree::of(tree, scene.objects.len())),
+            },
+            picture: [prepared.size.width(), prepared.size.height()],
+            samples: prepared.samples,
+            not_needed: not_needed(config, scene),
+        })
+    }
+}
+
+const fn kind(material: &Material) -> &'static str {
+    match material {
+        Material::Matte { .. } => "matte",
+        Material::Metal { .. } => "metal",
+        Material::Refractive { .. } => "refractive",
+    }
+}
+
+fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
+    let has_shape = |is: fn(&Shape) -> bool| scene.objects.iter().any(|object| is(&object.shape));
+    let has_material =
+        |is: fn(&Material) -> bool| scene.objects.iter().any(|object| is(&scene.materials[object.material as usize]));
+    let facts = [
+        (!has_shape(|shape| matches!(shape, Shape::Sphere(_))), "spheres"),
+        (!has_shape(|shape| matches!(shape, Shape::Cylinder(_))), "cylinders"),
+        (!has_material(|material| matches!(material, Material::Matte { .. })), "matte surfaces"),
+        (!has_material(|material| matches!(material, Material::Metal { .. })), "metal surfaces"),
+        (!has_material(|material| matches!(material, Material::Refractive { .. })), "refraction"),
+        (
+            !has_material(|material| matches!(material, Material::Metal { diffusion, .. } if *diffusion > 0.0)),
+            "diffusion",
+        ),
+        (config.background_dark_color == config.background_light_color, "a background that varies"),
+        (config.gamma == 1.0, "gamma correction"),
+        (config.max_depth == 1, "scattered rays"),
+    ];
+    facts.into_iter().filter_map(|(is_absent, name)| is_absent.then_some(name)).collect()
+}
+
+impl Tree {
+    fn of(tree: &Hierarchy, objects: usize) -> Self {
+        // Every box but the root's own is seen once as somebody's child; the objects are the others.
+        let (mut boxes, mut surface, mut whole) = (0, 0.0, Bounds::EMPTY);
+        tree.visit(
+            |bounds| {
+                boxes += 1;
+                surface += f64::from(bounds.half_area());
+                whole = whole.union(bounds);
+                true
+            },
+            |_| {},
+        );
+        let nodes = boxes - objects + 1;
+        Self {
+            nodes,
+            children_per_node: boxes as f64 / nodes as f64,
+            boxes_met_by_a_line: surface / f64::from(whole.half_area()),
+        }
+    }
+}
+
+impl std::fmt::Display for Inspection {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(out, "objects     {} spheres, {} cylinders", self.spheres, self.cylinders)?;
+        let kinds: Vec<_> = self.objects_by_material.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+        writeln!(out, "made of     {}", if kinds.is_empty() { "nothing".to_owned() } else { kinds.join(", ") })?;
+        writeln!(out, "materials   {}, of them {} unused", self.materials, self.unused_materials)?;
+        if let (Some(low), Some(high)) = (self.lowest_corner, self.highest_corner) {
+            writeln!(out, "bounds      {low:.3?} to {high:.3?}")?;
+        }
+        let trust = if self.moderate { "filters are trusted" } else { "too extreme for filters" };
+        writeln!(out, "reach       {:.3}, {trust}", self.reach)?;
+        match &self.search {
+            SearchKind::Plain => writeln!(out, "search      every object is asked")?,
+            SearchKind::Few => writeln!(out, "search      all objects together, in double precision")?,
+            SearchKind::Flat => writeln!(out, "search      a filter over all objects, several at once")?,
+            SearchKind::Tree(tree) => writeln!(
+                out,
+                "search      a tree of boxes: {} nodes, {:.1} children each; a random line meets {:.1} boxes",
+                tree.nodes, tree.children_per_node, tree.boxes_met_by_a_line
+            )?,
+        }
+        writeln!(out, "picture     {} x {} pixels, {} samples each", self.picture[0], self.picture[1], self.samples)?;
+        let list = if self.not_needed.is_empty() { "nothing".to_owned() } else { self.not_needed.join(", ") };
+        write!(out, "not needed  {list}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ::tests::generator::{Arrangement, Options, scene};
+
+    fn inspect(scene: &Scene) -> Inspection {
+        Inspection::of(&Config::default(), scene).expect("the default picture is fine")
+    }
+
+    #[test]
+    fn a_small_scene_is_told_in_full() {
+        let text = "matte: a 1 1 1\nmetal: b 1 1 1 0\nsphere: 0 0 0 1 a\nsphere: 3 0 0 1 a\n";
+        let inspection = inspect(&Scene::parse(text.as_bytes()).expect("it is valid"));
+        assert_eq!((inspection.spheres, inspection.cylinders), (2, 0));
+        assert_eq!((inspection.materials, inspection.unused_materials), (2, 1));
+        assert_eq!(inspection.objects_by_material, BTreeMap::from([("matte", 2)]));
+        assert_eq!(inspection.reach, 10.0, "the camera's distance");
+        assert_eq!(inspection.not_needed, ["cylinders", "metal surfaces", "refraction", "diffusion"]);
+        let high = inspection.highest_corner.expect("there are objects");
+        assert!((high[0] - 4.0).abs() < 1e-4, "{high:?}");
+    }
+
+    #[test]
+    fn an_empty_scene_needs_nothing() {
+        let inspection = inspect(&Scene::default());
+        assert_eq!((inspection.lowest_corner, inspection.spheres), (None, 0));
+        assert_eq!(inspection.not_needed.len(), 6);
+        assert!(inspection.to_string().contains("made of     nothing"));
+    }
+
+    #[test]
+    fn a_tree_holds_every_object_once() {
+        let options = Options { objects: 3000, arrangement: Arrangement::Grid, ..Options::default() };
+        let SearchKind::Tree(tree) = inspect(&scene(&options)).search else { panic!("many objects need a tree") };
+        // With up to 16 children a node, 3000 objects need at least 200 nodes.
+        assert!((200..3000).contains(&tree.nodes), "{tree:?}");
+        assert!(tree.children_per_node > 1.0 && tree.children_per_node <= 16.0, "{tree:?}");
+        // The ground alone is nearly as large as the whole; single precision makes it a little less.
+        assert!(tree.boxes_met_by_a_line > 0.99, "{tree:?}");
+    }
+}

@@ -1,0 +1,215 @@
+//! `render-lab render`: the renderer, with a view of what happens.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use cpu::output::Output;
+use cpu::{Aos, Config, Error, Layout, Prepared, Scene, Soa};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+
+use crate::Failure;
+use crate::engine::{self, LayoutName, ScatterName};
+use crate::interrupt::Interrupt;
+use crate::sources;
+use crate::usage::Usage;
+
+/// Examples.
+const EXAMPLES: &str = "\
+Examples:
+  render-lab render scenes/grid/config.txt scenes/grid/scene.txt grid.png
+  render-lab render config.txt scene.txt out.ppm --set samples_per_pixel=500 --set gamma=2
+  render-lab render config.txt scene.txt part.png --crop 100,40,64,64
+  render-lab render config.txt scene.txt out.ppm --json --count";
+
+/// Options of `render`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Configuration file
+    config: PathBuf,
+    /// Scene file
+    scene: PathBuf,
+    /// Picture to write, PNG if its name ends in .png, else PPM; replaced when it is complete and not before
+    out: PathBuf,
+    /// How objects and pixels lie in memory; changes no byte
+    #[arg(long, value_enum, default_value_t)]
+    layout: LayoutName,
+    /// How surfaces scatter light
+    #[arg(long, value_enum, default_value_t)]
+    scatter: ScatterName,
+    /// Replace a value of the configuration; may be repeated
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Write this part of the picture only. What comes before it is rendered all the same, for its random numbers
+    #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop)]
+    crop: Option<[usize; 4]>,
+    /// Count rays and hits too: renders again, by the literal renderer, which may take far longer
+    #[arg(long)]
+    count: bool,
+    /// Print what it took as JSON on standard output
+    #[arg(long)]
+    json: bool,
+}
+
+fn parse_crop(text: &str) -> Result<[usize; 4], String> {
+    let numbers: Vec<usize> = text.split(',').filter_map(|number| number.trim().parse().ok()).collect();
+    <[usize; 4]>::try_from(numbers)
+        .ok()
+        .filter(|[.., width, height]| text.matches(',').count() == 3 && *width > 0 && *height > 0)
+        .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
+}
+
+/// What a rendering took.
+#[derive(Clone, Debug, Serialize)]
+struct Taken {
+    width: usize,
+    height: usize,
+    samples_per_pixel: u64,
+    /// Rays from the camera in the rows rendered.
+    primary_rays: u64,
+    user_seconds: f64,
+    nanoseconds_per_primary_ray: f64,
+    peak_memory_bytes: u64,
+    /// All rays, where they were counted.
+    rays: Option<u64>,
+    hits: Option<u64>,
+    nanoseconds_per_ray: Option<f64>,
+}
+
+impl Arguments {
+    /// Renders.
+    ///
+    /// # Errors
+    /// What is wrong with a file, or [`Failure::Interrupted`].
+    pub fn run(&self) -> Result<(), Failure> {
+        let config = sources::config(&self.config, &self.set)?;
+        let scene = sources::scene(&self.scene)?;
+        let interrupt = Interrupt::listen()?;
+        let mut taken = match self.layout {
+            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, &interrupt)?,
+            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, &interrupt)?,
+        };
+        if self.count {
+            let counts = cpu::reference::render_counted::<cpu::certified::Certified>(
+                &config,
+                &scene,
+                self.scatter.into(),
+                |_, _| {},
+            )?;
+            taken.rays = Some(counts.rays);
+            taken.hits = Some(counts.hits);
+            // The time is that of the rows rendered: without all of them it is not the counted rays'.
+            let all = self.crop.is_none() && counts.rays > 0;
+            taken.nanoseconds_per_ray = all.then(|| taken.user_seconds * 1e9 / counts.rays as f64);
+        }
+        if self.json {
+            super::print_json(&taken)?;
+        } else if std::io::stderr().is_terminal() || self.count {
+            eprintln!("{taken}");
+        }
+        Ok(())
+    }
+
+    /// Renders and writes the file.
+    fn write_picture<L: Layout>(
+        &self,
+        config: &Config,
+        scene: &Scene,
+        interrupt: &Interrupt,
+    ) -> Result<Taken, Failure> {
+        let in_file = |error: Error| error.in_file(&self.config);
+        let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(in_file)?;
+        let size = prepared.size;
+        let part = self.crop.unwrap_or([0, 0, size.width(), size.height()]);
+        let rows = rows_of(part, size.width(), size.height())?;
+        let output = Output::open(&self.out)?;
+        let before = Usage::now();
+        let bar = progress(rows);
+        let picture = engine::render_rows::<L>(&prepared, rows, |row| {
+            bar.set_position(row as u64);
+            interrupt.flow()
+        })?;
+        bar.finish_and_clear();
+        let picture = picture.ok_or(Failure::Interrupted)?;
+        let picture = if self.crop.is_some() { picture.crop(part) } else { picture };
+        let write_png = is_png(&self.out);
+        output.write(|file| if write_png { picture.write_png(file) } else { picture.write_ppm(file) })?;
+        let after = Usage::now();
+        let primary_rays = (rows * size.width()) as u64 * prepared.samples;
+        let user_seconds = after.user - before.user;
+        Ok(Taken {
+            width: picture.width,
+            height: picture.height,
+            samples_per_pixel: prepared.samples,
+            primary_rays,
+            user_seconds,
+            nanoseconds_per_primary_ray: user_seconds * 1e9 / primary_rays as f64,
+            peak_memory_bytes: after.peak_memory,
+            rays: None,
+            hits: None,
+            nanoseconds_per_ray: None,
+        })
+    }
+}
+
+/// How many rows must be rendered for a part of the picture.
+fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: usize) -> Result<usize, String> {
+    let within = |start: usize, length: usize, all| start.checked_add(length).filter(|&end| end <= all);
+    match (within(x, part_width, width), within(y, part_height, height)) {
+        (Some(_), Some(rows)) => Ok(rows),
+        _ => Err(format!("--crop goes beyond the picture of {width} x {height} pixels")),
+    }
+}
+
+fn is_png(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"))
+}
+
+/// A bar on standard error where that is a terminal; silent otherwise.
+fn progress(rows: usize) -> ProgressBar {
+    const TEMPLATE: &str = "{wide_bar} {percent:>3} %  {per_sec}  {eta} left";
+    let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::stderr()).with_style(style.with_key(
+        "per_sec",
+        |state: &indicatif::ProgressState, out: &mut dyn std::fmt::Write| {
+            // Where the text cannot be shown there is nothing to do about it.
+            let _ = write!(out, "{:.0} rows/s", state.per_sec());
+        },
+    ))
+}
+
+impl std::fmt::Display for Taken {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (seconds, memory) = (self.user_seconds, self.peak_memory_bytes as f64 / 1e6);
+        write!(out, "{} x {} pixels, {} samples each: ", self.width, self.height, self.samples_per_pixel)?;
+        write!(out, "{seconds:.3} s of user time, {:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
+        write!(out, "peak memory {memory:.1} MB")?;
+        if let (Some(rays), Some(hits)) = (self.rays, self.hits) {
+            write!(out, "; {rays} rays, {hits} hits")?;
+        }
+        self.nanoseconds_per_ray.map_or(Ok(()), |time| write!(out, ", {time:.1} ns a ray"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_is_four_numbers() {
+        assert_eq!(parse_crop("1,2,3,4"), Ok([1, 2, 3, 4]));
+        for text in ["", "1,2,3", "1,2,3,4,5", "1,2,0,4", "1,2,3,x", "-1,2,3,4", "1,2,3,4,x"] {
+            assert!(parse_crop(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn only_the_rows_down_to_the_part_are_needed() {
+        assert_eq!(rows_of([1, 2, 3, 4], 4, 9), Ok(6));
+        assert!(rows_of([2, 0, 3, 1], 4, 9).is_err());
+        assert!(rows_of([0, 9, 1, 1], 4, 9).is_err());
+        assert!(rows_of([0, 0, 1, usize::MAX], 4, 9).is_err());
+    }
+}

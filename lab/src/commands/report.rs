@@ -1,0 +1,32 @@
+//! `render-lab report`: charts and a page from measured data.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::Failure;
+use crate::bench::results::Results;
+
+/// Options of `report`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  render-lab report bench.json --out report && xdg-open report/index.html
+  render-lab report docs/report/data/bench.json --out docs/report    # what docs/build-report does")]
+pub struct Arguments {
+    /// Results of `render-lab bench`
+    data: PathBuf,
+    /// Folder for index.html, findings.json and charts/*.svg; it is made if it is not there
+    #[arg(long, value_name = "FOLDER")]
+    out: PathBuf,
+}
+
+impl Arguments {
+    /// Writes the report.
+    ///
+    /// # Errors
+    /// What is wrong with the data or the folder.
+    pub fn run(&self) -> Result<(), Failure> {
+        crate::report::write(&Results::read(&self.data)?, &self.out)
+    }
+}

@@ -1,0 +1,156 @@
+//! How far two pictures differ (statement, section 2.4; SPEC.md), and by measures that other fields use.
+
+use serde::Serialize;
+
+use crate::picture::Picture;
+
+/// Largest pixel difference that the course does not accept any more.
+pub const MAXIMUM_BOUND: f64 = 150.0;
+
+/// RMSE that the course does not accept any more.
+pub const RMSE_BOUND: f64 = 10.0;
+
+/// What there is to say about two pictures of one size. A pixel's difference is the mean of its channels' absolute
+/// differences, in levels from 0 to 255.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// Root of the mean square of the pixels' differences.
+    pub rmse: f64,
+    /// The largest of them.
+    pub maximum: f64,
+    /// Their mean.
+    pub mae: f64,
+    /// Peak signal-to-noise ratio over all channels in decibels; `None` (infinite) for identical pictures.
+    pub psnr: Option<f64>,
+    /// Mean FLIP error, 0 to 1, where this was built with it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flip: Option<f64>,
+    /// Pixels that differ at all.
+    pub differing: usize,
+    /// Pixels compared.
+    pub pixels: usize,
+    /// The smallest rectangle that holds all differing pixels: column, row, width, height.
+    pub bounding_box: Option<[usize; 4]>,
+    /// Whether the course accepts it.
+    pub accepted: bool,
+}
+
+/// The difference of one pixel.
+#[must_use]
+pub fn of_pixels(first: [u8; 3], second: [u8; 3]) -> f64 {
+    f64::from(channels(first, second).iter().sum::<u32>()) / 3.0
+}
+
+fn channels(first: [u8; 3], second: [u8; 3]) -> [u32; 3] {
+    std::array::from_fn(|channel| u32::from(first[channel].abs_diff(second[channel])))
+}
+
+impl Difference {
+    /// Compares two pictures.
+    ///
+    /// # Errors
+    /// Their sizes, when they differ.
+    pub fn between(first: &Picture, second: &Picture) -> Result<Self, String> {
+        if (first.width, first.height) != (second.width, second.height) {
+            let [a, b] = [first, second].map(|picture| format!("{} x {}", picture.width, picture.height));
+            return Err(format!("the pictures have different sizes: {a} and {b}"));
+        }
+        let pixels = first.pixels.len();
+        let (mut differing, mut maximum, mut sum, mut squares) = (0, 0.0_f64, 0.0, 0.0);
+        // Over channels, exact: 2^30 pixels of three times 255^2 fit.
+        let mut channel_squares = 0_u64;
+        let mut corners: Option<[usize; 4]> = None;
+        for (index, (&a, &b)) in first.pixels.iter().zip(&second.pixels).enumerate() {
+            if a == b {
+                continue;
+            }
+            let difference = of_pixels(a, b);
+            differing += 1;
+            maximum = maximum.max(difference);
+            sum += difference;
+            squares += difference * difference;
+            channel_squares += channels(a, b).iter().map(|&d| u64::from(d * d)).sum::<u64>();
+            let (x, y) = (index % first.width, index / first.width);
+            let [left, top, right, bottom] = corners.unwrap_or([x, y, x, y]);
+            corners = Some([left.min(x), top.min(y), right.max(x), bottom.max(y)]);
+        }
+        let rmse = (squares / pixels as f64).sqrt();
+        let channel_mse = channel_squares as f64 / (3 * pixels) as f64;
+        Ok(Self {
+            rmse,
+            maximum,
+            mae: sum / pixels as f64,
+            psnr: (differing > 0).then(|| 10.0 * (255.0 * 255.0 / channel_mse).log10()),
+            flip: flip(first, second),
+            differing,
+            pixels,
+            bounding_box: corners.map(|[left, top, right, bottom]| [left, top, right - left + 1, bottom - top + 1]),
+            accepted: maximum < MAXIMUM_BOUND && rmse < RMSE_BOUND,
+        })
+    }
+}
+
+/// The mean of the FLIP map at 67 pixels a degree, the default of its authors.
+#[cfg(feature = "flip")]
+fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
+    let size = [u32::try_from(reference.width).ok()?, u32::try_from(reference.height).ok()?];
+    let image = |picture: &Picture| nv_flip::FlipImageRgb8::with_data(size[0], size[1], picture.pixels.as_flattened());
+    let map = nv_flip::flip(image(reference), image(test), nv_flip::DEFAULT_PIXELS_PER_DEGREE);
+    Some(f64::from(nv_flip::FlipPool::from_image(&map).mean()))
+}
+
+#[cfg(not(feature = "flip"))]
+const fn flip(_: &Picture, _: &Picture) -> Option<f64> {
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(pixels: &[[u8; 3]]) -> Picture {
+        Picture { width: 2, height: pixels.len() / 2, pixels: pixels.to_vec() }
+    }
+
+    #[test]
+    fn identical_pictures_do_not_differ() {
+        let first = picture(&[[1, 2, 3], [4, 5, 6]]);
+        let same = Difference::between(&first, &first).expect("one size");
+        assert_eq!((same.rmse, same.maximum, same.mae, same.psnr), (0.0, 0.0, 0.0, None));
+        assert_eq!((same.differing, same.pixels, same.bounding_box, same.accepted), (0, 2, None, true));
+    }
+
+    #[test]
+    fn a_pixels_difference_is_the_mean_over_its_channels() {
+        assert_eq!(of_pixels([0, 10, 255], [3, 4, 255]), 3.0);
+        let first = picture(&[[0; 3], [0; 3], [0; 3], [0; 3]]);
+        let second = picture(&[[0; 3], [0; 3], [0; 3], [9, 0, 3]]);
+        let difference = Difference::between(&first, &second).expect("one size");
+        // One pixel of four differs by 4: mean 1, root of 16/4 is 2.
+        assert_eq!((difference.rmse, difference.maximum, difference.mae), (2.0, 4.0, 1.0));
+        assert_eq!((difference.differing, difference.bounding_box), (1, Some([1, 1, 1, 1])));
+        // Mean square over channels: (81 + 9) / 12.
+        let expected = 10.0 * (65025.0_f64 / 7.5).log10();
+        assert!((difference.psnr.expect("they differ") - expected).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_bounds_themselves_are_not_accepted() {
+        let black = picture(&[[0; 3], [0; 3]]);
+        let at = |value| Difference::between(&black, &picture(&[[value; 3], [value; 3]])).expect("one size").accepted;
+        assert!(at(9) && !at(10), "RMSE under 10");
+        let many = |value: u8| {
+            let mut pixels = vec![[0; 3]; 1000];
+            let black = picture(&pixels);
+            pixels[7] = [value; 3];
+            Difference::between(&black, &picture(&pixels)).expect("one size").accepted
+        };
+        assert!(many(149) && !many(150), "largest difference under 150");
+    }
+
+    #[test]
+    fn sizes_must_be_equal() {
+        let error = Difference::between(&picture(&[[0; 3]; 2]), &picture(&[[0; 3]; 4])).expect_err("they are not");
+        assert!(error.contains("2 x 1 and 2 x 2"), "{error}");
+    }
+}

@@ -1,0 +1,194 @@
+//! Which renderer is meant: the literal one, or the real one in a layout with an instruction set.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::str::FromStr;
+
+use clap::ValueEnum;
+use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
+
+use crate::picture::Picture;
+
+/// How objects and pixels lie in memory.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, ValueEnum)]
+pub enum LayoutName {
+    /// Arrays of structures
+    #[default]
+    Aos,
+    /// Structures of arrays
+    Soa,
+}
+
+impl LayoutName {
+    /// Its name on the command line and in data.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Aos => "aos",
+            Self::Soa => "soa",
+        }
+    }
+}
+
+/// How surfaces scatter light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum ScatterName {
+    /// A vector in a cube, as the statement says and the evaluated programs do
+    #[default]
+    Statement,
+    /// A unit vector by rejection, as the published images have it
+    Published,
+    /// None, and one ray through the middle of each pixel: for comparing implementations
+    Deterministic,
+}
+
+impl From<ScatterName> for Scatter {
+    fn from(name: ScatterName) -> Self {
+        match name {
+            ScatterName::Statement => Self::Statement,
+            ScatterName::Published => Self::Published,
+            ScatterName::Deterministic => Self::Deterministic,
+        }
+    }
+}
+
+/// An implementation to render with. In text: `reference`, or layout and instruction set as in `soa-avx2`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// By the definition, object after object.
+    Reference,
+    /// The real renderer.
+    Real(LayoutName, InstructionSet),
+}
+
+impl Engine {
+    /// Every implementation that this machine can run.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        let sets = InstructionSet::ALL.into_iter().filter(|set| set.is_available());
+        let real = sets.flat_map(|set| [LayoutName::Aos, LayoutName::Soa].map(|layout| Self::Real(layout, set)));
+        std::iter::once(Self::Reference).chain(real).collect()
+    }
+
+    /// The literal renderer, and both layouts with the best instruction set.
+    #[must_use]
+    pub fn main() -> Vec<Self> {
+        let best = InstructionSet::best();
+        vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]
+    }
+
+    /// The PPM file in memory, from checked values to bytes: all that the programs do but reading and storing files, and
+    /// what is measured.
+    ///
+    /// # Errors
+    /// What the renderer says.
+    pub fn ppm(self, config: &Config, scene: &Scene) -> Result<Vec<u8>, Error> {
+        match self {
+            Self::Reference => {
+                cpu::reference::render::<<Aos as Layout>::Image>(config, scene, Scatter::Statement).map(|i| bytes(&i))
+            }
+            Self::Real(LayoutName::Aos, set) => real::<Aos>(config, scene, set),
+            Self::Real(LayoutName::Soa, set) => real::<Soa>(config, scene, set),
+        }
+    }
+}
+
+fn real<L: Layout>(config: &Config, scene: &Scene, set: InstructionSet) -> Result<Vec<u8>, Error> {
+    let prepared = Prepared::<L>::new(config, scene, Scatter::Statement)?;
+    cpu::render_with(&prepared, set).map(|image| bytes(&image))
+}
+
+fn bytes(image: &impl cpu::Image) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    // Writing to memory does not fail.
+    let _ = cpu::ppm::write_ppm(image, &mut bytes);
+    bytes
+}
+
+/// The pixels' means before they become bytes, in linear light.
+///
+/// # Errors
+/// What the renderer says.
+pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
+    let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
+    let mut means = vec![Vec3::ZERO; prepared.size.pixels()];
+    cpu::render_linear(&prepared, InstructionSet::chosen(), |index, mean| means[index] = mean);
+    Ok(means)
+}
+
+/// Renders with the real renderer and calls `after_row` as [`cpu::render_into`] does; `None` when it broke off before
+/// `rows` rows were done.
+///
+/// # Errors
+/// What the renderer says.
+pub fn render_rows<L: Layout>(
+    prepared: &Prepared<L>,
+    rows: usize,
+    mut after_row: impl FnMut(usize) -> ControlFlow<()>,
+) -> Result<Option<Picture>, Error> {
+    let mut image = <L::Image as cpu::Image>::black(prepared.size)?;
+    let mut done = 0;
+    let _ = cpu::render_into(prepared, InstructionSet::chosen(), &mut image, |row| {
+        done = row;
+        after_row(row)?;
+        if row >= rows { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    Ok((done >= rows).then(|| Picture::of(&image)))
+}
+
+impl fmt::Display for Engine {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reference => out.write_str("reference"),
+            Self::Real(layout, set) => write!(out, "{}-{}", layout.name(), set.name()),
+        }
+    }
+}
+
+impl FromStr for Engine {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let all = Self::all();
+        all.iter().copied().find(|engine| engine.to_string() == text).ok_or_else(|| {
+            let names: Vec<_> = all.iter().map(Self::to_string).collect();
+            format!("this machine has {}", names.join(", "))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_engine_makes_the_same_picture() {
+        let config = Config::parse(&b"image_width: 24\nsamples_per_pixel: 3\n"[..]).expect("it is valid");
+        let scene = ::tests::generator::scene(&::tests::generator::Options { objects: 20, ..Default::default() });
+        let expected = Engine::Reference.ppm(&config, &scene).expect("it is small");
+        let engines = Engine::all();
+        assert!(engines.len() >= 3, "the reference and the portable one in two layouts");
+        for engine in engines {
+            assert!(engine.ppm(&config, &scene).expect("it is small") == expected, "{engine}");
+        }
+    }
+
+    #[test]
+    fn engines_are_named_as_they_are_read() {
+        for engine in Engine::all() {
+            assert_eq!(engine.to_string().parse(), Ok(engine));
+        }
+        assert!("aos".parse::<Engine>().is_err());
+    }
+
+    #[test]
+    fn the_means_are_those_of_the_reference() {
+        let config = Config::parse(&b"image_width: 16\nsamples_per_pixel: 2\n"[..]).expect("it is valid");
+        let scene = ::tests::generator::scene(&::tests::generator::Options::default());
+        let mut expected = Vec::new();
+        cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, mean| expected.push(mean))
+            .expect("it is small");
+        assert_eq!(expected.len(), 16 * 9);
+        assert_eq!(means(&config, &scene).ok(), Some(expected));
+    }
+}

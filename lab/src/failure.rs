@@ -1,0 +1,61 @@
+//! Why a command ended early, and the exit status that says so.
+
+/// The end of a command that did not simply succeed.
+#[derive(Debug)]
+pub enum Failure {
+    /// Two pictures differ more than the course accepts.
+    Rejected,
+    /// The renderer, or a file of it, says no.
+    Renderer(cpu::Error),
+    /// Anything else that went wrong, in words.
+    Other(String),
+    /// Someone stopped it.
+    Interrupted,
+}
+
+impl Failure {
+    /// The exit status, as `diff` and shells have them: 1 for a difference, 2 for trouble, 130 for an interruption.
+    #[must_use]
+    pub const fn status(&self) -> u8 {
+        match self {
+            Self::Rejected => 1,
+            Self::Renderer(_) | Self::Other(_) => 2,
+            Self::Interrupted => 130,
+        }
+    }
+
+    /// What to say about it; nothing where the output has said it already. Names of files need not be UTF-8.
+    #[must_use]
+    pub fn message(&self) -> Option<Vec<u8>> {
+        match self {
+            Self::Rejected => None,
+            Self::Renderer(error) => Some(error.message()),
+            Self::Other(text) => Some(text.clone().into_bytes()),
+            Self::Interrupted => Some(b"interrupted; nothing was written".to_vec()),
+        }
+    }
+}
+
+impl From<cpu::Error> for Failure {
+    fn from(error: cpu::Error) -> Self {
+        Self::Renderer(error)
+    }
+}
+
+impl From<String> for Failure {
+    fn from(text: String) -> Self {
+        Self::Other(text)
+    }
+}
+
+impl From<&str> for Failure {
+    fn from(text: &str) -> Self {
+        Self::Other(text.to_owned())
+    }
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        Self::Other(error.to_string())
+    }
+}

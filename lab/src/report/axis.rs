@@ -1,0 +1,55 @@
+//! A logarithmic axis with round ticks.
+
+use plotters::coord::ranged1d::{KeyPointHint, Ranged, ValueFormatter};
+
+/// From the least to the largest value, with room at both ends.
+#[must_use]
+pub fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f64> {
+    let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
+    low / room..high * room
+}
+
+/// A logarithmic axis whose ticks are round: 1, 2, 5 in each decade where there are few, else powers of ten.
+pub struct Logarithmic(pub std::ops::Range<f64>);
+
+impl Ranged for Logarithmic {
+    type FormatOption = plotters::coord::ranged1d::NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        let share = (value.ln() - self.0.start.ln()) / (self.0.end.ln() - self.0.start.ln());
+        from + (f64::from(to - from) * share).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        ticks(&self.0, hint.max_num_points())
+    }
+
+    fn range(&self) -> std::ops::Range<f64> {
+        self.0.clone()
+    }
+}
+
+impl ValueFormatter<f64> for Logarithmic {}
+
+fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
+    let decades = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
+    let with = |steps: &[f64]| -> Vec<f64> {
+        let all = decades.clone().flat_map(|decade| steps.iter().map(move |step| step * 10_f64.powi(decade)));
+        all.filter(|tick| range.contains(tick)).collect()
+    };
+    let sets = [with(&[1.0, 2.0, 5.0]), with(&[1.0, 3.0]), with(&[1.0])];
+    sets.into_iter().find(|ticks| ticks.len() <= most).unwrap_or_else(|| with(&[1.0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round() {
+        assert_eq!(ticks(&(0.9..60.0), 9), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
+        assert_eq!(ticks(&(0.9..60.0), 4), [1.0, 3.0, 10.0, 30.0]);
+        assert_eq!(ticks(&(0.9..11000.0), 5), [1.0, 10.0, 100.0, 1000.0, 10000.0]);
+    }
+}

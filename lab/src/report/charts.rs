@@ -1,0 +1,141 @@
+//! Which charts the data give.
+
+use super::chart::{Axis, Chart, Point, Series};
+use super::style::{seconds, short};
+use crate::bench::results::{Results, Timing};
+
+const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
+
+/// Every chart for which there are data, in the order of the report.
+#[must_use]
+pub fn all(results: &Results) -> Vec<Chart> {
+    let scale = crate::bench::matrix::PARAMETERS.iter().filter_map(|parameter| scale(results, parameter));
+    let curves = results.curves.iter().map(|curve| curve.scene.as_str());
+    scale
+        .chain(error_by_samples(results))
+        .chain(curves.filter_map(|scene| error_by_time(results, scene)))
+        .chain(speed_ups(results))
+        .collect()
+}
+
+/// Time against a parameter.
+fn scale(results: &Results, parameter: &str) -> Option<Chart> {
+    let (label, title) = match parameter {
+        "width" => ("width of the picture in pixels (height follows)", "Time against the picture's width"),
+        "samples" => ("samples a pixel", "Time against samples"),
+        "depth" => ("largest number of surfaces that a ray may meet", "Time against depth"),
+        _ => ("objects in the scene", "Time against the number of objects"),
+    };
+    let mut series: Vec<Series> = Vec::new();
+    for timing in results.timings.iter().filter(|t| t.setting.suite == "scale" && t.setting.parameter == parameter) {
+        let point = timed(timing, timing.setting.value as f64);
+        push(&mut series, &timing.setting.engine, color(&timing.setting.engine), point);
+    }
+    order(&mut series);
+    let x = Axis { label, format: short };
+    let name = format!("scale-{parameter}");
+    chart(Chart { name, title: title.to_owned(), x, y: TIME, series, rows: Vec::new() })
+}
+
+/// Error against samples, for every scene, beside the law that it should follow.
+fn error_by_samples(results: &Results) -> Option<Chart> {
+    let mut series: Vec<Series> = Vec::new();
+    for (index, curve) in results.curves.iter().enumerate() {
+        for point in &curve.points {
+            let error = point.linear;
+            let bounds = Some((error.low, error.high));
+            push(&mut series, &curve.scene, index + 1, Point { x: point.samples as f64, y: error.median, bounds });
+        }
+    }
+    let first = series.first()?.points.clone();
+    let (start, end) = (*first.first()?, *first.last()?);
+    let guide = [start.x, end.x].map(|x| Point { x, y: 0.6 * start.y * (x / start.x).powf(-0.5), bounds: None });
+    let name = "slope -1/2".to_owned();
+    series.push(Series { name, color: 0, is_guide: true, points: guide.to_vec() });
+    let x = Axis { label: "samples a pixel", format: short };
+    let y = Axis { label: "RMSE in linear light (white is 1)", format: short };
+    let title = "Error against samples".to_owned();
+    chart(Chart { name: "error-samples".to_owned(), title, x, y, series, rows: Vec::new() })
+}
+
+/// Error against time for a scene: both layouts with the best instruction set, one with the others.
+fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
+    let curve = results.curves.iter().find(|curve| curve.scene == scene)?;
+    let mut series: Vec<Series> = Vec::new();
+    for timing in error_timings(results, scene) {
+        let engine = &timing.setting.engine;
+        let is_shown = !engine.starts_with("soa") || engine.ends_with(&results.machines.first()?.instruction_set);
+        let error = curve.points.iter().find(|point| point.samples == timing.setting.value);
+        if let (true, Some(error)) = (is_shown, error) {
+            let bounds = Some((error.linear.low, error.linear.high));
+            push(&mut series, engine, color(engine), Point { x: timing.median.median, y: error.linear.median, bounds });
+        }
+    }
+    order(&mut series);
+    let y = Axis { label: "RMSE in linear light (white is 1)", format: short };
+    let title = format!("Error against time, scene \u{201c}{scene}\u{201d}");
+    chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y, series, rows: Vec::new() })
+}
+
+/// How many times as fast as the literal renderer each engine is, at the most samples that both were measured with.
+fn speed_ups(results: &Results) -> Option<Chart> {
+    // From the plainest instruction set on, the layouts side by side.
+    let engines = cpu::InstructionSet::ALL.iter().flat_map(|set| ["aos", "soa"].map(|l| format!("{l}-{}", set.name())));
+    let is_there = |engine: &String| results.timings.iter().any(|timing| timing.setting.engine == *engine);
+    let rows: Vec<String> = engines.filter(is_there).collect();
+    let mut series: Vec<Series> = Vec::new();
+    for (index, curve) in results.curves.iter().enumerate() {
+        let timings: Vec<_> = error_timings(results, &curve.scene).collect();
+        let Some(literal) = timings.iter().rfind(|timing| timing.setting.engine == "reference") else { continue };
+        let same = timings.iter().filter(|timing| timing.setting.value == literal.setting.value);
+        for timing in same {
+            let Some(row) = rows.iter().position(|row| *row == timing.setting.engine) else { continue };
+            let ratio = |seconds: f64| literal.median.median / seconds;
+            let bounds = Some((ratio(timing.median.high), ratio(timing.median.low)));
+            let point = Point { x: ratio(timing.median.median), y: row as f64 + 1.0, bounds };
+            push(&mut series, &curve.scene, index + 1, point);
+        }
+    }
+    let x = Axis { label: "times as fast as the literal renderer", format: short };
+    let y = Axis { label: "", format: short };
+    let title = "Implementations against the literal renderer".to_owned();
+    chart(Chart { name: "speed-up".to_owned(), title, x, y, series, rows })
+}
+
+/// Times of the suite `error` for a scene, by rising number of samples.
+fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIterator<Item = &'a Timing> {
+    results.timings.iter().filter(move |timing| timing.setting.suite == "error" && timing.setting.scene == scene)
+}
+
+fn timed(timing: &Timing, x: f64) -> Point {
+    Point { x, y: timing.median.median, bounds: Some((timing.median.low, timing.median.high)) }
+}
+
+fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
+    match series.iter_mut().find(|series| series.name == name) {
+        Some(series) => series.points.push(point),
+        None => series.push(Series { name: name.to_owned(), color, is_guide: false, points: vec![point] }),
+    }
+}
+
+/// The same colour for the same implementation in every chart.
+fn color(engine: &str) -> usize {
+    match engine.split_once('-') {
+        None => 0,
+        Some(("aos", "portable")) => 4,
+        Some(("aos", "sse2")) => 5,
+        Some(("aos", "avx2")) => 3,
+        Some(("aos", _)) => 1,
+        Some(_) => 2,
+    }
+}
+
+/// The literal renderer first, then by the time at the last point, slowest first: the order of the lines.
+fn order(series: &mut [Series]) {
+    let last = |series: &Series| series.points.last().map_or(0.0, |point| point.y.max(point.x));
+    series.sort_by(|a, b| a.color.min(1).cmp(&b.color.min(1)).then(last(b).total_cmp(&last(a))));
+}
+
+fn chart(chart: Chart) -> Option<Chart> {
+    chart.series.iter().any(|series| !series.is_guide && !series.points.is_empty()).then_some(chart)
+}

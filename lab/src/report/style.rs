@@ -1,0 +1,104 @@
+//! Colours and numbers as charts and pages show them.
+
+use plotters::style::RGBColor;
+
+/// Text, axes and ticks. Charts are drawn for paper; [`for_screen`] gives them the page's colours.
+pub const INK: RGBColor = RGBColor(0x26, 0x26, 0x2B);
+/// Lines of the grid.
+pub const GRID: RGBColor = RGBColor(0xDC, 0xDC, 0xE2);
+/// Series, told apart by most eyes (after Okabe and Ito), each with its tone for a dark page.
+pub const SERIES: [(RGBColor, &str); 7] = [
+    (RGBColor(0x5C, 0x5C, 0x66), "#A9A9B4"),
+    (RGBColor(0x00, 0x72, 0xB2), "#56B4E9"),
+    (RGBColor(0xD5, 0x5E, 0x00), "#F08A3C"),
+    (RGBColor(0x00, 0x8A, 0x63), "#35C79A"),
+    (RGBColor(0xAA, 0x45, 0x83), "#DD8DBB"),
+    (RGBColor(0x9A, 0x73, 0x00), "#E0B93A"),
+    (RGBColor(0x7A, 0x1F, 0x1F), "#E38383"),
+];
+
+/// A colour as SVG writes it.
+#[must_use]
+pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
+}
+
+/// A chart whose colours follow the page's, light or dark.
+#[must_use]
+pub fn for_screen(svg: &str) -> String {
+    let mut svg = svg.replace(&hex(INK), "currentColor").replace(&hex(GRID), "var(--grid)");
+    for (index, (color, _)) in SERIES.iter().enumerate() {
+        svg = svg.replace(&hex(*color), &format!("var(--series-{index})"));
+    }
+    svg
+}
+
+/// The page's values for the colours that [`for_screen`] puts into charts.
+#[must_use]
+pub fn variables(dark: bool) -> String {
+    let tone = |(color, dark_tone): &(RGBColor, &str)| if dark { (*dark_tone).to_owned() } else { hex(*color) };
+    let grid = if dark { "#3A3A42".to_owned() } else { hex(GRID) };
+    let series = SERIES.iter().map(tone).enumerate().map(|(index, tone)| format!("--series-{index}:{tone};"));
+    format!("--grid:{grid};{}", series.collect::<String>())
+}
+
+/// Seconds with a unit, three digits.
+#[must_use]
+pub fn seconds(value: f64) -> String {
+    let (scaled, unit) = match value {
+        value if value >= 0.999_5 => (value, "s"),
+        value if value >= 0.999_5e-3 => (value * 1e3, "ms"),
+        value => (value * 1e6, "µs"),
+    };
+    format!("{} {unit}", short(scaled))
+}
+
+/// A number with three digits, and as few after its point as that needs.
+#[must_use]
+pub fn short(value: f64) -> String {
+    let digits = if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 6) };
+    let text = format!("{value:.*}", digits as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// A value with its standard error, to the place of the error's first digit.
+#[must_use]
+pub fn with_error(value: f64, error: Option<f64>) -> String {
+    match error.filter(|error| *error > 0.0 && error.is_finite()) {
+        Some(error) => {
+            let places = (-error.log10().floor()).clamp(0.0, 6.0) as usize;
+            format!("{value:.places$} ± {error:.places$}")
+        }
+        None => short(value),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_have_units_that_suit_them() {
+        let texts = [12.345, 1.0, 0.999_9, 0.05, 0.001, 0.000_02].map(seconds);
+        assert_eq!(texts, ["12.3 s", "1 s", "1 s", "50 ms", "1 ms", "20 µs"]);
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([0.0, 0.0123456, 1.5, 1234.5, -0.4987].map(short), ["0", "0.0123", "1.5", "1234", "-0.499"]);
+    }
+
+    #[test]
+    fn an_error_has_one_digit() {
+        assert_eq!(with_error(1.9345, Some(0.0252)), "1.93 ± 0.03");
+        assert_eq!(with_error(-0.498_12, Some(0.002)), "-0.498 ± 0.002");
+        assert_eq!((with_error(0.5, None), with_error(0.5, Some(0.0))), ("0.5".to_owned(), "0.5".to_owned()));
+    }
+
+    #[test]
+    fn a_chart_on_a_page_has_no_colour_of_its_own() {
+        let svg = format!("<a fill=\"{}\" stroke=\"{}\" x=\"{}\">", hex(INK), hex(GRID), hex(SERIES[1].0));
+        assert_eq!(for_screen(&svg), "<a fill=\"currentColor\" stroke=\"var(--grid)\" x=\"var(--series-1)\">");
+        assert!(variables(true).contains("--series-6:#E38383;") && variables(false).contains("--grid:#DCDCE2;"));
+    }
+}

@@ -1,0 +1,61 @@
+//! `render-lab compare`.
+
+use std::fs;
+
+use lab::picture::Picture;
+
+use crate::{Folder, complaint, printed, run};
+
+const BLACK: &str = "P3\n2 2\n255\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n";
+
+/// Names of the black picture and of one like it but for its third pixel.
+fn pair(folder: &Folder, third: &str) -> [String; 2] {
+    fs::write(folder.file("a.ppm"), BLACK).expect("the folder is writable");
+    let other = format!("P3\n2 2\n255\n0 0 0\n0 0 0\n{third}\n0 0 0\n");
+    fs::write(folder.file("b.ppm"), other).expect("the folder is writable");
+    ["a.ppm", "b.ppm"].map(|name| folder.name(name))
+}
+
+#[test]
+fn the_verdict_is_the_exit_status() {
+    let folder = Folder::new();
+    let [a, b] = pair(&folder, "6 0 12");
+    let text = printed(&["compare", &a, &b]);
+    assert!(text.contains("RMSE       3.000") && text.contains("maximum    6.000"), "{text}");
+    assert!(text.contains("within     1 x 1 pixels from column 0, row 1"), "{text}");
+    let [a, b] = pair(&folder, "255 255 255");
+    let output = run(&["compare", &a, &b]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(output.stderr.is_empty(), "the verdict is no error");
+    assert!(String::from_utf8_lossy(&output.stdout).ends_with("verdict    not accepted\n"));
+    assert_eq!(printed(&["compare", &a, &a]), "identical: 4 pixels\n");
+}
+
+#[test]
+fn programs_read_json() {
+    let folder = Folder::new();
+    let [a, b] = pair(&folder, "6 0 12");
+    let value: serde_json::Value = serde_json::from_str(&printed(&["compare", &a, &b, "--json"])).expect("it is JSON");
+    assert_eq!((&value["rmse"], &value["differing"], &value["accepted"]), (&3.0.into(), &1.into(), &true.into()));
+    assert_eq!(value["bounding_box"], serde_json::json!([0, 1, 1, 1]));
+}
+
+#[test]
+fn the_heatmap_is_bright_where_pictures_differ() {
+    let folder = Folder::new();
+    let [a, b] = pair(&folder, "6 0 12");
+    printed(&["compare", &a, &b, "--heatmap", &folder.name("map.png")]);
+    let map = Picture::read(&folder.file("map.png")).expect("it is a picture");
+    let brightness: Vec<u32> = map.pixels.iter().map(|pixel| pixel.iter().map(|&c| u32::from(c)).sum()).collect();
+    assert!(brightness[2] > 600 && [0, 1, 3].iter().all(|&index| brightness[index] < 10), "{brightness:?}");
+}
+
+#[test]
+fn what_cannot_be_compared_is_an_error() {
+    let folder = Folder::new();
+    let [a, _] = pair(&folder, "0 0 0");
+    fs::write(folder.file("c.ppm"), "P3\n1 1\n255\n0 0 0\n").expect("the folder is writable");
+    assert!(complaint(&["compare", &a, &folder.name("c.ppm")]).contains("different sizes: 2 x 2 and 1 x 1"));
+    assert!(complaint(&["compare", &a, "README.md"]).starts_with("Error: README.md: neither PPM"));
+    assert!(complaint(&["compare", &a, "/nowhere"]).starts_with("Error: /nowhere: "));
+}

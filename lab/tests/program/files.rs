@@ -1,0 +1,47 @@
+//! The commands that write files or words about scenes: `generate`, `inspect`, `completions`, `man`.
+
+use std::fs;
+
+use crate::{Folder, complaint, printed};
+
+#[test]
+fn generated_files_are_the_committed_ones() {
+    let folder = Folder::new();
+    let [config, scene] = ["config.txt", "scene.txt"].map(|name| folder.name(name));
+    let options = ["--arrangement=grid", "--matte=3", "--metal=2", "--refractive=1", "--seed=4", "--objects=101"];
+    printed(&[&["generate", &config, &scene], &options[..]].concat());
+    for name in ["config.txt", "scene.txt"] {
+        let committed = tests::project_root().join("scenes/grid").join(name);
+        let (made, committed) = (fs::read(folder.file(name)), fs::read(committed));
+        assert!(made.expect("it was written") == committed.expect("it is committed"), "{name}");
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_written_stops_both() {
+    let folder = Folder::new();
+    complaint(&["generate", &folder.name("config.txt"), "/nowhere/scene.txt"]);
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_scene_is_told_in_words_and_in_json() {
+    let text = printed(&["inspect", "scenes/ten-thousand/scene.txt", "scenes/ten-thousand/config.txt"]);
+    assert!(text.contains("a tree of boxes") && text.contains("picture     400 x 225"), "{text}");
+    let json = printed(&["inspect", "scenes/spheres/scene.txt", "--json"]);
+    let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
+    assert_eq!((&value["spheres"], &value["cylinders"]), (&15.into(), &0.into()));
+    assert!(complaint(&["inspect", "README.md"]).starts_with("Error: Unknown scene entity"));
+}
+
+#[test]
+fn shells_get_completions_and_man_gets_pages() {
+    for shell in ["bash", "zsh", "fish"] {
+        let script = printed(&["completions", shell]);
+        assert!(script.contains("render-lab") && script.contains("heatmap"), "{shell}");
+    }
+    let folder = Folder::new();
+    printed(&["man", &folder.name("man1")]);
+    let page = fs::read_to_string(folder.file("man1/render-lab-compare.1")).expect("it was written");
+    assert!(page.contains(".TH render") && page.contains("heatmap"), "{page}");
+}

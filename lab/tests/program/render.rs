@@ -1,0 +1,128 @@
+//! `render-lab render`.
+
+use std::fs;
+
+use cpu::{Aos, Config, Scatter, Scene};
+use lab::picture::Picture;
+
+use crate::{Folder, complaint, printed, run};
+
+const CONFIG: &str = "scenes/grid/config.txt";
+const SCENE: &str = "scenes/grid/scene.txt";
+const SMALL: [&str; 4] = ["--set", "image_width=64", "--set", "samples_per_pixel=2"];
+
+/// What the evaluated programs write for the small grid.
+fn expected(scatter: Scatter) -> Vec<u8> {
+    let root = tests::project_root();
+    let config = Config::read(&root.join(CONFIG)).expect("it is committed");
+    let config = Config { image_width: 64, samples_per_pixel: 2, ..config };
+    let scene = Scene::read(&root.join(SCENE)).expect("it is committed");
+    tests::ppm(&cpu::reference::render::<cpu::layout::AosImage>(&config, &scene, scatter).expect("it is small"))
+}
+
+fn render(folder: &Folder, out: &str, options: &[&str]) -> Vec<u8> {
+    let out = folder.name(out);
+    let printed = printed(&[&["render", CONFIG, SCENE, &out], &SMALL[..], options].concat());
+    assert_eq!(printed, "", "it is quiet where nobody looks");
+    fs::read(out).expect("it was written")
+}
+
+#[test]
+fn the_defaults_give_the_bytes_of_the_evaluated_programs() {
+    let folder = Folder::new();
+    let out = folder.name("out.ppm");
+    for (config, scene) in [
+        ("scenes/listings/config.txt", "scenes/listings/scene.txt"),
+        ("tests/cases/07/config.txt", "tests/cases/07/scene.txt"),
+        ("tests/cases/16/config.txt", "tests/cases/16/scene.txt"),
+    ] {
+        printed(&["render", config, scene, &out]);
+        let root = tests::project_root();
+        let theirs = folder.file("theirs.ppm");
+        cpu::program::render_files::<Aos>(&root.join(config), &root.join(scene), &theirs, Scatter::Statement)
+            .expect("the files are valid");
+        assert!(fs::read(&out).expect("it was written") == fs::read(theirs).expect("it was written"), "{scene}");
+    }
+}
+
+#[test]
+fn layouts_change_nothing_and_conventions_do() {
+    let folder = Folder::new();
+    let statement = expected(Scatter::Statement);
+    assert!(render(&folder, "a.ppm", &[]) == statement);
+    assert!(render(&folder, "b.ppm", &["--layout", "soa"]) == statement);
+    let published = render(&folder, "c.ppm", &["--scatter", "published"]);
+    assert!(published == expected(Scatter::Published) && published != statement);
+}
+
+#[test]
+fn a_png_holds_the_same_pixels() {
+    let folder = Folder::new();
+    let png = render(&folder, "out.PNG", &[]);
+    assert!(png.starts_with(b"\x89PNG"));
+    assert!(Picture::parse(&png) == Picture::parse(&expected(Scatter::Statement)));
+    assert_eq!(folder.names(), ["out.PNG"]);
+}
+
+#[test]
+fn a_part_has_the_pixels_of_the_whole() {
+    let folder = Folder::new();
+    let part = render(&folder, "part.ppm", &["--crop", "20,11,30,7"]);
+    let whole = Picture::parse(&expected(Scatter::Statement)).expect("it is a picture");
+    assert!(Picture::parse(&part) == Ok(whole.crop([20, 11, 30, 7])));
+    let error = complaint(&["render", CONFIG, SCENE, &folder.name("no.ppm"), "--crop", "0,0,401,1"]);
+    assert!(error.contains("beyond the picture of 400 x 225"), "{error}");
+}
+
+#[test]
+fn counts_are_those_of_a_scene_known_by_hand() {
+    let folder = Folder::new();
+    // Inside a mirror every ray meets it again, to the end of its depth: 4 x 4 x 3 x 5.
+    fs::write(folder.file("scene"), "metal: m 1 1 1 0\nsphere: 0 0 0 50 m\n").expect("the folder is writable");
+    let config = "image_width: 4\naspect_ratio: 1 1\nsamples_per_pixel: 3\nmax_depth: 5\n";
+    fs::write(folder.file("config"), config).expect("the folder is writable");
+    let [config, scene, out] = ["config", "scene", "out.ppm"].map(|name| folder.name(name));
+    let json = printed(&["render", &config, &scene, &out, "--count", "--json"]);
+    let taken: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
+    assert_eq!((&taken["primary_rays"], &taken["rays"], &taken["hits"]), (&48.into(), &240.into(), &240.into()));
+    assert!(taken["peak_memory_bytes"].as_u64().is_some_and(|bytes| bytes > 100_000), "{taken}");
+}
+
+#[test]
+fn what_is_wrong_is_said_and_the_old_file_stays() {
+    let folder = Folder::new();
+    let out = folder.name("out.ppm");
+    fs::write(&out, "old").expect("the folder is writable");
+    let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "gamma=0"]);
+    assert_eq!(error, "Error: Invalid value for key: [gamma:]\nLine: \"gamma: 0\"\n");
+    let error = complaint(&["render", "/nowhere", SCENE, &out]);
+    assert!(error.starts_with("Error: Cannot read file [/nowhere]: "), "{error}");
+    let error = complaint(&["render", CONFIG, SCENE, "/nowhere/out.png"]);
+    assert!(error.starts_with("Error: Cannot write file [/nowhere/out.png]: "), "{error}");
+    assert_eq!(fs::read_to_string(&out).expect("still there"), "old");
+    assert_eq!(run(&["render", CONFIG, SCENE]).status.code(), Some(2), "a name is missing");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interruption_leaves_no_file() {
+    use std::process::Stdio;
+    use std::time::Duration;
+
+    for name in ["out.ppm", "out.png"] {
+        let folder = Folder::new();
+        // Hours, row by row.
+        let arguments = ["render", CONFIG, SCENE, &folder.name(name), "--set", "samples_per_pixel=2000000"];
+        let mut child = crate::lab(&arguments).stderr(Stdio::piped()).spawn().expect("the program runs");
+        let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
+        // Asked twice at most: the second time it does not wait for the end of a row. It may not listen yet at first.
+        std::thread::sleep(Duration::from_millis(500));
+        nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
+        std::thread::sleep(Duration::from_millis(500));
+        if child.try_wait().expect("it is ours").is_none() {
+            nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
+        }
+        assert_eq!(child.wait().expect("it is ours").code(), Some(130));
+        assert_eq!(folder.names(), <[&str; 0]>::default());
+    }
+}

@@ -1,0 +1,61 @@
+//! The job scripts of `lab/slurm`, with a stub in place of `sbatch` that runs every task of an array at once, in turn.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::process::Command;
+
+use lab::bench::results::Results;
+
+use crate::Folder;
+
+/// Runs the script after the options once for each task of the array; prints a job's number as `--parsable` does.
+const STUB: &str = r#"#!/usr/bin/env bash
+set -euo pipefail
+echo "$*" >> "$STUB_LOG"
+tasks=1
+while [[ "$1" == --* ]]; do
+    [[ "$1" == --array=1-* ]] && tasks="${1#--array=1-}"
+    shift
+done
+script="$1"
+shift
+for ((task = 1; task <= tasks; task++)); do
+    # The last three measure no time: energy, which is quick where there is no meter.
+    if ((tasks > 1 && task <= tasks - 3)); then
+        (($# >= 1)) && cp "$1/empty.json" "$1/part-$task.json"
+        continue
+    fi
+    SLURM_ARRAY_TASK_ID="$task" SLURM_ARRAY_TASK_COUNT="$tasks" bash "$script" "$@" 2>> "$STUB_LOG"
+done
+echo "77;cluster"
+"#;
+
+#[test]
+fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
+    let folder = Folder::new();
+    let bin = folder.file("bin");
+    fs::create_dir(&bin).expect("the folder is writable");
+    fs::write(bin.join("sbatch"), STUB).expect("the folder is writable");
+    fs::set_permissions(bin.join("sbatch"), fs::Permissions::from_mode(0o755)).expect("it is ours");
+    let out = folder.file("out");
+    fs::create_dir(&out).expect("the folder is writable");
+    let empty = Results { quick: true, ..Results::default() };
+    fs::write(out.join("empty.json"), serde_json::to_string(&empty).expect("it is plain")).expect("writable");
+
+    let path = std::env::var("PATH").expect("there is a search path");
+    let output = Command::new(tests::project_root().join("lab/slurm/submit"))
+        .arg(&out)
+        .arg("--quick")
+        .env("PATH", format!("{}:{path}", bin.display()))
+        .env("RENDER_LAB", env!("CARGO_BIN_EXE_render-lab"))
+        .env("STUB_LOG", folder.file("log"))
+        .output()
+        .expect("bash is there");
+    let log = fs::read_to_string(folder.file("log")).expect("the stub was called");
+    assert!(output.status.success(), "{output:?}\n{log}");
+    let said = String::from_utf8(output.stdout).expect("it is text");
+    assert!(said.starts_with("10 tasks as job 77; job 77 joins them into "), "{said}");
+    assert!(log.contains("--array=1-10") && log.contains("--dependency=afterok:77 "), "{log}");
+    let joined = Results::read(&out.join("bench.json")).expect("the second job wrote it");
+    assert_eq!(joined.energy.len(), 9, "three scenes, three implementations");
+}

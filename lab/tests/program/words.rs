@@ -1,0 +1,21 @@
+//! What the program says about itself.
+
+use crate::{printed, run};
+
+#[test]
+fn help_tells_exit_statuses_and_examples() {
+    let help = printed(&["--help"]);
+    assert!(help.contains("Exit status:") && help.contains("130"), "{help}");
+    for command in ["render", "compare", "inspect", "generate", "completions", "man"] {
+        assert!(printed(&[command, "--help"]).contains("Examples:\n  render-lab "), "{command}");
+    }
+}
+
+#[test]
+fn a_command_line_that_is_not_understood_has_status_2() {
+    for arguments in [&[][..], &["paint"], &["render", "--fast"], &["render", "a", "b", "c", "--layout", "x"]] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{arguments:?}");
+    }
+}

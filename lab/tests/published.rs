@@ -1,0 +1,54 @@
+//! `compare` on the second published image: two figures that are known from elsewhere. Shown as ignored where the
+//! reference folder is not there, or in a debug build, where rendering takes long.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use libtest_mimic::{Arguments, Failed, Trial};
+
+fn main() {
+    let folder = tests::golden::reference_folder();
+    let obstacle = if cfg!(debug_assertions) {
+        Some("needs --release".to_owned())
+    } else if !folder.is_dir() {
+        Some(format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()))
+    } else {
+        None
+    };
+    let cases = [
+        ("statement", &["RMSE       0.841 ", "maximum    7.667 ", "verdict    accepted"][..]),
+        ("published", &["identical: 90000 pixels"][..]),
+    ];
+    let trials = cases.map(|(convention, expected)| {
+        let folder = folder.clone();
+        let name = format!("published2.ppm against the {convention} convention");
+        let trial = Trial::test(name, move || compares_as_known(&folder, convention, expected));
+        match &obstacle {
+            Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
+            None => trial,
+        }
+    });
+    libtest_mimic::run(&Arguments::from_args(), trials.into()).exit();
+}
+
+fn compares_as_known(folder: &Path, convention: &str, expected: &[&str]) -> Result<(), Failed> {
+    let place = tempfile::tempdir()?;
+    let out = place.path().join("out.ppm");
+    let [config, scene, published] = ["config2.txt", "scene2.txt", "published2.ppm"].map(|name| folder.join(name));
+    succeed(lab().arg("render").args([&config, &scene, &out]).args(["--scatter", convention]))?;
+    let output = succeed(lab().arg("compare").args([&out, &published]))?;
+    let text = String::from_utf8(output.stdout)?;
+    match expected.iter().find(|words| !text.contains(**words)) {
+        Some(missing) => Err(format!("no {missing:?} in {text}").into()),
+        None => Ok(()),
+    }
+}
+
+fn lab() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_render-lab"))
+}
+
+fn succeed(command: &mut Command) -> Result<Output, Failed> {
+    let output = command.output()?;
+    if output.status.success() { Ok(output) } else { Err(format!("{output:?}").into()) }
+}
