@@ -9,6 +9,7 @@
 //! - [`running`] derives how far f32 may be from f64;
 //! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
 //! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a person's own modules;
+//! - [`web`] has the same shader run in a browser, by another compiler;
 //! - [`rewrites`] finds out what a driver does to formulas;
 //! - [`mutants`] are faults that all this must notice.
 //!
@@ -48,6 +49,7 @@ pub mod shader_lab;
 pub mod special;
 pub mod steps;
 pub mod twin;
+pub mod web;
 
 pub use error::Error;
 pub use float::Float;

@@ -1,5 +1,6 @@
 //! Renders with a person's own WGSL modules and tells how far that is from the truth.
 
+use std::convert::Infallible;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
@@ -7,6 +8,8 @@ use std::process::ExitCode;
 
 use gpu_check::shader_lab::args::{self, Command, USAGE};
 use gpu_check::shader_lab::{TEMPLATE, watch::Lab};
+use gpu_check::web::{Server, data};
+use gpu_check::{Error, Gpu};
 
 fn main() -> ExitCode {
     let command = match args::parse(std::env::args().skip(1)) {
@@ -19,6 +22,10 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Command::Template(path) => template(&path),
+        Command::Serve { port, config, scene } => match serve(port, &config, &scene) {
+            Ok(never) => match never {},
+            Err(message) => failed(&message),
+        },
         Command::Render(options) => {
             let again = options.watch;
             let mut lab = Lab::new(options);
@@ -50,6 +57,18 @@ fn template(path: &Path) -> ExitCode {
             path = path.display()
         )),
         Err(cause) => failed(&format!("{}: {cause}", path.display())),
+    }
+}
+
+fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
+    let data = || data::collect(&Gpu::open()?, &cpu::Config::read(config)?, &cpu::Scene::read(scene)?);
+    let data = data().map_err(|error: Error| error.to_string())?;
+    let at_port = |error: std::io::Error| format!("port {port}: {error}");
+    let server = Server::new(port, data).map_err(at_port)?;
+    let address = server.address().map_err(at_port)?;
+    said(&format!("http://{address}/ for a browser with WebGPU; on Linux: chromium --enable-unsafe-webgpu\n"));
+    loop {
+        server.answer().map_err(at_port)?;
     }
 }
 

@@ -10,6 +10,7 @@ use super::view::View;
 pub const USAGE: &str = "\
 shader-lab MODULES --config CONFIG --scene SCENE --out OUT.png [options]
 shader-lab --template NEW_FILE.wgsl
+shader-lab --serve PORT --config CONFIG --scene SCENE
 
 MODULES is a WGSL file or a folder of them. Each stands in for the module of shaders/wgsl that has its name, or that
 its first line names, as in: // module: kernels/image
@@ -20,7 +21,8 @@ its first line names, as in: // module: kernels/image
   --show VIEW             lambda, normal, object, side, steps or difference, in false colours
   --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
   --watch                 render again whenever a file changes, until interrupted
-  --template FILE         write a module to start from";
+  --template FILE         write a module to start from
+  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
 
 /// What is to be done.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +33,15 @@ pub enum Command {
     Template(PathBuf),
     /// Render.
     Render(Options),
+    /// Serve the page for browsers.
+    Serve {
+        /// At which port of this machine.
+        port: u16,
+        /// The configuration's file.
+        config: PathBuf,
+        /// The scene's file.
+        scene: PathBuf,
+    },
 }
 
 /// What to render, and how.
@@ -63,7 +74,7 @@ pub struct Options {
 pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, String> {
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
-    let mut precision = Precision::F64;
+    let (mut precision, mut port) = (Precision::F64, None);
     let (mut constants, mut view, mut pixel, mut watch) = (Vec::new(), None, None, false);
     while let Some(argument) = arguments.next() {
         let mut value = |what: &str| arguments.next().ok_or(format!("{argument} needs {what} after it"));
@@ -73,6 +84,10 @@ pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, Str
             "--config" => config = Some(PathBuf::from(value("a file")?)),
             "--scene" => scene = Some(PathBuf::from(value("a file")?)),
             "--out" => out = Some(PathBuf::from(value("a file")?)),
+            "--serve" => {
+                let text = value("a port")?;
+                port = Some(text.parse().map_err(|_| format!("--serve: [{text}] is not a port"))?);
+            }
             "--f32" => precision = Precision::F32,
             "--f64" => precision = Precision::F64,
             "--set" => constants.push(constant(&value("NAME=VALUE")?)?),
@@ -90,8 +105,13 @@ pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, Str
             _ => modules = Some(PathBuf::from(&argument)),
         }
     }
+    let files = || Ok::<_, String>((config.ok_or("--config is missing")?, scene.ok_or("--scene is missing")?));
+    if let Some(port) = port {
+        let (config, scene) = files()?;
+        return Ok(Command::Serve { port, config, scene });
+    }
     let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
-    let (config, scene) = (config.ok_or("--config is missing")?, scene.ok_or("--scene is missing")?);
+    let (config, scene) = files()?;
     let out = out.ok_or("--out is missing")?;
     Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch }))
 }
@@ -161,6 +181,13 @@ mod tests {
         assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
         assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
         assert_eq!(parsed("--frobnicate"), Err("there is no option [--frobnicate]".to_owned()));
+    }
+
+    #[test]
+    fn a_page_needs_no_modules() {
+        let expected = Command::Serve { port: 8000, config: "c".into(), scene: "s".into() };
+        assert_eq!(parsed("--serve 8000 --config c --scene s"), Ok(expected));
+        assert_eq!(parsed("--serve x"), Err("--serve: [x] is not a port".to_owned()));
     }
 
     #[test]

@@ -27,12 +27,12 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
         if places.is_empty() {
             break;
         }
-        let _ = writeln!(text, "step {depth:<6} {:<26} WGSL", "CPU");
+        let _ = writeln!(text, "step {depth:<10} {:<26} WGSL", "CPU");
         for place in places {
             let (a, b) = (a.0[place], b.0[place]);
             let mark = if a.same(b) { "" } else { "  <- differs" };
             let columns = (format!("{a:?}"), format!("{b:?}"));
-            let _ = writeln!(text, "  {:<11}{:<26} {}{mark}", NAMES[place], columns.0, columns.1);
+            let _ = writeln!(text, "  {:<13} {:<26} {}{mark}", NAMES[place], columns.0, columns.1);
         }
         first = first.or_else(|| first_difference(a, b).map(|place| (depth, place, a.0[place], b.0[place])));
     }
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn equal_ways_say_so() {
         let text = side_by_side(&way(2.5), &way(2.5));
-        assert!(text.contains("  lambda     2.5                        2.5\n"), "{text}");
+        assert!(text.contains("  lambda        2.5                        2.5\n"), "{text}");
         assert!(text.ends_with("no bit differs\n") && !text.contains("step 1"), "{text}");
     }
 

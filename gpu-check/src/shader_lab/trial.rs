@@ -64,7 +64,7 @@ impl Trial<'_> {
         let compiled = start.elapsed();
         let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
         let rendering = renderer.render(&picture)?;
-        let mut report = format!("{gpu}, {}\n", T::PRECISION);
+        let mut report = format!("in {} on {gpu}\n", T::PRECISION);
         for UserModule { name, path, .. } in modules {
             let _ = writeln!(report, "{} stands in for [{name}]", path.display());
         }
