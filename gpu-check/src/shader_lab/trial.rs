@@ -134,10 +134,15 @@ impl Trial<'_> {
         let both = png::beside(out, &view.to_string());
         let count = marks.iter().filter(|mark| **mark != [0; 3]).count();
         let total = marks.len();
+        let first = marks.iter().position(|mark| *mark != [0; 3]).map(|index| {
+            let width = picture.size.width();
+            format!(", the first of them --pixel {} {}", index % width, index / width)
+        });
+        let first = first.unwrap_or_default();
         png::write(&both, picture.size, &[wgsl, cpu, marks].concat())?;
         let (out, both) = (out.display(), both.display());
         Ok(format!(
-            "{count} of {total} pixels have another bit on their way\nwrote {out} ({view} by WGSL)\n\
+            "{count} of {total} pixels have another bit on their way{first}\nwrote {out} ({view} by WGSL)\n\
              wrote {both} ({view} by WGSL, by the CPU, and white where any number's bits differ)\n"
         ))
     }
