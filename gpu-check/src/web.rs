@@ -6,8 +6,10 @@
 pub mod data;
 
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// The page's files.
@@ -56,16 +58,22 @@ impl Server {
         self.listener.local_addr()
     }
 
-    /// Answers one request; gives what it brought, if it brought something.
+    /// Answers whoever asks, each in a thread of its own, since browsers open connections that they may use later.
+    /// What is sent under `results/` goes to `take`.
     ///
     /// # Errors
     /// When no further connection can come. A fault of one connection is that connection's end and nothing else.
-    pub fn answer(&self) -> io::Result<Option<Posted>> {
-        let (stream, _) = self.listener.accept()?;
-        Ok(self.talk(stream).unwrap_or(None))
+    pub fn serve(self, take: impl Fn(Posted) + Send + Sync + 'static) -> io::Result<Infallible> {
+        let shared = Arc::new((self, take));
+        loop {
+            let (stream, _) = shared.0.listener.accept()?;
+            let shared = Arc::clone(&shared);
+            std::thread::spawn(move || shared.0.talk(stream, &shared.1));
+        }
     }
 
-    fn talk(&self, mut stream: TcpStream) -> io::Result<Option<Posted>> {
+    /// Answers one request. What it brought is taken before the answer, so that what follows cannot overtake it.
+    fn talk(&self, mut stream: TcpStream, take: impl Fn(Posted)) -> io::Result<()> {
         stream.set_read_timeout(Some(Duration::from_secs(10)))?;
         let mut reader = BufReader::new(stream.try_clone()?);
         let mut line = String::new();
@@ -76,17 +84,16 @@ impl Server {
         if let ("POST", Some(name)) = (method.as_str(), path.strip_prefix("/results/")) {
             let mut body = vec![0; length];
             reader.read_exact(&mut body)?;
-            respond(&mut stream, "200 OK", "text/plain", b"")?;
-            return Ok(Some(Posted { name: name.to_owned(), body }));
+            take(Posted { name: name.to_owned(), body });
+            return respond(&mut stream, "200 OK", "text/plain", b"");
         }
         let file = FILES.iter().find(|(name, ..)| *name == path);
         let data = path.strip_prefix("/data/").and_then(|name| self.data.get(name));
         match (file, data) {
-            (Some((_, kind, text)), _) => respond(&mut stream, "200 OK", kind, text.as_bytes())?,
-            (None, Some(bytes)) => respond(&mut stream, "200 OK", "application/octet-stream", bytes)?,
-            (None, None) => respond(&mut stream, "404 Not Found", "text/plain", b"there is nothing here")?,
+            (Some((_, kind, text)), _) => respond(&mut stream, "200 OK", kind, text.as_bytes()),
+            (None, Some(bytes)) => respond(&mut stream, "200 OK", "application/octet-stream", bytes),
+            (None, None) => respond(&mut stream, "404 Not Found", "text/plain", b"there is nothing here"),
         }
-        Ok(None)
     }
 }
 
@@ -118,16 +125,20 @@ fn respond(stream: &mut TcpStream, status: &str, kind: &str, body: &[u8]) -> io:
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::*;
 
     fn asked(request: &str) -> (String, Option<Posted>) {
         let server = Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free");
         let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
         client.write_all(request.as_bytes()).expect("it reads");
-        let posted = server.answer().expect("there is a connection");
+        let (stream, _) = server.listener.accept().expect("there is a connection");
+        let posted = Cell::new(None);
+        server.talk(stream, |taken| posted.set(Some(taken))).expect("it is a request");
         let mut answer = String::new();
         client.read_to_string(&mut answer).expect("it answers in text");
-        (answer, posted)
+        (answer, posted.into_inner())
     }
 
     #[test]

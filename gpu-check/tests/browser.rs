@@ -77,14 +77,8 @@ fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>,
     let profile = tempfile::tempdir()?;
     let browser = open(chromium, profile.path(), &format!("http://{}/?drive", server.address()?))?;
     let (sender, receiver) = mpsc::channel();
-    // Ends with the first result that nobody waits for, or with the process.
-    std::thread::spawn(move || {
-        while let Ok(posted) = server.answer() {
-            if posted.is_some_and(|posted| sender.send(posted).is_err()) {
-                return;
-            }
-        }
-    });
+    // Ends with the process; what comes after the last result has nobody to wait for it.
+    std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
     let mut results = BTreeMap::new();
     loop {
         let posted = receiver.recv_timeout(PATIENCE);

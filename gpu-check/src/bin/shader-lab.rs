@@ -67,9 +67,8 @@ fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     let server = Server::new(port, data).map_err(at_port)?;
     let address = server.address().map_err(at_port)?;
     said(&format!("http://{address}/ for a browser with WebGPU; on Linux: chromium --enable-unsafe-webgpu\n"));
-    loop {
-        server.answer().map_err(at_port)?;
-    }
+    // Only a test has results to send.
+    server.serve(drop).map_err(at_port)
 }
 
 /// Output that nobody reads any more, as after `| head`, is no fault.
