@@ -106,7 +106,7 @@ fn drive(chromium: &Path) -> Result<(), Failed> {
 }
 
 fn floats(bytes: &[u8]) -> Result<Vec<f32>, Failed> {
-    if bytes.is_empty() || bytes.len() % 4 != 0 {
+    if bytes.is_empty() || !bytes.len().is_multiple_of(4) {
         return Err(format!("{} bytes are no row of numbers", bytes.len()).into());
     }
     Ok(bytemuck::pod_collect_to_vec(bytes))

@@ -24,6 +24,9 @@ its first line names, as in: // module: kernels/image
   --template FILE         write a module to start from
   --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
 
+/// Constants that a person's module declares, by name.
+pub type Own<'a> = Vec<(&'a str, f64)>;
+
 /// What is to be done.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
@@ -131,7 +134,7 @@ impl Options {
     ///
     /// # Errors
     /// A message, when a feature cannot have its value.
-    pub fn apply(&self, mut features: Features) -> Result<(Features, Vec<(&str, f64)>), String> {
+    pub fn apply(&self, mut features: Features) -> Result<(Features, Own<'_>), String> {
         let mut own = Vec::new();
         for (name, value) in &self.constants {
             let flag = match name.as_str() {

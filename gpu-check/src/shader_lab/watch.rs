@@ -18,6 +18,11 @@ use crate::{Error, Gpu};
 /// How often files are looked at.
 const INTERVAL: Duration = Duration::from_millis(150);
 
+/// Files that a rendering depends on: the modules, then the configuration and the scene.
+type State = (Result<Vec<UserModule>, String>, Texts);
+/// Of the configuration and the scene.
+type Texts = Vec<Option<Vec<u8>>>;
+
 /// A shader lab between two renderings.
 #[derive(Debug)]
 pub struct Lab {
@@ -25,7 +30,7 @@ pub struct Lab {
     gpu: Option<Gpu>,
     truth: Option<Truth>,
     /// The texts that the truth was computed from.
-    scene: Vec<Option<Vec<u8>>>,
+    scene: Texts,
 }
 
 impl Lab {
@@ -65,7 +70,7 @@ impl Lab {
         }
     }
 
-    fn scene_texts(&self) -> Vec<Option<Vec<u8>>> {
+    fn scene_texts(&self) -> Texts {
         [&self.options.config, &self.options.scene].map(|path| fs::read(path).ok()).to_vec()
     }
 
@@ -84,7 +89,7 @@ impl Lab {
     }
 
     /// All that a rendering depends on, as it is now.
-    fn state(&self) -> (Result<Vec<UserModule>, String>, Vec<Option<Vec<u8>>>) {
+    fn state(&self) -> State {
         (files::read(&self.options.modules).map_err(|error| error.to_string()), self.scene_texts())
     }
 }
