@@ -92,6 +92,12 @@ pub enum Error {
         /// Sums compared.
         of: usize,
     },
+    /// What was asked for on the command line does not fit the shader or the picture.
+    #[error("{message}")]
+    Request {
+        /// What, in words.
+        message: String,
+    },
     /// The shader is wrong.
     #[error(transparent)]
     Shader(#[from] shaders::Error),

@@ -8,6 +8,8 @@
 //! - [`kernel`] and [`kernels`] list what is compared, formula by formula, and [`check`] compares it;
 //! - [`running`] derives how far f32 may be from f64;
 //! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
+//! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a person's own modules;
+//! - [`web`] has the same shader run in a browser, by another compiler;
 //! - [`rewrites`] finds out what a driver does to formulas;
 //! - [`mutants`] are faults that all this must notice.
 //!
@@ -43,8 +45,11 @@ pub mod renderer;
 pub mod rewrites;
 pub mod running;
 pub mod scenes;
+pub mod shader_lab;
 pub mod special;
+pub mod steps;
 pub mod twin;
+pub mod web;
 
 pub use error::Error;
 pub use float::Float;

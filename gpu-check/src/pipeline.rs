@@ -70,12 +70,20 @@ impl Pipeline {
     /// # Errors
     /// [`Error::Shader`] with the place in the module's file, [`Error::NoF64`], or what the driver finds wrong.
     pub fn new(gpu: &Gpu, composition: &Composition, features: Option<&Features>) -> Result<Self, Error> {
+        let constants = features.map(Features::constants);
+        Self::with_constants(gpu, composition, constants.as_ref().map_or(&[], |constants| &constants[..]))
+    }
+
+    /// The same with any pipeline-overridable constants, by name.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and [`Error::Refused`] for a name that the shader does not declare.
+    pub fn with_constants(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
         if composition.precision() == Precision::F64 && !gpu.has_f64() {
             return Err(Error::NoF64 { adapter: gpu.name().to_owned() });
         }
         let shader = composition.validate()?;
         let entries: Vec<_> = shader.bindings().map(layout_entry).collect();
-        let constants = features.map(Features::constants);
         gpu.scoped(|| {
             let name = composition.root();
             let layout = gpu
@@ -93,10 +101,7 @@ impl Pipeline {
                 layout: Some(&pipeline_layout),
                 module: &module,
                 entry_point: None,
-                compilation_options: PipelineCompilationOptions {
-                    constants: constants.as_ref().map_or(&[], |constants| &constants[..]),
-                    ..PipelineCompilationOptions::default()
-                },
+                compilation_options: PipelineCompilationOptions { constants, ..PipelineCompilationOptions::default() },
                 cache: None,
             });
             Self { name, precision: composition.precision(), pipeline, layout }

@@ -13,11 +13,11 @@ use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Pixels in one run, unless the limit on a binding asks for fewer.
-const BATCH: u64 = 1 << 18;
+pub(crate) const BATCH: u64 = 1 << 18;
 
 /// Most iterations that all loops of an invocation may have together. Beyond 65,535 lavapipe leaves them without a word,
 /// and rays lose their way.
-const MAX_ITERATIONS: u64 = 65_535;
+pub(crate) const MAX_ITERATIONS: u64 = 65_535;
 
 /// A pipeline that renders, for one precision and one set of features.
 #[derive(Debug)]
@@ -47,8 +47,22 @@ impl<'a, T: Float> Renderer<'a, T> {
     /// # Errors
     /// As [`Pipeline::new`].
     pub fn new(gpu: &'a Gpu, library: &Library, features: &Features) -> Result<Self, Error> {
+        Self::with_constants(gpu, library, features, &[])
+    }
+
+    /// The same, with values for constants that a replaced module declares itself.
+    ///
+    /// # Errors
+    /// As [`Pipeline::with_constants`].
+    pub fn with_constants(
+        gpu: &'a Gpu,
+        library: &Library,
+        features: &Features,
+        own: &[(&str, f64)],
+    ) -> Result<Self, Error> {
         let composition = library.compose("kernels/image", T::PRECISION)?;
-        let pipeline = Pipeline::new(gpu, &composition, Some(features))?;
+        let constants = [&features.constants()[..], own].concat();
+        let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
         Ok(Self { gpu, pipeline, features: *features, step: None, precision: PhantomData })
     }
 
@@ -120,7 +134,7 @@ fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
 }
 
 /// The structure `Picture` of `picture.wgsl`, for `pixels` pixels from `first`.
-fn head<T: Float>(picture: &Picture<T>, first: u32, pixels: u32, depths: &Range<u32>) -> Vec<u8> {
+pub(crate) fn head<T: Float>(picture: &Picture<T>, first: u32, pixels: u32, depths: &Range<u32>) -> Vec<u8> {
     let mut bytes = Vec::new();
     picture.camera.pack(&mut bytes);
     picture.background.pack(&mut bytes);

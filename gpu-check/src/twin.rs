@@ -18,6 +18,17 @@ struct Nearest<T> {
     surface: Surface,
 }
 
+/// The surface that a ray meets first.
+pub(crate) struct Found<T> {
+    pub(crate) hit: Hit<T>,
+    pub(crate) material: u32,
+    pub(crate) lambda: T,
+    /// The object's place in the file.
+    pub(crate) order: u32,
+    /// The part of a cylinder, as `cylinder.wgsl` numbers them; zero on a sphere.
+    pub(crate) part: u32,
+}
+
 enum Surface {
     Sphere(usize),
     Cylinder(usize, Part),
@@ -30,32 +41,38 @@ impl<T: Real<Mask = bool>> Picture<T> {
         let width = self.size.width();
         let [row, column] = [index / width, index % width].map(|number| T::of(number as f64));
         let mut ray = self.camera.ray(row, column, [T::of(0.0); 2]);
-        let vector = Vec3::splat(T::of(0.0));
         let mut met = Vec::new();
         for _ in 0..self.max_depth {
-            let Some((hit, id)) = self.nearest(&ray) else {
+            let Some(found) = self.nearest(&ray) else {
                 let color = self.background.color(ray.direction);
                 return met.iter().rev().fold(color, |color, reflectance| color.attenuate(*reflectance));
             };
-            let material = self.materials[id as usize];
-            let direction = match material.kind {
-                Kind::Matte => scatter::matte(hit.normal, vector),
-                Kind::Metal => scatter::metal(ray.direction, hit.normal, vector),
-                Kind::Refractive => {
-                    let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
-                    scatter::refract(ray.direction, hit.normal, ratio)
-                }
-            };
+            let material = self.materials[found.material as usize];
             if material.kind != Kind::Refractive {
                 met.push(material.reflectance);
             }
-            ray = Ray { origin: hit.point, direction };
+            ray = self.onward(&ray, &found);
         }
         Vec3::splat(T::of(0.0))
     }
 
+    /// The ray that the surface found sends on.
+    pub(crate) fn onward(&self, ray: &Ray<T>, found: &Found<T>) -> Ray<T> {
+        let material = self.materials[found.material as usize];
+        let (hit, vector) = (found.hit, Vec3::splat(T::of(0.0)));
+        let direction = match material.kind {
+            Kind::Matte => scatter::matte(hit.normal, vector),
+            Kind::Metal => scatter::metal(ray.direction, hit.normal, vector),
+            Kind::Refractive => {
+                let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
+                scatter::refract(ray.direction, hit.normal, ratio)
+            }
+        };
+        Ray { origin: hit.point, direction }
+    }
+
     /// Where the ray first meets an object, and of what material.
-    fn nearest(&self, ray: &Ray<T>) -> Option<(Hit<T>, u32)> {
+    pub(crate) fn nearest(&self, ray: &Ray<T>) -> Option<Found<T>> {
         let mut nearest = None;
         for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {
             if let Some(lambda) = record.intersect(ray) {
@@ -67,15 +84,15 @@ impl<T: Real<Mask = bool>> Picture<T> {
                 offer(&mut nearest, lambda, *order, Surface::Cylinder(index, part));
             }
         }
-        let Nearest { lambda, surface, .. } = nearest?;
+        let Nearest { lambda, order, surface } = nearest?;
         let point = ray.at(lambda);
-        let (outward, material) = match surface {
-            Surface::Sphere(index) => (self.spheres[index].record.outward(point), self.spheres[index].material),
+        let (outward, material, part) = match surface {
+            Surface::Sphere(index) => (self.spheres[index].record.outward(point), self.spheres[index].material, 0),
             Surface::Cylinder(index, part) => {
-                (self.cylinders[index].record.outward(part, point), self.cylinders[index].material)
+                (self.cylinders[index].record.outward(part, point), self.cylinders[index].material, part as u32)
             }
         };
-        Some((Hit::facing(ray.direction, point, outward), material))
+        Some(Found { hit: Hit::facing(ray.direction, point, outward), material, lambda, order, part })
     }
 }
 

@@ -146,6 +146,9 @@ struct SurfaceHit {
     bool some;
     Hit hit;
     uint material;
+    float lambda;
+    uint order;
+    uint part;
 };
 const uint SIDE = 0u;
 const uint TOP = 1u;
@@ -555,7 +558,7 @@ SurfaceHit nearest_hit(Ray ray_8) {
     bool local_14 = false;
     uint index_1 = 0u;
     bool local_15 = false;
-    SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u);
+    SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
     bool local_16 = false;
     bool local_17 = false;
     if (has_spheres) {
@@ -649,31 +652,37 @@ SurfaceHit nearest_hit(Ray ray_8) {
         PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         vec3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e102 = nearest_2.index;
-        uint _e105 = _group_0_binding_1_cs[_e102].material;
-        surface = SurfaceHit(true, _e99, _e105);
+        Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
+        uint _e101 = nearest_2.index;
+        uint material_2 = _group_0_binding_1_cs[_e101].material;
+        float _e107 = nearest_2.lambda;
+        uint _e109 = nearest_2.order;
+        uint _e111 = nearest_2.part;
+        surface = SurfaceHit(true, _e98, material_2, _e107, _e109, _e111);
     }
     if (has_cylinders) {
-        bool _e111 = nearest_2.is_cylinder;
-        local_17 = _e111;
+        bool _e117 = nearest_2.is_cylinder;
+        local_17 = _e117;
     } else {
         local_17 = false;
     }
-    bool _e113 = local_17;
-    if (_e113) {
-        uint _e116 = nearest_2.index;
-        PlacedCylinder _e118 = _group_0_binding_2_cs[_e116];
-        CylinderRecord _e119 = cylinder_load(_e118);
-        uint _e121 = nearest_2.part;
-        vec3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
-        uint _e128 = nearest_2.index;
-        uint _e131 = _group_0_binding_2_cs[_e128].material;
-        surface = SurfaceHit(true, _e125, _e131);
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = nearest_2.index;
+        PlacedCylinder _e124 = _group_0_binding_2_cs[_e122];
+        CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = nearest_2.part;
+        vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
+        uint _e133 = nearest_2.index;
+        uint material_3 = _group_0_binding_2_cs[_e133].material;
+        float _e139 = nearest_2.lambda;
+        uint _e141 = nearest_2.order;
+        uint _e143 = nearest_2.part;
+        surface = SurfaceHit(true, _e130, material_3, _e139, _e141, _e143);
     }
-    SurfaceHit _e133 = surface;
-    return _e133;
+    SurfaceHit _e145 = surface;
+    return _e145;
 }
 
 vec3 trace_attenuated(vec3 color, uint first, uint met_count) {
@@ -706,16 +715,59 @@ vec3 trace_attenuated(vec3 color, uint first, uint met_count) {
     return _e25;
 }
 
-void trace_path(Ray primary, uint slot) {
-    Ray ray_9 = Ray(vec3(0.0), vec3(0.0));
-    uint met_count_1 = 0u;
-    uint depth = 0u;
+Ray trace_onward(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
     bool local_19 = false;
     bool local_20 = false;
     float ratio_1 = 0.0;
-    ray_9 = primary;
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e12 = local_18;
+    if (_e12) {
+        vec3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_19 = (material_1.kind == METAL);
+    } else {
+        local_19 = false;
+    }
+    bool _e22 = local_19;
+    if (_e22) {
+        vec3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_20 = (material_1.kind == REFRACTIVE);
+    } else {
+        local_20 = false;
+    }
+    bool _e33 = local_20;
+    if (_e33) {
+        ratio_1 = material_1.index;
+        if (hit.front) {
+            ratio_1 = (1.0 / material_1.index);
+        }
+        float _e42 = ratio_1;
+        vec3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
+        direction_7 = _e43;
+    }
+    vec3 _e45 = direction_7;
+    return Ray(hit.point, _e45);
+}
+
+void trace_path(Ray primary, uint slot) {
+    Ray ray_10 = Ray(vec3(0.0), vec3(0.0));
+    uint met_count_1 = 0u;
+    uint depth = 0u;
+    bool local_21 = false;
+    bool local_22 = false;
+    bool local_23 = false;
+    ray_10 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -727,7 +779,7 @@ void trace_path(Ray primary, uint slot) {
         }
         PackedRay _e25 = _group_0_binding_6_cs[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_9 = _e26;
+        ray_10 = _e26;
         uint _e30 = _group_0_binding_6_cs[slot].met_count;
         met_count_1 = _e30;
     }
@@ -736,8 +788,8 @@ void trace_path(Ray primary, uint slot) {
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e128 = depth;
-            depth = (_e128 + 1u);
+            uint _e97 = depth;
+            depth = (_e97 + 1u);
         }
         loop_init_3 = false;
         uint _e35 = depth;
@@ -747,11 +799,11 @@ void trace_path(Ray primary, uint slot) {
             break;
         }
         {
-            Ray _e42 = ray_9;
+            Ray _e42 = ray_10;
             SurfaceHit _e43 = nearest_hit(_e42);
             if (!(_e43.some)) {
                 Background _e46 = picture_background();
-                vec3 _e48 = ray_9.direction;
+                vec3 _e48 = ray_10.direction;
                 vec3 _e49 = background_color(_e46, _e48);
                 uint _e52 = met_count_1;
                 vec3 _e53 = trace_attenuated(_e49, first_1, _e52);
@@ -760,65 +812,43 @@ void trace_path(Ray primary, uint slot) {
                 _group_0_binding_6_cs[slot].ended = 1u;
                 return;
             }
-            Hit hit = _e43.hit;
-            PackedMaterial _e63 = _group_0_binding_3_cs[_e43.material];
-            Material _e64 = material_load(_e63);
-            direction_7 = vec3(0.0);
+            PackedMaterial _e62 = _group_0_binding_3_cs[_e43.material];
+            Material _e63 = material_load(_e62);
             if (has_matte) {
-                local_18 = (_e64.kind == MATTE);
+                local_21 = (_e63.kind == MATTE);
             } else {
-                local_18 = false;
+                local_21 = false;
             }
-            bool _e74 = local_18;
-            if (_e74) {
-                uint _e76 = met_count_1;
-                _group_0_binding_4_cs[(first_1 + _e76)] = _e43.material;
-                uint _e81 = met_count_1;
-                met_count_1 = (_e81 + 1u);
-                vec3 _e84 = scatter_matte(hit.normal, _e6);
-                direction_7 = _e84;
-            }
-            if (has_metal) {
-                local_19 = (_e64.kind == METAL);
-            } else {
-                local_19 = false;
-            }
-            bool _e92 = local_19;
-            if (_e92) {
-                uint _e94 = met_count_1;
-                _group_0_binding_4_cs[(first_1 + _e94)] = _e43.material;
-                uint _e99 = met_count_1;
-                met_count_1 = (_e99 + 1u);
-                vec3 _e102 = ray_9.direction;
-                vec3 _e104 = scatter_metal(_e102, hit.normal, _e6);
-                direction_7 = _e104;
-            }
-            if (has_refraction) {
-                local_20 = (_e64.kind == REFRACTIVE);
-            } else {
-                local_20 = false;
-            }
-            bool _e112 = local_20;
-            if (_e112) {
-                ratio_1 = _e64.index;
-                if (hit.front) {
-                    ratio_1 = (1.0 / _e64.index);
+            bool _e71 = local_21;
+            if (!(_e71)) {
+                if (has_metal) {
+                    local_23 = (_e63.kind == METAL);
+                } else {
+                    local_23 = false;
                 }
-                vec3 _e120 = ray_9.direction;
-                float _e122 = ratio_1;
-                vec3 _e123 = scatter_refract(_e120, hit.normal, _e122);
-                direction_7 = _e123;
+                bool _e82 = local_23;
+                local_22 = _e82;
+            } else {
+                local_22 = true;
             }
-            vec3 _e125 = direction_7;
-            ray_9 = Ray(hit.point, _e125);
+            bool _e84 = local_22;
+            if (_e84) {
+                uint _e86 = met_count_1;
+                _group_0_binding_4_cs[(first_1 + _e86)] = _e43.material;
+                uint _e91 = met_count_1;
+                met_count_1 = (_e91 + 1u);
+            }
+            Ray _e93 = ray_10;
+            Ray _e95 = trace_onward(_e93, _e43.hit, _e63, _e6);
+            ray_10 = _e95;
         }
     }
-    PackedVec3_ _e133 = vec3_store(vec3(0.0));
-    _group_0_binding_5_cs[slot] = _e133;
-    Ray _e136 = ray_9;
-    PackedRay _e137 = ray_store(_e136);
-    uint _e138 = met_count_1;
-    _group_0_binding_6_cs[slot] = PackedPath(_e137, _e138, 0u);
+    PackedVec3_ _e102 = vec3_store(vec3(0.0));
+    _group_0_binding_5_cs[slot] = _e102;
+    Ray _e105 = ray_10;
+    PackedRay _e106 = ray_store(_e105);
+    uint _e107 = met_count_1;
+    _group_0_binding_6_cs[slot] = PackedPath(_e106, _e107, 0u);
     return;
 }
 

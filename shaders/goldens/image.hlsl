@@ -187,9 +187,9 @@ struct SurfaceHit {
     int _pad1_2;
     Hit hit;
     uint material;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
+    float lambda;
+    uint order;
+    uint part;
 };
 
 static const uint SIDE = 0u;
@@ -292,11 +292,11 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
     const float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
     if (front) {
-        const Hit hit = ConstructHit(point_, outward, front);
-        return hit;
+        const Hit hit_1 = ConstructHit(point_, outward, front);
+        return hit_1;
     }
-    const Hit hit_1 = ConstructHit(point_, -(outward), front);
-    return hit_1;
+    const Hit hit_2 = ConstructHit(point_, -(outward), front);
+    return hit_2;
 }
 
 SphereView ConstructSphereView(float3 arg0, float arg1) {
@@ -556,8 +556,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_10 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_10;
+    const Ray ray_11 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_11;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -634,8 +634,8 @@ Ray ray_load(PackedRay ray_6)
 {
     const float3 _e2 = vec3_load(ray_6.origin);
     const float3 _e4 = vec3_load(ray_6.direction);
-    const Ray ray_11 = ConstructRay(_e2, _e4);
-    return ray_11;
+    const Ray ray_12 = ConstructRay(_e2, _e4);
+    return ray_12;
 }
 
 PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
@@ -701,8 +701,8 @@ Material ConstructMaterial(float3 arg0, float arg1, uint arg2) {
 Material material_load(PackedMaterial material)
 {
     const float3 _e2 = vec3_load(material.reflectance);
-    const Material material_1 = ConstructMaterial(_e2, material.index, material.kind);
-    return material_1;
+    const Material material_2 = ConstructMaterial(_e2, material.index, material.kind);
+    return material_2;
 }
 
 Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
@@ -783,11 +783,14 @@ Nearest ConstructNearest(bool arg0, float arg1, uint arg2, bool arg3, uint arg4,
     return ret;
 }
 
-SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2) {
+SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
     SurfaceHit ret = (SurfaceHit)0;
     ret.some = arg0;
     ret.hit = arg1;
     ret.material = arg2;
+    ret.lambda = arg3;
+    ret.order = arg4;
+    ret.part = arg5;
     return ret;
 }
 
@@ -924,31 +927,37 @@ SurfaceHit nearest_hit(Ray ray_8)
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
-        const Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e102 = nearest_2.index;
-        uint _e105 = asuint(spheres.Load(24+_e102*28));
-        surface = ConstructSurfaceHit(true, _e99, _e105);
+        const Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
+        uint _e101 = nearest_2.index;
+        uint material_3 = asuint(spheres.Load(24+_e101*28));
+        float _e107 = nearest_2.lambda;
+        uint _e109 = nearest_2.order;
+        uint _e111 = nearest_2.part;
+        surface = ConstructSurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
     }
     if (has_cylinders) {
-        bool _e111 = nearest_2.is_cylinder;
-        local_17 = _e111;
+        bool _e117 = nearest_2.is_cylinder;
+        local_17 = _e117;
     } else {
         local_17 = false;
     }
-    bool _e113 = local_17;
-    if (_e113) {
-        uint _e116 = nearest_2.index;
-        PlacedCylinder _e118 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+0+0)), asfloat(cylinders.Load(_e116*68+0+4)), asfloat(cylinders.Load(_e116*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+12+0)), asfloat(cylinders.Load(_e116*68+12+4)), asfloat(cylinders.Load(_e116*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+24+0)), asfloat(cylinders.Load(_e116*68+24+4)), asfloat(cylinders.Load(_e116*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e116*68+36+0)), asfloat(cylinders.Load(_e116*68+36+4)), asfloat(cylinders.Load(_e116*68+36+8))), asfloat(cylinders.Load(_e116*68+48)), asfloat(cylinders.Load(_e116*68+52)), asfloat(cylinders.Load(_e116*68+56)), asuint(cylinders.Load(_e116*68+60)), asuint(cylinders.Load(_e116*68+64)));
-        const CylinderRecord _e119 = cylinder_load(_e118);
-        uint _e121 = nearest_2.part;
-        const float3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        const Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
-        uint _e128 = nearest_2.index;
-        uint _e131 = asuint(cylinders.Load(64+_e128*68));
-        surface = ConstructSurfaceHit(true, _e125, _e131);
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = nearest_2.index;
+        PlacedCylinder _e124 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+0+0)), asfloat(cylinders.Load(_e122*68+0+4)), asfloat(cylinders.Load(_e122*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+12+0)), asfloat(cylinders.Load(_e122*68+12+4)), asfloat(cylinders.Load(_e122*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+24+0)), asfloat(cylinders.Load(_e122*68+24+4)), asfloat(cylinders.Load(_e122*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+36+0)), asfloat(cylinders.Load(_e122*68+36+4)), asfloat(cylinders.Load(_e122*68+36+8))), asfloat(cylinders.Load(_e122*68+48)), asfloat(cylinders.Load(_e122*68+52)), asfloat(cylinders.Load(_e122*68+56)), asuint(cylinders.Load(_e122*68+60)), asuint(cylinders.Load(_e122*68+64)));
+        const CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = nearest_2.part;
+        const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        const Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
+        uint _e133 = nearest_2.index;
+        uint material_4 = asuint(cylinders.Load(64+_e133*68));
+        float _e139 = nearest_2.lambda;
+        uint _e141 = nearest_2.order;
+        uint _e143 = nearest_2.part;
+        surface = ConstructSurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
     }
-    SurfaceHit _e133 = surface;
-    const SurfaceHit surfacehit_1 = _e133;
+    SurfaceHit _e145 = surface;
+    const SurfaceHit surfacehit_1 = _e145;
     return surfacehit_1;
 }
 
@@ -987,6 +996,54 @@ float3 trace_attenuated(float3 color, uint first, uint met_count)
     return _e25;
 }
 
+Ray trace_onward(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
+{
+    float3 direction_7 = (float3)0;
+    bool local_18 = (bool)0;
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
+    float ratio_1 = (float)0;
+
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e12 = local_18;
+    if (_e12) {
+        const float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_19 = (material_1.kind == METAL);
+    } else {
+        local_19 = false;
+    }
+    bool _e22 = local_19;
+    if (_e22) {
+        const float3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_20 = (material_1.kind == REFRACTIVE);
+    } else {
+        local_20 = false;
+    }
+    bool _e33 = local_20;
+    if (_e33) {
+        ratio_1 = material_1.index;
+        if (hit.front) {
+            ratio_1 = (1.0 / material_1.index);
+        }
+        float _e42 = ratio_1;
+        const float3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
+        direction_7 = _e43;
+    }
+    float3 _e45 = direction_7;
+    const Ray ray_13 = ConstructRay(hit.point_, _e45);
+    return ray_13;
+}
+
 PackedPath ConstructPackedPath(PackedRay arg0, uint arg1, uint arg2) {
     PackedPath ret = (PackedPath)0;
     ret.ray = arg0;
@@ -1010,16 +1067,14 @@ PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, 
 
 void trace_path(Ray primary, uint slot)
 {
-    Ray ray_9 = (Ray)0;
+    Ray ray_10 = (Ray)0;
     uint met_count_1 = 0u;
     uint depth = (uint)0;
-    float3 direction_7 = (float3)0;
-    bool local_18 = (bool)0;
-    bool local_19 = (bool)0;
-    bool local_20 = (bool)0;
-    float ratio_1 = (float)0;
+    bool local_21 = (bool)0;
+    bool local_22 = (bool)0;
+    bool local_23 = (bool)0;
 
-    ray_9 = primary;
+    ray_10 = primary;
     PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
     const float3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -1031,7 +1086,7 @@ void trace_path(Ray primary, uint slot)
         }
         PackedRay _e25 = ConstructPackedRay(ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+0+0)), asfloat(paths.Load(0+slot*32+0+4)), asfloat(paths.Load(0+slot*32+0+8))), ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+12+0)), asfloat(paths.Load(0+slot*32+12+4)), asfloat(paths.Load(0+slot*32+12+8))));
         const Ray _e26 = ray_load(_e25);
-        ray_9 = _e26;
+        ray_10 = _e26;
         uint _e30 = asuint(paths.Load(24+slot*32));
         met_count_1 = _e30;
     }
@@ -1043,8 +1098,8 @@ void trace_path(Ray primary, uint slot)
         if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            uint _e128 = depth;
-            depth = (_e128 + 1u);
+            uint _e97 = depth;
+            depth = (_e97 + 1u);
         }
         loop_init_3 = false;
         uint _e35 = depth;
@@ -1054,11 +1109,11 @@ void trace_path(Ray primary, uint slot)
             break;
         }
         {
-            Ray _e42 = ray_9;
+            Ray _e42 = ray_10;
             const SurfaceHit _e43 = nearest_hit(_e42);
             if (!(_e43.some)) {
                 const Background _e46 = picture_background();
-                float3 _e48 = ray_9.direction;
+                float3 _e48 = ray_10.direction;
                 const float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = met_count_1;
                 const float3 _e53 = trace_attenuated(_e49, first_1, _e52);
@@ -1072,71 +1127,49 @@ void trace_path(Ray primary, uint slot)
                 paths.Store(28+slot*32, asuint(1u));
                 return;
             }
-            Hit hit_2 = _e43.hit;
-            PackedMaterial _e63 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e43.material*24+0+0)), asfloat(materials.Load(_e43.material*24+0+4)), asfloat(materials.Load(_e43.material*24+0+8))), asfloat(materials.Load(_e43.material*24+12)), asuint(materials.Load(_e43.material*24+16)), asuint(materials.Load(_e43.material*24+20)));
-            const Material _e64 = material_load(_e63);
-            direction_7 = ZeroValuefloat3();
+            PackedMaterial _e62 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e43.material*24+0+0)), asfloat(materials.Load(_e43.material*24+0+4)), asfloat(materials.Load(_e43.material*24+0+8))), asfloat(materials.Load(_e43.material*24+12)), asuint(materials.Load(_e43.material*24+16)), asuint(materials.Load(_e43.material*24+20)));
+            const Material _e63 = material_load(_e62);
             if (has_matte) {
-                local_18 = (_e64.kind == MATTE);
+                local_21 = (_e63.kind == MATTE);
             } else {
-                local_18 = false;
+                local_21 = false;
             }
-            bool _e74 = local_18;
-            if (_e74) {
-                uint _e76 = met_count_1;
-                met.Store((first_1 + _e76)*4, asuint(_e43.material));
-                uint _e81 = met_count_1;
-                met_count_1 = (_e81 + 1u);
-                const float3 _e84 = scatter_matte(hit_2.normal, _e6);
-                direction_7 = _e84;
-            }
-            if (has_metal) {
-                local_19 = (_e64.kind == METAL);
-            } else {
-                local_19 = false;
-            }
-            bool _e92 = local_19;
-            if (_e92) {
-                uint _e94 = met_count_1;
-                met.Store((first_1 + _e94)*4, asuint(_e43.material));
-                uint _e99 = met_count_1;
-                met_count_1 = (_e99 + 1u);
-                float3 _e102 = ray_9.direction;
-                const float3 _e104 = scatter_metal(_e102, hit_2.normal, _e6);
-                direction_7 = _e104;
-            }
-            if (has_refraction) {
-                local_20 = (_e64.kind == REFRACTIVE);
-            } else {
-                local_20 = false;
-            }
-            bool _e112 = local_20;
-            if (_e112) {
-                ratio_1 = _e64.index;
-                if (hit_2.front) {
-                    ratio_1 = (1.0 / _e64.index);
+            bool _e71 = local_21;
+            if (!(_e71)) {
+                if (has_metal) {
+                    local_23 = (_e63.kind == METAL);
+                } else {
+                    local_23 = false;
                 }
-                float3 _e120 = ray_9.direction;
-                float _e122 = ratio_1;
-                const float3 _e123 = scatter_refract(_e120, hit_2.normal, _e122);
-                direction_7 = _e123;
+                bool _e82 = local_23;
+                local_22 = _e82;
+            } else {
+                local_22 = true;
             }
-            float3 _e125 = direction_7;
-            ray_9 = ConstructRay(hit_2.point_, _e125);
+            bool _e84 = local_22;
+            if (_e84) {
+                uint _e86 = met_count_1;
+                met.Store((first_1 + _e86)*4, asuint(_e43.material));
+                uint _e91 = met_count_1;
+                met_count_1 = (_e91 + 1u);
+            }
+            Ray _e93 = ray_10;
+            const Ray _e95 = trace_onward(_e93, _e43.hit, _e63, _e6);
+            ray_10 = _e95;
         }
     }
-    const PackedVec3_ _e133 = vec3_store(ZeroValuefloat3());
+    const PackedVec3_ _e102 = vec3_store(ZeroValuefloat3());
     {
-        PackedVec3_ _value2 = _e133;
+        PackedVec3_ _value2 = _e102;
         pixels.Store(slot*12+0, asuint(_value2.x));
         pixels.Store(slot*12+4, asuint(_value2.y));
         pixels.Store(slot*12+8, asuint(_value2.z));
     }
-    Ray _e136 = ray_9;
-    const PackedRay _e137 = ray_store(_e136);
-    uint _e138 = met_count_1;
+    Ray _e105 = ray_10;
+    const PackedRay _e106 = ray_store(_e105);
+    uint _e107 = met_count_1;
     {
-        PackedPath _value2 = ConstructPackedPath(_e137, _e138, 0u);
+        PackedPath _value2 = ConstructPackedPath(_e106, _e107, 0u);
         {
             PackedRay _value3 = _value2.ray;
             {

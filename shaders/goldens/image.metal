@@ -171,7 +171,9 @@ struct SurfaceHit {
     char _pad1[15];
     Hit hit;
     uint material;
-    char _pad3[12];
+    real lambda;
+    uint order;
+    uint part;
 };
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
@@ -785,31 +787,37 @@ SurfaceHit nearest_hit(
         PlacedSphere _e94 = spheres[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         metal::float3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e99 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e102 = nearest_2.index;
-        uint _e105 = spheres[_e102].material;
-        surface = SurfaceHit {true, {}, _e99, _e105};
+        Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
+        uint _e101 = nearest_2.index;
+        uint material_2 = spheres[_e101].material;
+        real _e107 = nearest_2.lambda;
+        uint _e109 = nearest_2.order;
+        uint _e111 = nearest_2.part;
+        surface = SurfaceHit {true, {}, _e98, material_2, _e107, _e109, _e111};
     }
     if (has_cylinders) {
-        bool _e111 = nearest_2.is_cylinder;
-        local_17 = _e111;
+        bool _e117 = nearest_2.is_cylinder;
+        local_17 = _e117;
     } else {
         local_17 = false;
     }
-    bool _e113 = local_17;
-    if (_e113) {
-        uint _e116 = nearest_2.index;
-        PlacedCylinder _e118 = cylinders[_e116];
-        CylinderRecord _e119 = cylinder_load(_e118);
-        uint _e121 = nearest_2.part;
-        metal::float3 _e122 = cylinder_outward(_e119, _e121, _e81);
-        Hit _e125 = hit_facing(ray_8.direction, _e81, _e122);
-        uint _e128 = nearest_2.index;
-        uint _e131 = cylinders[_e128].material;
-        surface = SurfaceHit {true, {}, _e125, _e131};
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = nearest_2.index;
+        PlacedCylinder _e124 = cylinders[_e122];
+        CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = nearest_2.part;
+        metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
+        uint _e133 = nearest_2.index;
+        uint material_3 = cylinders[_e133].material;
+        real _e139 = nearest_2.lambda;
+        uint _e141 = nearest_2.order;
+        uint _e143 = nearest_2.part;
+        surface = SurfaceHit {true, {}, _e130, material_3, _e139, _e141, _e143};
     }
-    SurfaceHit _e133 = surface;
-    return _e133;
+    SurfaceHit _e145 = surface;
+    return _e145;
 }
 
 metal::float3 trace_attenuated(
@@ -852,6 +860,56 @@ metal::float3 trace_attenuated(
     return _e25;
 }
 
+Ray trace_onward(
+    Ray ray_9,
+    Hit hit,
+    Material material_1,
+    metal::float3 scatter_vector
+) {
+    metal::float3 direction_7 = {};
+    bool local_18 = {};
+    bool local_19 = {};
+    bool local_20 = {};
+    real ratio_1 = {};
+    if (has_matte) {
+        local_18 = material_1.kind == MATTE;
+    } else {
+        local_18 = false;
+    }
+    bool _e12 = local_18;
+    if (_e12) {
+        metal::float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_19 = material_1.kind == METAL;
+    } else {
+        local_19 = false;
+    }
+    bool _e22 = local_19;
+    if (_e22) {
+        metal::float3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_20 = material_1.kind == REFRACTIVE;
+    } else {
+        local_20 = false;
+    }
+    bool _e33 = local_20;
+    if (_e33) {
+        ratio_1 = material_1.index;
+        if (hit.front) {
+            ratio_1 = 1.0 / material_1.index;
+        }
+        real _e42 = ratio_1;
+        metal::float3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
+        direction_7 = _e43;
+    }
+    metal::float3 _e45 = direction_7;
+    return Ray {hit.point, _e45};
+}
+
 void trace_path(
     Ray primary,
     uint slot,
@@ -864,15 +922,13 @@ void trace_path(
     device type_9& paths,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    Ray ray_9 = {};
+    Ray ray_10 = {};
     uint met_count_1 = 0u;
     uint depth = {};
-    metal::float3 direction_7 = {};
-    bool local_18 = {};
-    bool local_19 = {};
-    bool local_20 = {};
-    real ratio_1 = {};
-    ray_9 = primary;
+    bool local_21 = {};
+    bool local_22 = {};
+    bool local_23 = {};
+    ray_10 = primary;
     PackedVec3_ _e5 = picture.scatter_vector;
     metal::float3 _e6 = vec3_load(_e5);
     uint first_1 = slot * max_depth;
@@ -884,7 +940,7 @@ void trace_path(
         }
         PackedRay _e25 = paths[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_9 = _e26;
+        ray_10 = _e26;
         uint _e30 = paths[slot].met_count;
         met_count_1 = _e30;
     }
@@ -896,8 +952,8 @@ void trace_path(
         if (metal::all(loop_bound_3 == uint2(0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            uint _e128 = depth;
-            depth = _e128 + 1u;
+            uint _e97 = depth;
+            depth = _e97 + 1u;
         }
         loop_init_3 = false;
         uint _e35 = depth;
@@ -907,11 +963,11 @@ void trace_path(
             break;
         }
         {
-            Ray _e42 = ray_9;
+            Ray _e42 = ray_10;
             SurfaceHit _e43 = nearest_hit(_e42, picture, spheres, cylinders, _buffer_sizes);
             if (!(_e43.some)) {
                 Background _e46 = picture_background(picture);
-                metal::float3 _e48 = ray_9.direction;
+                metal::float3 _e48 = ray_10.direction;
                 metal::float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = met_count_1;
                 metal::float3 _e53 = trace_attenuated(_e49, first_1, _e52, materials, met, _buffer_sizes);
@@ -920,65 +976,43 @@ void trace_path(
                 paths[slot].ended = 1u;
                 return;
             }
-            Hit hit = _e43.hit;
-            PackedMaterial _e63 = materials[_e43.material];
-            Material _e64 = material_load(_e63);
-            direction_7 = metal::float3 {};
+            PackedMaterial _e62 = materials[_e43.material];
+            Material _e63 = material_load(_e62);
             if (has_matte) {
-                local_18 = _e64.kind == MATTE;
+                local_21 = _e63.kind == MATTE;
             } else {
-                local_18 = false;
+                local_21 = false;
             }
-            bool _e74 = local_18;
-            if (_e74) {
-                uint _e76 = met_count_1;
-                met[first_1 + _e76] = _e43.material;
-                uint _e81 = met_count_1;
-                met_count_1 = _e81 + 1u;
-                metal::float3 _e84 = scatter_matte(_e43.hit.normal, _e6);
-                direction_7 = _e84;
-            }
-            if (has_metal) {
-                local_19 = _e64.kind == METAL;
-            } else {
-                local_19 = false;
-            }
-            bool _e92 = local_19;
-            if (_e92) {
-                uint _e94 = met_count_1;
-                met[first_1 + _e94] = _e43.material;
-                uint _e99 = met_count_1;
-                met_count_1 = _e99 + 1u;
-                metal::float3 _e102 = ray_9.direction;
-                metal::float3 _e104 = scatter_metal(_e102, _e43.hit.normal, _e6);
-                direction_7 = _e104;
-            }
-            if (has_refraction) {
-                local_20 = _e64.kind == REFRACTIVE;
-            } else {
-                local_20 = false;
-            }
-            bool _e112 = local_20;
-            if (_e112) {
-                ratio_1 = _e64.index;
-                if (_e43.hit.front) {
-                    ratio_1 = 1.0 / _e64.index;
+            bool _e71 = local_21;
+            if (!(_e71)) {
+                if (has_metal) {
+                    local_23 = _e63.kind == METAL;
+                } else {
+                    local_23 = false;
                 }
-                metal::float3 _e120 = ray_9.direction;
-                real _e122 = ratio_1;
-                metal::float3 _e123 = scatter_refract(_e120, _e43.hit.normal, _e122);
-                direction_7 = _e123;
+                bool _e82 = local_23;
+                local_22 = _e82;
+            } else {
+                local_22 = true;
             }
-            metal::float3 _e125 = direction_7;
-            ray_9 = Ray {_e43.hit.point, _e125};
+            bool _e84 = local_22;
+            if (_e84) {
+                uint _e86 = met_count_1;
+                met[first_1 + _e86] = _e43.material;
+                uint _e91 = met_count_1;
+                met_count_1 = _e91 + 1u;
+            }
+            Ray _e93 = ray_10;
+            Ray _e95 = trace_onward(_e93, _e43.hit, _e63, _e6);
+            ray_10 = _e95;
         }
     }
-    PackedVec3_ _e133 = vec3_store(metal::float3 {});
-    pixels[slot] = _e133;
-    Ray _e136 = ray_9;
-    PackedRay _e137 = ray_store(_e136);
-    uint _e138 = met_count_1;
-    paths[slot] = PackedPath {_e137, _e138, 0u};
+    PackedVec3_ _e102 = vec3_store(metal::float3 {});
+    pixels[slot] = _e102;
+    Ray _e105 = ray_10;
+    PackedRay _e106 = ray_store(_e105);
+    uint _e107 = met_count_1;
+    paths[slot] = PackedPath {_e106, _e107, 0u};
     return;
 }
 uint naga_div(uint lhs, uint rhs) {

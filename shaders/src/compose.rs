@@ -115,6 +115,15 @@ impl Composition {
         &self.source
     }
 
+    /// Path and text of each file, in order: the texts after each other are the whole.
+    pub fn parts(&self) -> impl Iterator<Item = (&str, String)> {
+        let ends = self.parts.iter().skip(1).map(|part| part.first_line).chain([usize::MAX]);
+        self.parts.iter().zip(ends).map(|(part, end)| {
+            let lines = self.source.split_inclusive('\n').skip(part.first_line - 1).take(end - part.first_line);
+            (part.path.as_str(), lines.collect())
+        })
+    }
+
     /// What `real` stands for.
     #[must_use]
     pub const fn precision(&self) -> Precision {
@@ -165,6 +174,16 @@ mod tests {
         assert_eq!(path, "shaders/wgsl/ray.wgsl");
         let original = module::find("ray").expect("it exists").source;
         assert_eq!(original.lines().nth(line - 1), Some(lines[place]));
+    }
+
+    #[test]
+    fn its_parts_are_the_whole() {
+        let composition = Library::standard().compose("kernels/image", Precision::F32).expect("it exists");
+        let parts: Vec<_> = composition.parts().collect();
+        assert!(parts.len() > 10);
+        assert_eq!(parts.iter().map(|(_, text)| text.as_str()).collect::<String>(), composition.source());
+        let (path, text) = &parts[1];
+        assert_eq!((*path, text.as_str()), ("shaders/wgsl/vec3.wgsl", module::find("vec3").expect("it exists").source));
     }
 
     #[test]

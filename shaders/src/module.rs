@@ -53,6 +53,7 @@ modules! {
     "kernels/barrier" in "wgsl/kernels/barrier.wgsl" needs ["exact"];
     "kernels/rewrites" in "wgsl/kernels/rewrites.wgsl" needs [];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
+    "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["trace"];
 }
 
 /// The two modules that define `real`.

@@ -15,11 +15,14 @@ fn nearest_is_beaten_by(nearest: Nearest, lambda: real, order: u32) -> bool {
     return !nearest.some || lambda < nearest.lambda || (lambda == nearest.lambda && order > nearest.order);
 }
 
-// Option<(Hit, MaterialId)>
+// Option<(Hit, MaterialId)>, and how it was found, which only the debug views read.
 struct SurfaceHit {
     some: bool,
     hit: Hit,
     material: u32,
+    lambda: real,
+    order: u32,
+    part: u32,
 }
 
 // nearest: where the ray first meets an object, and of what material.
@@ -50,11 +53,15 @@ fn nearest_hit(ray: Ray) -> SurfaceHit {
     let point = ray_at(ray, nearest.lambda);
     if has_spheres && !nearest.is_cylinder {
         let outward = sphere_outward(sphere_load(spheres[nearest.index]), point);
-        surface = SurfaceHit(true, hit_facing(ray.direction, point, outward), spheres[nearest.index].material);
+        let hit = hit_facing(ray.direction, point, outward);
+        let material = spheres[nearest.index].material;
+        surface = SurfaceHit(true, hit, material, nearest.lambda, nearest.order, nearest.part);
     }
     if has_cylinders && nearest.is_cylinder {
         let outward = cylinder_outward(cylinder_load(cylinders[nearest.index]), nearest.part, point);
-        surface = SurfaceHit(true, hit_facing(ray.direction, point, outward), cylinders[nearest.index].material);
+        let hit = hit_facing(ray.direction, point, outward);
+        let material = cylinders[nearest.index].material;
+        surface = SurfaceHit(true, hit, material, nearest.lambda, nearest.order, nearest.part);
     }
     return surface;
 }

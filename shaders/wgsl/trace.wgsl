@@ -23,31 +23,35 @@ fn trace_path(primary: Ray, slot: u32) {
             paths[slot].ended = 1u;
             return;
         }
-        let hit = surface.hit;
         let material = material_load(materials[surface.material]);
-        var direction: vec3<real>;
-        if has_matte && material.kind == MATTE {
+        if (has_matte && material.kind == MATTE) || (has_metal && material.kind == METAL) {
             met[first + met_count] = surface.material;
             met_count++;
-            direction = scatter_matte(hit.normal, scatter_vector);
         }
-        if has_metal && material.kind == METAL {
-            met[first + met_count] = surface.material;
-            met_count++;
-            direction = scatter_metal(ray.direction, hit.normal, scatter_vector);
-        }
-        if has_refraction && material.kind == REFRACTIVE {
-            var ratio = material.index;
-            if hit.front {
-                ratio = real(1.0) / material.index;
-            }
-            direction = scatter_refract(ray.direction, hit.normal, ratio);
-        }
-        ray = Ray(hit.point, direction);
+        ray = trace_onward(ray, surface.hit, material, scatter_vector);
     }
     // Black, unless another run goes on.
     pixels[slot] = vec3_store(vec3<real>());
     paths[slot] = PackedPath(ray_store(ray), met_count, 0u);
+}
+
+// Onward: the ray that a surface of `material` sends on when `ray` meets it at `hit`.
+fn trace_onward(ray: Ray, hit: Hit, material: Material, scatter_vector: vec3<real>) -> Ray {
+    var direction: vec3<real>;
+    if has_matte && material.kind == MATTE {
+        direction = scatter_matte(hit.normal, scatter_vector);
+    }
+    if has_metal && material.kind == METAL {
+        direction = scatter_metal(ray.direction, hit.normal, scatter_vector);
+    }
+    if has_refraction && material.kind == REFRACTIVE {
+        var ratio = material.index;
+        if hit.front {
+            ratio = real(1.0) / material.index;
+        }
+        direction = scatter_refract(ray.direction, hit.normal, ratio);
+    }
+    return Ray(hit.point, direction);
 }
 
 // Path::attenuated: `color` after all surfaces met, from the last to the first, as the recursion returns.

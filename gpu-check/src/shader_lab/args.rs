@@ -1,0 +1,216 @@
+//! The command line of `shader-lab`.
+
+use std::path::PathBuf;
+
+use shaders::{Features, Precision};
+
+use super::view::View;
+
+/// How the program is called.
+pub const USAGE: &str = "\
+shader-lab MODULES --config CONFIG --scene SCENE --out OUT.png [options]
+shader-lab --template NEW_FILE.wgsl
+shader-lab --serve PORT --config CONFIG --scene SCENE
+
+MODULES is a WGSL file or a folder of them. Each stands in for the module of shaders/wgsl that has its name, or that
+its first line names, as in: // module: kernels/image
+
+  --f32                   calculate in f32 (default: f64)
+  --set NAME=VALUE        a pipeline constant: has_spheres, has_cylinders, has_matte, has_metal, has_refraction,
+                          max_depth, or one that your module declares with `override`
+  --show VIEW             lambda, normal, object, side, steps or difference, in false colours
+  --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
+  --watch                 render again whenever a file changes, until interrupted
+  --template FILE         write a module to start from
+  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
+
+/// Constants that a person's module declares, by name.
+pub type Own<'a> = Vec<(&'a str, f64)>;
+
+/// What is to be done.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Print [`USAGE`].
+    Help,
+    /// Write a module to start from.
+    Template(PathBuf),
+    /// Render.
+    Render(Options),
+    /// Serve the page for browsers.
+    Serve {
+        /// At which port of this machine.
+        port: u16,
+        /// The configuration's file.
+        config: PathBuf,
+        /// The scene's file.
+        scene: PathBuf,
+    },
+}
+
+/// What to render, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// A WGSL file or a folder of them.
+    pub modules: PathBuf,
+    /// The configuration's file.
+    pub config: PathBuf,
+    /// The scene's file.
+    pub scene: PathBuf,
+    /// The picture to write.
+    pub out: PathBuf,
+    /// What `real` stands for.
+    pub precision: Precision,
+    /// Pipeline constants, by name.
+    pub constants: Vec<(String, f64)>,
+    /// What to show in place of the picture.
+    pub view: Option<View>,
+    /// Column and row of a pixel to follow.
+    pub pixel: Option<[usize; 2]>,
+    /// Whether to go on when files change.
+    pub watch: bool,
+}
+
+/// Reads the arguments that follow the program's name.
+///
+/// # Errors
+/// A message for the person who typed them.
+pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, String> {
+    let mut arguments = arguments.into_iter();
+    let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
+    let (mut precision, mut port) = (Precision::F64, None);
+    let (mut constants, mut view, mut pixel, mut watch) = (Vec::new(), None, None, false);
+    while let Some(argument) = arguments.next() {
+        let mut value = |what: &str| arguments.next().ok_or(format!("{argument} needs {what} after it"));
+        match argument.as_str() {
+            "--help" | "-h" => return Ok(Command::Help),
+            "--template" => return Ok(Command::Template(value("a file to write")?.into())),
+            "--config" => config = Some(PathBuf::from(value("a file")?)),
+            "--scene" => scene = Some(PathBuf::from(value("a file")?)),
+            "--out" => out = Some(PathBuf::from(value("a file")?)),
+            "--serve" => {
+                let text = value("a port")?;
+                port = Some(text.parse().map_err(|_| format!("--serve: [{text}] is not a port"))?);
+            }
+            "--f32" => precision = Precision::F32,
+            "--f64" => precision = Precision::F64,
+            "--set" => constants.push(constant(&value("NAME=VALUE")?)?),
+            "--show" => view = Some(value("a view")?.parse::<View>()?),
+            "--pixel" => {
+                let mut number = |what: &str| {
+                    let text = value(what)?;
+                    text.parse().map_err(|_| format!("--pixel: [{text}] is not {what}"))
+                };
+                pixel = Some([number("a column")?, number("a row")?]);
+            }
+            "--watch" => watch = true,
+            other if other.starts_with('-') => return Err(format!("there is no option [{other}]")),
+            _ if modules.is_some() => return Err(format!("[{argument}] is one name too many")),
+            _ => modules = Some(PathBuf::from(&argument)),
+        }
+    }
+    let files = || Ok::<_, String>((config.ok_or("--config is missing")?, scene.ok_or("--scene is missing")?));
+    if let Some(port) = port {
+        let (config, scene) = files()?;
+        return Ok(Command::Serve { port, config, scene });
+    }
+    let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
+    let (config, scene) = files()?;
+    let out = out.ok_or("--out is missing")?;
+    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch }))
+}
+
+fn constant(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or_else(|| format!("--set: [{text}] is not NAME=VALUE"))?;
+    let number = match value {
+        "true" => 1.0,
+        "false" => 0.0,
+        _ => value.parse().map_err(|_| format!("--set {name}: [{value}] is not a number, true or false"))?,
+    };
+    Ok((name.to_owned(), number))
+}
+
+impl Options {
+    /// The scene's features with those set that have a name among them, and the constants that do not.
+    ///
+    /// # Errors
+    /// A message, when a feature cannot have its value.
+    pub fn apply(&self, mut features: Features) -> Result<(Features, Own<'_>), String> {
+        let mut own = Vec::new();
+        for (name, value) in &self.constants {
+            let flag = match name.as_str() {
+                "has_spheres" => &mut features.has_spheres,
+                "has_cylinders" => &mut features.has_cylinders,
+                "has_matte" => &mut features.has_matte,
+                "has_metal" => &mut features.has_metal,
+                "has_refraction" => &mut features.has_refraction,
+                "max_depth" => {
+                    if value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(value) {
+                        return Err(format!("--set max_depth: {value} is not a whole number that fits in 32 bits"));
+                    }
+                    features.max_depth = *value as u32;
+                    continue;
+                }
+                _ => {
+                    own.push((name.as_str(), *value));
+                    continue;
+                }
+            };
+            *flag = *value != 0.0;
+        }
+        Ok((features, own))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NEEDED: &str = "mine.wgsl --config c --scene s --out o.png";
+
+    fn parsed(text: &str) -> Result<Command, String> {
+        parse(text.split_whitespace().map(str::to_owned))
+    }
+
+    fn options(text: &str) -> Options {
+        match parsed(&format!("{NEEDED} {text}")) {
+            Ok(Command::Render(options)) => options,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn what_is_needed_is_asked_for() {
+        assert!(parsed("--config c").is_err_and(|message| message.contains("--template writes one")));
+        assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
+        assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
+        assert_eq!(parsed("--frobnicate"), Err("there is no option [--frobnicate]".to_owned()));
+    }
+
+    #[test]
+    fn a_page_needs_no_modules() {
+        let expected = Command::Serve { port: 8000, config: "c".into(), scene: "s".into() };
+        assert_eq!(parsed("--serve 8000 --config c --scene s"), Ok(expected));
+        assert_eq!(parsed("--serve x"), Err("--serve: [x] is not a port".to_owned()));
+    }
+
+    #[test]
+    fn options_are_read() {
+        let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
+        assert_eq!((read.precision, read.view, read.watch), (Precision::F32, Some(View::Normal), true));
+        assert_eq!((read.pixel, read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
+    }
+
+    #[test]
+    fn features_are_set_and_other_constants_left() {
+        let options = options("--set has_metal=false --set max_depth=2 --set brightness=2");
+        let (features, own) = options.apply(Features::all(5)).expect("they are valid");
+        assert_eq!(features, Features { has_metal: false, ..Features::all(2) });
+        assert_eq!(own, [("brightness", 2.0)]);
+    }
+
+    #[test]
+    fn a_depth_that_is_no_count_is_refused() {
+        let message = options("--set max_depth=1.5").apply(Features::all(5)).expect_err("it is a fraction");
+        assert!(message.starts_with("--set max_depth: 1.5 is not a whole number"), "{message}");
+    }
+}

@@ -1,0 +1,104 @@
+//! A person's modules, and which of the crate's each stands in for.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use shaders::{Library, module};
+
+use crate::Error;
+
+/// Where a file says which module it is.
+const MARK: &str = "// module:";
+
+/// A person's module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UserModule {
+    /// Which module it stands in for.
+    pub name: String,
+    /// Its file, as the person named it.
+    pub path: PathBuf,
+    /// Its text.
+    pub text: String,
+}
+
+/// The modules in a file, or in a folder and its `kernels`.
+///
+/// # Errors
+/// [`Error::File`], with what to do where a file stands in for nothing.
+pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
+    if !path.is_dir() {
+        return Ok(vec![read_one(path)?]);
+    }
+    let mut files = Vec::new();
+    for folder in [path.to_owned(), path.join("kernels")] {
+        if folder.is_dir() {
+            let entries = fs::read_dir(&folder).map_err(|cause| Error::File { path: folder.clone(), cause })?;
+            let paths = entries.filter_map(Result::ok).map(|entry| entry.path());
+            files.extend(paths.filter(|path| path.extension().is_some_and(|ending| ending == "wgsl")));
+        }
+    }
+    files.sort();
+    if files.is_empty() {
+        return Err(fault(path, "there is no WGSL file here; shader-lab --template FILE writes one".to_owned()));
+    }
+    files.iter().map(|path| read_one(path)).collect()
+}
+
+fn read_one(path: &Path) -> Result<UserModule, Error> {
+    let text = fs::read_to_string(path).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
+    let name = name(path, &text);
+    if module::find(&name).is_none() {
+        let known: Vec<_> = module::MODULES.iter().map(|module| module.name).collect();
+        let advice = format!("its first line may say which it is, as in [{MARK} kernels/image]");
+        return Err(fault(path, format!("no module is called [{name}]; {advice}; there are: {}", known.join(", "))));
+    }
+    Ok(UserModule { name, path: path.to_owned(), text })
+}
+
+/// What the first line says; else the file's name, with its folder where that is `kernels`.
+fn name(path: &Path, text: &str) -> String {
+    if let Some(name) = text.lines().next().and_then(|line| line.strip_prefix(MARK)) {
+        return name.trim().to_owned();
+    }
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let in_kernels = path.parent().and_then(Path::file_name).is_some_and(|folder| folder == "kernels");
+    if in_kernels { format!("kernels/{stem}") } else { stem.into_owned() }
+}
+
+fn fault(path: &Path, message: String) -> Error {
+    Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
+}
+
+/// The crate's modules with `modules` in their places.
+///
+/// # Errors
+/// [`Error::Shader`] for a name that no module has.
+pub fn library(modules: &[UserModule]) -> Result<Library, Error> {
+    let mut library = Library::standard();
+    for module in modules {
+        library.replace(&module.name, &module.path.display().to_string(), module.text.as_str())?;
+    }
+    Ok(library)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_the_module_of_its_name() {
+        assert_eq!(name(Path::new("mine/sphere.wgsl"), "// Mine.\n"), "sphere");
+        assert_eq!(name(Path::new("mine/kernels/sphere.wgsl"), ""), "kernels/sphere");
+    }
+
+    #[test]
+    fn its_first_line_says_otherwise() {
+        assert_eq!(name(Path::new("mine/normals.wgsl"), "// module: kernels/image\n"), "kernels/image");
+    }
+
+    #[test]
+    fn the_template_says_which_module_it_is() {
+        let name = name(Path::new("anything.wgsl"), super::super::TEMPLATE);
+        assert!(module::find(&name).is_some(), "{name}");
+    }
+}

@@ -1,0 +1,91 @@
+//! One pixel's way by the CPU and by WGSL, side by side, with the first bit that differs.
+
+use std::fmt::Write as _;
+
+use crate::Float;
+use crate::steps::{NAMES, Step, first_difference};
+
+/// The numbers that a step shows, by what the ray met: all have an origin and a direction.
+fn shown(met: f64) -> Vec<usize> {
+    match met {
+        1.0 => (0..18).collect(),
+        0.0 => [0].into_iter().chain(6..12).chain(18..21).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Both ways as text.
+#[must_use]
+pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
+    let mut text = String::new();
+    let mut first = None;
+    for (depth, (a, b)) in cpu.iter().zip(wgsl).enumerate() {
+        let mut places = shown(a.met().wide());
+        places.extend(shown(b.met().wide()));
+        places.sort_unstable();
+        places.dedup();
+        if places.is_empty() {
+            break;
+        }
+        let _ = writeln!(text, "step {depth:<10} {:<26} WGSL", "CPU");
+        for place in places {
+            let (a, b) = (a.0[place], b.0[place]);
+            let mark = if a.same(b) { "" } else { "  <- differs" };
+            let columns = (format!("{a:?}"), format!("{b:?}"));
+            let _ = writeln!(text, "  {:<13} {:<26} {}{mark}", NAMES[place], columns.0, columns.1);
+        }
+        first = first.or_else(|| first_difference(a, b).map(|place| (depth, place, a.0[place], b.0[place])));
+    }
+    match first {
+        None => text.push_str("no bit differs\n"),
+        Some((depth, place, a, b)) => {
+            let _ = writeln!(text, "first difference: step {depth}, {}", NAMES[place]);
+            text.push_str(&bits(a, b));
+        }
+    }
+    text
+}
+
+/// Both numbers in binary, sign, exponent and fraction apart, with a caret under the first bit that differs.
+fn bits<T: Float>(a: T, b: T) -> String {
+    let (width, exponent) = if size_of::<T>() == 8 { (64, 11) } else { (32, 8) };
+    let binary = |number: T| {
+        let digits = format!("{:0width$b}", number.bits());
+        format!("{} {} {}", &digits[..1], &digits[1..1 + exponent], &digits[1 + exponent..])
+    };
+    let (one, other) = (binary(a), binary(b));
+    let place = one.bytes().zip(other.bytes()).position(|(a, b)| a != b).unwrap_or(0);
+    format!("  CPU   {one}\n  WGSL  {other}\n        {:place$}^\n", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn way(lambda: f64) -> [Step<f64>; 2] {
+        let (mut step, mut ended) = (Step([0.0; NAMES.len()]), Step([0.0; NAMES.len()]));
+        (step.0[0], step.0[1], ended.0[0]) = (1.0, lambda, -1.0);
+        [step, ended]
+    }
+
+    #[test]
+    fn equal_ways_say_so() {
+        let text = side_by_side(&way(2.5), &way(2.5));
+        assert!(text.contains("  lambda        2.5                        2.5\n"), "{text}");
+        assert!(text.ends_with("no bit differs\n") && !text.contains("step 1"), "{text}");
+    }
+
+    #[test]
+    fn the_first_bit_that_differs_has_a_caret() {
+        let text = side_by_side(&way(1.0), &way(1.0_f64.next_up()));
+        assert!(text.contains("1.0000000000000002  <- differs\n"), "{text}");
+        let lines: Vec<_> = text.lines().collect();
+        let [cpu, wgsl, caret] = lines[lines.len() - 3..] else { panic!("{text}") };
+        let place = caret.find('^').expect("it is there");
+        assert_eq!(
+            (&cpu[..place], &cpu[place..], &wgsl[place..]),
+            (&wgsl[..place].replace("WGSL", "CPU ")[..], "0", "1")
+        );
+        assert!(text.contains("first difference: step 0, lambda\n"), "{text}");
+    }
+}

@@ -1,0 +1,184 @@
+//! One rendering with a person's modules: the pictures it writes and what it has to say.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
+
+use cpu::Vec3;
+use shaders::Features;
+
+use super::args::Options;
+use super::files::{self, UserModule};
+use super::truth::Truth;
+use super::view::{View, mark};
+use super::{pixel, png};
+use crate::difference::{difference, write_png};
+use crate::steps::Follower;
+use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
+
+/// What one trial is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<'a> {
+    /// Where it runs.
+    pub gpu: &'a Gpu,
+    /// What was asked for.
+    pub options: &'a Options,
+    /// The person's modules.
+    pub modules: &'a [UserModule],
+    /// What it is held against.
+    pub truth: &'a Truth,
+}
+
+/// A precision that trials are made in: where to find what it is held against.
+pub trait Held: Float {
+    /// The CPU's picture in this precision.
+    fn picture(truth: &Truth) -> &[Vec3<Self>];
+}
+
+impl Held for f64 {
+    fn picture(truth: &Truth) -> &[Vec3] {
+        &truth.wide
+    }
+}
+
+impl Held for f32 {
+    fn picture(truth: &Truth) -> &[Vec3<Self>] {
+        &truth.single
+    }
+}
+
+impl Trial<'_> {
+    /// Renders, writes the pictures and gives the report.
+    ///
+    /// # Errors
+    /// [`Error::Shader`] with the place in the person's file, or what the device finds wrong.
+    pub fn run<T: Held>(&self) -> Result<String, Error> {
+        let Self { gpu, options, modules, truth } = *self;
+        let out = &options.out;
+        let library = files::library(modules)?;
+        let (features, own) =
+            options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
+        self.check_constants::<T>(&own)?;
+        let start = Instant::now();
+        let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
+        let compiled = start.elapsed();
+        let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
+        let rendering = renderer.render(&picture)?;
+        let mut report = format!("in {} on {gpu}\n", T::PRECISION);
+        for UserModule { name, path, .. } in modules {
+            let _ = writeln!(report, "{} stands in for [{name}]", path.display());
+        }
+        let size = rendering.size;
+        let _ = writeln!(
+            report,
+            "{} x {} pixels in {:.1?}, after {compiled:.1?} to compile; the CPU took {:.1?}, one core, the definition",
+            size.width(),
+            size.height(),
+            rendering.time,
+            truth.time,
+        );
+        let held = T::picture(truth);
+        let _ = writeln!(report, "from the CPU in {}: {}", T::PRECISION, difference(&rendering.pixels, held));
+        if size_of::<T>() < size_of::<f64>() {
+            let _ = writeln!(report, "from the CPU in f64: {}", difference(&rendering.pixels, &truth.wide));
+        }
+        let (folder, name) = (out.parent().unwrap_or(Path::new("")), png::beside(out, "difference"));
+        let name = name.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+        let three = write_png(folder, &name, size, &rendering.pixels, held)?;
+        match options.view {
+            None | Some(View::Difference) => {
+                let bytes = match options.view {
+                    None => png::bytes(&rendering.pixels, truth.config.gamma),
+                    Some(_) => enlarged(&rendering.pixels, held),
+                };
+                png::write(out, size, &bytes)?;
+                let _ = writeln!(report, "wrote {}", out.display());
+            }
+            Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture)?),
+        }
+        let _ = writeln!(report, "wrote {} (WGSL, CPU, twenty times their difference)", three.display());
+        if let Some([x, y]) = options.pixel {
+            if x >= size.width() || y >= size.height() {
+                let message = format!("--pixel: the picture has {} x {} pixels", size.width(), size.height());
+                return Err(Error::Request { message });
+            }
+            let index = y * size.width() + x;
+            report.push_str(&self.follow(index, &features, &own, &picture)?);
+            let _ = writeln!(report, "colour: {:?} by the CPU, {:?} by WGSL", held[index], rendering.pixels[index]);
+        }
+        Ok(report)
+    }
+
+    /// Writes a view of both sides and where their numbers differ.
+    fn show<T: Held>(
+        &self,
+        view: View,
+        features: &Features,
+        own: &[(&str, f64)],
+        picture: &Picture<T>,
+    ) -> Result<String, Error> {
+        let depth = if view.is_deep() { features.max_depth } else { features.max_depth.min(1) };
+        let features = Features { max_depth: depth, ..*features };
+        let follower = Follower::<T>::new(self.gpu, &files::library(self.modules)?, &features, own)?;
+        let by_cpu = Picture { max_depth: depth, ..picture.clone() };
+        let (mut wgsl, mut cpu, mut marks) = (Vec::new(), Vec::new(), Vec::new());
+        follower.follow(picture, 0, picture.size.pixels(), |index, steps| {
+            let expected = by_cpu.steps(index);
+            wgsl.push(view.color(steps, depth));
+            cpu.push(view.color(&expected, depth));
+            marks.push(mark(&expected, steps));
+        })?;
+        let out = &self.options.out;
+        png::write(out, picture.size, &wgsl)?;
+        let both = png::beside(out, &view.to_string());
+        let count = marks.iter().filter(|mark| **mark != [0; 3]).count();
+        let total = marks.len();
+        let first = marks.iter().position(|mark| *mark != [0; 3]).map(|index| {
+            let width = picture.size.width();
+            format!(", the first of them --pixel {} {}", index % width, index / width)
+        });
+        let first = first.unwrap_or_default();
+        png::write(&both, picture.size, &[wgsl, cpu, marks].concat())?;
+        let (out, both) = (out.display(), both.display());
+        Ok(format!(
+            "{count} of {total} pixels have another bit on their way{first}\nwrote {out} ({view} by WGSL)\n\
+             wrote {both} ({view} by WGSL, by the CPU, and white where any number's bits differ)\n"
+        ))
+    }
+
+    /// The way of the pixel at `index` on both sides.
+    fn follow<T: Held>(
+        &self,
+        index: usize,
+        features: &Features,
+        own: &[(&str, f64)],
+        picture: &Picture<T>,
+    ) -> Result<String, Error> {
+        let follower = Follower::<T>::new(self.gpu, &files::library(self.modules)?, features, own)?;
+        let expected = Picture { max_depth: features.max_depth, ..picture.clone() }.steps(index);
+        let mut text = String::new();
+        follower.follow(picture, index, 1, |_, steps| text = pixel::side_by_side(&expected, steps))?;
+        Ok(text)
+    }
+
+    /// An error for a constant that no module declares.
+    fn check_constants<T: Held>(&self, own: &[(&str, f64)]) -> Result<(), Error> {
+        let shader = files::library(self.modules)?.compose("kernels/image", T::PRECISION)?.validate()?;
+        let known: Vec<_> =
+            shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
+        match own.iter().find(|(name, _)| !known.contains(name)) {
+            None => Ok(()),
+            Some((name, _)) => {
+                let message = format!("--set: there is no constant [{name}]; there are: {}", known.join(", "));
+                Err(Error::Request { message })
+            }
+        }
+    }
+}
+
+fn enlarged<T: Float>(one: &[Vec3<T>], other: &[Vec3<T>]) -> Vec<[u8; 3]> {
+    let byte = |apart: f64| (255.0 * (20.0 * apart.abs()).sqrt()) as u8;
+    let pairs = one.iter().zip(other).map(|(one, other)| (one.to_array(), other.to_array()));
+    pairs.map(|(one, other)| [0, 1, 2].map(|place| byte(one[place].wide() - other[place].wide()))).collect()
+}

@@ -1,0 +1,154 @@
+//! What primary rays meet, in false colours, so that the eye finds where two implementations part.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::Float;
+use crate::steps::{Step, first_difference};
+
+/// What to show of each pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// How far the object is: the nearer the lighter.
+    Lambda,
+    /// The unit normal that faces the ray: x, y and z from -1 to 1 as red, green and blue from 0 to 255.
+    Normal,
+    /// Which object: a colour each.
+    Object,
+    /// The part, side, top or bottom in three hues; dark where the ray comes from inside.
+    Side,
+    /// How many surfaces the ray meets on its way: black to red, yellow and white.
+    Steps,
+    /// How the colours differ, twenty times enlarged.
+    Difference,
+}
+
+impl View {
+    /// Every view.
+    pub const ALL: [Self; 6] = [Self::Lambda, Self::Normal, Self::Object, Self::Side, Self::Steps, Self::Difference];
+
+    /// The pixel whose way these steps are, out of `depth` that it may have.
+    #[must_use]
+    pub fn color<T: Float>(self, steps: &[Step<T>], depth: u32) -> [u8; 3] {
+        let wide = |number: T| number.wide();
+        if self == Self::Steps {
+            return heat(surfaces(steps) as f64 / f64::from(depth.max(1)));
+        }
+        let Some(step) = steps.first().filter(|step| wide(step.met()) == 1.0) else { return [0; 3] };
+        match self {
+            Self::Lambda => [grey(1.0 / (1.0 + wide(step.lambda()) / 4.0)); 3],
+            Self::Normal => {
+                let normal = step.normal().map(wide);
+                let length = normal.iter().map(|component| component * component).sum::<f64>().sqrt();
+                normal.map(|component| grey(component / length / 2.0 + 0.5))
+            }
+            Self::Object => hue(wide(step.object()) as u64),
+            _ => {
+                let light =
+                    [[255, 176, 64], [64, 200, 120], [90, 140, 255]][wide(step.part()).clamp(0.0, 2.0) as usize];
+                if wide(step.front()) == 1.0 { light } else { light.map(|channel: u8| channel / 3) }
+            }
+        }
+    }
+
+    /// Whether the view needs more than the first step.
+    #[must_use]
+    pub fn is_deep(self) -> bool {
+        self == Self::Steps
+    }
+}
+
+/// How many surfaces a way meets.
+fn surfaces<T: Float>(steps: &[Step<T>]) -> usize {
+    steps.iter().take_while(|step| step.met().wide() == 1.0).count()
+}
+
+/// White where any number of two ways differs in its bits, else black.
+#[must_use]
+pub fn mark<T: Float>(one: &[Step<T>], other: &[Step<T>]) -> [u8; 3] {
+    let differs = one.len() != other.len() || one.iter().zip(other).any(|(a, b)| first_difference(a, b).is_some());
+    if differs { [255; 3] } else { [0; 3] }
+}
+
+fn grey(share: f64) -> u8 {
+    (255.0 * share) as u8
+}
+
+fn heat(share: f64) -> [u8; 3] {
+    [0.0, 1.0, 2.0].map(|place| grey((3.0 * share - place).clamp(0.0, 1.0)))
+}
+
+/// A colour that neighbours in the file do not share.
+fn hue(object: u64) -> [u8; 3] {
+    let scattered = (object + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    [56, 48, 40].map(|shift| 64 + ((scattered >> shift) as u8) / 4 * 3)
+}
+
+impl FromStr for View {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let names: Vec<_> = Self::ALL.iter().map(ToString::to_string).collect();
+        let found = Self::ALL.into_iter().find(|view| view.to_string() == text);
+        found.ok_or_else(|| format!("--show: there is no view [{text}]; there are: {}", names.join(", ")))
+    }
+}
+
+impl fmt::Display for View {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Lambda => "lambda",
+            Self::Normal => "normal",
+            Self::Object => "object",
+            Self::Side => "side",
+            Self::Steps => "steps",
+            Self::Difference => "difference",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::steps::NAMES;
+
+    fn step(numbers: &[(&str, f64)]) -> Step<f64> {
+        let mut step = Step([0.0; NAMES.len()]);
+        for (name, value) in numbers {
+            step.0[NAMES.iter().position(|known| known == name).expect("the name exists")] = *value;
+        }
+        step
+    }
+
+    #[test]
+    fn a_view_is_known_by_its_name() {
+        assert!(View::ALL.iter().all(|view| view.to_string().parse() == Ok(*view)));
+        assert!("depth".parse::<View>().is_err_and(|message| message.contains("lambda, normal, object, side")));
+    }
+
+    #[test]
+    fn a_normal_is_a_colour() {
+        let steps = [step(&[("met", 1.0), ("normal.x", -2.0)])];
+        assert_eq!(View::Normal.color(&steps, 5), [0, 127, 127]);
+    }
+
+    #[test]
+    fn neighbours_in_the_file_have_colours_of_their_own() {
+        let color = |object| View::Object.color(&[step(&[("met", 1.0), ("object", object)])], 5);
+        assert!(color(0.0) != color(1.0) && color(1.0) != color(2.0) && color(0.0) != color(2.0));
+    }
+
+    #[test]
+    fn the_background_is_black_and_steps_are_counted() {
+        let (met, missed) = (step(&[("met", 1.0)]), step(&[]));
+        assert_eq!(View::Lambda.color(&[missed], 2), [0; 3]);
+        assert_eq!(View::Steps.color(&[met, missed], 3), [255, 0, 0]);
+        assert_eq!(View::Steps.color(&[met, met], 2), [255; 3]);
+    }
+
+    #[test]
+    fn one_bit_is_marked() {
+        let (one, other) = (step(&[("lambda", 1.0)]), step(&[("lambda", 1.0_f64.next_up())]));
+        assert_eq!((mark(&[one], &[one]), mark(&[one], &[other])), ([0; 3], [255; 3]));
+    }
+}

@@ -1,0 +1,198 @@
+//! A pixel's way through the scene, step by step, on a device and in Rust: to see where the two part.
+
+use std::marker::PhantomData;
+
+use cpu::Vec3;
+use cpu::real::Real;
+use shaders::{Features, Library};
+
+use crate::packed::buffer;
+use crate::pipeline::{Content, MAX_INVOCATIONS};
+use crate::renderer::{BATCH, MAX_ITERATIONS, head};
+use crate::{Error, Float, Gpu, Picture, Pipeline};
+
+/// Names of a step's numbers, in the order of `kernels/steps.wgsl`.
+pub const NAMES: [&str; 21] = [
+    "met",
+    "lambda",
+    "object",
+    "part",
+    "front",
+    "material",
+    "origin.x",
+    "origin.y",
+    "origin.z",
+    "direction.x",
+    "direction.y",
+    "direction.z",
+    "point.x",
+    "point.y",
+    "point.z",
+    "normal.x",
+    "normal.y",
+    "normal.z",
+    "light.r",
+    "light.g",
+    "light.b",
+];
+
+/// A ray and what it meets.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<T>(pub [T; NAMES.len()]);
+
+impl<T: Copy> Step<T> {
+    /// One where the ray meets an object, zero where it sees the background, minus one after the way's end.
+    pub const fn met(&self) -> T {
+        self.0[0]
+    }
+
+    /// How far the object is.
+    pub const fn lambda(&self) -> T {
+        self.0[1]
+    }
+
+    /// The object's place in the file.
+    pub const fn object(&self) -> T {
+        self.0[2]
+    }
+
+    /// The part of a cylinder; zero on a sphere.
+    pub const fn part(&self) -> T {
+        self.0[3]
+    }
+
+    /// One where the ray comes from outside the object.
+    pub const fn front(&self) -> T {
+        self.0[4]
+    }
+
+    /// The normal that faces the ray.
+    pub const fn normal(&self) -> [T; 3] {
+        [self.0[15], self.0[16], self.0[17]]
+    }
+}
+
+/// The place of the first number in which two steps differ.
+#[must_use]
+pub fn first_difference<T: Float>(one: &Step<T>, other: &Step<T>) -> Option<usize> {
+    one.0.iter().zip(&other.0).position(|(one, other)| !one.same(*other))
+}
+
+impl<T: Real<Mask = bool>> Picture<T> {
+    /// The steps of the pixel at `index`, in Rust: as many as a ray may meet surfaces.
+    #[must_use]
+    pub fn steps(&self, index: usize) -> Vec<Step<T>> {
+        let (zero, one) = (T::of(0.0), T::of(1.0));
+        let width = self.size.width();
+        let [row, column] = [index / width, index % width].map(|number| T::of(number as f64));
+        let mut ray = self.camera.ray(row, column, [zero; 2]);
+        let mut steps = Vec::new();
+        for _ in 0..self.max_depth {
+            let found = self.nearest(&ray);
+            let mut step = [zero; NAMES.len()];
+            store(ray.origin, &mut step[6..]);
+            store(ray.direction, &mut step[9..]);
+            match &found {
+                None => store(self.background.color(ray.direction), &mut step[18..]),
+                Some(found) => {
+                    let whole = |number: u32| T::of(number.into());
+                    let front = if found.hit.front { one } else { zero };
+                    let numbers = [one, found.lambda, whole(found.order), whole(found.part), front];
+                    step[..5].copy_from_slice(&numbers);
+                    step[5] = whole(found.material);
+                    store(found.hit.point, &mut step[12..]);
+                    store(found.hit.normal, &mut step[15..]);
+                    ray = self.onward(&ray, found);
+                }
+            }
+            steps.push(Step(step));
+            if found.is_none() {
+                break;
+            }
+        }
+        let mut ended = Step([zero; NAMES.len()]);
+        ended.0[0] = T::of(-1.0);
+        steps.resize(self.max_depth as usize, ended);
+        steps
+    }
+}
+
+fn store<T: Copy>(vector: Vec3<T>, place: &mut [T]) {
+    place[..3].copy_from_slice(&vector.to_array());
+}
+
+/// A pipeline that writes steps down.
+#[derive(Debug)]
+pub struct Follower<'a, T> {
+    gpu: &'a Gpu,
+    pipeline: Pipeline,
+    depth: u32,
+    precision: PhantomData<T>,
+}
+
+impl<'a, T: Float> Follower<'a, T> {
+    /// Compiles the kernel from `library`; steps are followed to the depth of the features.
+    ///
+    /// # Errors
+    /// As [`Pipeline::with_constants`].
+    pub fn new(gpu: &'a Gpu, library: &Library, features: &Features, own: &[(&str, f64)]) -> Result<Self, Error> {
+        let composition = library.compose("kernels/steps", T::PRECISION)?;
+        let constants = [&features.constants()[..], own].concat();
+        let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
+        Ok(Self { gpu, pipeline, depth: features.max_depth, precision: PhantomData })
+    }
+
+    /// Hands the steps of `count` pixels from `first` to `each`, pixel by pixel.
+    ///
+    /// # Errors
+    /// [`Error::TooManyIterations`] for a way that takes more than one run, else as [`Pipeline::run`].
+    pub fn follow(
+        &self,
+        picture: &Picture<T>,
+        first: usize,
+        count: usize,
+        mut each: impl FnMut(usize, &[Step<T>]),
+    ) -> Result<(), Error> {
+        let objects = (picture.spheres.len() + picture.cylinders.len()) as u64;
+        let depth = u64::from(self.depth);
+        if (objects + 1) * depth > MAX_ITERATIONS {
+            return Err(Error::TooManyIterations { objects, depth, limit: MAX_ITERATIONS });
+        }
+        if depth == 0 {
+            (first..first + count).for_each(|pixel| each(pixel, &[]));
+            return Ok(());
+        }
+        let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
+        let materials = buffer(&picture.materials);
+        let row = depth * size_of::<Step<T>>() as u64;
+        let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / row).max(1) as usize;
+        for start in (first..first + count).step_by(batch) {
+            let pixels = batch.min(first + count - start);
+            let head = head(picture, start as u32, pixels as u32, &(0..self.depth));
+            let contents = [
+                Content::Input(&head),
+                Content::Input(&spheres),
+                Content::Input(&cylinders),
+                Content::Input(&materials),
+                // What only the picture's own kernel writes.
+                Content::Scratch(0),
+                Content::Scratch(0),
+                Content::Scratch(0),
+                Content::Output(pixels as u64 * row),
+            ];
+            let run = self.pipeline.run(self.gpu, &contents, pixels as u64)?;
+            let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
+            let steps: Vec<_> = numbers.chunks_exact(NAMES.len()).map(to_step).collect();
+            for (pixel, steps) in (start..).zip(steps.chunks_exact(self.depth as usize)) {
+                each(pixel, steps);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn to_step<T: Float>(numbers: &[T]) -> Step<T> {
+    let mut step = [T::of(0.0); NAMES.len()];
+    step.copy_from_slice(numbers);
+    Step(step)
+}

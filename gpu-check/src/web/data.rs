@@ -1,0 +1,85 @@
+//! What the page asks for: the picture's buffers, the shader's files, and the formulas' tables, all in f32.
+
+use std::collections::BTreeMap;
+
+use cpu::{Config, Scene};
+use shaders::{Library, Precision};
+
+use crate::kernels::KERNELS;
+use crate::packed::buffer;
+use crate::renderer::head;
+use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
+
+/// Random cases of a formula, after its edge cases.
+const RANDOM: usize = 1 << 14;
+
+/// Everything for a page that shows `scene`, by name.
+///
+/// # Errors
+/// As [`Renderer::render`].
+pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<String, Vec<u8>>, Error> {
+    let picture = Picture::<f32>::new(config, scene)?;
+    let features = features_of(config, scene)?;
+    let library = Library::standard();
+    let rendering = Renderer::<f32>::new(gpu, &library, &features)?.render(&picture)?;
+    let (width, height, pixels) = (picture.size.width(), picture.size.height(), picture.size.pixels());
+    let constants: Vec<_> = features.constants().iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
+    // What Rust shows of a text with {:?} is JSON too, as long as it has no control characters but line ends and tabs.
+    let facts = format!(
+        "{{\"width\": {width}, \"height\": {height}, \"pixels\": {pixels}, \"gamma\": {}, \"depth\": {}, \
+         \"driver\": {:?}, \"constants\": {{{}}}}}",
+        config.gamma,
+        features.max_depth,
+        gpu.to_string(),
+        constants.join(", "),
+    );
+    let image = library.compose("kernels/image", Precision::F32)?;
+    let parts = image.parts().map(|(path, source)| format!("{{\"path\": {path:?}, \"source\": {source:?}}}"));
+    let mut data = BTreeMap::from([
+        ("picture".to_owned(), facts.into_bytes()),
+        ("parts".to_owned(), list(parts)),
+        ("kernels".to_owned(), list(KERNELS.iter().map(facts_of))),
+        ("head".to_owned(), head(&picture, 0, pixels as u32, &(0..features.max_depth))),
+        ("spheres".to_owned(), buffer(&picture.spheres)),
+        ("cylinders".to_owned(), buffer(&picture.cylinders)),
+        ("materials".to_owned(), buffer(&picture.materials)),
+        ("native".to_owned(), buffer(&rendering.pixels)),
+    ]);
+    for kernel in &KERNELS {
+        let module = kernel.module;
+        let source = library.compose(module, Precision::F32)?.source().to_owned();
+        let cases = cases(kernel);
+        data.insert(format!("expected/{module}"), bytemuck::cast_slice(&expected(kernel, &cases)).to_vec());
+        data.insert(format!("cases/{module}"), bytemuck::cast_slice(&cases).to_vec());
+        data.insert(format!("wgsl/{module}"), source.into_bytes());
+    }
+    Ok(data)
+}
+
+/// The cases that the page has of a formula, row after row.
+#[must_use]
+pub fn cases(kernel: &Kernel) -> Vec<f32> {
+    let mut cases = kernel.edge_cases::<f32>();
+    cases.extend(kernel.random_cases::<f32>(RANDOM, 7));
+    cases
+}
+
+/// What Rust's f32 makes of them.
+#[must_use]
+pub fn expected(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
+    let mut results = vec![0.0; cases.len() / kernel.inputs * kernel.outputs.len()];
+    for (case, result) in cases.chunks(kernel.inputs).zip(results.chunks_mut(kernel.outputs.len())) {
+        f32::formula(kernel)(case, result);
+    }
+    results
+}
+
+fn facts_of(kernel: &Kernel) -> String {
+    let (module, inputs, outputs) = (kernel.module, kernel.inputs, kernel.outputs.len());
+    let entry = module.trim_start_matches("kernels/");
+    format!("{{\"module\": {module:?}, \"entry\": {entry:?}, \"inputs\": {inputs}, \"outputs\": {outputs}}}")
+}
+
+fn list(items: impl Iterator<Item = String>) -> Vec<u8> {
+    format!("[{}]", items.collect::<Vec<_>>().join(", ")).into_bytes()
+}

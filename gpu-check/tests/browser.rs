@@ -1,0 +1,174 @@
+//! The f32 shader by a second compiler: headless Chromium's Tint on SwiftShader, against lavapipe and Rust.
+//!
+//! The page is driven by `web/drive.js`, which does what a person would and hands each result to the server here.
+//! `tests/run --browser` installs Chromium; without it the test is shown as ignored.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitCode, Stdio};
+use std::sync::mpsc;
+use std::time::Duration;
+
+use cpu::{Config, Scene};
+use gpu_check::kernels::KERNELS;
+use gpu_check::web::{Server, data};
+use gpu_check::{Float, Gpu, check};
+use libtest_mimic::{Arguments, Failed, Trial};
+use shaders::Library;
+
+/// How long the page may take for its next result.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// The smallest magnitude whose products of as many factors as `module` multiplies, and their rounding errors, are
+/// normal numbers in f32: SwiftShader takes subnormal ones for zero, as WGSL allows.
+fn smallest(module: &str) -> f32 {
+    // A discriminant subtracts products of four numbers; other formulas square lengths.
+    let factors = if ["kernels/sphere", "kernels/cylinder"].contains(&module) { 4.0 } else { 2.0 };
+    (f32::MIN_POSITIVE / f32::EPSILON).powf(1.0 / factors)
+}
+
+const SCENE: &str = "matte: grey .5 .5 .5\nmetal: mirror .9 .9 .9 0\nrefractive: glass 1.5\n\
+    sphere: 0 -100 0 99 grey\nsphere: 0 0 0 1 glass\ncylinder: 2 0 0 .5 0 2 0 mirror\n";
+
+fn main() -> ExitCode {
+    let chromium = chromium();
+    let required = std::env::var_os("BROWSER_REQUIRED").is_some();
+    let ignored = chromium.is_none() && !required;
+    if ignored {
+        println!("there is no Chromium, so nothing is compared with it; tests/run --browser installs it");
+    }
+    let name = "tint_agrees_and_the_page_renders_edits_and_reports";
+    let trial = Trial::test(name, move || drive(&chromium.ok_or("there is no Chromium")?));
+    libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
+}
+
+/// The browser: what `CHROMIUM` says, or the first of its usual names in the path.
+fn chromium() -> Option<PathBuf> {
+    if let Some(path) = std::env::var_os("CHROMIUM") {
+        return Some(path.into());
+    }
+    let folders: Vec<_> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|path| path.is_file())
+}
+
+/// A browser that ends with its guard.
+struct Browser(Child);
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+fn open(chromium: &Path, profile: &Path, url: &str) -> std::io::Result<Browser> {
+    let mut command = Command::new(chromium);
+    command.args(["--headless", "--enable-unsafe-webgpu", "--no-sandbox", "--disable-quic", "--no-first-run"]);
+    command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
+    command.arg(format!("--user-data-dir={}", profile.display()));
+    // Without an output of its own it writes into the test's.
+    let child = command.arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn()?;
+    Ok(Browser(child))
+}
+
+/// Everything that the page hands in, by name, until it is done.
+fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
+    let profile = tempfile::tempdir()?;
+    let browser = open(chromium, profile.path(), &format!("http://{}/?drive", server.address()?))?;
+    let (sender, receiver) = mpsc::channel();
+    // Ends with the process; what comes after the last result has nobody to wait for it.
+    std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
+    let mut results = BTreeMap::new();
+    loop {
+        let posted = receiver.recv_timeout(PATIENCE);
+        let posted = posted.map_err(|_| format!("the page fell silent after {:?}", results.keys()))?;
+        match posted.name.as_str() {
+            "failed" => return Err(String::from_utf8_lossy(&posted.body).into_owned().into()),
+            "done" => break,
+            _ => results.insert(posted.name, posted.body),
+        };
+    }
+    drop(browser);
+    Ok(results)
+}
+
+fn drive(chromium: &Path) -> Result<(), Failed> {
+    let gpu = Gpu::open()?;
+    println!("native: {gpu}");
+    let config = Config { image_width: 64, ..Config::default() };
+    let data = data::collect(&gpu, &config, &Scene::parse(SCENE.as_bytes())?)?;
+    let native = floats(&data["native"])?;
+    let results = results(chromium, Server::new(0, data)?)?;
+    println!("browser: {}", String::from_utf8_lossy(&results["adapter"]));
+    formulas(&gpu, &results)?;
+    page(&native, &results)
+}
+
+fn floats(bytes: &[u8]) -> Result<Vec<f32>, Failed> {
+    if bytes.is_empty() || !bytes.len().is_multiple_of(4) {
+        return Err(format!("{} bytes are no row of numbers", bytes.len()).into());
+    }
+    Ok(bytemuck::pod_collect_to_vec(bytes))
+}
+
+/// Tint's results of every kernel against those of Rust and of lavapipe.
+fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
+    let mut compared = 0;
+    let mut faults = Vec::new();
+    for kernel in &KERNELS {
+        let cases = data::cases(kernel);
+        let by_tint = floats(results.get(kernel.module).ok_or_else(|| format!("{} is missing", kernel.module))?)?;
+        let pipeline = check::compile::<f32>(gpu, &Library::standard(), kernel)?;
+        let native = check::results::<f32>(gpu, &pipeline, kernel, &cases)?;
+        if by_tint.len() != native.len() {
+            return Err(format!("{}: {} numbers for {}", kernel.module, by_tint.len(), native.len()).into());
+        }
+        let (small, outputs) = (smallest(kernel.module), kernel.outputs.len());
+        let (mut normal, mut tint, mut driver) = (Vec::new(), Vec::new(), Vec::new());
+        let rows = by_tint.chunks(outputs).zip(native.chunks(outputs));
+        let mut excused = 0;
+        for (case, (by_tint, native)) in cases.chunks(kernel.inputs).zip(rows) {
+            if case.iter().any(|number| *number != 0.0 && number.abs() < small) {
+                excused += usize::from(by_tint.iter().zip(native).any(|(tint, native)| !tint.same(*native)));
+            } else {
+                normal.extend_from_slice(case);
+                tint.extend_from_slice(by_tint);
+                driver.extend_from_slice(native);
+            }
+        }
+        let apart = tint.iter().zip(&driver).filter(|(tint, driver)| !tint.same(**driver)).count();
+        let tally = check::compare(kernel, &normal, &tint);
+        println!("{tally}; {apart} numbers differ from the native driver's");
+        let left_out = (by_tint.len() - tint.len()) / outputs;
+        println!("  {left_out} cases have numbers that underflow in f32; {excused} of them differ");
+        compared += tally.numbers;
+        if tally.differing > 0 || apart > 0 {
+            faults.push(tally.to_string());
+        }
+    }
+    println!("{compared} numbers by Tint compared with Rust's f32 and the native driver's");
+    if compared < 1_000_000 {
+        return Err(format!("{compared} numbers are too few").into());
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
+}
+
+/// The page shows the native picture's bits, follows an edit, and keeps the last good picture beside an error.
+fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
+    let differing = |name: &str| -> Result<usize, Failed> {
+        let here = floats(&results[name])?;
+        assert_eq!(here.len(), native.len(), "{name} is a whole picture");
+        Ok(here.iter().zip(native).filter(|(here, native)| !here.same(**native)).count())
+    };
+    let (first, edited, healed) = (differing("picture")?, differing("edited")?, differing("healed")?);
+    println!("picture: {first} of {} numbers differ; {edited} after an edit", native.len());
+    assert_eq!((first, healed), (0, 0), "the browser's picture is the native one");
+    assert!(edited > native.len() / 10, "an edited background changes the picture: {edited}");
+    assert!(results["shown"].chunks(4).any(|pixel| pixel[..3] != [0; 3]), "the canvas shows something");
+    let error = String::from_utf8_lossy(&results["error"]);
+    println!("{error}");
+    assert!(error.starts_with("shaders/wgsl/background.wgsl:11:") && error.ends_with('^'), "{error}");
+    assert!(error.contains("direktion") && results["kept"] == b"true", "the last good picture stays beside the error");
+    Ok(())
+}

@@ -1,0 +1,70 @@
+// The lab without its page: modules, pictures and kernel tables, as the server hands them out.
+
+import { compile, openDevice, run, ShaderFault } from "./gpu.js";
+
+const bytes = async (name) => (await fetched(name)).arrayBuffer();
+const json = async (name) => (await fetched(name)).json();
+
+async function fetched(name) {
+    const response = await fetch(`data/${name}`);
+    if (!response.ok) throw new Error(`data/${name}: ${response.status}`);
+    return response;
+}
+
+export async function openLab() {
+    const { device, name } = await openDevice();
+    const [picture, parts, kernels] = await Promise.all([json("picture"), json("parts"), json("kernels")]);
+    const names = ["head", "spheres", "cylinders", "materials", "native"];
+    const [head, spheres, cylinders, materials, native] = await Promise.all(names.map(bytes));
+    const inputs = [head, spheres, cylinders, materials];
+    return { device, name, picture, parts, kernels, inputs, native: new Float32Array(native) };
+}
+
+// Renders with `parts`, each a file's path and its text; a fault is traced to the file it is in.
+export async function render(lab, parts) {
+    const { pixels, depth, constants } = lab.picture;
+    const written = [false, false, false, false, true, true, true];
+    const code = parts.map((part) => ended(part.source)).join("");
+    const pipeline = await compile(lab.device, code, "image", written, constants).catch((error) => {
+        throw error instanceof ShaderFault ? new Error(located(error, parts)) : error;
+    });
+    // As renderer.rs sizes them: the surfaces met, the colours, and where rays are between two runs.
+    const contents = [...lab.inputs, pixels * depth * 4, pixels * 12, pixels * 32];
+    return new Float32Array(await run(lab.device, pipeline, contents, 5, pixels));
+}
+
+// The results of the kernel for all its cases, and the cases.
+export async function tabulate(lab, { module, entry, inputs, outputs }) {
+    const [code, cases] = [await (await fetched(`wgsl/${module}`)).text(), await bytes(`cases/${module}`)];
+    const pipeline = await compile(lab.device, code, entry, [false, true], {});
+    const rows = cases.byteLength / 4 / inputs;
+    return new Float32Array(await run(lab.device, pipeline, [cases, rows * outputs * 4], 1, rows));
+}
+
+// Numbers of two rows of f32 whose bits differ; what is no number in both does not.
+export function differing(one, other) {
+    const [a, b] = [one, other].map((row) => new Uint32Array(row.buffer, row.byteOffset, row.length));
+    const places = [];
+    for (let i = 0; i < a.length; i++) {
+        if (a[i] !== b[i] && !(Number.isNaN(one[i]) && Number.isNaN(other[i]))) places.push(i);
+    }
+    return places;
+}
+
+const ended = (text) => (text.endsWith("\n") ? text : `${text}\n`);
+
+// File, line, column, message, and the line with a caret.
+function located({ message, line, column }, parts) {
+    let first = 1;
+    for (const { path, source } of parts) {
+        const lines = ended(source).split("\n").slice(0, -1);
+        if (line >= first && line < first + lines.length) {
+            const own = line - first + 1;
+            const margin = `${own} | `;
+            const caret = " ".repeat(margin.length + Math.max(column - 1, 0));
+            return `${path}:${own}:${column}: ${message}\n${margin}${lines[own - 1]}\n${caret}^`;
+        }
+        first += lines.length;
+    }
+    return message;
+}

@@ -1,0 +1,74 @@
+// The page: pictures, the editor, and the table of formulas.
+
+import { differing, openLab, render, tabulate } from "./lab.js";
+
+const find = (id) => document.getElementById(id);
+const show = (id, text) => { find(id).textContent = text; };
+const byte = (channel, gamma) => Math.floor(255 * Math.min(Math.max(channel, 0), 1) ** (1 / gamma));
+
+function draw(id, { width, height }, color) {
+    const canvas = find(id);
+    Object.assign(canvas, { width, height });
+    const image = new ImageData(width, height);
+    for (let i = 0; i < width * height; i++) image.data.set([...color(i), 255], 4 * i);
+    canvas.getContext("2d").putImageData(image, 0, 0);
+}
+
+async function start() {
+    const lab = await openLab();
+    const { picture, native } = lab;
+    show("adapter", `WebGPU: ${lab.name}. Native: ${picture.driver}.`);
+    const pixel = (colors) => (i) => [0, 1, 2].map((c) => byte(colors[3 * i + c], picture.gamma));
+    draw("native", picture, pixel(native));
+    const parts = lab.parts.map((part) => ({ ...part }));
+    const select = find("module");
+    parts.forEach((part, i) => select.add(new Option(part.path, i)));
+    const choose = () => { find("source").value = parts[select.value].source; };
+
+    // The newest text counts: a rendering that was overtaken shows nothing.
+    let newest = 0;
+    async function refresh() {
+        const own = ++newest;
+        try {
+            const begun = performance.now();
+            const colors = await render(lab, parts);
+            if (own !== newest) return;
+            draw("here", picture, pixel(colors));
+            const places = new Set(differing(colors, native).map((i) => Math.floor(i / 3)));
+            draw("apart", picture, (i) => (places.has(i) ? [255, 255, 255] : [0, 0, 0]));
+            show("here-note", `this browser, ${(performance.now() - begun).toFixed(0)} ms with compilation`);
+            show("difference", `${places.size} of ${picture.pixels} pixels differ in a bit.`);
+            show("error", "");
+            document.dispatchEvent(new CustomEvent("rendered", { detail: colors }));
+        } catch (error) {
+            if (own !== newest) return;
+            // The last good picture stays.
+            show("error", error.message);
+            document.dispatchEvent(new CustomEvent("refused", { detail: error.message }));
+        }
+    }
+
+    select.addEventListener("change", choose);
+    find("source").addEventListener("input", () => {
+        parts[select.value].source = find("source").value;
+        refresh();
+    });
+    find("check").addEventListener("click", async () => {
+        for (const kernel of lab.kernels) {
+            const results = await tabulate(lab, kernel);
+            const expected = new Float32Array(await (await fetch(`data/expected/${kernel.module}`)).arrayBuffer());
+            const count = `${differing(results, expected).length} of ${results.length} numbers differ from Rust's f32`;
+            const row = find("kernels").insertRow();
+            [kernel.module, count].forEach((text) => { row.insertCell().textContent = text; });
+        }
+    });
+    select.value = parts.findIndex((part) => part.path.endsWith("background.wgsl"));
+    choose();
+    await refresh();
+    return lab;
+}
+
+const started = start();
+started.catch((error) => show("error", error.message));
+// A test drives the page as a person would.
+if (location.search === "?drive") import("./drive.js").then(({ drive }) => drive(started));

@@ -1,0 +1,801 @@
+#version 310 es
+
+precision highp float;
+precision highp int;
+
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+
+struct Ray {
+    vec3 origin;
+    vec3 direction;
+};
+struct Root {
+    bool some;
+    float lambda;
+};
+struct Hit {
+    vec3 point;
+    vec3 normal;
+    bool front;
+};
+struct SphereRecord {
+    vec3 center;
+    float radius;
+    float radius_squared;
+};
+struct SphereView {
+    vec3 r_c;
+    float c;
+};
+struct SphereQuadratic {
+    float h;
+    float discriminant;
+};
+struct CylinderRecord {
+    vec3 center;
+    vec3 axis;
+    vec3 top;
+    vec3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+};
+struct CylinderView {
+    vec3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+};
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+struct Camera {
+    vec3 position;
+    vec3 origin;
+    vec3 delta_x;
+    vec3 delta_y;
+};
+struct Background {
+    vec3 dark;
+    vec3 light;
+};
+struct Material {
+    vec3 reflectance;
+    float index;
+    uint kind;
+};
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+struct PlacedSphere {
+    PackedVec3_ center;
+    float radius;
+    float radius_squared;
+    uint order;
+    uint material;
+};
+struct PlacedCylinder {
+    PackedVec3_ center;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    uint order;
+    uint material;
+};
+struct PackedMaterial {
+    PackedVec3_ reflectance;
+    float index;
+    uint kind;
+    uint unused;
+};
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    float offset_x;
+    float offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint unused;
+};
+struct Nearest {
+    bool some;
+    float lambda;
+    uint order;
+    bool is_cylinder;
+    uint index;
+    uint part;
+};
+struct SurfaceHit {
+    bool some;
+    Hit hit;
+    uint material;
+    float lambda;
+    uint order;
+    uint part;
+};
+struct Step {
+    float met;
+    float lambda;
+    float object;
+    float part;
+    float front;
+    float material;
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+    PackedVec3_ point;
+    PackedVec3_ normal;
+    PackedVec3_ light;
+};
+const uint SIDE = 0u;
+const uint TOP = 1u;
+const uint BOTTOM = 2u;
+const uint MATTE = 0u;
+const uint METAL = 1u;
+const uint REFRACTIVE = 2u;
+const bool has_spheres = true;
+const bool has_cylinders = true;
+const bool has_matte = true;
+const bool has_metal = true;
+const bool has_refraction = true;
+const uint max_depth = 5u;
+
+layout(std430, binding = 0) readonly buffer Picture_block_0Compute { Picture _group_0_binding_0_cs; };
+
+layout(std430, binding = 1) readonly buffer type_4_block_1Compute { PlacedSphere _group_0_binding_1_cs[]; };
+
+layout(std430, binding = 2) readonly buffer type_5_block_2Compute { PlacedCylinder _group_0_binding_2_cs[]; };
+
+layout(std430, binding = 3) readonly buffer type_6_block_3Compute { PackedMaterial _group_0_binding_3_cs[]; };
+
+layout(std430, binding = 7) buffer type_7_block_4Compute { Step _group_0_binding_7_cs[]; };
+
+
+float vec3_dot(vec3 a, vec3 b) {
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(vec3 v) {
+    float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+vec3 vec3_unit(vec3 v_1) {
+    float _e1 = vec3_length(v_1);
+    return (v_1 / vec3(_e1));
+}
+
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(vec3 v_3) {
+    bool local = false;
+    bool local_1 = false;
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+vec3 ray_at(Ray ray_1, float lambda) {
+    return (ray_1.origin + (ray_1.direction * lambda));
+}
+
+bool in_range(float lambda_1) {
+    return (0.001 <= lambda_1);
+}
+
+Root root_none() {
+    return Root(false, 0.0);
+}
+
+Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
+    float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        return Hit(point, outward, front);
+    }
+    return Hit(point, -(outward), front);
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, vec3 origin) {
+    vec3 r_c = (sphere.center - origin);
+    float _e4 = vec3_dot(r_c, r_c);
+    return SphereView(r_c, (_e4 - sphere.radius_squared));
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, vec3 direction_1, float a_1) {
+    float _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant) {
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
+    bool _e8 = in_range(near);
+    float lambda_4 = (_e8 ? near : far);
+    bool _e10 = in_range(lambda_4);
+    return Root(_e10, lambda_4);
+}
+
+vec3 sphere_outward(SphereRecord sphere_1, vec3 point_1) {
+    return ((point_1 - sphere_1.center) / vec3(sphere_1.radius));
+}
+
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_2) {
+    float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
+    SphereView _e6 = sphere_seen_from(sphere_2, ray_2.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_2.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        Root _e12 = root_none();
+        return _e12;
+    }
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin_1) {
+    vec3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center), cylinder.axis);
+    float _e6 = vec3_dot(_e5, _e5);
+    float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
+    float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
+    return CylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, vec3 along) {
+    vec3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    float _e5 = vec3_dot(_e4, _e4);
+    float _e7 = vec3_dot(view_1.r_c, _e4);
+    return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_3, float lambda_2) {
+    vec3 _e3 = ray_at(ray_3, lambda_2);
+    float _e7 = vec3_dot((_e3 - cylinder_2.center), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_4, CylinderQuadratic quadratic) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool local_4 = false;
+    float root_1 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_1) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_1) / quadratic.a);
+    bool _e15 = in_range(near_1);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_3, ray_4, near_1);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    bool _e21 = in_range(far_1);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_3, ray_4, far_1);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    return Root(_e31, (near_counts ? near_1 : far_1));
+}
+
+Root cylinder_base(CylinderRecord cylinder_4, Ray ray_5, vec3 base, float distance_) {
+    bool local_5 = false;
+    bool local_6 = false;
+    float _e6 = vec3_dot(ray_5.direction, cylinder_4.axis);
+    float lambda_5 = (distance_ / _e6);
+    vec3 _e8 = ray_at(ray_5, lambda_5);
+    float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_4.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    return Root(_e25, lambda_5);
+}
+
+vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
+    switch(part) {
+        case 0u: {
+            vec3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6) {
+    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
+    CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_6.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
+        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    Root _e18 = cylinder_base(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = CylinderRoot(true, _e18.lambda, TOP);
+    }
+    Root _e42 = cylinder_base(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    return _e64;
+}
+
+Ray camera_ray(Camera camera, float row, float column, vec2 offset) {
+    float x = offset.x;
+    float y = offset.y;
+    vec3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
+    return Ray(camera.position, (window_point - camera.position));
+}
+
+vec3 background_color(Background background, vec3 direction_2) {
+    float _e3 = vec3_length(direction_2);
+    float m = (((direction_2.y / _e3) + 1.0) / 2.0);
+    return ((background.light * (1.0 - m)) + (background.dark * m));
+}
+
+vec3 scatter_matte(vec3 normal, vec3 vector) {
+    vec3 direction_8 = (normal + vector);
+    bool _e3 = vec3_is_negligible(direction_8);
+    if (_e3) {
+        return normal;
+    }
+    return direction_8;
+}
+
+vec3 scatter_reflect(vec3 direction_3, vec3 normal_1) {
+    float _e2 = vec3_dot(direction_3, normal_1);
+    return (direction_3 - (normal_1 * (_e2 * 2.0)));
+}
+
+vec3 scatter_mirror(vec3 direction_4, vec3 normal_2) {
+    vec3 _e2 = scatter_reflect(direction_4, normal_2);
+    vec3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+vec3 scatter_metal(vec3 direction_5, vec3 normal_3, vec3 vector_1) {
+    vec3 _e3 = scatter_mirror(direction_5, normal_3);
+    return (_e3 + vector_1);
+}
+
+vec3 scatter_refract(vec3 direction_6, vec3 normal_4, float ratio) {
+    vec3 _e4 = vec3_unit(direction_6);
+    float _e5 = vec3_dot(_e4, normal_4);
+    float product = -(_e5);
+    float cos_ = ((product < 1.0) ? product : 1.0);
+    float sin_ = sqrt((1.0 - (cos_ * cos_)));
+    vec3 _e12 = scatter_reflect(_e4, normal_4);
+    vec3 p = ((_e4 + (normal_4 * cos_)) * ratio);
+    float _e16 = vec3_dot(p, p);
+    vec3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
+    bool beyond = (1.0 < (ratio * sin_));
+    return (beyond ? _e12 : refracted);
+}
+
+vec3 vec3_load(PackedVec3_ v_4) {
+    return vec3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(vec3 v_5) {
+    return PackedVec3_(v_5.x, v_5.y, v_5.z);
+}
+
+SphereRecord sphere_load(PlacedSphere sphere_3) {
+    vec3 _e2 = vec3_load(sphere_3.center);
+    return SphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
+}
+
+CylinderRecord cylinder_load(PlacedCylinder cylinder_7) {
+    vec3 _e2 = vec3_load(cylinder_7.center);
+    vec3 _e4 = vec3_load(cylinder_7.axis);
+    vec3 _e6 = vec3_load(cylinder_7.top);
+    vec3 _e8 = vec3_load(cylinder_7.bottom);
+    return CylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
+}
+
+Material material_load(PackedMaterial material) {
+    vec3 _e2 = vec3_load(material.reflectance);
+    return Material(_e2, material.index, material.kind);
+}
+
+Camera picture_camera() {
+    PackedVec3_ _e3 = _group_0_binding_0_cs.camera.position;
+    vec3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = _group_0_binding_0_cs.camera.origin;
+    vec3 _e9 = vec3_load(_e8);
+    PackedVec3_ _e13 = _group_0_binding_0_cs.camera.delta_x;
+    vec3 _e14 = vec3_load(_e13);
+    PackedVec3_ _e18 = _group_0_binding_0_cs.camera.delta_y;
+    vec3 _e19 = vec3_load(_e18);
+    return Camera(_e4, _e9, _e14, _e19);
+}
+
+Background picture_background() {
+    PackedVec3_ _e3 = _group_0_binding_0_cs.background.dark;
+    vec3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = _group_0_binding_0_cs.background.light;
+    vec3 _e9 = vec3_load(_e8);
+    return Background(_e4, _e9);
+}
+
+bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order) {
+    bool local_11 = false;
+    bool local_12 = false;
+    bool local_13 = false;
+    if (!(!(nearest_1.some))) {
+        local_11 = (lambda_3 < nearest_1.lambda);
+    } else {
+        local_11 = true;
+    }
+    bool _e11 = local_11;
+    if (!(_e11)) {
+        if ((lambda_3 == nearest_1.lambda)) {
+            local_13 = (order > nearest_1.order);
+        } else {
+            local_13 = false;
+        }
+        bool _e22 = local_13;
+        local_12 = _e22;
+    } else {
+        local_12 = true;
+    }
+    bool _e24 = local_12;
+    return _e24;
+}
+
+SurfaceHit nearest_hit(Ray ray_7) {
+    Nearest nearest_2 = Nearest(false, 0.0, 0u, false, 0u, 0u);
+    uint index = 0u;
+    bool local_14 = false;
+    uint index_1 = 0u;
+    bool local_15 = false;
+    SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
+    bool local_16 = false;
+    bool local_17 = false;
+    if (has_spheres) {
+        bool loop_init = true;
+        while(true) {
+            if (!loop_init) {
+                uint _e36 = index;
+                index = (_e36 + 1u);
+            }
+            loop_init = false;
+            uint _e5 = index;
+            uint _e8 = _group_0_binding_0_cs.sphere_count;
+            if ((_e5 < _e8)) {
+            } else {
+                break;
+            }
+            {
+                uint _e11 = index;
+                PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
+                SphereRecord _e14 = sphere_load(_e13);
+                Root _e15 = sphere_intersect(_e14, ray_7);
+                uint _e17 = index;
+                uint order_1 = _group_0_binding_1_cs[_e17].order;
+                if (_e15.some) {
+                    Nearest _e24 = nearest_2;
+                    bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    local_14 = _e26;
+                } else {
+                    local_14 = false;
+                }
+                bool _e28 = local_14;
+                if (_e28) {
+                    uint _e32 = index;
+                    nearest_2 = Nearest(true, _e15.lambda, order_1, false, _e32, SIDE);
+                }
+            }
+        }
+    }
+    if (has_cylinders) {
+        bool loop_init_1 = true;
+        while(true) {
+            if (!loop_init_1) {
+                uint _e72 = index_1;
+                index_1 = (_e72 + 1u);
+            }
+            loop_init_1 = false;
+            uint _e41 = index_1;
+            uint _e44 = _group_0_binding_0_cs.cylinder_count;
+            if ((_e41 < _e44)) {
+            } else {
+                break;
+            }
+            {
+                uint _e47 = index_1;
+                PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
+                CylinderRecord _e50 = cylinder_load(_e49);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_7);
+                uint _e53 = index_1;
+                uint order_2 = _group_0_binding_2_cs[_e53].order;
+                if (_e51.some) {
+                    Nearest _e60 = nearest_2;
+                    bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    local_15 = _e62;
+                } else {
+                    local_15 = false;
+                }
+                bool _e64 = local_15;
+                if (_e64) {
+                    uint _e68 = index_1;
+                    nearest_2 = Nearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                }
+            }
+        }
+    }
+    bool _e76 = nearest_2.some;
+    if (!(_e76)) {
+        SurfaceHit _e78 = surface;
+        return _e78;
+    }
+    float _e80 = nearest_2.lambda;
+    vec3 _e81 = ray_at(ray_7, _e80);
+    if (has_spheres) {
+        bool _e86 = nearest_2.is_cylinder;
+        local_16 = !(_e86);
+    } else {
+        local_16 = false;
+    }
+    bool _e89 = local_16;
+    if (_e89) {
+        uint _e92 = nearest_2.index;
+        PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
+        SphereRecord _e95 = sphere_load(_e94);
+        vec3 _e96 = sphere_outward(_e95, _e81);
+        Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
+        uint _e101 = nearest_2.index;
+        uint material_2 = _group_0_binding_1_cs[_e101].material;
+        float _e107 = nearest_2.lambda;
+        uint _e109 = nearest_2.order;
+        uint _e111 = nearest_2.part;
+        surface = SurfaceHit(true, _e98, material_2, _e107, _e109, _e111);
+    }
+    if (has_cylinders) {
+        bool _e117 = nearest_2.is_cylinder;
+        local_17 = _e117;
+    } else {
+        local_17 = false;
+    }
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = nearest_2.index;
+        PlacedCylinder _e124 = _group_0_binding_2_cs[_e122];
+        CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = nearest_2.part;
+        vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
+        uint _e133 = nearest_2.index;
+        uint material_3 = _group_0_binding_2_cs[_e133].material;
+        float _e139 = nearest_2.lambda;
+        uint _e141 = nearest_2.order;
+        uint _e143 = nearest_2.part;
+        surface = SurfaceHit(true, _e130, material_3, _e139, _e141, _e143);
+    }
+    SurfaceHit _e145 = surface;
+    return _e145;
+}
+
+Ray trace_onward(Ray ray_8, Hit hit, Material material_1, vec3 scatter_vector) {
+    vec3 direction_7 = vec3(0.0);
+    bool local_18 = false;
+    bool local_19 = false;
+    bool local_20 = false;
+    float ratio_1 = 0.0;
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e12 = local_18;
+    if (_e12) {
+        vec3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_19 = (material_1.kind == METAL);
+    } else {
+        local_19 = false;
+    }
+    bool _e22 = local_19;
+    if (_e22) {
+        vec3 _e25 = scatter_metal(ray_8.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_20 = (material_1.kind == REFRACTIVE);
+    } else {
+        local_20 = false;
+    }
+    bool _e33 = local_20;
+    if (_e33) {
+        ratio_1 = material_1.index;
+        if (hit.front) {
+            ratio_1 = (1.0 / material_1.index);
+        }
+        float _e42 = ratio_1;
+        vec3 _e43 = scatter_refract(ray_8.direction, hit.normal, _e42);
+        direction_7 = _e43;
+    }
+    vec3 _e45 = direction_7;
+    return Ray(hit.point, _e45);
+}
+
+void main() {
+    uvec3 id = gl_GlobalInvocationID;
+    Ray ray = Ray(vec3(0.0), vec3(0.0));
+    bool ended = false;
+    uint depth = 0u;
+    Step step_ = Step(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0));
+    uint _e4 = _group_0_binding_0_cs.pixel_count;
+    if ((id.x >= _e4)) {
+        return;
+    }
+    uint _e8 = _group_0_binding_0_cs.first_pixel;
+    uint pixel = (_e8 + id.x);
+    float _e13 = _group_0_binding_0_cs.offset_x;
+    float _e16 = _group_0_binding_0_cs.offset_y;
+    vec2 offset_1 = vec2(_e13, _e16);
+    PackedVec3_ _e20 = _group_0_binding_0_cs.scatter_vector;
+    vec3 _e21 = vec3_load(_e20);
+    Camera _e22 = picture_camera();
+    uint _e25 = _group_0_binding_0_cs.width;
+    uint _e30 = _group_0_binding_0_cs.width;
+    Ray _e33 = camera_ray(_e22, float((pixel / _e25)), float((pixel % _e30)), offset_1);
+    ray = _e33;
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            uint _e109 = depth;
+            depth = (_e109 + 1u);
+        }
+        loop_init_2 = false;
+        uint _e39 = depth;
+        if ((_e39 < max_depth)) {
+        } else {
+            break;
+        }
+        {
+            step_ = Step(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0));
+            bool _e44 = ended;
+            if (_e44) {
+                step_.met = -1.0;
+            } else {
+                vec3 _e49 = ray.origin;
+                PackedVec3_ _e50 = vec3_store(_e49);
+                step_.origin = _e50;
+                vec3 _e53 = ray.direction;
+                PackedVec3_ _e54 = vec3_store(_e53);
+                step_.direction = _e54;
+                Ray _e55 = ray;
+                SurfaceHit _e56 = nearest_hit(_e55);
+                if (_e56.some) {
+                    step_.met = 1.0;
+                    step_.lambda = _e56.lambda;
+                    step_.object = float(_e56.order);
+                    step_.part = float(_e56.part);
+                    step_.front = (_e56.hit.front ? 1.0 : 0.0);
+                    step_.material = float(_e56.material);
+                    PackedVec3_ _e80 = vec3_store(_e56.hit.point);
+                    step_.point = _e80;
+                    PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
+                    step_.normal = _e84;
+                    Ray _e85 = ray;
+                    PackedMaterial _e90 = _group_0_binding_3_cs[_e56.material];
+                    Material _e91 = material_load(_e90);
+                    Ray _e92 = trace_onward(_e85, _e56.hit, _e91, _e21);
+                    ray = _e92;
+                } else {
+                    Background _e94 = picture_background();
+                    vec3 _e96 = ray.direction;
+                    vec3 _e97 = background_color(_e94, _e96);
+                    PackedVec3_ _e98 = vec3_store(_e97);
+                    step_.light = _e98;
+                    ended = true;
+                }
+            }
+            uint _e104 = depth;
+            Step _e107 = step_;
+            _group_0_binding_7_cs[((id.x * max_depth) + _e104)] = _e107;
+        }
+    }
+    return;
+}
+

@@ -1,0 +1,1133 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct SphereRecord {
+    float3 center_;
+    float radius;
+    float radius_squared;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+struct SphereView {
+    float3 r_c;
+    float c;
+};
+
+struct SphereQuadratic {
+    float h;
+    float discriminant;
+};
+
+struct CylinderRecord {
+    float3 center_;
+    int _pad1_0;
+    float3 axis;
+    int _pad2_0;
+    float3 top;
+    int _pad3_0;
+    float3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderView {
+    float3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+
+struct Camera {
+    float3 position;
+    int _pad1_0;
+    float3 origin;
+    int _pad2_0;
+    float3 delta_x;
+    int _pad3_0;
+    float3 delta_y;
+    int _end_pad_0;
+};
+
+struct Background {
+    float3 dark;
+    int _pad1_0;
+    float3 light;
+    int _end_pad_0;
+};
+
+struct Material {
+    float3 reflectance;
+    float index;
+    uint kind;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PlacedSphere {
+    PackedVec3_ center_;
+    float radius;
+    float radius_squared;
+    uint order;
+    uint material;
+};
+
+struct PlacedCylinder {
+    PackedVec3_ center_;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    uint order;
+    uint material;
+};
+
+struct PackedMaterial {
+    PackedVec3_ reflectance;
+    float index;
+    uint kind;
+    uint unused;
+};
+
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    float offset_x;
+    float offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint unused;
+};
+
+struct Nearest {
+    bool some;
+    float lambda;
+    uint order;
+    bool is_cylinder;
+    uint index;
+    uint part;
+};
+
+struct SurfaceHit {
+    bool some;
+    int _pad1_0;
+    int _pad1_1;
+    int _pad1_2;
+    Hit hit;
+    uint material;
+    float lambda;
+    uint order;
+    uint part;
+};
+
+struct Step {
+    float met;
+    float lambda;
+    float object;
+    float part;
+    float front;
+    float material;
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+    PackedVec3_ point_;
+    PackedVec3_ normal;
+    PackedVec3_ light;
+};
+
+static const uint SIDE = 0u;
+static const uint TOP = 1u;
+static const uint BOTTOM = 2u;
+static const uint MATTE = 0u;
+static const uint METAL = 1u;
+static const uint REFRACTIVE = 2u;
+static const bool has_spheres = true;
+static const bool has_cylinders = true;
+static const bool has_matte = true;
+static const bool has_metal = true;
+static const bool has_refraction = true;
+static const uint max_depth = 5u;
+
+ByteAddressBuffer picture : register(t0);
+ByteAddressBuffer spheres : register(t1);
+ByteAddressBuffer cylinders : register(t2);
+ByteAddressBuffer materials : register(t3);
+RWByteAddressBuffer ways : register(u7);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_unit(float3 v_1)
+{
+    const float _e1 = vec3_length(v_1);
+    return (v_1 / (_e1).xxx);
+}
+
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
+{
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_3)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+float3 ray_at(Ray ray_1, float lambda)
+{
+    return (ray_1.origin + (ray_1.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        const Hit hit_1 = ConstructHit(point_, outward, front);
+        return hit_1;
+    }
+    const Hit hit_2 = ConstructHit(point_, -(outward), front);
+    return hit_2;
+}
+
+SphereView ConstructSphereView(float3 arg0, float arg1) {
+    SphereView ret = (SphereView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, float3 origin)
+{
+    float3 r_c = (sphere.center_ - origin);
+    const float _e4 = vec3_dot(r_c, r_c);
+    const SphereView sphereview = ConstructSphereView(r_c, (_e4 - sphere.radius_squared));
+    return sphereview;
+}
+
+SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
+    SphereQuadratic ret = (SphereQuadratic)0;
+    ret.h = arg0;
+    ret.discriminant = arg1;
+    return ret;
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
+{
+    const float _e4 = vec3_dot(direction_1, view.r_c);
+    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+    return spherequadratic;
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant)
+{
+    float root_1 = sqrt(discriminant);
+    float near = ((h - root_1) / a_2);
+    float far = ((h + root_1) / a_2);
+    const bool _e8 = in_range(near);
+    float lambda_4 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_4);
+    const Root root_2 = ConstructRoot(_e10, lambda_4);
+    return root_2;
+}
+
+float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
+{
+    return ((point_1 - sphere_1.center_) / (sphere_1.radius).xxx);
+}
+
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_2)
+{
+    const float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
+    const SphereView _e6 = sphere_seen_from(sphere_2, ray_2.origin);
+    const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_2.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        const Root _e12 = root_none();
+        const Root root_3 = _e12;
+        return root_3;
+    }
+    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_4 = _e15;
+    return root_4;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    ret.to_top = arg2;
+    ret.to_bottom = arg3;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
+    const float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    return cylinderview;
+}
+
+CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
+    CylinderQuadratic ret = (CylinderQuadratic)0;
+    ret.a = arg0;
+    ret.h = arg1;
+    ret.discriminant = arg2;
+    return ret;
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, float3 along)
+{
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view_1.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
+    return cylinderquadratic;
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_3, float lambda_2)
+{
+    const float3 _e3 = ray_at(ray_3, lambda_2);
+    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_4, CylinderQuadratic quadratic)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
+
+    float root_5 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    const bool _e15 = in_range(near_1);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_3, ray_4, near_1);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    const bool _e21 = in_range(far_1);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_3, ray_4, far_1);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
+    return root_6;
+}
+
+Root cylinder_base(CylinderRecord cylinder_4, Ray ray_5, float3 base, float distance_)
+{
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
+
+    const float _e6 = vec3_dot(ray_5.direction, cylinder_4.axis);
+    float lambda_5 = (distance_ / _e6);
+    const float3 _e8 = ray_at(ray_5, lambda_5);
+    const float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_4.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        const bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    const Root root_7 = ConstructRoot(_e25, lambda_5);
+    return root_7;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
+    CylinderRoot ret = (CylinderRoot)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    return ret;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
+{
+    CylinderRoot nearest = (CylinderRoot)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_6.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
+        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    const Root _e18 = cylinder_base(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
+    }
+    const Root _e42 = cylinder_base(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    const CylinderRoot cylinderroot = _e64;
+    return cylinderroot;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray camera_ray(Camera camera, float row, float column, float2 offset)
+{
+    float x = offset.x;
+    float y = offset.y;
+    float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
+    const Ray ray_9 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_9;
+}
+
+float3 background_color(Background background, float3 direction_2)
+{
+    const float _e3 = vec3_length(direction_2);
+    float m = (((direction_2.y / _e3) + 1.0) / 2.0);
+    return ((background.light * (1.0 - m)) + (background.dark * m));
+}
+
+float3 scatter_matte(float3 normal, float3 vector_)
+{
+    float3 direction_8 = (normal + vector_);
+    const bool _e3 = vec3_is_negligible(direction_8);
+    if (_e3) {
+        return normal;
+    }
+    return direction_8;
+}
+
+float3 scatter_reflect(float3 direction_3, float3 normal_1)
+{
+    const float _e2 = vec3_dot(direction_3, normal_1);
+    return (direction_3 - (normal_1 * (_e2 * 2.0)));
+}
+
+float3 scatter_mirror(float3 direction_4, float3 normal_2)
+{
+    const float3 _e2 = scatter_reflect(direction_4, normal_2);
+    const float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+float3 scatter_metal(float3 direction_5, float3 normal_3, float3 vector_1)
+{
+    const float3 _e3 = scatter_mirror(direction_5, normal_3);
+    return (_e3 + vector_1);
+}
+
+float3 scatter_refract(float3 direction_6, float3 normal_4, float ratio)
+{
+    const float3 _e4 = vec3_unit(direction_6);
+    const float _e5 = vec3_dot(_e4, normal_4);
+    float product = -(_e5);
+    float cos_ = ((product < 1.0) ? product : 1.0);
+    float sin_ = sqrt((1.0 - (cos_ * cos_)));
+    const float3 _e12 = scatter_reflect(_e4, normal_4);
+    float3 p = ((_e4 + (normal_4 * cos_)) * ratio);
+    const float _e16 = vec3_dot(p, p);
+    float3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
+    bool beyond = (1.0 < (ratio * sin_));
+    return (beyond ? _e12 : refracted);
+}
+
+float3 vec3_load(PackedVec3_ v_4)
+{
+    return float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_5)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    return packedvec3_;
+}
+
+SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
+    SphereRecord ret = (SphereRecord)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    return ret;
+}
+
+SphereRecord sphere_load(PlacedSphere sphere_3)
+{
+    const float3 _e2 = vec3_load(sphere_3.center_);
+    const SphereRecord sphererecord = ConstructSphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
+    return sphererecord;
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_load(PlacedCylinder cylinder_7)
+{
+    const float3 _e2 = vec3_load(cylinder_7.center_);
+    const float3 _e4 = vec3_load(cylinder_7.axis);
+    const float3 _e6 = vec3_load(cylinder_7.top);
+    const float3 _e8 = vec3_load(cylinder_7.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
+    return cylinderrecord;
+}
+
+Material ConstructMaterial(float3 arg0, float arg1, uint arg2) {
+    Material ret = (Material)0;
+    ret.reflectance = arg0;
+    ret.index = arg1;
+    ret.kind = arg2;
+    return ret;
+}
+
+Material material_load(PackedMaterial material)
+{
+    const float3 _e2 = vec3_load(material.reflectance);
+    const Material material_2 = ConstructMaterial(_e2, material.index, material.kind);
+    return material_2;
+}
+
+Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Camera ret = (Camera)0;
+    ret.position = arg0;
+    ret.origin = arg1;
+    ret.delta_x = arg2;
+    ret.delta_y = arg3;
+    return ret;
+}
+
+Camera picture_camera()
+{
+    PackedVec3_ _e3 = ConstructPackedVec3_(asfloat(picture.Load(0+0+0)), asfloat(picture.Load(0+0+4)), asfloat(picture.Load(0+0+8)));
+    const float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = ConstructPackedVec3_(asfloat(picture.Load(12+0+0)), asfloat(picture.Load(12+0+4)), asfloat(picture.Load(12+0+8)));
+    const float3 _e9 = vec3_load(_e8);
+    PackedVec3_ _e13 = ConstructPackedVec3_(asfloat(picture.Load(24+0+0)), asfloat(picture.Load(24+0+4)), asfloat(picture.Load(24+0+8)));
+    const float3 _e14 = vec3_load(_e13);
+    PackedVec3_ _e18 = ConstructPackedVec3_(asfloat(picture.Load(36+0+0)), asfloat(picture.Load(36+0+4)), asfloat(picture.Load(36+0+8)));
+    const float3 _e19 = vec3_load(_e18);
+    const Camera camera_1 = ConstructCamera(_e4, _e9, _e14, _e19);
+    return camera_1;
+}
+
+Background ConstructBackground(float3 arg0, float3 arg1) {
+    Background ret = (Background)0;
+    ret.dark = arg0;
+    ret.light = arg1;
+    return ret;
+}
+
+Background picture_background()
+{
+    PackedVec3_ _e3 = ConstructPackedVec3_(asfloat(picture.Load(0+48+0)), asfloat(picture.Load(0+48+4)), asfloat(picture.Load(0+48+8)));
+    const float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = ConstructPackedVec3_(asfloat(picture.Load(12+48+0)), asfloat(picture.Load(12+48+4)), asfloat(picture.Load(12+48+8)));
+    const float3 _e9 = vec3_load(_e8);
+    const Background background_1 = ConstructBackground(_e4, _e9);
+    return background_1;
+}
+
+bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order)
+{
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
+    bool local_13 = (bool)0;
+
+    if (!(!(nearest_1.some))) {
+        local_11 = (lambda_3 < nearest_1.lambda);
+    } else {
+        local_11 = true;
+    }
+    bool _e11 = local_11;
+    if (!(_e11)) {
+        if ((lambda_3 == nearest_1.lambda)) {
+            local_13 = (order > nearest_1.order);
+        } else {
+            local_13 = false;
+        }
+        bool _e22 = local_13;
+        local_12 = _e22;
+    } else {
+        local_12 = true;
+    }
+    bool _e24 = local_12;
+    return _e24;
+}
+
+Nearest ConstructNearest(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
+    Nearest ret = (Nearest)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.order = arg2;
+    ret.is_cylinder = arg3;
+    ret.index = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
+    SurfaceHit ret = (SurfaceHit)0;
+    ret.some = arg0;
+    ret.hit = arg1;
+    ret.material = arg2;
+    ret.lambda = arg3;
+    ret.order = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
+    PlacedSphere ret = (PlacedSphere)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    ret.order = arg3;
+    ret.material = arg4;
+    return ret;
+}
+
+PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2, PackedVec3_ arg3, float arg4, float arg5, float arg6, uint arg7, uint arg8) {
+    PlacedCylinder ret = (PlacedCylinder)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    ret.order = arg7;
+    ret.material = arg8;
+    return ret;
+}
+
+SurfaceHit nearest_hit(Ray ray_7)
+{
+    Nearest nearest_2 = (Nearest)0;
+    uint index = 0u;
+    bool local_14 = (bool)0;
+    uint index_1 = 0u;
+    bool local_15 = (bool)0;
+    SurfaceHit surface = (SurfaceHit)0;
+    bool local_16 = (bool)0;
+    bool local_17 = (bool)0;
+
+    if (has_spheres) {
+        uint2 loop_bound = uint2(4294967295u, 4294967295u);
+        bool loop_init = true;
+        while(true) {
+            if (all(loop_bound == uint2(0u, 0u))) { break; }
+            loop_bound -= uint2(loop_bound.y == 0u, 1u);
+            if (!loop_init) {
+                uint _e36 = index;
+                index = (_e36 + 1u);
+            }
+            loop_init = false;
+            uint _e5 = index;
+            uint _e8 = asuint(picture.Load(104));
+            if ((_e5 < _e8)) {
+            } else {
+                break;
+            }
+            {
+                uint _e11 = index;
+                PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
+                const SphereRecord _e14 = sphere_load(_e13);
+                const Root _e15 = sphere_intersect(_e14, ray_7);
+                uint _e17 = index;
+                uint order_1 = asuint(spheres.Load(20+_e17*28));
+                if (_e15.some) {
+                    Nearest _e24 = nearest_2;
+                    const bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    local_14 = _e26;
+                } else {
+                    local_14 = false;
+                }
+                bool _e28 = local_14;
+                if (_e28) {
+                    uint _e32 = index;
+                    nearest_2 = ConstructNearest(true, _e15.lambda, order_1, false, _e32, SIDE);
+                }
+            }
+        }
+    }
+    if (has_cylinders) {
+        uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+        bool loop_init_1 = true;
+        while(true) {
+            if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
+            loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+            if (!loop_init_1) {
+                uint _e72 = index_1;
+                index_1 = (_e72 + 1u);
+            }
+            loop_init_1 = false;
+            uint _e41 = index_1;
+            uint _e44 = asuint(picture.Load(108));
+            if ((_e41 < _e44)) {
+            } else {
+                break;
+            }
+            {
+                uint _e47 = index_1;
+                PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
+                const CylinderRecord _e50 = cylinder_load(_e49);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_7);
+                uint _e53 = index_1;
+                uint order_2 = asuint(cylinders.Load(60+_e53*68));
+                if (_e51.some) {
+                    Nearest _e60 = nearest_2;
+                    const bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    local_15 = _e62;
+                } else {
+                    local_15 = false;
+                }
+                bool _e64 = local_15;
+                if (_e64) {
+                    uint _e68 = index_1;
+                    nearest_2 = ConstructNearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                }
+            }
+        }
+    }
+    bool _e76 = nearest_2.some;
+    if (!(_e76)) {
+        SurfaceHit _e78 = surface;
+        const SurfaceHit surfacehit = _e78;
+        return surfacehit;
+    }
+    float _e80 = nearest_2.lambda;
+    const float3 _e81 = ray_at(ray_7, _e80);
+    if (has_spheres) {
+        bool _e86 = nearest_2.is_cylinder;
+        local_16 = !(_e86);
+    } else {
+        local_16 = false;
+    }
+    bool _e89 = local_16;
+    if (_e89) {
+        uint _e92 = nearest_2.index;
+        PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
+        const SphereRecord _e95 = sphere_load(_e94);
+        const float3 _e96 = sphere_outward(_e95, _e81);
+        const Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
+        uint _e101 = nearest_2.index;
+        uint material_3 = asuint(spheres.Load(24+_e101*28));
+        float _e107 = nearest_2.lambda;
+        uint _e109 = nearest_2.order;
+        uint _e111 = nearest_2.part;
+        surface = ConstructSurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
+    }
+    if (has_cylinders) {
+        bool _e117 = nearest_2.is_cylinder;
+        local_17 = _e117;
+    } else {
+        local_17 = false;
+    }
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = nearest_2.index;
+        PlacedCylinder _e124 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+0+0)), asfloat(cylinders.Load(_e122*68+0+4)), asfloat(cylinders.Load(_e122*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+12+0)), asfloat(cylinders.Load(_e122*68+12+4)), asfloat(cylinders.Load(_e122*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+24+0)), asfloat(cylinders.Load(_e122*68+24+4)), asfloat(cylinders.Load(_e122*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+36+0)), asfloat(cylinders.Load(_e122*68+36+4)), asfloat(cylinders.Load(_e122*68+36+8))), asfloat(cylinders.Load(_e122*68+48)), asfloat(cylinders.Load(_e122*68+52)), asfloat(cylinders.Load(_e122*68+56)), asuint(cylinders.Load(_e122*68+60)), asuint(cylinders.Load(_e122*68+64)));
+        const CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = nearest_2.part;
+        const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        const Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
+        uint _e133 = nearest_2.index;
+        uint material_4 = asuint(cylinders.Load(64+_e133*68));
+        float _e139 = nearest_2.lambda;
+        uint _e141 = nearest_2.order;
+        uint _e143 = nearest_2.part;
+        surface = ConstructSurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
+    }
+    SurfaceHit _e145 = surface;
+    const SurfaceHit surfacehit_1 = _e145;
+    return surfacehit_1;
+}
+
+Ray trace_onward(Ray ray_8, Hit hit, Material material_1, float3 scatter_vector)
+{
+    float3 direction_7 = (float3)0;
+    bool local_18 = (bool)0;
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
+    float ratio_1 = (float)0;
+
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e12 = local_18;
+    if (_e12) {
+        const float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_19 = (material_1.kind == METAL);
+    } else {
+        local_19 = false;
+    }
+    bool _e22 = local_19;
+    if (_e22) {
+        const float3 _e25 = scatter_metal(ray_8.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_20 = (material_1.kind == REFRACTIVE);
+    } else {
+        local_20 = false;
+    }
+    bool _e33 = local_20;
+    if (_e33) {
+        ratio_1 = material_1.index;
+        if (hit.front) {
+            ratio_1 = (1.0 / material_1.index);
+        }
+        float _e42 = ratio_1;
+        const float3 _e43 = scatter_refract(ray_8.direction, hit.normal, _e42);
+        direction_7 = _e43;
+    }
+    float3 _e45 = direction_7;
+    const Ray ray_10 = ConstructRay(hit.point_, _e45);
+    return ray_10;
+}
+
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / (rhs == 0u ? 1u : rhs);
+}
+
+uint naga_mod(uint lhs, uint rhs) {
+    return lhs % (rhs == 0u ? 1u : rhs);
+}
+
+Step ZeroValueStep() {
+    return (Step)0;
+}
+
+PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, uint arg3) {
+    PackedMaterial ret = (PackedMaterial)0;
+    ret.reflectance = arg0;
+    ret.index = arg1;
+    ret.kind = arg2;
+    ret.unused = arg3;
+    return ret;
+}
+
+[numthreads(64, 1, 1)]
+void steps(uint3 id : SV_DispatchThreadID)
+{
+    Ray ray = (Ray)0;
+    bool ended = false;
+    uint depth = 0u;
+    Step step_ = (Step)0;
+
+    uint _e4 = asuint(picture.Load(100));
+    if ((id.x >= _e4)) {
+        return;
+    }
+    uint _e8 = asuint(picture.Load(96));
+    uint pixel = (_e8 + id.x);
+    float _e13 = asfloat(picture.Load(72));
+    float _e16 = asfloat(picture.Load(76));
+    float2 offset_1 = float2(_e13, _e16);
+    PackedVec3_ _e20 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
+    const float3 _e21 = vec3_load(_e20);
+    const Camera _e22 = picture_camera();
+    uint _e25 = asuint(picture.Load(92));
+    uint _e30 = asuint(picture.Load(92));
+    const Ray _e33 = camera_ray(_e22, float(naga_div(pixel, _e25)), float(naga_mod(pixel, _e30)), offset_1);
+    ray = _e33;
+    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
+    bool loop_init_2 = true;
+    while(true) {
+        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
+        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
+        if (!loop_init_2) {
+            uint _e109 = depth;
+            depth = (_e109 + 1u);
+        }
+        loop_init_2 = false;
+        uint _e39 = depth;
+        if ((_e39 < max_depth)) {
+        } else {
+            break;
+        }
+        {
+            step_ = ZeroValueStep();
+            bool _e44 = ended;
+            if (_e44) {
+                step_.met = -1.0;
+            } else {
+                float3 _e49 = ray.origin;
+                const PackedVec3_ _e50 = vec3_store(_e49);
+                step_.origin = _e50;
+                float3 _e53 = ray.direction;
+                const PackedVec3_ _e54 = vec3_store(_e53);
+                step_.direction = _e54;
+                Ray _e55 = ray;
+                const SurfaceHit _e56 = nearest_hit(_e55);
+                if (_e56.some) {
+                    step_.met = 1.0;
+                    step_.lambda = _e56.lambda;
+                    step_.object = float(_e56.order);
+                    step_.part = float(_e56.part);
+                    step_.front = (_e56.hit.front ? 1.0 : 0.0);
+                    step_.material = float(_e56.material);
+                    const PackedVec3_ _e80 = vec3_store(_e56.hit.point_);
+                    step_.point_ = _e80;
+                    const PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
+                    step_.normal = _e84;
+                    Ray _e85 = ray;
+                    PackedMaterial _e90 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e56.material*24+0+0)), asfloat(materials.Load(_e56.material*24+0+4)), asfloat(materials.Load(_e56.material*24+0+8))), asfloat(materials.Load(_e56.material*24+12)), asuint(materials.Load(_e56.material*24+16)), asuint(materials.Load(_e56.material*24+20)));
+                    const Material _e91 = material_load(_e90);
+                    const Ray _e92 = trace_onward(_e85, _e56.hit, _e91, _e21);
+                    ray = _e92;
+                } else {
+                    const Background _e94 = picture_background();
+                    float3 _e96 = ray.direction;
+                    const float3 _e97 = background_color(_e94, _e96);
+                    const PackedVec3_ _e98 = vec3_store(_e97);
+                    step_.light = _e98;
+                    ended = true;
+                }
+            }
+            uint _e104 = depth;
+            Step _e107 = step_;
+            {
+                Step _value4 = _e107;
+                ways.Store(((id.x * max_depth) + _e104)*84+0, asuint(_value4.met));
+                ways.Store(((id.x * max_depth) + _e104)*84+4, asuint(_value4.lambda));
+                ways.Store(((id.x * max_depth) + _e104)*84+8, asuint(_value4.object));
+                ways.Store(((id.x * max_depth) + _e104)*84+12, asuint(_value4.part));
+                ways.Store(((id.x * max_depth) + _e104)*84+16, asuint(_value4.front));
+                ways.Store(((id.x * max_depth) + _e104)*84+20, asuint(_value4.material));
+                {
+                    PackedVec3_ _value5 = _value4.origin;
+                    ways.Store(((id.x * max_depth) + _e104)*84+24+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e104)*84+24+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e104)*84+24+8, asuint(_value5.z));
+                }
+                {
+                    PackedVec3_ _value5 = _value4.direction;
+                    ways.Store(((id.x * max_depth) + _e104)*84+36+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e104)*84+36+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e104)*84+36+8, asuint(_value5.z));
+                }
+                {
+                    PackedVec3_ _value5 = _value4.point_;
+                    ways.Store(((id.x * max_depth) + _e104)*84+48+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e104)*84+48+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e104)*84+48+8, asuint(_value5.z));
+                }
+                {
+                    PackedVec3_ _value5 = _value4.normal;
+                    ways.Store(((id.x * max_depth) + _e104)*84+60+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e104)*84+60+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e104)*84+60+8, asuint(_value5.z));
+                }
+                {
+                    PackedVec3_ _value5 = _value4.light;
+                    ways.Store(((id.x * max_depth) + _e104)*84+72+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e104)*84+72+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e104)*84+72+8, asuint(_value5.z));
+                }
+            }
+        }
+    }
+    return;
+}

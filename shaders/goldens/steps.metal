@@ -1,0 +1,956 @@
+// language: metal2.0
+#include <metal_stdlib>
+#include <simd/simd.h>
+
+using metal::uint;
+
+struct _mslBufferSizes {
+    uint size1;
+    uint size2;
+    uint size3;
+    uint size4;
+};
+
+typedef float real;
+struct Ray {
+    metal::float3 origin;
+    metal::float3 direction;
+};
+struct Root {
+    bool some;
+    char _pad1[3];
+    real lambda;
+};
+struct Hit {
+    metal::float3 point;
+    metal::packed_float3 normal;
+    bool front;
+    char _pad3[3];
+};
+struct SphereRecord {
+    metal::packed_float3 center;
+    real radius;
+    real radius_squared;
+    char _pad3[12];
+};
+struct SphereView {
+    metal::packed_float3 r_c;
+    real c;
+};
+struct SphereQuadratic {
+    real h;
+    real discriminant;
+};
+struct CylinderRecord {
+    metal::float3 center;
+    metal::float3 axis;
+    metal::float3 top;
+    metal::packed_float3 bottom;
+    real radius;
+    real radius_squared;
+    real half_height;
+    char _pad7[8];
+};
+struct CylinderView {
+    metal::packed_float3 r_c;
+    real c;
+    real to_top;
+    real to_bottom;
+    char _pad4[8];
+};
+struct CylinderQuadratic {
+    real a;
+    real h;
+    real discriminant;
+};
+struct CylinderRoot {
+    bool some;
+    char _pad1[3];
+    real lambda;
+    uint part;
+};
+struct Camera {
+    metal::float3 position;
+    metal::float3 origin;
+    metal::float3 delta_x;
+    metal::float3 delta_y;
+};
+struct Background {
+    metal::float3 dark;
+    metal::float3 light;
+};
+struct Material {
+    metal::packed_float3 reflectance;
+    real index;
+    uint kind;
+    char _pad3[12];
+};
+struct PackedVec3_ {
+    real x;
+    real y;
+    real z;
+};
+struct PlacedSphere {
+    PackedVec3_ center;
+    real radius;
+    real radius_squared;
+    uint order;
+    uint material;
+};
+struct PlacedCylinder {
+    PackedVec3_ center;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    real radius;
+    real radius_squared;
+    real half_height;
+    uint order;
+    uint material;
+};
+struct PackedMaterial {
+    PackedVec3_ reflectance;
+    real index;
+    uint kind;
+    uint unused;
+};
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    real offset_x;
+    real offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint unused;
+};
+typedef PlacedSphere type_4[1];
+typedef PlacedCylinder type_5[1];
+typedef PackedMaterial type_6[1];
+struct Nearest {
+    bool some;
+    char _pad1[3];
+    real lambda;
+    uint order;
+    bool is_cylinder;
+    char _pad4[3];
+    uint index;
+    uint part;
+};
+struct SurfaceHit {
+    bool some;
+    char _pad1[15];
+    Hit hit;
+    uint material;
+    real lambda;
+    uint order;
+    uint part;
+};
+struct Step {
+    real met;
+    real lambda;
+    real object;
+    real part;
+    real front;
+    real material;
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+    PackedVec3_ point;
+    PackedVec3_ normal;
+    PackedVec3_ light;
+};
+typedef Step type_7[1];
+constant uint SIDE = 0u;
+constant uint TOP = 1u;
+constant uint BOTTOM = 2u;
+constant uint MATTE = 0u;
+constant uint METAL = 1u;
+constant uint REFRACTIVE = 2u;
+constant bool has_spheres = true;
+constant bool has_cylinders = true;
+constant bool has_matte = true;
+constant bool has_metal = true;
+constant bool has_refraction = true;
+constant uint max_depth = 5u;
+
+real vec3_dot(
+    metal::float3 a,
+    metal::float3 b
+) {
+    return ((a.x * b.x) + (a.y * b.y)) + (a.z * b.z);
+}
+
+real vec3_length(
+    metal::float3 v
+) {
+    real _e1 = vec3_dot(v, v);
+    return metal::sqrt(_e1);
+}
+
+metal::float3 vec3_unit(
+    metal::float3 v_1
+) {
+    real _e1 = vec3_length(v_1);
+    return v_1 / metal::float3(_e1);
+}
+
+metal::float3 vec3_perpendicular_to(
+    metal::float3 v_2,
+    metal::float3 axis
+) {
+    real _e2 = vec3_dot(v_2, axis);
+    return v_2 - (axis * _e2);
+}
+
+bool vec3_is_negligible(
+    metal::float3 v_3
+) {
+    bool local = {};
+    bool local_1 = {};
+    if (metal::abs(v_3.x) < 0.00000001) {
+        local = metal::abs(v_3.y) < 0.00000001;
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = metal::abs(v_3.z) < 0.00000001;
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+metal::float3 ray_at(
+    Ray ray_1,
+    real lambda
+) {
+    return ray_1.origin + (ray_1.direction * lambda);
+}
+
+bool in_range(
+    real lambda_1
+) {
+    return 0.001 <= lambda_1;
+}
+
+Root root_none(
+) {
+    return Root {false, {}, 0.0};
+}
+
+Hit hit_facing(
+    metal::float3 direction,
+    metal::float3 point,
+    metal::float3 outward
+) {
+    real _e3 = vec3_dot(direction, outward);
+    bool front = _e3 < 0.0;
+    if (front) {
+        return Hit {point, outward, front};
+    }
+    return Hit {point, -(outward), front};
+}
+
+SphereView sphere_seen_from(
+    SphereRecord sphere,
+    metal::float3 origin
+) {
+    metal::float3 r_c = sphere.center - origin;
+    real _e4 = vec3_dot(r_c, r_c);
+    return SphereView {r_c, _e4 - sphere.radius_squared};
+}
+
+SphereQuadratic sphere_quadratic(
+    SphereView view,
+    metal::float3 direction_1,
+    real a_1
+) {
+    real _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic {_e4, (_e4 * _e4) - (a_1 * view.c)};
+}
+
+Root sphere_first_root(
+    real a_2,
+    real h,
+    real discriminant
+) {
+    float root = metal::sqrt(discriminant);
+    real near = (h - root) / a_2;
+    real far = (h + root) / a_2;
+    bool _e8 = in_range(near);
+    real lambda_4 = _e8 ? near : far;
+    bool _e10 = in_range(lambda_4);
+    return Root {_e10, {}, lambda_4};
+}
+
+metal::float3 sphere_outward(
+    SphereRecord sphere_1,
+    metal::float3 point_1
+) {
+    return (point_1 - sphere_1.center) / metal::float3(sphere_1.radius);
+}
+
+Root sphere_intersect(
+    SphereRecord sphere_2,
+    Ray ray_2
+) {
+    real _e4 = vec3_dot(ray_2.direction, ray_2.direction);
+    SphereView _e6 = sphere_seen_from(sphere_2, ray_2.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_2.direction, _e4);
+    if (_e8.discriminant < 0.0) {
+        Root _e12 = root_none();
+        return _e12;
+    }
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
+}
+
+CylinderView cylinder_seen_from(
+    CylinderRecord cylinder,
+    metal::float3 origin_1
+) {
+    metal::float3 _e5 = vec3_perpendicular_to(origin_1 - cylinder.center, cylinder.axis);
+    real _e6 = vec3_dot(_e5, _e5);
+    real _e12 = vec3_dot(cylinder.top - origin_1, cylinder.axis);
+    real _e16 = vec3_dot(cylinder.bottom - origin_1, cylinder.axis);
+    return CylinderView {_e5, _e6 - cylinder.radius_squared, _e12, _e16};
+}
+
+CylinderQuadratic cylinder_quadratic(
+    CylinderRecord cylinder_1,
+    CylinderView view_1,
+    metal::float3 along
+) {
+    metal::float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    real _e5 = vec3_dot(_e4, _e4);
+    real _e7 = vec3_dot(view_1.r_c, _e4);
+    return CylinderQuadratic {_e5, _e7, (_e7 * _e7) - (_e5 * view_1.c)};
+}
+
+bool cylinder_within_height(
+    CylinderRecord cylinder_2,
+    Ray ray_3,
+    real lambda_2
+) {
+    metal::float3 _e3 = ray_at(ray_3, lambda_2);
+    real _e7 = vec3_dot(_e3 - cylinder_2.center, cylinder_2.axis);
+    return metal::abs(_e7) <= cylinder_2.half_height;
+}
+
+Root cylinder_side(
+    CylinderRecord cylinder_3,
+    Ray ray_4,
+    CylinderQuadratic quadratic
+) {
+    bool local_2 = {};
+    bool local_3 = {};
+    bool local_4 = {};
+    float root_1 = metal::sqrt(quadratic.discriminant);
+    real near_1 = (-(quadratic.h) - root_1) / quadratic.a;
+    real far_1 = (-(quadratic.h) + root_1) / quadratic.a;
+    bool _e15 = in_range(near_1);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_3, ray_4, near_1);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    bool _e21 = in_range(far_1);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_3, ray_4, far_1);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    return Root {_e31, {}, near_counts ? near_1 : far_1};
+}
+
+Root cylinder_base(
+    CylinderRecord cylinder_4,
+    Ray ray_5,
+    metal::float3 base,
+    real distance
+) {
+    bool local_5 = {};
+    bool local_6 = {};
+    real _e6 = vec3_dot(ray_5.direction, cylinder_4.axis);
+    real lambda_5 = distance / _e6;
+    metal::float3 _e8 = ray_at(ray_5, lambda_5);
+    real _e10 = vec3_length(_e8 - base);
+    bool on_disc = _e10 <= cylinder_4.radius;
+    if (!((metal::abs(_e6) < 0.00000001))) {
+        bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    return Root {_e25, {}, lambda_5};
+}
+
+metal::float3 cylinder_outward(
+    CylinderRecord cylinder_5,
+    uint part,
+    metal::float3 point_2
+) {
+    switch(part) {
+        case 0u: {
+            metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_intersect(
+    CylinderRecord cylinder_6,
+    Ray ray_6
+) {
+    CylinderRoot nearest = {};
+    bool local_7 = {};
+    bool local_8 = {};
+    bool local_9 = {};
+    bool local_10 = {};
+    CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_6.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
+        nearest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
+    }
+    Root _e18 = cylinder_base(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            real _e30 = nearest.lambda;
+            local_8 = _e18.lambda <= _e30;
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = CylinderRoot {true, {}, _e18.lambda, TOP};
+    }
+    Root _e42 = cylinder_base(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            real _e54 = nearest.lambda;
+            local_10 = _e42.lambda <= _e54;
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
+    }
+    CylinderRoot _e64 = nearest;
+    return _e64;
+}
+
+Ray camera_ray(
+    Camera camera,
+    real row,
+    real column,
+    metal::float2 offset
+) {
+    float x = offset.x;
+    float y = offset.y;
+    metal::float3 window_point = (camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y));
+    return Ray {camera.position, window_point - camera.position};
+}
+
+metal::float3 background_color(
+    Background background,
+    metal::float3 direction_2
+) {
+    real _e3 = vec3_length(direction_2);
+    float m = ((direction_2.y / _e3) + 1.0) / 2.0;
+    return (background.light * (1.0 - m)) + (background.dark * m);
+}
+
+metal::float3 scatter_matte(
+    metal::float3 normal,
+    metal::float3 vector
+) {
+    metal::float3 direction_8 = normal + vector;
+    bool _e3 = vec3_is_negligible(direction_8);
+    if (_e3) {
+        return normal;
+    }
+    return direction_8;
+}
+
+metal::float3 scatter_reflect(
+    metal::float3 direction_3,
+    metal::float3 normal_1
+) {
+    real _e2 = vec3_dot(direction_3, normal_1);
+    return direction_3 - (normal_1 * (_e2 * 2.0));
+}
+
+metal::float3 scatter_mirror(
+    metal::float3 direction_4,
+    metal::float3 normal_2
+) {
+    metal::float3 _e2 = scatter_reflect(direction_4, normal_2);
+    metal::float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+metal::float3 scatter_metal(
+    metal::float3 direction_5,
+    metal::float3 normal_3,
+    metal::float3 vector_1
+) {
+    metal::float3 _e3 = scatter_mirror(direction_5, normal_3);
+    return _e3 + vector_1;
+}
+
+metal::float3 scatter_refract(
+    metal::float3 direction_6,
+    metal::float3 normal_4,
+    real ratio
+) {
+    metal::float3 _e4 = vec3_unit(direction_6);
+    real _e5 = vec3_dot(_e4, normal_4);
+    real product = -(_e5);
+    real cos = (product < 1.0) ? product : 1.0;
+    float sin = metal::sqrt(1.0 - (cos * cos));
+    metal::float3 _e12 = scatter_reflect(_e4, normal_4);
+    metal::float3 p = (_e4 + (normal_4 * cos)) * ratio;
+    real _e16 = vec3_dot(p, p);
+    metal::float3 refracted = p - (normal_4 * metal::sqrt(metal::abs(1.0 - _e16)));
+    bool beyond = 1.0 < (ratio * sin);
+    return beyond ? _e12 : refracted;
+}
+
+metal::float3 vec3_load(
+    PackedVec3_ v_4
+) {
+    return metal::float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(
+    metal::float3 v_5
+) {
+    return PackedVec3_ {v_5.x, v_5.y, v_5.z};
+}
+
+SphereRecord sphere_load(
+    PlacedSphere sphere_3
+) {
+    metal::float3 _e2 = vec3_load(sphere_3.center);
+    return SphereRecord {_e2, sphere_3.radius, sphere_3.radius_squared};
+}
+
+CylinderRecord cylinder_load(
+    PlacedCylinder cylinder_7
+) {
+    metal::float3 _e2 = vec3_load(cylinder_7.center);
+    metal::float3 _e4 = vec3_load(cylinder_7.axis);
+    metal::float3 _e6 = vec3_load(cylinder_7.top);
+    metal::float3 _e8 = vec3_load(cylinder_7.bottom);
+    return CylinderRecord {_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height};
+}
+
+Material material_load(
+    PackedMaterial material
+) {
+    metal::float3 _e2 = vec3_load(material.reflectance);
+    return Material {_e2, material.index, material.kind};
+}
+
+Camera picture_camera(
+    device Picture const& picture
+) {
+    PackedVec3_ _e3 = picture.camera.position;
+    metal::float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = picture.camera.origin;
+    metal::float3 _e9 = vec3_load(_e8);
+    PackedVec3_ _e13 = picture.camera.delta_x;
+    metal::float3 _e14 = vec3_load(_e13);
+    PackedVec3_ _e18 = picture.camera.delta_y;
+    metal::float3 _e19 = vec3_load(_e18);
+    return Camera {_e4, _e9, _e14, _e19};
+}
+
+Background picture_background(
+    device Picture const& picture
+) {
+    PackedVec3_ _e3 = picture.background.dark;
+    metal::float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = picture.background.light;
+    metal::float3 _e9 = vec3_load(_e8);
+    return Background {_e4, _e9};
+}
+
+bool nearest_is_beaten_by(
+    Nearest nearest_1,
+    real lambda_3,
+    uint order
+) {
+    bool local_11 = {};
+    bool local_12 = {};
+    bool local_13 = {};
+    if (!(!(nearest_1.some))) {
+        local_11 = lambda_3 < nearest_1.lambda;
+    } else {
+        local_11 = true;
+    }
+    bool _e11 = local_11;
+    if (!(_e11)) {
+        if (lambda_3 == nearest_1.lambda) {
+            local_13 = order > nearest_1.order;
+        } else {
+            local_13 = false;
+        }
+        bool _e22 = local_13;
+        local_12 = _e22;
+    } else {
+        local_12 = true;
+    }
+    bool _e24 = local_12;
+    return _e24;
+}
+
+SurfaceHit nearest_hit(
+    Ray ray_7,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    Nearest nearest_2 = {};
+    uint index = 0u;
+    bool local_14 = {};
+    uint index_1 = 0u;
+    bool local_15 = {};
+    SurfaceHit surface = {};
+    bool local_16 = {};
+    bool local_17 = {};
+    if (has_spheres) {
+        uint2 loop_bound = uint2(4294967295u);
+        bool loop_init = true;
+        while(true) {
+            if (metal::all(loop_bound == uint2(0u))) { break; }
+            loop_bound -= uint2(loop_bound.y == 0u, 1u);
+            if (!loop_init) {
+                uint _e36 = index;
+                index = _e36 + 1u;
+            }
+            loop_init = false;
+            uint _e5 = index;
+            uint _e8 = picture.sphere_count;
+            if (_e5 < _e8) {
+            } else {
+                break;
+            }
+            {
+                uint _e11 = index;
+                PlacedSphere _e13 = spheres[_e11];
+                SphereRecord _e14 = sphere_load(_e13);
+                Root _e15 = sphere_intersect(_e14, ray_7);
+                uint _e17 = index;
+                uint order_1 = spheres[_e17].order;
+                if (_e15.some) {
+                    Nearest _e24 = nearest_2;
+                    bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    local_14 = _e26;
+                } else {
+                    local_14 = false;
+                }
+                bool _e28 = local_14;
+                if (_e28) {
+                    uint _e32 = index;
+                    nearest_2 = Nearest {true, {}, _e15.lambda, order_1, false, {}, _e32, SIDE};
+                }
+            }
+        }
+    }
+    if (has_cylinders) {
+        uint2 loop_bound_1 = uint2(4294967295u);
+        bool loop_init_1 = true;
+        while(true) {
+            if (metal::all(loop_bound_1 == uint2(0u))) { break; }
+            loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+            if (!loop_init_1) {
+                uint _e72 = index_1;
+                index_1 = _e72 + 1u;
+            }
+            loop_init_1 = false;
+            uint _e41 = index_1;
+            uint _e44 = picture.cylinder_count;
+            if (_e41 < _e44) {
+            } else {
+                break;
+            }
+            {
+                uint _e47 = index_1;
+                PlacedCylinder _e49 = cylinders[_e47];
+                CylinderRecord _e50 = cylinder_load(_e49);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_7);
+                uint _e53 = index_1;
+                uint order_2 = cylinders[_e53].order;
+                if (_e51.some) {
+                    Nearest _e60 = nearest_2;
+                    bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    local_15 = _e62;
+                } else {
+                    local_15 = false;
+                }
+                bool _e64 = local_15;
+                if (_e64) {
+                    uint _e68 = index_1;
+                    nearest_2 = Nearest {true, {}, _e51.lambda, order_2, true, {}, _e68, _e51.part};
+                }
+            }
+        }
+    }
+    bool _e76 = nearest_2.some;
+    if (!(_e76)) {
+        SurfaceHit _e78 = surface;
+        return _e78;
+    }
+    real _e80 = nearest_2.lambda;
+    metal::float3 _e81 = ray_at(ray_7, _e80);
+    if (has_spheres) {
+        bool _e86 = nearest_2.is_cylinder;
+        local_16 = !(_e86);
+    } else {
+        local_16 = false;
+    }
+    bool _e89 = local_16;
+    if (_e89) {
+        uint _e92 = nearest_2.index;
+        PlacedSphere _e94 = spheres[_e92];
+        SphereRecord _e95 = sphere_load(_e94);
+        metal::float3 _e96 = sphere_outward(_e95, _e81);
+        Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
+        uint _e101 = nearest_2.index;
+        uint material_2 = spheres[_e101].material;
+        real _e107 = nearest_2.lambda;
+        uint _e109 = nearest_2.order;
+        uint _e111 = nearest_2.part;
+        surface = SurfaceHit {true, {}, _e98, material_2, _e107, _e109, _e111};
+    }
+    if (has_cylinders) {
+        bool _e117 = nearest_2.is_cylinder;
+        local_17 = _e117;
+    } else {
+        local_17 = false;
+    }
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = nearest_2.index;
+        PlacedCylinder _e124 = cylinders[_e122];
+        CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = nearest_2.part;
+        metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
+        uint _e133 = nearest_2.index;
+        uint material_3 = cylinders[_e133].material;
+        real _e139 = nearest_2.lambda;
+        uint _e141 = nearest_2.order;
+        uint _e143 = nearest_2.part;
+        surface = SurfaceHit {true, {}, _e130, material_3, _e139, _e141, _e143};
+    }
+    SurfaceHit _e145 = surface;
+    return _e145;
+}
+
+Ray trace_onward(
+    Ray ray_8,
+    Hit hit,
+    Material material_1,
+    metal::float3 scatter_vector
+) {
+    metal::float3 direction_7 = {};
+    bool local_18 = {};
+    bool local_19 = {};
+    bool local_20 = {};
+    real ratio_1 = {};
+    if (has_matte) {
+        local_18 = material_1.kind == MATTE;
+    } else {
+        local_18 = false;
+    }
+    bool _e12 = local_18;
+    if (_e12) {
+        metal::float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_19 = material_1.kind == METAL;
+    } else {
+        local_19 = false;
+    }
+    bool _e22 = local_19;
+    if (_e22) {
+        metal::float3 _e25 = scatter_metal(ray_8.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_20 = material_1.kind == REFRACTIVE;
+    } else {
+        local_20 = false;
+    }
+    bool _e33 = local_20;
+    if (_e33) {
+        ratio_1 = material_1.index;
+        if (hit.front) {
+            ratio_1 = 1.0 / material_1.index;
+        }
+        real _e42 = ratio_1;
+        metal::float3 _e43 = scatter_refract(ray_8.direction, hit.normal, _e42);
+        direction_7 = _e43;
+    }
+    metal::float3 _e45 = direction_7;
+    return Ray {hit.point, _e45};
+}
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / metal::select(rhs, 1u, rhs == 0u);
+}
+
+uint naga_mod(uint lhs, uint rhs) {
+    return lhs % metal::select(rhs, 1u, rhs == 0u);
+}
+
+
+struct stepsInput {
+};
+kernel void steps(
+  metal::uint3 id [[thread_position_in_grid]]
+, device Picture const& picture [[buffer(0)]]
+, device type_4 const& spheres [[buffer(1)]]
+, device type_5 const& cylinders [[buffer(2)]]
+, device type_6 const& materials [[buffer(3)]]
+, device type_7& ways [[buffer(7)]]
+, constant _mslBufferSizes& _buffer_sizes [[buffer(8)]]
+) {
+    Ray ray = {};
+    bool ended = false;
+    uint depth = 0u;
+    Step step = {};
+    uint _e4 = picture.pixel_count;
+    if (id.x >= _e4) {
+        return;
+    }
+    uint _e8 = picture.first_pixel;
+    uint pixel = _e8 + id.x;
+    real _e13 = picture.offset_x;
+    real _e16 = picture.offset_y;
+    metal::float2 offset_1 = metal::float2(_e13, _e16);
+    PackedVec3_ _e20 = picture.scatter_vector;
+    metal::float3 _e21 = vec3_load(_e20);
+    Camera _e22 = picture_camera(picture);
+    uint _e25 = picture.width;
+    uint _e30 = picture.width;
+    Ray _e33 = camera_ray(_e22, static_cast<float>(naga_div(pixel, _e25)), static_cast<float>(naga_mod(pixel, _e30)), offset_1);
+    ray = _e33;
+    uint2 loop_bound_2 = uint2(4294967295u);
+    bool loop_init_2 = true;
+    while(true) {
+        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
+        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
+        if (!loop_init_2) {
+            uint _e109 = depth;
+            depth = _e109 + 1u;
+        }
+        loop_init_2 = false;
+        uint _e39 = depth;
+        if (_e39 < max_depth) {
+        } else {
+            break;
+        }
+        {
+            step = Step {};
+            bool _e44 = ended;
+            if (_e44) {
+                step.met = -1.0;
+            } else {
+                metal::float3 _e49 = ray.origin;
+                PackedVec3_ _e50 = vec3_store(_e49);
+                step.origin = _e50;
+                metal::float3 _e53 = ray.direction;
+                PackedVec3_ _e54 = vec3_store(_e53);
+                step.direction = _e54;
+                Ray _e55 = ray;
+                SurfaceHit _e56 = nearest_hit(_e55, picture, spheres, cylinders, _buffer_sizes);
+                if (_e56.some) {
+                    step.met = 1.0;
+                    step.lambda = _e56.lambda;
+                    step.object = static_cast<float>(_e56.order);
+                    step.part = static_cast<float>(_e56.part);
+                    step.front = _e56.hit.front ? 1.0 : 0.0;
+                    step.material = static_cast<float>(_e56.material);
+                    PackedVec3_ _e80 = vec3_store(_e56.hit.point);
+                    step.point = _e80;
+                    PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
+                    step.normal = _e84;
+                    Ray _e85 = ray;
+                    PackedMaterial _e90 = materials[_e56.material];
+                    Material _e91 = material_load(_e90);
+                    Ray _e92 = trace_onward(_e85, _e56.hit, _e91, _e21);
+                    ray = _e92;
+                } else {
+                    Background _e94 = picture_background(picture);
+                    metal::float3 _e96 = ray.direction;
+                    metal::float3 _e97 = background_color(_e94, _e96);
+                    PackedVec3_ _e98 = vec3_store(_e97);
+                    step.light = _e98;
+                    ended = true;
+                }
+            }
+            uint _e104 = depth;
+            Step _e107 = step;
+            ways[(id.x * max_depth) + _e104] = _e107;
+        }
+    }
+    return;
+}

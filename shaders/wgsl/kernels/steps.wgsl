@@ -1,0 +1,58 @@
+// Every step of a pixel's way, written down: for debug views and for comparing two implementations step by step.
+
+// A ray and what it meets; twin of gpu_check::steps::Step. Numbers throughout, so that one comparison serves all.
+struct Step {
+    // One where the ray meets an object, zero where it sees the background, minus one after the way's end.
+    met: real,
+    lambda: real,
+    object: real,
+    part: real,
+    front: real,
+    material: real,
+    origin: PackedVec3,
+    direction: PackedVec3,
+    point: PackedVec3,
+    normal: PackedVec3,
+    // The background's colour, where the ray sees it.
+    light: PackedVec3,
+}
+
+// `max_depth` places an invocation.
+@group(0) @binding(7) var<storage, read_write> ways: array<Step>;
+
+@compute @workgroup_size(64)
+fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= picture.pixel_count {
+        return;
+    }
+    let pixel = picture.first_pixel + id.x;
+    let offset = vec2<real>(picture.offset_x, picture.offset_y);
+    let scatter_vector = vec3_load(picture.scatter_vector);
+    var ray = camera_ray(picture_camera(), real(pixel / picture.width), real(pixel % picture.width), offset);
+    var ended = false;
+    for (var depth = 0u; depth < max_depth; depth++) {
+        var step: Step;
+        if ended {
+            step.met = real(-1.0);
+        } else {
+            step.origin = vec3_store(ray.origin);
+            step.direction = vec3_store(ray.direction);
+            let surface = nearest_hit(ray);
+            if surface.some {
+                step.met = real(1.0);
+                step.lambda = surface.lambda;
+                step.object = real(surface.order);
+                step.part = real(surface.part);
+                step.front = select(real(0.0), real(1.0), surface.hit.front);
+                step.material = real(surface.material);
+                step.point = vec3_store(surface.hit.point);
+                step.normal = vec3_store(surface.hit.normal);
+                ray = trace_onward(ray, surface.hit, material_load(materials[surface.material]), scatter_vector);
+            } else {
+                step.light = vec3_store(background_color(picture_background(), ray.direction));
+                ended = true;
+            }
+        }
+        ways[id.x * max_depth + depth] = step;
+    }
+}
