@@ -7,7 +7,7 @@
 
 use super::bounds::Bounds;
 use super::build::build;
-use super::leaving::{leaves_cylinder, leaves_sphere};
+use super::leaving::{leaves_cylinder, leaves_sphere, misses_sphere};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::error::Error;
@@ -262,8 +262,8 @@ fn ask<O: Objects, P: Intersect>(found: &mut Found, objects: &O, id: ObjectId, r
         None => {
             let sphere = objects.sphere(id as usize).record;
             let view = sphere.seen_from(ray.origin);
-            let (h, _) = view.quadratic(ray.direction, a);
-            if !leaves_sphere(&sphere, &view, a, h) {
+            let (h, discriminant) = view.quadratic(ray.direction, a);
+            if !misses_sphere(&sphere, &view, a, discriminant) && !leaves_sphere(&sphere, &view, a, h) {
                 found.ask_sphere::<O, P>(objects, id as usize, ray);
             }
         }

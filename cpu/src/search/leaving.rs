@@ -20,6 +20,13 @@ pub fn leaves_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, h: f64) -
     (h < 0.0) & (a * (T * T) - 2.0 * T * h + view.c > margin)
 }
 
+/// Whether the line certainly misses the sphere: the discriminant is below what rounding can make of zero.
+#[inline(always)]
+pub fn misses_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, discriminant: f64) -> bool {
+    let size = a * (view.c.abs() + 2.0 * sphere.radius_squared);
+    discriminant < -(4.0 * MARGIN) * size
+}
+
 /// Whether a ray certainly meets no part of the cylinder: it leaves the infinite cylinder, or the slab between the
 /// bases.
 #[inline(always)]
