@@ -10,8 +10,10 @@ mod batch;
 mod ends;
 mod glass;
 mod hits;
+mod leaps;
 mod pixels;
 mod primary;
+mod queue;
 mod shade;
 mod sky;
 mod span;
@@ -159,7 +161,7 @@ struct Painter<'a, L: Layout, P, K> {
     sink: K,
     offsets: Offsets,
     batch: Box<Batch>,
-    walk: Walk,
+    walk: Box<Walk>,
     candidates: Candidates,
     sums: Sums,
     /// See [`Look::last`].
@@ -206,7 +208,8 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
         }
         if !batch.waiting.is_empty() {
             simd.run(walk::Follow { prepared, walk: &mut self.walk, batch });
-            simd.run(ends::Color { prepared, ended: &mut self.walk.ended, batch });
+            let Walk { queue, ended, .. } = &mut *self.walk;
+            simd.run(ends::Color { prepared, queue, ended, batch });
         }
         let first_pixel = row * prepared.size.width();
         self.sums.add(span, batch, |column, mean| self.sink.mean(first_pixel + column, mean));

@@ -10,11 +10,12 @@ mod build;
 mod few;
 mod filter;
 mod found;
+mod ground;
 mod hierarchy;
 mod leaving;
 
 pub use bounds::Bounds;
-pub use few::Few;
+pub use few::{Few, nearest_of};
 pub use filter::Filter;
 pub use found::Found;
 pub use hierarchy::{Hierarchy, Stack};
@@ -39,7 +40,7 @@ pub enum Search {
     /// Every object is asked: for scenes whose magnitudes no filter bears.
     Plain,
     /// All objects at once: for a handful.
-    Few(Box<Few>),
+    Few(Few),
     /// A filter over all objects, several at once.
     Flat(Filter),
     /// A tree of boxes.
@@ -56,7 +57,7 @@ impl Search {
         Ok(if !extent.moderate {
             Self::Plain
         } else if few::suits(objects) {
-            Self::Few(Box::new(Few::new(objects)))
+            Self::Few(Few::new(objects, extent))
         } else if count <= filter::CAPACITY {
             Self::Flat(Filter::new(objects)?)
         } else {
@@ -75,7 +76,7 @@ impl Search {
     ) -> Found {
         match self {
             Self::Plain => plain::<O, P>(objects, ray),
-            Self::Few(few) => few.nearest::<S, O, P>(objects, ray),
+            Self::Few(few) => few.nearest::<O, P>(objects, ray),
             Self::Flat(filter) => filter.nearest::<S, O, P>(objects, ray, from),
             Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O, P>(objects, ray, from, stack),
             Self::Tree(_) => plain::<O, P>(objects, ray),

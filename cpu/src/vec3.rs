@@ -113,14 +113,18 @@ impl<T: Real> Vec3<T> {
 }
 
 impl<T: Real<Mask = bool>> Vec3<T> {
-    /// Whether every component is smaller than `1e-8` in magnitude (statement, section 3.5.1).
+    /// Whether every component is smaller than [`NEGLIGIBLE`] in magnitude (statement, section 3.5.1).
     #[inline(always)]
     #[must_use]
     pub fn is_negligible(self) -> bool {
-        let limit = T::of(1e-8);
+        let limit = T::of(NEGLIGIBLE);
         self.x.abs().less(limit) && self.y.abs().less(limit) && self.z.abs().less(limit)
     }
 }
+
+/// What the components of a matte surface's scattered direction are smaller than where it is replaced by the normal
+/// (statement, section 3.5.1).
+pub const NEGLIGIBLE: f64 = 1e-8;
 
 impl<T: Copy> From<[T; 3]> for Vec3<T> {
     fn from([x, y, z]: [T; 3]) -> Self {

@@ -13,6 +13,7 @@ use super::{cylinder_exact, cylinder_lanes};
 use crate::cylinder::{CylinderRecord, PARALLEL, Part};
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::real::Real;
+use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;
 
 pub use cylinder_lanes::{Lanes, judge_lanes};
@@ -174,12 +175,28 @@ fn magnitude<T: Real>(vector: Vec3<T>) -> T {
 #[inline(never)]
 #[must_use]
 pub fn resolve(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
-    let precise = CylinderRecord::new(widened(record.center), DoubleDouble::of(record.radius), widened(*axis));
-    let precise_ray = Ray { origin: widened(ray.origin), direction: widened(ray.direction) };
-    match judge(&precise, &precise_ray) {
+    match InstructionSet::best().run(Precisely { record, axis, ray }) {
         Verdict::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
         Verdict::Doubtful => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
             .unwrap_or_else(|NotFinite| record.intersect(ray)),
+    }
+}
+
+/// [`judge`] in double-double arithmetic.
+struct Precisely<'a> {
+    record: &'a CylinderRecord,
+    axis: &'a Vec3,
+    ray: &'a Ray,
+}
+
+impl Kernel for Precisely<'_> {
+    type Output = Verdict<Option<(DoubleDouble, Part)>>;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Self::Output {
+        let Self { record, axis, ray } = self;
+        let record = CylinderRecord::new(widened(record.center), DoubleDouble::of(record.radius), widened(*axis));
+        judge(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
     }
 }
 

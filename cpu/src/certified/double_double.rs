@@ -7,8 +7,8 @@
 //! With u = 2^-53 the relative errors are at most: sum 3u^2 (also under cancellation), product 4u^2, quotient 15u^2,
 //! square root 25/8 u^2, so 16u^2 = 2^-102 serves as one unit roundoff for all, short of overflow and underflow.
 //!
-//! `f64::mul_add` rounds once by contract. Without the instruction it is a call into the C library, exact and slower,
-//! which a path as rare as this one can bear; unlike splitting, it cannot overflow.
+//! `f64::mul_add` rounds once by contract. Code that is compiled for a machine without the instruction calls a function
+//! instead, just as exact; so the precise paths are [compiled](crate::simd::Kernel) for each instruction set.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -26,7 +26,7 @@ pub struct DoubleDouble {
 }
 
 /// `a + b` and its rounding error (Knuth).
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let high = a + b;
@@ -35,14 +35,14 @@ pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
 }
 
 /// As [`two_sum`], for `|a| >= |b|` or `a = 0` (Dekker).
-#[inline]
+#[inline(always)]
 fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     let high = a + b;
     DoubleDouble { high, low: b - (high - a) }
 }
 
 /// `a b` and its rounding error.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn two_product(a: f64, b: f64) -> DoubleDouble {
     let high = a * b;
@@ -51,6 +51,7 @@ pub fn two_product(a: f64, b: f64) -> DoubleDouble {
 
 impl DoubleDouble {
     /// The same number, for parts that overlap or whose larger is not the rounded whole.
+    #[inline(always)]
     #[must_use]
     pub fn renormalized(self) -> Self {
         two_sum(self.high, self.low)
@@ -58,6 +59,7 @@ impl DoubleDouble {
 }
 
 impl From<f64> for DoubleDouble {
+    #[inline(always)]
     fn from(high: f64) -> Self {
         Self { high, low: 0.0 }
     }
@@ -65,7 +67,7 @@ impl From<f64> for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let (high, low) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
         let sum = fast_two_sum(high.high, high.low + low.high);
@@ -75,7 +77,7 @@ impl Add for DoubleDouble {
 
 impl Neg for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { high: -self.high, low: -self.low }
     }
@@ -83,7 +85,7 @@ impl Neg for DoubleDouble {
 
 impl Sub for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -91,7 +93,7 @@ impl Sub for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.high, other.high);
         let low = self.high.mul_add(other.low, self.low * other.low);
@@ -102,7 +104,7 @@ impl Mul for DoubleDouble {
 
 impl Div for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         let high = self.high / divisor.high;
         let product = two_product(divisor.high, high);
@@ -115,12 +117,12 @@ impl Div for DoubleDouble {
 impl Real for DoubleDouble {
     type Mask = bool;
 
-    #[inline]
+    #[inline(always)]
     fn of(value: f64) -> Self {
         value.into()
     }
 
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         if self.high == 0.0 {
             return self;
@@ -130,22 +132,22 @@ impl Real for DoubleDouble {
         fast_two_sum(high, remainder / (high + high))
     }
 
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         if self.high < 0.0 { -self } else { self }
     }
 
-    #[inline]
+    #[inline(always)]
     fn less(self, other: Self) -> bool {
         self.high < other.high || (self.high == other.high && self.low < other.low)
     }
 
-    #[inline]
+    #[inline(always)]
     fn less_equal(self, other: Self) -> bool {
         self.high < other.high || (self.high == other.high && self.low <= other.low)
     }
 
-    #[inline]
+    #[inline(always)]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }

@@ -5,6 +5,7 @@ use super::double_double::DoubleDouble;
 use super::sphere_exact;
 use crate::ray::Ray;
 use crate::real::Real;
+use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
@@ -96,18 +97,33 @@ fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Cer
 #[inline(never)]
 #[must_use]
 pub fn resolve(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-    let precise = SphereRecord::new(widened(record.center), DoubleDouble::of(record.radius));
-    let precise_ray = Ray { origin: widened(ray.origin), direction: widened(ray.direction) };
-    match judge(&precise, &precise_ray) {
+    match InstructionSet::best().run(Precisely { record, ray }) {
         Verdict::Certain(answer) => answer.map(|lambda| lambda.high),
         Verdict::Doubtful => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
     }
 }
 
+/// [`judge`] in double-double arithmetic.
+struct Precisely<'a> {
+    record: &'a SphereRecord,
+    ray: &'a Ray,
+}
+
+impl Kernel for Precisely<'_> {
+    type Output = Verdict<Option<DoubleDouble>>;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Self::Output {
+        let Self { record, ray } = self;
+        let record = SphereRecord::new(widened(record.center), DoubleDouble::of(record.radius));
+        judge(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
+    }
+}
+
 /// The same vector with room for more digits.
-#[inline]
+#[inline(always)]
 pub(super) fn widened(vector: Vec3) -> Vec3<DoubleDouble> {
-    vector.map(DoubleDouble::of)
+    Vec3::new(DoubleDouble::of(vector.x), DoubleDouble::of(vector.y), DoubleDouble::of(vector.z))
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Where paths leave the scene: the background, several at once, attenuated by all that the paths have met.
 
 use super::batch::{Batch, CAPACITY, SLACK, Vectors};
+use super::queue::Queue;
 use super::shade::{load, store};
 use crate::certified::Intersect;
 use crate::layout::Layout;
@@ -9,30 +10,31 @@ use crate::scene::MaterialId;
 use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
-/// Paths that have left the scene, in the order in which they did.
+/// Instead of where a path's materials begin: it has used up its depth and is black.
+const BLACK: u32 = u32::MAX;
+
+/// The ends of the queue's paths, by place in the queue.
 #[derive(Debug)]
 pub struct Ended {
-    count: usize,
-    direction: Vectors,
-    /// Each path's sample, and where its materials begin in `met`.
-    path: [(u32, u32); CAPACITY + SLACK],
-    /// Materials met, path after path, first hit first.
+    /// The last direction of each path.
+    pub direction: Vectors,
+    /// Where each path's materials begin in `met`, or [`BLACK`].
+    begin: [u32; CAPACITY + SLACK],
+    /// Materials met after the one that the path stands on in the queue, path after path.
     met: Vec<MaterialId>,
-    /// Where the present path's materials begin.
-    present: usize,
 }
 
 impl Ended {
     /// No path yet.
     pub fn new() -> Self {
-        let path = [(0, 0); CAPACITY + SLACK];
-        Self { count: 0, direction: Vectors::ZERO, path, met: Vec::with_capacity(8 * CAPACITY), present: 0 }
+        let met = Vec::with_capacity(8 * CAPACITY);
+        Self { direction: Vectors::ZERO, begin: [0; CAPACITY + SLACK], met }
     }
 
-    /// Begins a path.
+    /// Begins path `at`; those before it are done.
     #[inline(always)]
-    pub fn begin(&mut self) {
-        self.present = self.met.len();
+    pub fn begin(&mut self, at: usize) {
+        self.begin[at] = self.met.len() as u32;
     }
 
     /// The present path has met a material that attenuates.
@@ -41,28 +43,33 @@ impl Ended {
         self.met.push(material);
     }
 
-    /// The present path has used up its depth: it is black.
+    /// Path `at`, the present one, has used up its depth: it is black.
     #[inline(always)]
-    pub fn forget(&mut self) {
-        self.met.truncate(self.present);
+    pub fn forget(&mut self, at: usize) {
+        self.met.truncate(self.begin[at] as usize);
+        self.begin[at] = BLACK;
     }
 
-    /// The present path leaves the scene.
-    ///
-    /// # Panics
-    /// When more paths leave than a batch has samples.
+    /// Path `at`, the present one, leaves the scene.
     #[inline(always)]
-    pub fn leave(&mut self, sample: usize, direction: Vec3) {
-        let at = self.count;
-        self.path[at] = (sample as u32, self.present as u32);
+    pub fn leave(&mut self, at: usize, direction: Vec3) {
         self.direction.set(at, direction);
-        self.count = at + 1;
+    }
+
+    /// Path `at` and those after it begin, and leave the scene with their first rays. What is said later of one
+    /// of them replaces this.
+    #[inline(always)]
+    pub fn leave_several<V: Lanes>(&mut self, at: usize, directions: Vec3<V>) {
+        store(directions, &mut self.direction, at);
+        let begin = self.met.len() as u32;
+        self.begin[at..at + V::LANES].fill(begin);
     }
 }
 
-/// Gives every path that has left the scene its colour, and forgets it.
+/// Gives every path of the queue its colour, and forgets it.
 pub struct Color<'a, L: Layout, P> {
     pub prepared: &'a Prepared<L, P>,
+    pub queue: &'a Queue,
     pub ended: &'a mut Ended,
     pub batch: &'a mut Batch,
 }
@@ -72,29 +79,33 @@ impl<L: Layout, P: Intersect> Kernel for Color<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        color::<S, L, P>(self.prepared, self.ended, self.batch);
+        color::<S, L, P>(self);
     }
 }
 
 #[inline(always)]
-fn color<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ended: &mut Ended, batch: &mut Batch) {
+fn color<S: Simd, L: Layout, P: Intersect>(Color { prepared, queue, ended, batch }: Color<'_, L, P>) {
     let background = prepared.background.lanes::<S::F64>();
-    for at in (0..ended.count).step_by(S::F64::LANES) {
+    for at in (0..queue.count).step_by(S::F64::LANES) {
         let color = background.color(load::<S::F64>(&ended.direction, at));
         store(color, &mut ended.direction, at);
     }
     let mut end = ended.met.len();
-    for at in (0..ended.count).rev() {
-        let (sample, begin) = ended.path[at];
+    for at in (0..queue.count).rev() {
+        let begin = ended.begin[at];
+        if begin == BLACK {
+            continue;
+        }
+        let begin = begin as usize;
         let mut color = ended.direction.get(at);
         // From the last surface back to the first, in the order in which the recursion returns.
-        for &material in ended.met[begin as usize..end].iter().rev() {
+        for &material in ended.met[begin..end].iter().rev() {
             color = color.attenuate(prepared.finishes[material as usize].reflectance);
         }
-        end = begin as usize;
-        batch.color.set(sample as usize, color);
+        color = color.attenuate(prepared.finishes[queue.material[at] as usize].reflectance);
+        end = begin;
+        batch.color.set(batch.waiting[at] as usize, color);
     }
-    ended.count = 0;
     ended.met.clear();
 }
 
@@ -116,22 +127,24 @@ mod tests {
         let direction = Vec3::new(0.3, -0.7, 0.2);
         let background = prepared.background.color(direction);
         for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-            let (mut ended, mut batch) = (Ended::new(), Batch::new());
-            ended.begin();
-            ended.meet(0);
+            let (mut queue, mut ended, mut batch) = (Queue::new(), Ended::new(), Batch::new());
+            batch.waiting.extend([5, 3, 2]);
+            queue.count = 3;
+            queue.material[..3].copy_from_slice(&[0, 0, 1]);
+            ended.begin(0);
             ended.meet(1);
-            ended.leave(5, direction);
-            ended.begin();
+            ended.leave(0, direction);
+            ended.begin(1);
             ended.meet(0);
-            ended.forget();
-            ended.begin();
-            ended.meet(1);
+            ended.forget(1);
+            ended.begin(2);
             ended.leave(2, direction);
-            set.run(Color { prepared: &prepared, ended: &mut ended, batch: &mut batch });
+            set.run(Color { prepared: &prepared, queue: &queue, ended: &mut ended, batch: &mut batch });
             let expected = background.attenuate(reflectance(1)).attenuate(reflectance(0));
             assert_eq!(batch.color.get(5), expected);
+            assert_eq!(batch.color.get(3), Vec3::ZERO, "a path without an end keeps the black it had");
             assert_eq!(batch.color.get(2), background.attenuate(reflectance(1)));
-            assert_eq!((ended.count, ended.met.len()), (0, 0), "they are forgotten");
+            assert_eq!(ended.met.len(), 0, "they are forgotten");
         }
     }
 }

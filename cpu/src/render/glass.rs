@@ -35,7 +35,12 @@ impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
                     passed += 1;
                 }
             }
-            _ => in_glass.iter().for_each(|&sample| follow::<S, L, P>(prepared, batch, sample as usize)),
+            // Not a closure: it would be compiled without the instruction set.
+            _ => {
+                for &sample in &in_glass {
+                    follow::<S, L, P>(prepared, batch, sample as usize);
+                }
+            }
         }
         in_glass.clear();
         batch.in_glass = in_glass;

@@ -1,11 +1,17 @@
 //! The stream of random triples that all materials share, made in bulk.
 
+use super::batch::SLACK;
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
+use crate::simd::Lanes;
 use crate::vec3::Vec3;
 
 /// Triples made at a time.
 const TRIPLES: usize = 512;
+/// Triples that there are at least after [`Triples::prepare`].
+pub const RESERVE: usize = 12;
+/// Places for them: those that are left over come before.
+const PLACES: usize = SLACK + TRIPLES;
 
 /// The triples, in order: draws in `[0, 1)` for the statement's convention, vectors of length one for the published
 /// images', null vectors in deterministic mode. A [`Finish`](crate::prepare::Finish) makes a random vector of each.
@@ -13,39 +19,70 @@ const TRIPLES: usize = 512;
 pub struct Triples {
     convention: Scatter,
     draws: BlockUniform,
-    made: Box<[f64; 3 * TRIPLES]>,
-    used: usize,
+    raw: [f64; 3 * TRIPLES],
+    x: [f64; PLACES],
+    y: [f64; PLACES],
+    z: [f64; PLACES],
+    next: usize,
 }
 
 impl Triples {
     /// The stream of `convention` from a seed.
     pub fn new(convention: Scatter, seed: u64) -> Self {
-        let made = Box::new([0.0; 3 * TRIPLES]);
-        Self { convention, draws: BlockUniform::new(seed), made, used: 3 * TRIPLES }
+        let (raw, empty) = ([0.0; 3 * TRIPLES], [0.0; PLACES]);
+        Self { convention, draws: BlockUniform::new(seed), raw, x: empty, y: empty, z: empty, next: PLACES }
     }
 
-    /// The next triple.
+    /// Makes triples unless there are [`RESERVE`].
     #[inline(always)]
-    pub fn next(&mut self) -> Vec3 {
-        if self.used == 3 * TRIPLES {
+    pub fn prepare(&mut self) {
+        if self.next > PLACES - RESERVE {
             self.make();
         }
-        let triple = Vec3::new(self.made[self.used], self.made[self.used + 1], self.made[self.used + 2]);
-        self.used += 3;
+    }
+
+    /// The next triple, which is used up. At most [`RESERVE`] are used between two calls of
+    /// [`Triples::prepare`].
+    #[inline(always)]
+    pub fn next(&mut self) -> Vec3 {
+        let triple = Vec3::new(self.x[self.next], self.y[self.next], self.z[self.next]);
+        self.next += 1;
         triple
+    }
+
+    /// The next triples, a lane each. None is used up.
+    #[inline(always)]
+    pub fn following<V: Lanes>(&self) -> Vec3<V> {
+        let at = self.next;
+        Vec3::new(V::load(&self.x[at..]), V::load(&self.y[at..]), V::load(&self.z[at..]))
+    }
+
+    /// Uses up `count` triples.
+    #[inline(always)]
+    pub fn skip(&mut self, count: usize) {
+        self.next += count;
     }
 
     #[inline(always)]
     fn make(&mut self) {
-        self.used = 0;
+        let kept = PLACES - self.next;
+        for place in [&mut self.x, &mut self.y, &mut self.z] {
+            place.copy_within(PLACES - kept.., SLACK - kept);
+        }
+        self.next = SLACK - kept;
         match self.convention {
-            Scatter::Statement => self.draws.fill(&mut self.made[..]),
+            Scatter::Statement => self.draws.fill(&mut self.raw),
             Scatter::Published => {
-                for place in self.made.chunks_exact_mut(3) {
+                for place in self.raw.chunks_exact_mut(3) {
                     place.copy_from_slice(&unit_vector(&mut self.draws).to_array());
                 }
             }
             Scatter::Deterministic => {}
+        }
+        for (at, triple) in self.raw.chunks_exact(3).enumerate() {
+            self.x[SLACK + at] = triple[0];
+            self.y[SLACK + at] = triple[1];
+            self.z[SLACK + at] = triple[2];
         }
     }
 }
@@ -74,11 +111,13 @@ mod tests {
         for convention in [Scatter::Published, Scatter::Deterministic] {
             let (mut bulk, mut single) = (Triples::new(convention, 3), ScatterVectors::new(convention, 3));
             for _ in 0..3 * TRIPLES {
+                bulk.prepare();
                 assert_eq!(bulk.next(), single.next(1.0));
             }
         }
         let (mut bulk, mut single) = (Triples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
         for _ in 0..3 * TRIPLES {
+            bulk.prepare();
             assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
         }
     }

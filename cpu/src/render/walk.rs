@@ -1,86 +1,95 @@
 //! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
 //! each taking its random vectors from one stream.
+//!
+//! With few objects it goes [several samples at a time](super::leaps); here is the way of one ray after the other.
 
 use super::batch::Batch;
 use super::ends::Ended;
+use super::leaps;
+use super::queue::Queue;
 use super::vectors::Triples;
 use crate::certified::Intersect;
-use crate::layout::{Layout, Objects};
+use crate::layout::Layout;
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
 use crate::scatter;
-use crate::scene::MaterialId;
-use crate::search::{ObjectId, Stack};
+use crate::search::{Search, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::surface::{Onward, Surface};
 
 /// Walks paths; holds the stream and what waits for its background.
 #[derive(Debug)]
 pub struct Walk {
-    triples: Triples,
-    /// The paths of the present batch that have left the scene.
+    pub triples: Triples,
+    pub queue: Queue,
+    /// The paths of the queue that are done.
     pub ended: Ended,
     stack: Stack,
 }
 
 impl Walk {
     /// At the beginning of the stream.
-    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Self {
-        Self {
+    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Box<Self> {
+        Box::new(Self {
             triples: Triples::new(prepared.scatter, prepared.material_seed),
+            queue: Queue::new(),
             ended: Ended::new(),
             stack: Stack::EMPTY,
-        }
+        })
     }
 
     /// Follows every waiting sample to its end.
     #[inline(always)]
-    fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, batch: &mut Batch) {
-        for &sample in &batch.waiting {
-            let sample = sample as usize;
-            let object = batch.object[sample];
-            let depth_left = prepared.max_depth - 1 - batch.passed[sample];
-            let material = material_of(&prepared.objects, object);
-            let at = Standing { point: batch.point.get(sample), base: batch.base.get(sample), object, material };
-            self.follow_one::<S, L, P>(prepared, at, depth_left, sample);
+    fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, batch: &Batch) {
+        let all_go_on = self.queue.fill(prepared, batch);
+        match &prepared.search {
+            Search::Few(few) if all_go_on => leaps::follow::<S::Narrow, L, P>(prepared, few, self),
+            _ => {
+                for at in 0..self.queue.count {
+                    self.follow_one::<S, L, P>(prepared, at);
+                }
+            }
         }
     }
 
+    /// Follows the queue's sample `at`.
     #[inline(always)]
-    fn follow_one<S: Simd, L: Layout, P: Intersect>(
-        &mut self,
-        prepared: &Prepared<L, P>,
-        mut at: Standing,
-        mut depth_left: u64,
-        sample: usize,
-    ) {
-        self.ended.begin();
+    fn follow_one<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, at: usize) {
+        let Self { triples, queue, ended, stack } = self;
+        ended.begin(at);
+        let mut ray = Ray { origin: queue.point.get(at), direction: queue.base.get(at) };
+        let mut from = queue.object[at];
+        let mut material = queue.material[at];
+        let mut rays = queue.rays[at];
         loop {
-            let finish = &prepared.finishes[at.material as usize];
-            let vector = finish.vector(self.triples.next());
-            let direction = if finish.kind == Kind::Matte { scatter::matte(at.base, vector) } else { at.base + vector };
-            self.ended.meet(at.material);
-            let mut ray = Ray { origin: at.point, direction };
-            let mut from = at.object;
+            let finish = &prepared.finishes[material as usize];
+            triples.prepare();
+            let vector = finish.vector(triples.next());
+            let base = ray.direction;
+            ray.direction = if finish.kind == Kind::Matte { scatter::matte(base, vector) } else { base + vector };
             // On through refractive surfaces to the next one that scatters.
-            at = loop {
-                if depth_left == 0 {
-                    return self.ended.forget();
+            loop {
+                if rays == 0 {
+                    return ended.forget(at);
                 }
-                depth_left -= 1;
-                let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, &mut self.stack);
+                rays -= 1;
+                let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, stack);
                 if !found.is_hit() {
-                    return self.ended.leave(sample, ray.direction);
+                    return ended.leave(at, ray.direction);
                 }
                 let surface = Surface::new(&prepared.objects, &ray, &found);
                 from = found.object;
+                ray.origin = surface.point;
                 match surface.onward(&prepared.finishes[surface.material as usize], ray.direction) {
                     Onward::Scattered(base) => {
-                        break Standing { point: surface.point, base, object: from, material: surface.material };
+                        ray.direction = base;
+                        material = surface.material;
+                        break;
                     }
-                    Onward::Through(direction) => ray = Ray { origin: surface.point, direction },
+                    Onward::Through(direction) => ray.direction = direction,
                 }
-            };
+            }
+            ended.meet(material);
         }
     }
 }
@@ -89,7 +98,7 @@ impl Walk {
 pub struct Follow<'a, L: Layout, P> {
     pub prepared: &'a Prepared<L, P>,
     pub walk: &'a mut Walk,
-    pub batch: &'a mut Batch,
+    pub batch: &'a Batch,
 }
 
 impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
@@ -98,22 +107,5 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         self.walk.follow::<S, L, P>(self.prepared, self.batch);
-    }
-}
-
-/// A path on a surface that scatters.
-struct Standing {
-    point: crate::Vec3,
-    /// The direction in which the surface sends light before the random vector is added.
-    base: crate::Vec3,
-    object: ObjectId,
-    material: MaterialId,
-}
-
-#[inline(always)]
-fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
-    match (object as usize).checked_sub(objects.sphere_count()) {
-        None => objects.sphere(object as usize).material,
-        Some(index) => objects.cylinder(index).material,
     }
 }

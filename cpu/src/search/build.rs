@@ -1,6 +1,7 @@
 //! Building the hierarchy: from the top down, by the surface area heuristic over bins (Wald, "On fast construction of
 //! SAH-based bounding volume hierarchies", 2007), binary splits gathered into nodes of up to 16 children.
 
+use super::ObjectId;
 use super::bounds::Bounds;
 use super::hierarchy::{Child, Node, WIDTH};
 use crate::error::Error;
@@ -15,7 +16,7 @@ const MOST_SAH_DEPTH: u32 = 16;
 #[derive(Clone, Copy)]
 struct Item {
     bounds: Bounds,
-    id: u32,
+    id: ObjectId,
 }
 
 /// A part of the items that becomes one child.
@@ -37,15 +38,15 @@ impl Range {
     }
 }
 
-/// The nodes over objects with these bounds, the root first; none for no objects.
+/// The nodes over objects with these bounds, at most `most` of them, the root first; none for no objects.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
-pub fn build(bounds: impl ExactSizeIterator<Item = Bounds>) -> Result<Vec<Node>, Error> {
+pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> Result<Vec<Node>, Error> {
     let out_of_memory = |_| Error::OutOfMemory { what: "the hierarchy over the objects" };
     let mut items = Vec::new();
-    items.try_reserve_exact(bounds.len()).map_err(out_of_memory)?;
-    items.extend(bounds.enumerate().map(|(id, bounds)| Item { bounds, id: id as u32 }));
+    items.try_reserve_exact(most).map_err(out_of_memory)?;
+    items.extend(objects.map(|(bounds, id)| Item { bounds, id }));
     let mut nodes = Vec::new();
     if items.is_empty() {
         return Ok(nodes);
@@ -199,7 +200,7 @@ mod tests {
     }
 
     fn build_all(bounds: &[Bounds]) -> Vec<Node> {
-        build(bounds.iter().copied()).expect("it fits")
+        build(bounds.len(), bounds.iter().copied().zip(0..)).expect("it fits")
     }
 
     #[test]

@@ -1,76 +1,36 @@
-//! A search for scenes of a handful of objects: all of them at once, in double precision.
+//! A search for scenes of a handful of objects: several rays at once, each against every object, in double precision.
 //!
-//! A sphere is an infinite cylinder without an axis: with the axis null, the component perpendicular to it is the whole
-//! vector, to the bit. So one quadratic serves both kinds, with the bits of the exact formulas, and decides which
-//! objects are asked.
+//! It says which objects a ray may meet, and so which rays certainly leave the scene; the exact formulas are for the
+//! others. Its quadratics are theirs, to the bit, and its margins cover what rounding may do to them
+//! (docs/performance.md).
 
+use super::leaving::{crosses_slab, leaves_side, leaves_sphere, misses};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
+use crate::cylinder::CylinderRecord;
 use crate::layout::Objects;
-use crate::ray::{LAMBDA_MIN, Ray};
-use crate::simd::{LaneMask, Lanes, Simd};
-use crate::vec3::Vec3;
+use crate::prepare::Extent;
+use crate::ray::Ray;
+use crate::real::Real;
+use crate::simd::Lanes;
+use crate::sphere::SphereRecord;
 
-/// Most objects; every instruction set's lanes divide it.
+/// Most objects.
 pub const CAPACITY: usize = 8;
 
-/// Relative size of the margins: some hundred units in the last place.
-const MARGIN: f64 = 512.0 * f64::EPSILON;
-
-/// A value of every object.
-type Values = [f64; CAPACITY];
-
-/// The objects, a lane each.
+/// The objects, of which there are at most [`CAPACITY`].
 #[derive(Clone, Debug)]
-#[repr(align(64))]
 pub struct Few {
-    center: [Values; 3],
-    /// Null for a sphere.
-    axis: [Values; 3],
-    radius_squared: Values,
-    /// Of the bounding sphere.
-    bound_squared: Values,
-    /// Lanes that hold an object, as bits.
-    present: u32,
-    /// The objects in the order of the file.
     in_order: Vec<ObjectId>,
+    /// How far rounding may move a point of the scene, many times over.
+    slack: f64,
 }
 
 impl Few {
-    /// The search over `objects`, of which there are at most eight.
+    /// The search over `objects`.
     #[must_use]
-    pub fn new(objects: &impl Objects) -> Self {
-        let mut few = Self {
-            center: [[0.0; CAPACITY]; 3],
-            axis: [[0.0; CAPACITY]; 3],
-            radius_squared: [0.0; CAPACITY],
-            bound_squared: [0.0; CAPACITY],
-            present: 0,
-            in_order: super::in_order(objects),
-        };
-        for index in 0..objects.sphere_count() {
-            let record = objects.sphere(index).record;
-            few.set(record.center, Vec3::ZERO, record.radius_squared, record.radius_squared);
-        }
-        for index in 0..objects.cylinder_count() {
-            let record = objects.cylinder(index).record;
-            let bound = record.radius_squared + record.half_height * record.half_height;
-            few.set(record.center, record.axis, record.radius_squared, bound * (1.0 + 1e-7));
-        }
-        few
-    }
-
-    fn set(&mut self, center: Vec3, axis: Vec3, radius_squared: f64, bound_squared: f64) {
-        let lane = self.present.count_ones() as usize;
-        for (values, value) in self.center.iter_mut().zip(center.to_array()) {
-            values[lane] = value;
-        }
-        for (values, value) in self.axis.iter_mut().zip(axis.to_array()) {
-            values[lane] = value;
-        }
-        self.radius_squared[lane] = radius_squared;
-        self.bound_squared[lane] = bound_squared;
-        self.present |= 1 << lane;
+    pub fn new(objects: &impl Objects, extent: &Extent) -> Self {
+        Self { in_order: super::in_order(objects), slack: extent.reach * (8192.0 * f64::EPSILON) }
     }
 
     /// The objects in the order of the file.
@@ -79,61 +39,85 @@ impl Few {
         &self.in_order
     }
 
-    /// The nearest object that a ray meets.
+    /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
+    pub fn nearest<O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
+        let a = ray.direction.dot(ray.direction);
         let mut found = Found::NOTHING;
-        let mut bits = 0;
-        for at in (0..CAPACITY).step_by(S::Narrow::LANES) {
-            if self.present >> at != 0 {
-                bits |= self.meets::<S::Narrow>(ray, at) << at;
+        for index in 0..objects.sphere_count() {
+            if !misses_sphere(&objects.sphere(index).record, ray, a) {
+                found.ask_sphere::<O, P>(objects, index, ray);
             }
         }
-        bits &= self.present;
-        let spheres = objects.sphere_count();
-        while bits != 0 {
-            let id = bits.trailing_zeros() as usize;
-            bits &= bits - 1;
-            match id.checked_sub(spheres) {
-                None => found.ask_sphere::<O, P>(objects, id, ray),
-                Some(index) => found.ask_cylinder::<O, P>(objects, index, ray),
+        for index in 0..objects.cylinder_count() {
+            if !misses_cylinder(&objects.cylinder(index).record, ray, a, self.slack) {
+                found.ask_cylinder::<O, P>(objects, index, ray);
             }
         }
         found
     }
 
-    /// The objects from lane `at` on that the ray may meet, as bits.
+    /// The objects that each ray, which starts within the scene's reach, may meet: the sum of 2^[id](ObjectId).
     #[inline(always)]
-    fn meets<V: Lanes>(&self, ray: &Ray, at: usize) -> u32 {
-        const T: f64 = LAMBDA_MIN;
-        let zero = V::of(0.0);
-        let (center, axis) = (load::<V>(&self.center, at), load::<V>(&self.axis, at));
-        let (radius_squared, bound_squared) = (V::load(&self.radius_squared[at..]), V::load(&self.bound_squared[at..]));
-        let direction = ray.direction.map(V::of);
-        let from_center = ray.origin.map(V::of) - center;
-        // The infinite cylinder, or the sphere.
-        let d = direction.perpendicular_to(axis);
-        let r_c = from_center.perpendicular_to(axis);
-        let a = d.dot(d);
-        let h = r_c.dot(d);
-        let c = r_c.dot(r_c) - radius_squared;
-        // The whole of direction and distance bounds what cancellation may have left of a cylinder's.
-        let whole_a = direction.dot(direction);
-        let whole_h = from_center.dot(direction);
-        let whole_q = from_center.dot(from_center);
-        let size = whole_q + radius_squared;
-        let touches = zero.less_equal(h * h - a * c + whole_a * size * V::of(MARGIN));
-        let bound = whole_h * whole_h - whole_a * (whole_q - bound_squared);
-        let near = zero.less_equal(bound + whole_a * size * V::of(MARGIN));
-        // See `leaving`: past the smallest lambda that counts, the quadratic stays positive.
-        let leaves = zero.less(h) & (size * V::of(MARGIN)).less(a * V::of(T * T) + h * V::of(2.0 * T) + c);
-        (touches & near & !leaves).bits()
+    pub fn touched<V: Lanes, O: Objects>(&self, objects: &O, ray: &Ray<V>) -> V {
+        let a = ray.direction.dot(ray.direction);
+        let mut touched = V::of(0.0);
+        let mut weight = 1.0;
+        for index in 0..objects.sphere_count() {
+            let missed = misses_sphere(&objects.sphere(index).record, ray, a);
+            touched = touched + V::select(missed, V::of(0.0), V::of(weight));
+            weight += weight;
+        }
+        for index in 0..objects.cylinder_count() {
+            let missed = misses_cylinder(&objects.cylinder(index).record, ray, a, self.slack);
+            touched = touched + V::select(missed, V::of(0.0), V::of(weight));
+            weight += weight;
+        }
+        touched
     }
 }
 
+/// Of objects that rays may meet, as [`Few::touched`] gives them, the nearest that this one meets.
 #[inline(always)]
-fn load<V: Lanes>([x, y, z]: &[Values; 3], at: usize) -> Vec3<V> {
-    Vec3::new(V::load(&x[at..]), V::load(&y[at..]), V::load(&z[at..]))
+pub fn nearest_of<O: Objects, P: Intersect>(objects: &O, ray: &Ray, touched: u32) -> Found {
+    let mut found = Found::NOTHING;
+    // Object by object, so that the processor can guess which it will be before it knows the bits.
+    for index in 0..objects.sphere_count() {
+        if touched >> index & 1 == 1 {
+            found.ask_sphere::<O, P>(objects, index, ray);
+        }
+    }
+    for index in 0..objects.cylinder_count() {
+        if touched >> (objects.sphere_count() + index) & 1 == 1 {
+            found.ask_cylinder::<O, P>(objects, index, ray);
+        }
+    }
+    found
+}
+
+/// Whether rays certainly do not meet the sphere. `a` is `direction.direction`.
+#[inline(always)]
+fn misses_sphere<V: Real>(record: &SphereRecord, ray: &Ray<V>, a: V) -> V::Mask {
+    let view = record.lanes::<V>().seen_from(ray.origin);
+    let (h, discriminant) = view.quadratic(ray.direction, a);
+    let size = view.c.abs() + V::of(2.0 * record.radius_squared);
+    misses(discriminant, a * size) | leaves_sphere(a, h, view.c, size)
+}
+
+/// Whether rays certainly do not meet the cylinder.
+#[inline(always)]
+fn misses_cylinder<V: Real>(record: &CylinderRecord, ray: &Ray<V>, a: V, slack: f64) -> V::Mask {
+    let lanes = record.lanes::<V>();
+    let view = lanes.seen_from(ray.origin);
+    let (side_a, h, discriminant) = lanes.quadratic(&view, ray.direction);
+    // The whole distance bounds what cancellation may have left of the perpendicular parts.
+    let from_center = ray.origin - lanes.center;
+    let size = from_center.dot(from_center) + lanes.radius_squared;
+    let along = from_center.dot(lanes.axis);
+    let slope = ray.direction.dot(lanes.axis);
+    misses(discriminant, a * size)
+        | leaves_side(side_a, h, view.c, size)
+        | !crosses_slab(along, slope, V::of(record.half_height + slack))
 }
 
 /// Whether a scene of this many objects is searched like this.
@@ -141,6 +125,3 @@ fn load<V: Lanes>([x, y, z]: &[Values; 3], at: usize) -> Vec3<V> {
 pub fn suits(objects: &impl Objects) -> bool {
     objects.sphere_count() + objects.cylinder_count() <= CAPACITY
 }
-
-/// The objects' positions in the search are their lanes.
-const _: () = assert!(CAPACITY <= ObjectId::BITS as usize);

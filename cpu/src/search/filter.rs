@@ -1,6 +1,7 @@
 //! A filter over all objects, several at once, in single precision.
 
-use super::leaving::{leaves_cylinder, leaves_sphere};
+use super::ground::{Ground, is_avoided};
+use super::leaving::leaves_cylinder;
 use super::{Found, NOWHERE, ObjectId};
 use crate::certified::Intersect;
 use crate::error::Error;
@@ -58,8 +59,7 @@ impl Tubes {
 #[derive(Debug)]
 pub struct Filter {
     middle: Vec3,
-    /// A sphere much larger than all else, which nearly every ray would have to ask: it is asked apart.
-    ground: Option<u32>,
+    ground: Ground,
     spheres: Vec<Balls>,
     cylinders: Vec<(Balls, Tubes)>,
     sphere_count: u32,
@@ -144,11 +144,11 @@ impl Filter {
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = (objects.sphere_count(), objects.cylinder_count());
-        let ground = ground(objects);
+        let ground = Ground::of(objects);
         let middle = middle(objects, ground);
         let mut spheres = blocks(sphere_count, Balls::EMPTY)?;
         let mut cylinders = blocks(cylinder_count, (Balls::EMPTY, Tubes::EMPTY))?;
-        for index in (0..sphere_count).filter(|&index| ground != Some(index as u32)) {
+        for index in (0..sphere_count).filter(|&index| !ground.is(index as ObjectId)) {
             let sphere = objects.sphere(index).record;
             let (block, lane) = (&mut spheres[index / BLOCK], index % BLOCK);
             block.set(lane, sphere.center - middle, sphere.radius_squared);
@@ -191,7 +191,7 @@ impl Filter {
         }
         // The object that the ray starts on passes every filter; mostly the ray leaves it.
         if from < self.sphere_count {
-            if Some(from) != self.ground && leaves(objects, from as usize, ray, a) {
+            if !self.ground.is(from) && is_avoided(objects, from as usize, ray, a) {
                 spheres &= !(1 << from);
             }
         } else if from != NOWHERE {
@@ -201,8 +201,8 @@ impl Filter {
                 cylinders &= !(1 << index);
             }
         }
-        if let Some(ground) = self.ground
-            && !leaves(objects, ground as usize, ray, a)
+        if let Some(ground) = self.ground.id()
+            && !is_avoided(objects, ground as usize, ray, a)
         {
             spheres |= 1 << ground;
         }
@@ -220,14 +220,6 @@ impl Filter {
         }
         found
     }
-}
-
-/// Whether the ray certainly does not meet the sphere at `index`.
-#[inline(always)]
-fn leaves<O: Objects>(objects: &O, index: usize, ray: &Ray, a: f64) -> bool {
-    let sphere = objects.sphere(index).record;
-    let view = sphere.seen_from(ray.origin);
-    leaves_sphere(&sphere, &view, a, view.quadratic(ray.direction, a).0)
 }
 
 impl Balls {
@@ -253,25 +245,10 @@ fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
     Ok(blocks)
 }
 
-/// A sphere at least this many times as large as everything else is asked apart.
-const GROUND_RATIO: f64 = 8.0;
-
-fn ground(objects: &impl Objects) -> Option<u32> {
-    let radius = |index| objects.sphere(index).record.radius;
-    let largest = (0..objects.sphere_count()).max_by(|&left, &right| radius(left).total_cmp(&radius(right)))?;
-    let others = (0..objects.sphere_count()).filter(|&index| index != largest).map(radius);
-    let cylinders = (0..objects.cylinder_count()).map(|index| {
-        let record = objects.cylinder(index).record;
-        record.radius.hypot(record.half_height)
-    });
-    let next = others.chain(cylinders).fold(0.0, f64::max);
-    (radius(largest) >= GROUND_RATIO * next).then_some(largest as u32)
-}
-
 /// The middle of all that is filtered: coordinates relative to it lose least in single precision.
-fn middle(objects: &impl Objects, ground: Option<u32>) -> Vec3 {
+fn middle(objects: &impl Objects, ground: Ground) -> Vec3 {
     let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
-    let spheres = (0..objects.sphere_count()).filter(|&index| ground != Some(index as u32));
+    let spheres = (0..objects.sphere_count()).filter(|&index| !ground.is(index as ObjectId));
     let centers = spheres.map(|index| objects.sphere(index).record.center);
     for center in centers.chain((0..objects.cylinder_count()).map(|index| objects.cylinder(index).record.center)) {
         low = Vec3::new(low.x.min(center.x), low.y.min(center.y), low.z.min(center.z));

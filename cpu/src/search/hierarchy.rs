@@ -7,7 +7,8 @@
 
 use super::bounds::Bounds;
 use super::build::build;
-use super::leaving::{leaves_cylinder, leaves_sphere, misses_sphere};
+use super::ground::{Ground, is_avoided};
+use super::leaving::leaves_cylinder;
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::error::Error;
@@ -51,6 +52,11 @@ impl Child {
         if self.0 & Self::OBJECT == 0 { None } else { Some(self.0 & !Self::OBJECT) }
     }
 
+    /// The object that it leads to.
+    const fn as_id(self) -> ObjectId {
+        self.0 & !Self::OBJECT
+    }
+
     /// The node, if it leads to one.
     pub const fn as_node(self) -> u32 {
         self.0
@@ -64,6 +70,8 @@ pub struct Node {
     low: [[f32; WIDTH]; 3],
     high: [[f32; WIDTH]; 3],
     child: [Child; WIDTH],
+    /// Lanes that lead to objects, as bits.
+    objects: u32,
 }
 
 impl Node {
@@ -72,6 +80,7 @@ impl Node {
         low: [[f32::INFINITY; WIDTH]; 3],
         high: [[f32::NEG_INFINITY; WIDTH]; 3],
         child: [Child::node(0); WIDTH],
+        objects: 0,
     };
 
     /// Makes a child of a lane.
@@ -81,6 +90,7 @@ impl Node {
             self.high[axis][lane] = bounds.high[axis];
         }
         self.child[lane] = child;
+        self.objects |= u32::from(child.as_object().is_some()) << lane;
     }
 
     /// The children with their boxes.
@@ -99,6 +109,8 @@ impl Node {
 #[derive(Debug)]
 pub struct Hierarchy {
     nodes: Vec<Node>,
+    /// It is not in the tree.
+    ground: Ground,
     /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
     reach: f64,
 }
@@ -169,8 +181,10 @@ impl Hierarchy {
         if count >= Child::OBJECT as usize {
             return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
         }
-        let nodes = build((0..count).map(|id| Bounds::of_object(objects, id, extent)))?;
-        Ok(Self { nodes, reach: 2.0 * extent.reach })
+        let ground = Ground::of(objects);
+        let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
+        let nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
+        Ok(Self { nodes, ground, reach: 2.0 * extent.reach })
     }
 
     /// Whether a ray from `origin` may use the tree.
@@ -191,7 +205,11 @@ impl Hierarchy {
         let mut found = Found::NOTHING;
         let a = ray.direction.dot(ray.direction);
         // A direction of no length, or of no number, has no distances; every object that it could meet is none.
-        if a <= 0.0 || a.is_nan() || self.nodes.is_empty() {
+        if a <= 0.0 || a.is_nan() {
+            return found;
+        }
+        self.ground.ask::<O, P>(&mut found, objects, ray, a);
+        if self.nodes.is_empty() {
             return found;
         }
         let box_ray = BoxRay::<S::F32>::new(ray);
@@ -213,34 +231,40 @@ impl Hierarchy {
                 near.store(&mut distances[at..]);
                 bits |= met << at;
             }
+            let mut asked = bits & node.objects;
+            let mut entered = bits & !node.objects;
+            while asked != 0 {
+                let lane = asked.trailing_zeros() as usize % WIDTH;
+                asked &= asked - 1;
+                ask::<O, P>(&mut found, objects, node.child[lane].as_id(), ray, a, from);
+            }
             let first = waiting;
-            while bits != 0 {
-                let lane = bits.trailing_zeros() as usize % WIDTH;
-                bits &= bits - 1;
-                match node.child[lane].as_object() {
-                    Some(id) => ask::<O, P>(&mut found, objects, id, ray, a, from),
-                    None => {
-                        // Kept in order, the nearest last, so that it is taken first.
-                        let entry = (node.child[lane].as_node(), distances[lane]);
-                        let mut place = waiting.min(STACK - 1);
-                        while place > first && stack[place - 1].1 < entry.1 {
-                            stack[place] = stack[place - 1];
-                            place -= 1;
-                        }
-                        stack[place] = entry;
-                        waiting += 1;
-                    }
+            while entered != 0 {
+                let lane = entered.trailing_zeros() as usize % WIDTH;
+                entered &= entered - 1;
+                // Kept in order, the nearest last, so that it is taken first.
+                let entry = (node.child[lane].as_node(), distances[lane]);
+                let mut place = waiting.min(STACK - 1);
+                while place > first && stack[place - 1].1 < entry.1 {
+                    stack[place] = stack[place - 1];
+                    place -= 1;
                 }
+                stack[place] = entry;
+                waiting += 1;
             }
         }
         found
     }
 
-    /// Calls `visit` with every object whose box, or that of a node above it, `reaches` does not rule out.
+    /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
+    /// out.
     pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
         let mut pending = Vec::with_capacity(STACK);
         if !self.nodes.is_empty() {
             pending.push(0);
+        }
+        if let Some(id) = self.ground.id() {
+            visit(id);
         }
         while let Some(index) = pending.pop() {
             for (bounds, child) in self.nodes[index as usize].children() {
@@ -260,10 +284,8 @@ impl Hierarchy {
 fn ask<O: Objects, P: Intersect>(found: &mut Found, objects: &O, id: ObjectId, ray: &Ray, a: f64, from: ObjectId) {
     match (id as usize).checked_sub(objects.sphere_count()) {
         None => {
-            let sphere = objects.sphere(id as usize).record;
-            let view = sphere.seen_from(ray.origin);
-            let (h, discriminant) = view.quadratic(ray.direction, a);
-            if !misses_sphere(&sphere, &view, a, discriminant) && !leaves_sphere(&sphere, &view, a, h) {
+            // Most spheres whose boxes are met are missed.
+            if !is_avoided(objects, id as usize, ray, a) {
                 found.ask_sphere::<O, P>(objects, id as usize, ray);
             }
         }

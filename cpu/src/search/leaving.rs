@@ -6,25 +6,39 @@
 
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::ray::LAMBDA_MIN as T;
-use crate::sphere::{SphereRecord, SphereView};
+use crate::real::Real;
 use crate::vec3::Vec3;
 
 /// Relative size of the margin: some hundred units in the last place.
 const MARGIN: f64 = 128.0 * f64::EPSILON;
 
-/// Whether a ray certainly has no root that counts: past the sphere, or leaving it. `a` is `direction.direction` and
-/// `h` the view's product with the direction.
+/// Whether a line certainly misses: the discriminant is below what rounding can make of zero. `size` bounds the
+/// products that it is the difference of.
 #[inline(always)]
-pub fn leaves_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, h: f64) -> bool {
-    let margin = MARGIN * (view.c.abs() + 2.0 * sphere.radius_squared);
-    (h < 0.0) & (a * (T * T) - 2.0 * T * h + view.c > margin)
+pub fn misses<R: Real>(discriminant: R, size: R) -> R::Mask {
+    discriminant.less(size * R::of(-4.0 * MARGIN))
 }
 
-/// Whether the line certainly misses the sphere: the discriminant is below what rounding can make of zero.
+/// Whether a ray certainly has no root that counts: past the sphere, or leaving it. `a`, `h` and `c` are the
+/// quadratic's, `size` bounds the terms of `c`.
 #[inline(always)]
-pub fn misses_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, discriminant: f64) -> bool {
-    let size = a * (view.c.abs() + 2.0 * sphere.radius_squared);
-    discriminant < -(4.0 * MARGIN) * size
+pub fn leaves_sphere<R: Real>(a: R, h: R, c: R, size: R) -> R::Mask {
+    h.less(R::of(0.0)) & (size * R::of(MARGIN)).less(a * R::of(T * T) - h * R::of(2.0 * T) + c)
+}
+
+/// [`leaves_sphere`] for an infinite cylinder, whose `h` has the other sign.
+#[inline(always)]
+pub fn leaves_side<R: Real>(a: R, h: R, c: R, size: R) -> R::Mask {
+    R::of(0.0).less(h) & (size * R::of(4.0 * MARGIN)).less(a * R::of(T * T) + h * R::of(2.0 * T) + c)
+}
+
+/// Whether a ray may be between two planes at a lambda that counts. Its origin is `along` the planes' normal from
+/// the middle between them, where it advances by `slope`; the planes are `half_width` from the middle, rounding included.
+#[inline(always)]
+pub fn crosses_slab<R: Real>(along: R, slope: R, half_width: R) -> R::Mask {
+    // Seen in the direction in which the ray advances.
+    let from_middle = R::select(slope.less(R::of(0.0)), -along, along);
+    !half_width.less(from_middle + slope.abs() * R::of(T))
 }
 
 /// Whether a ray certainly meets no part of the cylinder: it leaves the infinite cylinder, or the slab between the
@@ -32,29 +46,33 @@ pub fn misses_sphere(sphere: &SphereRecord, view: &SphereView, a: f64, discrimin
 #[inline(always)]
 pub fn leaves_cylinder(cylinder: &CylinderRecord, view: &CylinderView, direction: Vec3, origin: Vec3) -> bool {
     let (a, h, _) = cylinder.quadratic(view, direction);
-    let scale = origin.dot(origin) + cylinder.center.dot(cylinder.center) + cylinder.radius_squared;
-    if h > 0.0 && a * (T * T) + 2.0 * T * h + view.c > MARGIN * scale {
+    let size = origin.dot(origin) + cylinder.center.dot(cylinder.center) + cylinder.radius_squared;
+    if leaves_side(a, h, view.c, size) {
         return true;
     }
-    let slope = direction.dot(cylinder.axis);
-    let margin = MARGIN * (scale.sqrt() + cylinder.half_height);
-    (slope > 0.0 && slope * T - view.to_top > margin) || (slope < 0.0 && view.to_bottom - slope * T > margin)
+    let along = (origin - cylinder.center).dot(cylinder.axis);
+    let slack = 4.0 * MARGIN * (size.sqrt() + cylinder.half_height);
+    !crosses_slab(along, direction.dot(cylinder.axis), cylinder.half_height + slack)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::ray::Ray;
+    use crate::sphere::{SphereRecord, SphereView};
+
+    fn leaves(sphere: &SphereRecord, view: &SphereView, direction: Vec3) -> bool {
+        let a = direction.dot(direction);
+        leaves_sphere(a, view.quadratic(direction, a).0, view.c, view.c.abs() + 2.0 * sphere.radius_squared)
+    }
+
     use crate::rng::Uniform;
 
     #[test]
     fn a_ray_that_goes_outward_leaves_and_one_that_goes_inward_does_not() {
         let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
         let view = sphere.seen_from(Vec3::new(0.0, 1.0, 0.0));
-        let leaves = |direction: Vec3| {
-            let a = direction.dot(direction);
-            leaves_sphere(&sphere, &view, a, view.quadratic(direction, a).0)
-        };
+        let leaves = |direction: Vec3| leaves(&sphere, &view, direction);
         assert!(leaves(Vec3::new(0.3, 1.0, 0.0)) && leaves(Vec3::new(1.0, 1e-9, 0.0)));
         assert!(!leaves(Vec3::new(0.3, -1.0, 0.0)) && !leaves(Vec3::new(1.0, -1e-9, 0.0)));
     }
@@ -87,8 +105,7 @@ mod tests {
                 + normal * (draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-12.0, 0.0)));
             let ray = Ray { origin, direction };
             let view = sphere.seen_from(origin);
-            let a = direction.dot(direction);
-            let leaves = leaves_sphere(&sphere, &view, a, view.quadratic(direction, a).0);
+            let leaves = leaves(&sphere, &view, direction);
             left += u32::from(leaves);
             met += u32::from(!leaves);
             if leaves {

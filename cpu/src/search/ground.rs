@@ -1,0 +1,87 @@
+//! A sphere much larger than all else, which nearly every ray would have to ask: it is asked apart.
+
+use super::leaving::{leaves_sphere, misses};
+use super::{Found, ObjectId};
+use crate::certified::Intersect;
+use crate::layout::Objects;
+use crate::ray::Ray;
+
+/// A sphere at least this many times as large as everything else is asked apart.
+const RATIO: f64 = 8.0;
+
+/// The sphere that is asked apart, if there is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ground(Option<ObjectId>);
+
+impl Ground {
+    /// The ground among `objects`.
+    #[must_use]
+    pub fn of(objects: &impl Objects) -> Self {
+        let radius = |index| objects.sphere(index).record.radius;
+        let by_radius = |&left: &usize, &right: &usize| radius(left).total_cmp(&radius(right));
+        let Some(largest) = (0..objects.sphere_count()).max_by(by_radius) else {
+            return Self(None);
+        };
+        let others = (0..objects.sphere_count()).filter(|&index| index != largest).map(radius);
+        let cylinders = (0..objects.cylinder_count()).map(|index| {
+            let record = objects.cylinder(index).record;
+            record.radius.hypot(record.half_height)
+        });
+        let next = others.chain(cylinders).fold(0.0, f64::max);
+        Self((radius(largest) >= RATIO * next).then_some(largest as ObjectId))
+    }
+
+    /// Its position in the search.
+    #[must_use]
+    pub const fn id(self) -> Option<ObjectId> {
+        self.0
+    }
+
+    /// Whether it is the object `id`.
+    #[inline(always)]
+    #[must_use]
+    pub fn is(self, id: ObjectId) -> bool {
+        self.0 == Some(id)
+    }
+
+    /// Takes it into account, unless the ray certainly does not meet it. `a` is `direction.direction`.
+    #[inline(always)]
+    pub fn ask<O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, ray: &Ray, a: f64) {
+        if let Some(id) = self.0
+            && !is_avoided(objects, id as usize, ray, a)
+        {
+            found.ask_sphere::<O, P>(objects, id as usize, ray);
+        }
+    }
+}
+
+/// Whether the ray certainly does not meet the sphere at `index`: it misses it, or leaves it.
+#[inline(always)]
+pub fn is_avoided<O: Objects>(objects: &O, index: usize, ray: &Ray, a: f64) -> bool {
+    let sphere = objects.sphere(index).record;
+    let view = sphere.seen_from(ray.origin);
+    let (h, discriminant) = view.quadratic(ray.direction, a);
+    let size = view.c.abs() + 2.0 * sphere.radius_squared;
+    misses(discriminant, a * size) | leaves_sphere(a, h, view.c, size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::AosObjects;
+    use crate::scene::Scene;
+
+    fn ground_of(objects: &str) -> Option<ObjectId> {
+        let scene = Scene::parse(format!("matte: m 1 1 1\n{objects}").as_bytes()).expect("the scene is valid");
+        Ground::of(&AosObjects::build(&scene).expect("it fits")).id()
+    }
+
+    #[test]
+    fn only_a_sphere_much_larger_than_all_else_is_asked_apart() {
+        assert_eq!(ground_of("sphere: 0 0 0 1 m\nsphere: 0 -9 0 8 m\n"), Some(1));
+        assert_eq!(ground_of("sphere: 0 0 0 1 m\nsphere: 0 -9 0 7.9 m\n"), None);
+        assert_eq!(ground_of("sphere: 0 -9 0 8 m\ncylinder: 0 0 0 .1 0 3 0 m\n"), None, "the cylinder is long");
+        assert_eq!(ground_of("cylinder: 0 0 0 .1 0 3 0 m\n"), None, "there is no sphere");
+        assert_eq!(ground_of("sphere: 0 0 0 1 m\n"), Some(0), "alone it is larger than all else");
+    }
+}
