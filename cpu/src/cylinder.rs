@@ -123,18 +123,18 @@ impl<T: Real> CylinderRecord<T> {
         (a, h, h * h - a * view.c)
     }
 
-    /// How far the point at `lambda` is from the plane halfway between the bases.
+    /// How far the point at `lambda` is along the axis from the plane halfway between the bases.
     #[inline(always)]
     #[must_use]
-    pub fn distance_from_middle(&self, ray: &Ray<T>, lambda: T) -> T {
-        (ray.at(lambda) - self.center).dot(self.axis).abs()
+    pub fn along(&self, ray: &Ray<T>, lambda: T) -> T {
+        (ray.at(lambda) - self.center).dot(self.axis)
     }
 
     /// Whether the side's point at `lambda` lies between the bases.
     #[inline(always)]
     #[must_use]
     pub fn within_height(&self, ray: &Ray<T>, lambda: T) -> T::Mask {
-        self.distance_from_middle(ray, lambda).less_equal(self.half_height)
+        self.along(ray, lambda).abs().less_equal(self.half_height)
     }
 
     /// The curved side, given the quadratic: the smaller root that is in range and between the bases, else the larger;

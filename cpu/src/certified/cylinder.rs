@@ -16,7 +16,7 @@ use crate::real::Real;
 use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;
 
-pub use cylinder_lanes::{Lanes, judge_lanes};
+pub use cylinder_lanes::{Lanes, SideLanes, judge_lanes};
 
 /// Counted in `docs/accuracy.md`: the noise is at most 132. With this condition lambdas are right to 1.6e-10 on the side
 /// and 6.2e-10 on a base (measured: 1.4e-11).
@@ -44,6 +44,10 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 }
 
 /// What the textbook says in the arithmetic `T`, unless rounding may have changed it.
+///
+/// The cylinder is convex: the line meets its surface where it enters and where it leaves, and nowhere else. So no base
+/// is nearer than the side where that is entered, none but the base that faces the ray is nearer than where the side is
+/// left, and the other base counts only where nothing else does.
 #[inline(always)]
 #[must_use]
 pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
@@ -60,23 +64,38 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>)
         return Verdict::Certain(Some((entry.lambda, Part::Side)));
     }
     let exit = side.crossing(record, ray, -side.h + root, root);
-    if !(entry.fails && (exit.hits || exit.fails)) {
+    if !(entry.fails() && (exit.hits || exit.fails())) {
         return Verdict::Doubtful;
     }
-    let mut nearest = exit.hits.then_some((exit.lambda, Part::Side));
-    for (base, part) in [(record.top, Part::Top), (record.bottom, Part::Bottom)] {
-        let disc = disc(record, ray, base);
-        if disc.hits {
-            match nearest {
-                Some((best, _)) if in_either_order(best, disc.lambda) => return Verdict::Doubtful,
-                Some((best, _)) if best.less(disc.lambda) => {}
-                _ => nearest = Some((disc.lambda, part)),
-            }
-        } else if !disc.fails {
-            return Verdict::Doubtful;
-        }
+    if entry.passes_by(&exit) {
+        return Verdict::Certain(None);
     }
-    Verdict::Certain(nearest)
+    let (top, bottom) = ((record.top, Part::Top), (record.bottom, Part::Bottom));
+    let [facing, other] = if ray.direction.dot(record.axis).less(T::of(0.0)) { [top, bottom] } else { [bottom, top] };
+    match base(record, ray, facing) {
+        Verdict::Certain(None) if exit.hits => Verdict::Certain(Some((exit.lambda, Part::Side))),
+        Verdict::Certain(None) => base(record, ray, other),
+        found => found,
+    }
+}
+
+/// One base alone.
+#[inline(always)]
+fn base<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    (center, part): (Vec3<T>, Part),
+) -> Verdict<Option<(T, Part)>> {
+    let plane = Plane::new(record, ray, center);
+    if plane.fails {
+        return Verdict::Certain(None);
+    }
+    let disc = plane.disc(record, ray);
+    match (disc.hits, disc.fails) {
+        (true, _) => Verdict::Certain(Some((disc.lambda, part))),
+        (_, true) => Verdict::Certain(None),
+        _ => Verdict::Doubtful,
+    }
 }
 
 /// The endless cylinder's quadratic, and its certificate.
@@ -89,6 +108,35 @@ pub(super) struct Side<T> {
     pub discriminant: T,
 }
 
+/// Where a line crosses the endless cylinder: what is certain of it. Where none holds it is in doubt.
+#[derive(Clone, Copy)]
+pub(super) struct Crossing<T: Real> {
+    pub lambda: T,
+    /// Between the bases, and it counts.
+    pub hits: T::Mask,
+    /// At a lambda too small.
+    behind: T::Mask,
+    /// Beyond the upper base.
+    above: T::Mask,
+    /// Beyond the lower base.
+    below: T::Mask,
+}
+
+impl<T: Real> Crossing<T> {
+    /// The side is certainly not met there.
+    #[inline(always)]
+    pub fn fails(&self) -> T::Mask {
+        self.behind | self.above | self.below
+    }
+
+    /// Whether a line that enters the endless cylinder here and leaves it at `exit` certainly meets no part of the
+    /// cylinder: it has left already, or is beyond one base all the way.
+    #[inline(always)]
+    pub fn passes_by(&self, exit: &Self) -> T::Mask {
+        exit.behind | (self.above & exit.above) | (self.below & exit.below)
+    }
+}
+
 impl<T: Rounding> Side<T> {
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
@@ -99,53 +147,70 @@ impl<T: Rounding> Side<T> {
         Self { certificate, length_squared, a, h, discriminant }
     }
 
-    /// Whether the side is met where the line crosses the endless cylinder. The cylinder is convex: where the line
-    /// enters through the side, with the smaller root, no base is nearer.
+    /// Whether the side is met where the line crosses the endless cylinder.
     #[inline(always)]
-    pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Outcome<T> {
+    pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
         // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
         let condition = LIMITS.condition::<T>();
         let steep_enough = self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition));
         let crossing = self.certificate.root(self.a, numerator, root);
-        let along = record.distance_from_middle(ray, crossing.lambda);
+        let along = record.along(ray, crossing.lambda);
         let margin = margin(record, ray, crossing.lambda);
-        let (between, beyond) = (along.less(record.half_height - margin), (record.half_height + margin).less(along));
-        Outcome {
+        let accurate = steep_enough & crossing.hits;
+        let beyond = record.half_height + margin;
+        Crossing {
             lambda: crossing.lambda,
-            hits: steep_enough & crossing.hits & between,
-            fails: steep_enough & (crossing.fails | (crossing.hits & beyond)),
+            hits: accurate & along.abs().less(record.half_height - margin),
+            behind: steep_enough & crossing.fails,
+            above: accurate & beyond.less(along),
+            below: accurate & beyond.less(-along),
         }
     }
 }
 
-/// Whether two accepted lambdas are too near to each other for their order to be certain.
-#[inline(always)]
-fn in_either_order<T: Rounding>(one: T, other: T) -> T::Mask {
-    (one - other).abs().less_equal(one * T::of(2.0 * LIMITS.lambda_error::<T>()))
+/// A base's plane, and what is certain of it before it is met.
+pub(super) struct Plane<T: Real> {
+    center: Vec3<T>,
+    /// From the ray's origin to the plane along the axis.
+    to_plane: T,
+    /// The plane is certainly not met: it is parallel to the ray, behind it, or too near.
+    pub fails: T::Mask,
+    /// The ray is certainly not parallel to it.
+    steep: T::Mask,
+    /// Lambda can be computed to the accuracy asked for.
+    accurate: T::Mask,
 }
 
-/// Whether the disc around `base` is met.
-#[inline(always)]
-pub(super) fn disc<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, base: Vec3<T>) -> Outcome<T> {
-    let condition = LIMITS.condition::<T>();
-    // The distance to the plane along the axis; below, positive in front of the ray.
-    let to_base = base - ray.origin;
-    let distance = to_base.dot(record.axis);
-    let (lambda, slope) = record.plane(ray, distance);
-    let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
-    let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
-    let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
-    let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
-    let distance = T::select(slope.less(T::of(0.0)), -distance, distance);
-    let size = extent(record) + magnitude(to_base);
-    let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-    let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));
-    let accurate = size.less(distance * T::of(4.0 * condition)) & reach.less(steepness * T::of(8.0 * condition));
-    let in_range = accurate & LIMITS.in_range(lambda);
-    let from_center = (ray.at(lambda) - base).length();
-    let margin = margin(record, ray, lambda);
-    let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
-    Outcome { lambda, hits: steep & in_range & within, fails: parallel | (steep & (too_near | (in_range & beyond))) }
+impl<T: Rounding> Plane<T> {
+    /// The plane of the base around `center`.
+    #[inline(always)]
+    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Self {
+        let condition = LIMITS.condition::<T>();
+        let to_center = center - ray.origin;
+        let (to_plane, slope) = (to_center.dot(record.axis), ray.direction.dot(record.axis));
+        let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
+        let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
+        let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
+        let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
+        // Positive in front of the ray.
+        let distance = T::select(slope.less(T::of(0.0)), -to_plane, to_plane);
+        let size = extent(record) + magnitude(to_center);
+        let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
+        let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));
+        let accurate = size.less(distance * T::of(4.0 * condition)) & reach.less(steepness * T::of(8.0 * condition));
+        Self { center, to_plane, fails: parallel | (steep & too_near), steep, accurate }
+    }
+
+    /// Whether the disc is met.
+    #[inline(always)]
+    pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
+        let (lambda, _) = record.plane(ray, self.to_plane);
+        let in_range = self.accurate & LIMITS.in_range(lambda);
+        let from_center = (ray.at(lambda) - self.center).length();
+        let margin = margin(record, ray, lambda);
+        let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
+        Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
+    }
 }
 
 /// The size of a cylinder's coordinates, and of itself. The same for all rays.

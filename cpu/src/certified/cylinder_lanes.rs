@@ -1,10 +1,11 @@
 //! Several rays or cylinders at once, without a branch; see [`super::cylinder`] for one.
 
 use super::certificate::Rounding;
-use super::cylinder::{LIMITS, Side, disc};
+use super::cylinder::{Crossing, Plane, Side};
 use crate::cylinder::CylinderRecord;
 use crate::ray::Ray;
 use crate::real::Real;
+use crate::vec3::Vec3;
 
 /// The answers of several rays or cylinders at once.
 #[derive(Clone, Copy, Debug)]
@@ -13,42 +14,88 @@ pub struct Lanes<T: Real> {
     pub lambda: T,
     /// Lanes that meet the upper base, if they meet anything.
     pub top: T::Mask,
-    /// Lanes that meet the lower base rather than anything else, if they meet anything. It comes before `top`.
+    /// Lanes that meet the lower base, if they meet anything.
     pub bottom: T::Mask,
     /// Lanes whose answer is right. The others are for [`resolve`](super::cylinder::resolve).
     pub certain: T::Mask,
 }
 
-/// [`judge`](super::cylinder::judge) without a branch, for several lanes at once: the same bits in every lane. That directions are
-/// [in scale](super::certificate::in_scale) the caller sees to, once a ray.
+/// What the side alone decides.
+pub struct SideLanes<T: Real> {
+    entry: Crossing<T>,
+    exit: Crossing<T>,
+    /// Lanes that certainly meet no part of the cylinder.
+    nothing: T::Mask,
+    /// Lanes whose answer needs the bases.
+    pub open: T::Mask,
+}
+
+/// [`judge`](super::cylinder::judge) without a branch, for several lanes at once: the same bits in every lane. That
+/// directions are [in scale](super::certificate::in_scale) the caller sees to, once a ray.
 #[inline(always)]
 #[must_use]
 pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
-    let nowhere = T::of(f64::INFINITY);
-    let side = Side::new(record, ray);
-    let misses = side.certificate.misses(side.discriminant);
-    let root = side.discriminant.sqrt();
-    let entry = side.crossing(record, ray, -side.h - root, root);
-    let exit = side.crossing(record, ray, -side.h + root, root);
-    let (top, bottom) = (disc(record, ray, record.top), disc(record, ray, record.bottom));
-    let exit_lambda = T::select(exit.hits, exit.lambda, nowhere);
-    let top_lambda = T::select(top.hits, top.lambda, nowhere);
-    let bottom_lambda = T::select(bottom.hits, bottom.lambda, nowhere);
-    let over_top = T::select(top_lambda.less(exit_lambda), top_lambda, exit_lambda);
-    let over_all = T::select(bottom_lambda.less(over_top), bottom_lambda, over_top);
-    // The larger of two must exceed the smaller by more than both may be wrong; nowhere exceeds all.
-    let apart = |one: T, other: T| {
-        let (low, high) = (T::select(one.less(other), one, other), T::select(one.less(other), other, one));
-        (low + low * T::of(2.0 * LIMITS.lambda_error::<T>())).less(high) | nowhere.less_equal(low)
-    };
-    let known = entry.fails & (exit.hits | exit.fails) & (top.hits | top.fails) & (bottom.hits | bottom.fails);
-    let ordered = apart(exit_lambda, top_lambda) & apart(over_top, bottom_lambda);
-    // Where the side is entered no base can be nearer, so that none may be named.
-    let not_entered = |mask: T::Mask| entry.fails & mask;
-    Lanes {
-        lambda: T::select(misses, nowhere, T::select(entry.hits, entry.lambda, over_all)),
-        top: not_entered(top_lambda.less(exit_lambda)),
-        bottom: not_entered(bottom_lambda.less(over_top)),
-        certain: misses | entry.hits | (known & ordered),
+    SideLanes::new(record, ray).with_bases(record, ray)
+}
+
+impl<T: Rounding> SideLanes<T> {
+    /// Judges the side.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
+        let side = Side::new(record, ray);
+        let root = side.discriminant.sqrt();
+        let entry = side.crossing(record, ray, -side.h - root, root);
+        let exit = side.crossing(record, ray, -side.h + root, root);
+        let nothing = side.certificate.misses(side.discriminant) | (entry.fails() & entry.passes_by(&exit));
+        Self { entry, exit, nothing, open: !(nothing | entry.hits) }
     }
+
+    /// The answer where no lane is [open](Self::open).
+    #[inline(always)]
+    #[must_use]
+    pub fn without_bases(&self) -> Lanes<T> {
+        let nowhere = T::of(f64::INFINITY);
+        let none = T::of(1.0).less(T::of(0.0));
+        Lanes {
+            lambda: T::select(self.nothing, nowhere, self.entry.lambda),
+            top: none,
+            bottom: none,
+            certain: self.nothing | self.entry.hits,
+        }
+    }
+
+    /// The answer with the bases.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+        let Self { entry, exit, nothing, open } = *self;
+        let down = ray.direction.dot(record.axis).less(T::of(0.0));
+        let facing = Plane::new(record, ray, center(record, down)).disc(record, ray);
+        let other = Plane::new(record, ray, center(record, !down)).disc(record, ray);
+        let by_facing = open & facing.hits;
+        let by_exit = open & !facing.hits & exit.hits;
+        let by_other = open & !facing.hits & !exit.hits & other.hits;
+        let mut lambda = T::select(by_other, other.lambda, T::of(f64::INFINITY));
+        lambda = T::select(by_exit, exit.lambda, lambda);
+        lambda = T::select(by_facing, facing.lambda, lambda);
+        lambda = T::select(entry.hits & !nothing, entry.lambda, lambda);
+        let past_facing = facing.fails & (exit.hits | other.hits | other.fails);
+        Lanes {
+            lambda,
+            top: (by_facing & down) | (by_other & !down),
+            bottom: (by_facing & !down) | (by_other & down),
+            certain: !open | (entry.fails() & (exit.hits | exit.fails()) & (facing.hits | past_facing)),
+        }
+    }
+}
+
+/// The centre of the upper base in the lanes of `is_top`, of the lower base in the others.
+#[inline(always)]
+fn center<T: Real>(record: &CylinderRecord<T>, is_top: T::Mask) -> Vec3<T> {
+    Vec3::new(
+        T::select(is_top, record.top.x, record.bottom.x),
+        T::select(is_top, record.top.y, record.bottom.y),
+        T::select(is_top, record.top.z, record.bottom.z),
+    )
 }

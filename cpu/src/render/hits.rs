@@ -107,7 +107,10 @@ impl<V: Lanes> Hits<V> {
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                let lanes = certified::cylinder::judge_lanes(&lanes_record, ray);
+                let side = certified::cylinder::SideLanes::new(&lanes_record, ray);
+                // Most rays do not come near the bases.
+                let needs_bases = side.open.bits() & valid != 0;
+                let lanes = if needs_bases { side.with_bases(&lanes_record, ray) } else { side.without_bases() };
                 let number = |part: Part| V::of(f64::from(part as u32));
                 let over = V::select(lanes.top, number(Part::Top), number(Part::Side));
                 let mut part = V::select(lanes.bottom, number(Part::Bottom), over);
