@@ -56,6 +56,18 @@ pub trait Intersect {
     /// Where the ray meets the cylinder that the file describes with `axis`; the contract of
     /// [`CylinderRecord::intersect`].
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)>;
+
+    /// What [`Intersect::sphere`] says, unless that takes more than the textbook's formulas.
+    #[inline(always)]
+    fn judge_sphere(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
+        Verdict::Certain(Self::sphere(record, ray))
+    }
+
+    /// What [`Intersect::cylinder`] says, unless that takes more than the textbook's formulas.
+    #[inline(always)]
+    fn judge_cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Verdict<Option<(f64, Part)>> {
+        Verdict::Certain(Self::cylinder(record, axis, ray))
+    }
 }
 
 /// [`Precision::Textbook`] as a type.
@@ -91,5 +103,15 @@ impl Intersect for Certified {
     #[inline(always)]
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
         cylinder::intersect(record, axis, ray)
+    }
+
+    #[inline(always)]
+    fn judge_sphere(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
+        sphere::judge(record, ray)
+    }
+
+    #[inline(always)]
+    fn judge_cylinder(record: &CylinderRecord, _: &Vec3, ray: &Ray) -> Verdict<Option<(f64, Part)>> {
+        cylinder::judge(record, ray)
     }
 }

@@ -1,10 +1,11 @@
 //! The nearest hit so far.
 
 use super::{NOWHERE, ObjectId};
-use crate::certified::Intersect;
+use crate::certified::{Intersect, Verdict};
 use crate::cylinder::Part;
 use crate::layout::Objects;
 use crate::ray::Ray;
+use crate::vec3::Vec3;
 
 /// The nearest hit among the objects asked so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +43,14 @@ impl Found {
     #[inline(always)]
     pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let sphere = objects.sphere(index);
-        if let Some(lambda) = P::sphere(&sphere.record, ray) {
+        let lambda = match P::judge_sphere(&sphere.record, ray) {
+            Verdict::Certain(lambda) => lambda,
+            Verdict::Doubtful => {
+                let Ray { origin: o, direction: d } = *ray;
+                resolve_sphere::<O, P>(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
+            }
+        };
+        if let Some(lambda) = lambda {
             self.offer(lambda, index as ObjectId, sphere.order, Part::Side);
         }
     }
@@ -51,10 +59,54 @@ impl Found {
     #[inline(always)]
     pub fn ask_cylinder<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let cylinder = objects.cylinder(index);
-        if let Some((lambda, part)) = P::cylinder(&cylinder.record, &objects.axis(index), ray) {
+        let met = match P::judge_cylinder(&cylinder.record, &objects.axis(index), ray) {
+            Verdict::Certain(met) => met,
+            Verdict::Doubtful => {
+                let Ray { origin: o, direction: d } = *ray;
+                resolve_cylinder::<O, P>(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
+            }
+        };
+        if let Some((lambda, part)) = met {
             self.offer(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
         }
     }
+}
+
+/// The precise answer. It fetches the object again and takes the ray by components: what a call may read through a
+/// reference would have to be in memory for every ray.
+#[cold]
+#[inline(never)]
+#[expect(clippy::too_many_arguments, reason = "these fit the registers")]
+fn resolve_sphere<O: Objects, P: Intersect>(
+    objects: &O,
+    index: usize,
+    x: f64,
+    y: f64,
+    z: f64,
+    dx: f64,
+    dy: f64,
+    dz: f64,
+) -> Option<f64> {
+    let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
+    P::sphere(&objects.sphere(index).record, &ray)
+}
+
+/// See [`resolve_sphere`].
+#[cold]
+#[inline(never)]
+#[expect(clippy::too_many_arguments, reason = "these fit the registers")]
+fn resolve_cylinder<O: Objects, P: Intersect>(
+    objects: &O,
+    index: usize,
+    x: f64,
+    y: f64,
+    z: f64,
+    dx: f64,
+    dy: f64,
+    dz: f64,
+) -> Option<(f64, Part)> {
+    let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
+    P::cylinder(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }
 
 #[cfg(test)]
