@@ -6,6 +6,7 @@
 //!
 //! - [`adapter`] and [`gpu`] open a device and run a kernel;
 //! - [`kernel`] and [`kernels`] list what is compared, formula by formula, and [`check`] compares it;
+//! - [`methods`] has `stability` hold the intersections against exact arithmetic;
 //! - [`running`] derives how far f32 may be from f64;
 //! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
 //! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a person's own modules;
@@ -37,6 +38,7 @@ pub mod float;
 pub mod gpu;
 pub mod kernel;
 pub mod kernels;
+pub mod methods;
 pub mod mutants;
 pub mod packed;
 pub mod picture;
