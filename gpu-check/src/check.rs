@@ -1,6 +1,7 @@
 //! A kernel's results against its formula, bit by bit.
 
 use std::fmt;
+use std::time::Duration;
 
 use shaders::Library;
 
@@ -42,18 +43,34 @@ pub fn compile<T: Float>(gpu: &Gpu, library: &Library, kernel: &Kernel) -> Resul
 /// # Errors
 /// As [`Pipeline::run`].
 pub fn results<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Vec<T>, Error> {
+    Ok(timed_results(gpu, pipeline, kernel, cases)?.0)
+}
+
+/// The same, with the time that the device took, without the transfers.
+///
+/// # Errors
+/// As [`Pipeline::run`].
+pub fn timed_results<T: Float>(
+    gpu: &Gpu,
+    pipeline: &Pipeline,
+    kernel: &Kernel,
+    cases: &[T],
+) -> Result<(Vec<T>, Duration), Error> {
     let width = kernel.inputs.max(kernel.outputs.len()) * size_of::<T>();
     let batch = BATCH.min(gpu.binding_limit() / width as u64).min(MAX_INVOCATIONS) as usize;
     let mut results = Vec::with_capacity(cases.len() / kernel.inputs * kernel.outputs.len());
+    let mut time = Duration::ZERO;
     for cases in cases.chunks(batch * kernel.inputs) {
         let rows = cases.len() / kernel.inputs;
         let output = (rows * kernel.outputs.len() * size_of::<T>()) as u64;
         let contents = [Content::Input(bytemuck::cast_slice(cases)), Content::Output(output)];
-        for bytes in pipeline.run(gpu, &contents, rows as u64)?.outputs {
+        let run = pipeline.run(gpu, &contents, rows as u64)?;
+        time += run.time;
+        for bytes in run.outputs {
             results.extend(bytemuck::pod_collect_to_vec::<u8, T>(&bytes));
         }
     }
-    Ok(results)
+    Ok((results, time))
 }
 
 /// Compares the kernel's results with the formula's.

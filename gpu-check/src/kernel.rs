@@ -7,6 +7,7 @@ use cpu::real::Real;
 use cpu::rng::Uniform;
 
 use crate::Float;
+use crate::flushed::Flushed;
 use crate::running::Running;
 
 /// A formula of `cpu` and the module of `shaders` that should give its bits.
@@ -38,6 +39,7 @@ pub struct Kernel {
     pub(crate) wide: fn(&[f64], &mut [f64]),
     pub(crate) single: fn(&[f32], &mut [f32]),
     pub(crate) running: fn(&[Running], &mut [Running]),
+    flushed: fn(&[Flushed], &mut [Flushed]),
     edges: fn() -> Vec<f64>,
     random: fn(&mut Uniform, &mut [f64]),
 }
@@ -53,9 +55,19 @@ impl Kernel {
             wide: F::evaluate::<f64>,
             single: F::evaluate::<f32>,
             running: F::evaluate::<Running>,
+            flushed: F::evaluate::<Flushed>,
             edges: F::edges,
             random: F::random,
         }
+    }
+
+    /// What the formula makes of a case in f32 without subnormal numbers.
+    #[must_use]
+    pub fn flushed(&self, case: &[f32]) -> Vec<f32> {
+        let case: Vec<_> = case.iter().copied().map(Flushed).collect();
+        let mut result = vec![Flushed(0.0); self.outputs.len()];
+        (self.flushed)(&case, &mut result);
+        result.into_iter().map(|Flushed(number)| number).collect()
     }
 
     /// The edge cases, row after row.

@@ -1,9 +1,10 @@
-//! The formulas that are compared, one file for each module of `cpu`.
+//! The formulas that are compared, one file for each module of `cpu`, and the projected form of `stability`.
 
 mod background;
 mod barrier;
 mod camera;
 mod cylinder;
+mod projected;
 mod scatter;
 mod sphere;
 
@@ -14,10 +15,21 @@ use cpu::{Hit, Vec3};
 
 use crate::Kernel;
 
-/// Every kernel that must give the bits of `cpu`.
-pub const KERNELS: [Kernel; 9] = [
-    Kernel::of::<sphere::Sphere>(),
-    Kernel::of::<cylinder::Cylinder>(),
+/// Ray against sphere, as the specification has it.
+pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere>();
+/// Ray against cylinder, as the specification has it.
+pub const CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder>();
+/// Ray against sphere in the projected form.
+pub const PROJECTED_SPHERE: Kernel = Kernel::of::<projected::Sphere>();
+/// Ray against cylinder in the projected form.
+pub const PROJECTED_CYLINDER: Kernel = Kernel::of::<projected::Cylinder>();
+
+/// Every kernel that must give its formula's bits.
+pub const KERNELS: [Kernel; 11] = [
+    SPHERE,
+    CYLINDER,
+    PROJECTED_SPHERE,
+    PROJECTED_CYLINDER,
     Kernel::of::<camera::CameraRay>(),
     Kernel::of::<background::Gradient>(),
     Kernel::of::<scatter::Matte>(),

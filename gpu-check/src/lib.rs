@@ -6,7 +6,8 @@
 //!
 //! - [`adapter`] and [`gpu`] open a device and run a kernel;
 //! - [`kernel`] and [`kernels`] list what is compared, formula by formula, and [`check`] compares it;
-//! - [`running`] derives how far f32 may be from f64;
+//! - [`methods`] has `stability` hold the intersections against exact arithmetic;
+//! - [`running`] derives how far f32 may be from f64, [`flushed`] what f32 is without subnormal numbers;
 //! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
 //! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a person's own modules;
 //! - [`web`] has the same shader run in a browser, by another compiler;
@@ -34,9 +35,11 @@ pub mod check;
 pub mod difference;
 pub mod error;
 pub mod float;
+pub mod flushed;
 pub mod gpu;
 pub mod kernel;
 pub mod kernels;
+pub mod methods;
 pub mod mutants;
 pub mod packed;
 pub mod picture;

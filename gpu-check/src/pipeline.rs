@@ -1,27 +1,24 @@
 //! A kernel ready to run, and its runs.
 
+mod buffers;
+
 use std::time::{Duration, Instant};
 
 use shaders::{Composition, Features, Precision};
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
-    BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
-    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, MapMode, PipelineCompilationOptions,
-    PipelineLayoutDescriptor, PollType, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, Buffer,
+    BufferDescriptor, BufferUsages, CommandEncoderDescriptor, ComputePassDescriptor, ComputePipeline,
+    ComputePipelineDescriptor, MapMode, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor,
+    ShaderSource,
 };
 
 use crate::{Error, Gpu};
+use buffers::{SENTINEL, create, layout_entry, wait};
 
 /// Invocations in a workgroup, as all kernels have it.
 const WORKGROUP: u64 = 64;
 /// Most invocations in one run: WebGPU allows 65,535 workgroups along a dimension.
 pub const MAX_INVOCATIONS: u64 = 65_535 * WORKGROUP;
-/// What an output holds before the kernel writes it: no formula gives this by accident.
-const SENTINEL: u8 = 0xA5;
-/// How long a run may take.
-const PATIENCE: Duration = Duration::from_secs(120);
-/// What an empty buffer is given, since none may be empty: more than any structure takes.
-const SMALLEST: usize = 256;
 
 /// What is bound at one number.
 #[derive(Clone, Copy, Debug)]
@@ -216,49 +213,5 @@ impl Pipeline {
             0 => Ok(()),
             count => Err(Error::Unwritten { kernel: self.name.to_owned(), count }),
         }
-    }
-}
-
-fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
-    BindGroupLayoutEntry {
-        binding: binding.number,
-        visibility: ShaderStages::COMPUTE,
-        ty: BindingType::Buffer {
-            ty: BufferBindingType::Storage { read_only: !binding.written },
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        },
-        count: None,
-    }
-}
-
-/// A buffer with its content. It is written through the queue and not mapped: mapping panics on a lost device.
-fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
-    let filler;
-    let (size, bytes) = match content {
-        Content::Input([]) => (SMALLEST, &[][..]),
-        Content::Input(bytes) => (bytes.len(), bytes),
-        Content::Inputs(each) => (each[run].len(), &each[run][..]),
-        Content::Scratch(size) => ((size as usize).max(SMALLEST), &[][..]),
-        Content::Output(size) => {
-            filler = vec![SENTINEL; size as usize];
-            (filler.len(), &filler[..])
-        }
-    };
-    let buffer = gpu.device.create_buffer(&BufferDescriptor {
-        label: None,
-        size: size as u64,
-        usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    gpu.queue.write_buffer(&buffer, 0, bytes);
-    buffer
-}
-
-fn wait(gpu: &Gpu) -> Result<(), Error> {
-    let poll = PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
-    match gpu.device.poll(poll) {
-        Ok(_) => gpu.check_lost(),
-        Err(_) => gpu.check_lost().and(Err(Error::Timeout { seconds: PATIENCE.as_secs() })),
     }
 }

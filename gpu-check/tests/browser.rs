@@ -1,31 +1,27 @@
 //! The f32 shader by a second compiler: headless Chromium's Tint on SwiftShader, against lavapipe and Rust.
 //!
 //! The page is driven by `web/drive.js`, which does what a person would and hands each result to the server here.
-//! `tests/run --browser` installs Chromium; without it the test is shown as ignored.
+//! `tests/run --browser` installs Chromium; without it the test is shown as ignored. With a file's name, from the
+//! project's folder, in `SCREENSHOT` the test leaves a picture of the page there.
 
 use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader, Write};
+use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitCode, Stdio};
-use std::sync::mpsc;
+use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
 use cpu::{Config, Scene};
 use gpu_check::kernels::KERNELS;
-use gpu_check::web::{Server, data};
+use gpu_check::scenes::repository;
+use gpu_check::web::{Posted, Server, data};
 use gpu_check::{Float, Gpu, check};
 use libtest_mimic::{Arguments, Failed, Trial};
 use shaders::Library;
 
 /// How long the page may take for its next result.
 const PATIENCE: Duration = Duration::from_secs(120);
-
-/// The smallest magnitude whose products of as many factors as `module` multiplies, and their rounding errors, are
-/// normal numbers in f32: SwiftShader takes subnormal ones for zero, as WGSL allows.
-fn smallest(module: &str) -> f32 {
-    // A discriminant subtracts products of four numbers; other formulas square lengths.
-    let factors = if ["kernels/sphere", "kernels/cylinder"].contains(&module) { 4.0 } else { 2.0 };
-    (f32::MIN_POSITIVE / f32::EPSILON).powf(1.0 / factors)
-}
 
 const SCENE: &str = "matte: grey .5 .5 .5\nmetal: mirror .9 .9 .9 0\nrefractive: glass 1.5\n\
     sphere: 0 -100 0 99 grey\nsphere: 0 0 0 1 glass\ncylinder: 2 0 0 .5 0 2 0 mirror\n";
@@ -62,8 +58,9 @@ impl Drop for Browser {
     }
 }
 
-fn open(chromium: &Path, profile: &Path, url: &str) -> std::io::Result<Browser> {
+fn open(chromium: &Path, profile: &Path, more: &[String], url: &str) -> std::io::Result<Browser> {
     let mut command = Command::new(chromium);
+    command.args(more);
     command.args(["--headless", "--enable-unsafe-webgpu", "--no-sandbox", "--disable-quic", "--no-first-run"]);
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
     command.arg(format!("--user-data-dir={}", profile.display()));
@@ -75,7 +72,8 @@ fn open(chromium: &Path, profile: &Path, url: &str) -> std::io::Result<Browser> 
 /// Everything that the page hands in, by name, until it is done.
 fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
     let profile = tempfile::tempdir()?;
-    let browser = open(chromium, profile.path(), &format!("http://{}/?drive", server.address()?))?;
+    let address = server.address()?;
+    let browser = open(chromium, profile.path(), &[], &format!("http://{address}/?drive"))?;
     let (sender, receiver) = mpsc::channel();
     // Ends with the process; what comes after the last result has nobody to wait for it.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
@@ -90,14 +88,55 @@ fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>,
         };
     }
     drop(browser);
+    if let Ok(picture) = std::env::var("SCREENSHOT") {
+        photograph(chromium, address, &receiver, &picture)?;
+    }
     Ok(results)
+}
+
+/// Writes a picture of the page after it was driven once more. A browser takes it when all is loaded, which the page is
+/// before it has calculated anything: so it stands in a frame beside an image that comes when `posted` says it is done.
+fn photograph(chromium: &Path, address: SocketAddr, posted: &Receiver<Posted>, picture: &str) -> Result<(), Failed> {
+    let frame = format!(
+        "<!doctype html><style>body{{margin:0}}iframe{{border:0;width:100vw;height:100vh}}img{{display:none}}</style>\
+         <iframe src=\"http://{address}/?drive\"></iframe><img src=\"done\">"
+    );
+    let listener = TcpListener::bind("127.0.0.1:0")?;
+    let profile = tempfile::tempdir()?;
+    let file = profile.path().join("page.png");
+    let look = ["--window-size=1010,620", "--hide-scrollbars"].map(str::to_owned);
+    let options = [&look[..], &[format!("--screenshot={}", file.display())]].concat();
+    let mut browser = open(chromium, profile.path(), &options, &format!("http://{}/", listener.local_addr()?))?;
+    loop {
+        let (mut stream, _) = listener.accept()?;
+        let mut request = String::new();
+        BufReader::new(&stream).read_line(&mut request)?;
+        let is_image = request.starts_with("GET /done");
+        while is_image && posted.recv_timeout(PATIENCE)?.name != "done" {}
+        let body = if is_image { "" } else { &frame };
+        let head = "HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nConnection: close\r\nContent-Length:";
+        write!(stream, "{head} {}\r\n\r\n{body}", body.len())?;
+        if is_image {
+            break;
+        }
+    }
+    browser.0.wait()?;
+    std::fs::copy(file, repository(picture))?;
+    Ok(())
 }
 
 fn drive(chromium: &Path) -> Result<(), Failed> {
     let gpu = Gpu::open()?;
     println!("native: {gpu}");
-    let config = Config { image_width: 64, ..Config::default() };
-    let data = data::collect(&gpu, &config, &Scene::parse(SCENE.as_bytes())?)?;
+    let (config, scene) = match std::env::var_os("SCREENSHOT") {
+        None => (Config { image_width: 64, ..Config::default() }, Scene::parse(SCENE.as_bytes())?),
+        // Something to look at.
+        Some(_) => {
+            let config = Config::read(&repository("scenes/materials/config.txt"))?;
+            (Config { image_width: 300, ..config }, Scene::read(&repository("scenes/materials/scene.txt"))?)
+        }
+    };
+    let data = data::collect(&gpu, &config, &scene)?;
     let native = floats(&data["native"])?;
     let results = results(chromium, Server::new(0, data)?)?;
     println!("browser: {}", String::from_utf8_lossy(&results["adapter"]));
@@ -112,42 +151,50 @@ fn floats(bytes: &[u8]) -> Result<Vec<f32>, Failed> {
     Ok(bytemuck::pod_collect_to_vec(bytes))
 }
 
-/// Tint's results of every kernel against those of Rust and of lavapipe.
+/// Tint's results of every kernel: those of Rust's f32 and of lavapipe, or else, as WGSL allows, those of f32 without
+/// subnormal numbers; whole rows of one or of the other.
 fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
-    let mut compared = 0;
+    let (mut compared, mut flushed) = (0, 0);
     let mut faults = Vec::new();
     for kernel in &KERNELS {
         let cases = data::cases(kernel);
         let by_tint = floats(results.get(kernel.module).ok_or_else(|| format!("{} is missing", kernel.module))?)?;
         let pipeline = check::compile::<f32>(gpu, &Library::standard(), kernel)?;
         let native = check::results::<f32>(gpu, &pipeline, kernel, &cases)?;
-        if by_tint.len() != native.len() {
-            return Err(format!("{}: {} numbers for {}", kernel.module, by_tint.len(), native.len()).into());
+        let expected = data::expected(kernel, &cases);
+        if (by_tint.len(), native.len()) != (expected.len(), expected.len()) {
+            return Err(format!("{}: {} and {} numbers", kernel.module, by_tint.len(), native.len()).into());
         }
-        let (small, outputs) = (smallest(kernel.module), kernel.outputs.len());
-        let (mut normal, mut tint, mut driver) = (Vec::new(), Vec::new(), Vec::new());
-        let rows = by_tint.chunks(outputs).zip(native.chunks(outputs));
-        let mut excused = 0;
-        for (case, (by_tint, native)) in cases.chunks(kernel.inputs).zip(rows) {
-            if case.iter().any(|number| *number != 0.0 && number.abs() < small) {
-                excused += usize::from(by_tint.iter().zip(native).any(|(tint, native)| !tint.same(*native)));
+        let outputs = kernel.outputs.len();
+        let rows = by_tint.chunks(outputs).zip(native.chunks(outputs).zip(expected.chunks(outputs)));
+        let (mut without_subnormals, mut neither) = (0, Vec::new());
+        for (case, (by_tint, (native, expected))) in cases.chunks(kernel.inputs).zip(rows) {
+            let same = |row: &[f32]| by_tint.iter().zip(row).all(|(tint, number)| tint.same(*number));
+            if same(native) && same(expected) {
+                continue;
+            }
+            let flushed = kernel.flushed(case);
+            if same(&flushed) {
+                without_subnormals += 1;
             } else {
-                normal.extend_from_slice(case);
-                tint.extend_from_slice(by_tint);
-                driver.extend_from_slice(native);
+                neither.push(format!("{case:?}\n  by Tint {by_tint:?}\n  f32 {expected:?}\n  flushed {flushed:?}"));
             }
         }
-        let apart = tint.iter().zip(&driver).filter(|(tint, driver)| !tint.same(**driver)).count();
-        let tally = check::compare(kernel, &normal, &tint);
-        println!("{tally}; {apart} numbers differ from the native driver's");
-        let left_out = (by_tint.len() - tint.len()) / outputs;
-        println!("  {left_out} cases have numbers that underflow in f32; {excused} of them differ");
-        compared += tally.numbers;
-        if tally.differing > 0 || apart > 0 {
-            faults.push(tally.to_string());
+        println!(
+            "{}: {} numbers in {} cases; {without_subnormals} cases as in f32 without subnormal numbers, {} otherwise",
+            kernel.module,
+            by_tint.len(),
+            by_tint.len() / outputs,
+            neither.len()
+        );
+        if !neither.is_empty() {
+            let shown = neither[..neither.len().min(3)].join("\n");
+            faults.push(format!("{}: {} cases, as {shown}", kernel.module, neither.len()));
         }
+        compared += by_tint.len();
+        flushed += without_subnormals;
     }
-    println!("{compared} numbers by Tint compared with Rust's f32 and the native driver's");
+    println!("{compared} numbers by Tint compared with Rust's f32 and the native driver's; {flushed} cases flushed");
     if compared < 1_000_000 {
         return Err(format!("{compared} numbers are too few").into());
     }

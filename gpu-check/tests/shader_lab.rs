@@ -12,6 +12,7 @@ use std::time::Duration;
 use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
 use shaders::Library;
+use shaders::module::MODULES;
 
 /// How long the program may take to notice a change.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -92,6 +93,23 @@ fn a_fault_is_shown_in_the_persons_file_with_a_caret() {
     assert!(message.starts_with(&format!("Error: my.wgsl:{line}:35: ")), "{message}");
     assert!(message.trim_end().ends_with("^^^^^^^"), "{message}");
     assert!(!folder.path().join("out.png").exists());
+}
+
+#[test]
+fn a_module_that_there_is_not_is_named_with_its_place_and_all_that_there_are() {
+    let folder = folder();
+    fs::write(folder.path().join("my.wgsl"), "// module: kernels/imgae\nfn f() {}\n").expect("the folder is writable");
+    let message = fault(folder.path(), "my.wgsl");
+    assert!(message.starts_with("Error: my.wgsl:1:12: no module is called [kernels/imgae]; there are: "), "{message}");
+    let shown = "\n1 | // module: kernels/imgae\n               ^^^^^^^^^^^^^\n";
+    assert!(message.ends_with(shown), "{message}");
+    assert!(MODULES.iter().all(|module| message.contains(module.name)), "{message}");
+
+    // No line says the name of a file.
+    fs::write(folder.path().join("torus.wgsl"), "fn f() {}\n").expect("the folder is writable");
+    let message = fault(folder.path(), "torus.wgsl");
+    assert!(message.starts_with("Error: torus.wgsl: no module is called [torus], as the file is; "), "{message}");
+    assert!(MODULES.iter().all(|module| message.contains(module.name)), "{message}");
 }
 
 #[test]

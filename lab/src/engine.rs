@@ -5,6 +5,8 @@ use std::ops::ControlFlow;
 use std::str::FromStr;
 
 use clap::ValueEnum;
+use cpu::certified::{Intersect, Textbook};
+use cpu::search::Search;
 use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
 
 use crate::picture::Picture;
@@ -59,6 +61,11 @@ pub enum Engine {
     Reference,
     /// The real renderer.
     Real(LayoutName, InstructionSet),
+    /// The real renderer in arrays of structures, with the best instruction set, but without a search: rays ask every
+    /// object. Only to be timed.
+    PlainSearch,
+    /// The same renderer with its search, but with the textbook's intersections as they are. Only to be timed.
+    Textbook,
 }
 
 impl Engine {
@@ -77,6 +84,19 @@ impl Engine {
         vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]
     }
 
+    /// The real renderer with one thing switched off at a time: lanes, layout, search, certificate, and all of it. The
+    /// first is the one with nothing switched off.
+    #[must_use]
+    pub fn changed() -> Vec<Self> {
+        let best = InstructionSet::best();
+        let slower = InstructionSet::ALL.into_iter().rev().filter(|set| set.is_available() && *set != best);
+        let mut engines = vec![Self::Real(LayoutName::Aos, best)];
+        engines.extend(slower.map(|set| Self::Real(LayoutName::Aos, set)));
+        engines.push(Self::Real(LayoutName::Soa, best));
+        engines.extend([Self::PlainSearch, Self::Textbook, Self::Reference]);
+        engines
+    }
+
     /// The PPM file in memory, from checked values to bytes: all that the programs do but reading and storing files, and
     /// what is measured.
     ///
@@ -87,15 +107,26 @@ impl Engine {
             Self::Reference => {
                 cpu::reference::render::<<Aos as Layout>::Image>(config, scene, Scatter::Statement).map(|i| bytes(&i))
             }
-            Self::Real(LayoutName::Aos, set) => real::<Aos>(config, scene, set),
-            Self::Real(LayoutName::Soa, set) => real::<Soa>(config, scene, set),
+            Self::Real(LayoutName::Aos, set) => rendered(&prepared::<Aos>(config, scene)?, set),
+            Self::Real(LayoutName::Soa, set) => rendered(&prepared::<Soa>(config, scene)?, set),
+            Self::PlainSearch => {
+                let prepared = Prepared { search: Search::Plain, ..prepared::<Aos>(config, scene)? };
+                rendered(&prepared, InstructionSet::best())
+            }
+            Self::Textbook => {
+                let prepared = Prepared::<Aos, Textbook>::new(config, scene, Scatter::Statement)?;
+                rendered(&prepared, InstructionSet::best())
+            }
         }
     }
 }
 
-fn real<L: Layout>(config: &Config, scene: &Scene, set: InstructionSet) -> Result<Vec<u8>, Error> {
-    let prepared = Prepared::<L>::new(config, scene, Scatter::Statement)?;
-    cpu::render_with(&prepared, set).map(|image| bytes(&image))
+fn prepared<L: Layout>(config: &Config, scene: &Scene) -> Result<Prepared<L>, Error> {
+    Prepared::new(config, scene, Scatter::Statement)
+}
+
+fn rendered<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, set: InstructionSet) -> Result<Vec<u8>, Error> {
+    cpu::render_with(prepared, set).map(|image| bytes(&image))
 }
 
 fn bytes(image: &impl cpu::Image) -> Vec<u8> {
@@ -141,6 +172,8 @@ impl fmt::Display for Engine {
         match self {
             Self::Reference => out.write_str("reference"),
             Self::Real(layout, set) => write!(out, "{}-{}", layout.name(), set.name()),
+            Self::PlainSearch => write!(out, "aos-{}-plain-search", InstructionSet::best().name()),
+            Self::Textbook => write!(out, "aos-{}-textbook", InstructionSet::best().name()),
         }
     }
 }
@@ -166,8 +199,8 @@ mod tests {
         let config = Config::parse(&b"image_width: 24\nsamples_per_pixel: 3\n"[..]).expect("it is valid");
         let scene = ::tests::generator::scene(&::tests::generator::Options { objects: 20, ..Default::default() });
         let expected = Engine::Reference.ppm(&config, &scene).expect("it is small");
-        let engines = Engine::all();
-        assert!(engines.len() >= 3, "the reference and the portable one in two layouts");
+        let engines = [Engine::all(), Engine::changed()].concat();
+        assert!(engines.len() >= 3 + 5, "the reference and the portable one in two layouts, and what is switched off");
         for engine in engines {
             assert!(engine.ppm(&config, &scene).expect("it is small") == expected, "{engine}");
         }

@@ -32,6 +32,7 @@ modules! {
     "ray" in "wgsl/ray.wgsl" needs ["vec3"];
     "sphere" in "wgsl/sphere.wgsl" needs ["ray"];
     "cylinder" in "wgsl/cylinder.wgsl" needs ["ray"];
+    "projected" in "wgsl/projected.wgsl" needs ["sphere" "cylinder"];
     "camera" in "wgsl/camera.wgsl" needs ["ray"];
     "background" in "wgsl/background.wgsl" needs ["vec3"];
     "scatter" in "wgsl/scatter.wgsl" needs ["vec3"];
@@ -44,6 +45,8 @@ modules! {
     "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
     "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
     "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];
+    "kernels/projected_sphere" in "wgsl/kernels/projected_sphere.wgsl" needs ["projected" "kernels/hit_report"];
+    "kernels/projected_cylinder" in "wgsl/kernels/projected_cylinder.wgsl" needs ["projected" "kernels/hit_report"];
     "kernels/camera" in "wgsl/kernels/camera.wgsl" needs ["camera" "layout"];
     "kernels/background" in "wgsl/kernels/background.wgsl" needs ["background" "layout"];
     "kernels/matte" in "wgsl/kernels/matte.wgsl" needs ["scatter" "layout"];

@@ -11,6 +11,9 @@ pub struct Series {
     pub color: &'static str,
     /// A value a category, or a value an abscissa.
     pub values: Vec<Option<f64>>,
+    /// The series around whose marks these are drawn as rings, since they should have its values. Rings stand behind
+    /// all marks in [`Plot::series`].
+    pub around: Option<usize>,
 }
 
 /// Colours that differ in brightness too.
@@ -34,10 +37,10 @@ pub struct Plot {
 }
 
 const WIDTH: f64 = 960.0;
-const HEIGHT: f64 = 480.0;
+const HEIGHT: f64 = 500.0;
 const LEFT: f64 = 80.0;
 const RIGHT: f64 = 20.0;
-const TOP: f64 = 66.0;
+const TOP: f64 = 86.0;
 const BOTTOM: f64 = 110.0;
 
 impl Plot {
@@ -99,40 +102,52 @@ impl Plot {
         }
     }
 
+    /// The column of a series in the legend and beside the others of a category.
+    fn column(&self, index: usize) -> f64 {
+        self.series[index].around.unwrap_or(index) as f64
+    }
+
     fn legend(&self, text: &mut String, index: usize, series: &Series) {
-        let x = LEFT + 200.0 * index as f64;
-        let _ = writeln!(
-            text,
-            "<rect x=\"{x}\" y=\"36\" width=\"12\" height=\"12\" fill=\"{}\"/><text x=\"{}\" y=\"47\">{}</text>",
-            series.color,
-            x + 18.0,
-            series.name
-        );
+        let (x, y) = (LEFT + 6.0 + 200.0 * self.column(index), if series.around.is_some() { 64.0 } else { 43.0 });
+        mark(text, (x, y), series);
+        let _ = writeln!(text, "<text x=\"{}\" y=\"{}\">{}</text>", x + 14.0, y + 4.0, series.name);
     }
 
     fn marks(&self, text: &mut String, index: usize, series: &Series) {
         let spread = (WIDTH - LEFT - RIGHT) / self.categories.len() as f64 * 0.7;
-        let offset = if self.joined { 0.0 } else { ((index as f64 + 0.5) / self.series.len() as f64 - 0.5) * spread };
+        let columns = self.series.iter().filter(|series| series.around.is_none()).count();
+        let place = (self.column(index) + 0.5) / columns as f64 - 0.5;
+        let offset = if self.joined { 0.0 } else { place * spread };
         let places: Vec<(f64, f64)> = (0..)
             .zip(&series.values)
             .filter_map(|(category, value)| Some((self.middle_of(category) + offset, self.height_of((*value)?))))
             .collect();
-        if self.joined {
+        let color = series.color;
+        if self.joined && series.around.is_none() {
             let points: Vec<String> = places.iter().map(|(x, y)| format!("{x:.1},{y:.1}")).collect();
-            let (points, color) = (points.join(" "), series.color);
+            let points = points.join(" ");
             let _ =
                 writeln!(text, "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"2\"/>");
         }
         for (x, y) in places {
-            let color = series.color;
-            let foot = HEIGHT - BOTTOM;
-            if !self.joined {
+            if !self.joined && series.around.is_none() {
+                let foot = HEIGHT - BOTTOM;
                 let _ = writeln!(
                     text,
                     "<path d=\"M{x:.1} {foot}V{y:.1}\" stroke=\"{color}\" stroke-width=\"3\" stroke-opacity=\".35\"/>"
                 );
             }
-            let _ = writeln!(text, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\" fill=\"{color}\"/>");
+            mark(text, (x, y), series);
         }
     }
+}
+
+/// A dot, or a ring around one.
+fn mark(text: &mut String, (x, y): (f64, f64), series: &Series) {
+    let color = series.color;
+    let look = match series.around {
+        None => format!("r=\"4\" fill=\"{color}\""),
+        Some(_) => format!("r=\"6.5\" fill=\"none\" stroke=\"{color}\" stroke-width=\"1.5\""),
+    };
+    let _ = writeln!(text, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" {look}/>");
 }

@@ -92,6 +92,35 @@ pub fn csv(kinds: &[(&str, &[Section])]) -> String {
     text
 }
 
+/// What a test costs in nanoseconds, in Markdown: in the first regime of each kind of object, and in the dearest.
+#[must_use]
+pub fn costs(kinds: &[(&str, &[Section])]) -> String {
+    let (mut head, mut rule) = (String::from("| implementation |"), String::from("|---|"));
+    for (kind, sections) in kinds {
+        let first = sections.first().and_then(|section| section.rows.first()).map_or("", |row| row.regime);
+        head += &format!(" {kind}, {first} | {kind}, dearest regime |");
+        rule += "--:|--:|";
+    }
+    let mut text = format!("{head}\n{rule}\n");
+    let rows = kinds.first().and_then(|(_, sections)| sections.first()).map_or(0, |section| section.rows.len());
+    for index in 0..rows {
+        let mut cells = Vec::new();
+        for (_, sections) in kinds {
+            let nanoseconds = |section: &Section| section.rows[index].nanoseconds;
+            let dearest = sections.iter().map(nanoseconds).fold(0.0, f64::max);
+            cells.extend(sections.first().map(nanoseconds).into_iter().chain([dearest]));
+        }
+        let cells: Vec<_> = cells.into_iter().map(digits).collect();
+        let _ = writeln!(text, "| {} | {} |", kinds[0].1[0].rows[index].method, cells.join(" | "));
+    }
+    text
+}
+
+/// Two digits that count, or all before the point.
+fn digits(nanoseconds: f64) -> String {
+    if nanoseconds < 10.0 { format!("{nanoseconds:.1}") } else { format!("{nanoseconds:.0}") }
+}
+
 /// The table of pictures in Markdown.
 #[must_use]
 pub fn pictures(pictures: &[Picture]) -> String {

@@ -3,20 +3,27 @@
 use cpu::certified::Textbook;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
 
-use crate::measure::Judged;
-use crate::methods::{self, TEXTBOOK};
+use crate::measure::{Judged, Row};
+use crate::methods::{self, Failure, Method, TEXTBOOK};
 use crate::observed::{Observed, take_counts};
 use crate::plot::{COLORS, Plot, Series};
 use crate::regimes::{Regime, large};
 use crate::report::{Picture, Section};
 
-/// Runs all implementations over `count` cases of each regime.
-#[must_use]
-pub fn sections(regimes: &[Regime], seed: u64, count: usize) -> Vec<Section> {
+/// Runs implementations over `count` cases of each regime.
+///
+/// # Errors
+/// As [`Method::answer`].
+pub fn sections(
+    methods: &[Box<dyn Method>],
+    regimes: &[Regime],
+    seed: u64,
+    count: usize,
+) -> Result<Vec<Section>, Failure> {
     let section = |regime: &Regime| {
         let judged = Judged::new(regime.name, regime.cases(seed, count));
-        let rows = methods::all().iter().map(|method| judged.measure(method.as_ref())).collect();
-        Section { rows, fallbacks: judged.fallbacks() }
+        let rows = methods.iter().map(|method| judged.measure(method.as_ref())).collect::<Result<_, _>>()?;
+        Ok(Section { rows, fallbacks: judged.fallbacks() })
     };
     regimes.iter().map(section).collect()
 }
@@ -38,25 +45,27 @@ pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> 
 
 /// A plot of one figure of every regime and implementation.
 #[must_use]
-pub fn plot(
-    title: &str,
-    axis: &str,
-    decades: (i32, i32),
-    sections: &[Section],
-    figure: impl Fn(&crate::measure::Row) -> f64,
-) -> Plot {
-    let methods = sections.first().map_or(0, |section| section.rows.len());
-    let series = (0..methods)
-        .filter_map(|index| {
-            let name = sections.first()?.rows.get(index)?.method.to_string();
-            let value = |section: &Section| Some(figure(&section.rows[index])).filter(|&value| value > 0.0);
-            let values = sections.iter().map(value).collect();
-            Some(Series { name, color: COLORS[index % COLORS.len()], values })
-        })
-        .collect();
+pub fn plot(title: &str, axis: &str, decades: (i32, i32), sections: &[Section], figure: impl Fn(&Row) -> f64) -> Plot {
+    let rows = sections.first().map_or(&[][..], |section| &section.rows);
+    let names: Vec<_> = rows.iter().map(|row| row.method).collect();
+    let values = |index: usize| {
+        let value = |section: &Section| Some(figure(&section.rows[index])).filter(|&value| value > 0.0);
+        sections.iter().map(value).collect()
+    };
+    let series = (0..names.len()).map(|index| series(&names, index, values(index))).collect();
     let categories = sections.iter().filter_map(|section| Some(section.rows.first()?.regime.to_string())).collect();
     Plot { title: title.into(), axis: axis.into(), decades, categories, series, joined: false }
 }
+
+/// The values of the implementation at `index`, drawn around those of the same formulas in Rust if it is in WGSL.
+fn series(names: &[&str], index: usize, values: Vec<Option<f64>>) -> Series {
+    let name = names[index];
+    let around = name.strip_prefix(WGSL).and_then(|twin| names.iter().position(|name| *name == twin));
+    Series { name: name.into(), color: COLORS[around.unwrap_or(index) % COLORS.len()], values, around }
+}
+
+/// What names of implementations in WGSL begin with, before the name of the same formulas in Rust.
+pub const WGSL: &str = "WGSL ";
 
 /// Wrong decisions of rays that leave spheres of growing radius, a series an implementation.
 #[derive(Clone, Debug)]
@@ -69,14 +78,16 @@ pub struct LargeSpheres {
 
 impl LargeSpheres {
     /// Tries `count` rays a radius.
-    #[must_use]
-    pub fn new(seed: u64, count: usize) -> Self {
+    ///
+    /// # Errors
+    /// As [`Method::answer`].
+    pub fn new(methods: &[Box<dyn Method>], seed: u64, count: usize) -> Result<Self, Failure> {
         let radii: Vec<f64> = (0..=18).map(|half_decades| 10.0_f64.powf(f64::from(half_decades) / 2.0)).collect();
         let mut wrong: Vec<(&'static str, Vec<f64>)> = Vec::new();
         for &radius in &radii {
             let judged = Judged::new("large spheres", large::cases(radius, seed, count));
-            for method in methods::all() {
-                let row = judged.measure(method.as_ref());
+            for method in methods {
+                let row = judged.measure(method.as_ref())?;
                 let share = row.wrong as f64 / row.cases as f64;
                 match wrong.iter_mut().find(|(name, _)| *name == row.method) {
                     Some((_, shares)) => shares.push(share),
@@ -84,7 +95,7 @@ impl LargeSpheres {
                 }
             }
         }
-        Self { radii, wrong }
+        Ok(Self { radii, wrong })
     }
 
     /// The largest radius up to which an implementation was wrong for no more than `share` of the rays.
@@ -100,14 +111,10 @@ impl LargeSpheres {
     pub fn plot(&self) -> Plot {
         let name =
             |radius: &f64| if radius.log10().fract() < 0.1 { format!("r = {radius:.0e}") } else { String::new() };
-        let series = (0..)
-            .zip(&self.wrong)
-            .map(|(index, (name, shares)): (usize, _)| Series {
-                name: (*name).into(),
-                color: COLORS[index % COLORS.len()],
-                values: shares.iter().map(|&share| Some(share.max(1e-9))).collect(),
-            })
-            .collect();
+        let names: Vec<_> = self.wrong.iter().map(|(name, _)| *name).collect();
+        let values = |shares: &[f64]| shares.iter().map(|&share| Some(share.max(1e-9))).collect();
+        let shares = (0..).zip(&self.wrong);
+        let series = shares.map(|(index, (_, shares))| series(&names, index, values(shares))).collect();
         Plot {
             title: "Rays that leave a sphere: wrong decisions over its radius (at the bottom: none)".into(),
             axis: "share of rays".into(),
@@ -117,6 +124,18 @@ impl LargeSpheres {
             joined: true,
         }
     }
+}
+
+/// Rows of implementations in WGSL whose figures, costs aside, are not those of the same formulas in Rust.
+#[must_use]
+pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
+    let figures = |row: &Row| Row { method: "", nanoseconds: 0.0, ..row.clone() };
+    let parted = |section: &Section, row: &Row| {
+        let twin = row.method.strip_prefix(WGSL);
+        let twin = twin.and_then(|name| section.rows.iter().find(|row| row.method == name));
+        twin.is_some_and(|twin| figures(twin) != figures(row))
+    };
+    sections.iter().flat_map(|section| section.rows.iter().filter(move |row| parted(section, row))).collect()
 }
 
 /// What a run must show of the sections of one kind; the first failing, in words.
@@ -133,6 +152,10 @@ pub fn check(sections: &[Section], most_errors: [f64; 2]) -> Result<usize, Strin
         if row.method == methods::CERTIFIED && (row.wrong > 0 || high > most_errors[0] || most > most_errors[1]) {
             let wrong = row.wrong;
             return Err(format!("{}: {wrong} wrong, lambda p99.9 {high:e}, max {most:e}", row.regime));
+        }
+        let is_projected = row.method.ends_with(methods::PROJECTED);
+        if let (true, Some(beyond @ 1..)) = (is_projected, row.wrong_beyond_noise) {
+            return Err(format!("{}, {}: {beyond} wrong beyond 8uS", row.regime, row.method));
         }
         if row.hits * 50 < row.cases {
             return Err(format!("{}: only {} hits of {}", row.regime, row.hits, row.cases));

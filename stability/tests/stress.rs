@@ -1,12 +1,16 @@
-//! The stress test at a smaller size; `cargo run --release -p stability` runs it whole.
+//! The stress test at a smaller size; the binary `stress` of `gpu-check` runs it whole.
 
-use stability::methods::PROJECTED;
-use stability::regimes::{CYLINDERS, SPHERES};
+use stability::methods::{self, PROJECTED};
+use stability::regimes::{CYLINDERS, Regime, SPHERES};
 use stability::report::Section;
 use stability::run;
 
 const SEED: u64 = 7;
 const RAYS: usize = if cfg!(debug_assertions) { 2_000 } else { 20_000 };
+
+fn sections(regimes: &[Regime], seed: u64, count: usize) -> Vec<Section> {
+    run::sections(&methods::all(), regimes, seed, count).expect("formulas in Rust have answers")
+}
 
 fn row<'a>(sections: &'a [Section], regime: &str, method: &str) -> &'a stability::measure::Row {
     let mut rows = sections.iter().flat_map(|section| &section.rows);
@@ -15,7 +19,7 @@ fn row<'a>(sections: &'a [Section], regime: &str, method: &str) -> &'a stability
 
 #[test]
 fn spheres_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
-    let sections = run::sections(&SPHERES, SEED, RAYS);
+    let sections = sections(&SPHERES, SEED, RAYS);
     assert_eq!(sections.len(), 9);
     let textbook_wrong = run::check(&sections, [2e-12, 2e-12]).expect("certified intersections are right");
     assert!(textbook_wrong > RAYS / 2, "the regimes are no longer hard: the textbook is wrong {textbook_wrong} times");
@@ -26,7 +30,7 @@ fn spheres_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
 
 #[test]
 fn cylinders_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
-    let sections = run::sections(&CYLINDERS, SEED, RAYS / 2);
+    let sections = sections(&CYLINDERS, SEED, RAYS / 2);
     assert_eq!(sections.len(), 10);
     let textbook_wrong = run::check(&sections, [1e-11, 1e-9]).expect("certified intersections are right");
     assert!(textbook_wrong > RAYS / 10, "the regimes are no longer hard: the textbook is wrong {textbook_wrong} times");
@@ -37,7 +41,7 @@ fn cylinders_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
 #[test]
 fn single_precision_in_the_projected_form_is_wrong_only_within_its_noise() {
     let regimes = ["ordinary", "far and small", "grazing", "tangent to the last bit", "direction lengths"];
-    let sections = run::sections(&SPHERES, SEED + 1, RAYS);
+    let sections = sections(&SPHERES, SEED + 1, RAYS);
     let mut wrong = 0;
     for regime in regimes {
         let row = row(&sections, regime, PROJECTED);

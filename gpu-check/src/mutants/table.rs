@@ -60,6 +60,20 @@ mutants! {
         "top.lambda <= nearest.lambda" => "top.lambda < nearest.lambda",
         "bottom.lambda <= nearest.lambda" => "bottom.lambda < nearest.lambda",
     ;
+    "projected":
+        "direction * middle" => "direction + middle",
+        "if rest < real(0.0)" => "if rest <= real(0.0)",
+        "sqrt(rest / a)" => "sqrt(rest) / a",
+        "middle - half, middle + half" => "middle + half, middle - half",
+        "crossings.some && in_range(lambda)" => "crossings.some && in_range(crossings.near)",
+        "<= cylinder.radius" => "< cylinder.radius",
+        "real(1e-8) <= abs(slope)" => "real(1e-8) < abs(slope)",
+        "near_counts || far_counts" => "near_counts && far_counts",
+        "crossings.near, near_counts)" => "crossings.near, far_counts)",
+        "base - ray.origin" => "base + ray.origin",
+        "top.lambda <= nearest.lambda" => "top.lambda < nearest.lambda",
+        "bottom.lambda <= nearest.lambda" => "bottom.lambda < nearest.lambda",
+    ;
     "camera":
         "(column + x)" => "(column - x)",
         "camera.delta_y * (row + y)" => "camera.delta_y * (row)",

@@ -48,11 +48,29 @@ fn read_one(path: &Path) -> Result<UserModule, Error> {
     let text = fs::read_to_string(path).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
     let name = name(path, &text);
     if module::find(&name).is_none() {
-        let known: Vec<_> = module::MODULES.iter().map(|module| module.name).collect();
-        let advice = format!("its first line may say which it is, as in [{MARK} kernels/image]");
-        return Err(fault(path, format!("no module is called [{name}]; {advice}; there are: {}", known.join(", "))));
+        return Err(unknown(path, &text, &name));
     }
     Ok(UserModule { name, path: path.to_owned(), text })
+}
+
+/// That no module has the name: at its place in the file where the first line says it, with all names that there are.
+fn unknown(path: &Path, text: &str, name: &str) -> Error {
+    let known: Vec<_> = module::MODULES.iter().chain(&module::REALS).map(|module| module.name).collect();
+    let known = known.join(", ");
+    match text.lines().next().and_then(|line| Some((line, line.strip_prefix(MARK)?))) {
+        Some((line, rest)) => {
+            let before = line.len() - rest.trim_start().len();
+            let (column, spaces) = (before + 1, " ".repeat(before));
+            let carets = "^".repeat(name.chars().count().max(1));
+            let place = PathBuf::from(format!("{}:1:{column}", path.display()));
+            let line = line.trim_end();
+            fault(&place, format!("no module is called [{name}]; there are: {known}\n1 | {line}\n    {spaces}{carets}"))
+        }
+        None => {
+            let advice = format!("its first line may say which it is, as in [{MARK} kernels/image]");
+            fault(path, format!("no module is called [{name}], as the file is; {advice}; there are: {known}"))
+        }
+    }
 }
 
 /// What the first line says; else the file's name, with its folder where that is `kernels`.

@@ -1,5 +1,7 @@
 //! What `bench all` measures, cut into tasks of which a cluster can take one each.
 
+mod times;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -8,9 +10,8 @@ use cpu::{Config, Scene};
 
 use super::energy::{self, Meter};
 use super::error;
-use super::results::{Omitted, Results, Setting, Timing};
-use super::statistics::Median;
-use super::timing;
+use super::intersections::{self, OBJECTS};
+use super::results::{Omitted, Results, Setting};
 use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 use crate::{Failure, sources};
@@ -22,6 +23,10 @@ pub enum Task {
     Scale(&'static str),
     /// Error against samples, and every engine's time for each number of them, for a scene.
     Error(&'static str),
+    /// Cost and error of intersections with a kind of object.
+    Intersection(&'static str),
+    /// Time of a scene's picture with one thing switched off at a time.
+    Gain(&'static str),
     /// Energy of a scene's picture.
     Energy(&'static str),
 }
@@ -31,6 +36,8 @@ impl std::fmt::Display for Task {
         match self {
             Self::Scale(parameter) => write!(out, "scale {parameter}"),
             Self::Error(scene) => write!(out, "error {scene}"),
+            Self::Intersection(object) => write!(out, "intersection {object}"),
+            Self::Gain(scene) => write!(out, "gain {scene}"),
             Self::Energy(scene) => write!(out, "energy {scene}"),
         }
     }
@@ -38,6 +45,12 @@ impl std::fmt::Display for Task {
 
 /// Scenes whose error and energy are measured, from `scenes`.
 const SCENES: [&str; 3] = ["materials", "grid", "spheres"];
+
+/// A generated scene of many objects.
+const BOARD: &str = "board";
+
+/// The course's four cases, from a folder that is no part of this project.
+const CASES: [&str; 4] = ["case-1", "case-2", "case-3", "case-4"];
 
 /// What the parameters are varied on, except objects, which are generated.
 const SCALED: &str = "materials";
@@ -49,7 +62,14 @@ pub const PARAMETERS: [&str; 4] = ["width", "samples", "depth", "objects"];
 #[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
-    scale.into_iter().chain(SCENES.map(Task::Error)).chain(SCENES.map(Task::Energy)).collect()
+    let gains = SCENES.into_iter().chain([BOARD]).chain(CASES).map(Task::Gain);
+    scale
+        .into_iter()
+        .chain(SCENES.map(Task::Error))
+        .chain(OBJECTS.map(Task::Intersection))
+        .chain(gains)
+        .chain(SCENES.map(Task::Energy))
+        .collect()
 }
 
 /// How much is measured.
@@ -63,6 +83,8 @@ pub struct Plan {
     pub idle: bool,
     /// Where the scenes are.
     pub scenes: PathBuf,
+    /// Where the course's cases are, if their gains are measured too: `config1.txt`, `scene1.txt` and so on.
+    pub reference: Option<PathBuf>,
 }
 
 impl Plan {
@@ -103,6 +125,13 @@ impl Plan {
         match task {
             Task::Scale(parameter) => self.scale(parameter, results, interrupt),
             Task::Error(scene) => self.error(scene, results, interrupt),
+            Task::Intersection(object) => {
+                let count = if self.quick { 2_000 } else { 20_000 };
+                let found = intersections::measure(object, count, self.repeats, interrupt)?;
+                results.intersections.extend(found);
+                Ok(())
+            }
+            Task::Gain(scene) => self.gain(scene, results, interrupt),
             Task::Energy(scene) => self.energy(scene, results, interrupt),
         }
     }
@@ -119,7 +148,7 @@ impl Plan {
                 (value, config, scene)
             }
         });
-        let name = if parameter == "objects" { "board" } else { SCALED };
+        let name = if parameter == "objects" { BOARD } else { SCALED };
         self.times(["scale", name, parameter], &Engine::main(), pictures, results, interrupt)
     }
 
@@ -137,43 +166,30 @@ impl Plan {
         self.times(["error", name, "samples"], &Engine::all(), pictures, results, interrupt)
     }
 
-    /// Times of `engines` for pictures of rising value. One of which the time before says that it would take longer than
-    /// [`Plan::patience`] is left out, with that reason.
-    fn times(
-        &self,
-        [suite, scene_name, parameter]: [&str; 3],
-        engines: &[Engine],
-        pictures: impl Iterator<Item = (u64, Config, Scene)>,
-        results: &mut Results,
-        interrupt: &Interrupt,
-    ) -> Result<(), Failure> {
-        let setting = |value, engine: Engine| Setting {
-            suite: suite.to_owned(),
-            scene: scene_name.to_owned(),
-            parameter: parameter.to_owned(),
-            value,
-            engine: engine.to_string(),
+    fn gain(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
+        let samples = if self.quick { 4 } else { 16 };
+        let (config, scene) = match (CASES.iter().position(|case| *case == name), &self.reference) {
+            (Some(_), None) => {
+                let [suite, scene, parameter, engine] = ["gain", name, "samples", "all"].map(str::to_owned);
+                let setting = Setting { suite, scene, parameter, value: 0, engine };
+                let reason = "the folder of the course's cases was not given (--reference)".to_owned();
+                results.omitted.push(Omitted { setting, reason });
+                return Ok(());
+            }
+            (Some(index), Some(folder)) => {
+                let file = |kind: &str| folder.join(format!("{kind}{}.txt", index + 1));
+                let (config, scene) = (sources::config(&file("config"), &[])?, sources::scene(&file("scene"))?);
+                // Whole, if there is time.
+                let small = Config { image_width: self.width(), samples_per_pixel: samples, ..config.clone() };
+                (if self.quick { small } else { config }, scene)
+            }
+            (None, _) => {
+                let (config, scene) = if name == BOARD { board(1024, self.width()) } else { self.scene(name)? };
+                (Config { image_width: self.width(), samples_per_pixel: samples, ..config }, scene)
+            }
         };
-        let mut last: Vec<(Engine, u64, f64)> = Vec::new();
-        for (value, config, scene) in pictures {
-            let growth = |before: u64| (value as f64 / before as f64).powi(if parameter == "width" { 2 } else { 1 });
-            let expected = |engine: Engine| {
-                last.iter().rev().find(|(other, ..)| *other == engine).map_or(0.0, |&(_, at, time)| time * growth(at))
-            };
-            let (wanted, slow): (Vec<_>, Vec<_>) = engines.iter().partition(|&&e| expected(e) <= self.patience());
-            for engine in slow {
-                let reason = format!("a picture would take about {:.1} s", expected(engine));
-                results.omitted.push(Omitted { setting: setting(value, engine), reason });
-            }
-            let times = timing::measure(&wanted, self.repeats, &config, &scene, interrupt)?;
-            for (engine, seconds) in times.of {
-                let median = Median::of(&seconds);
-                last.push((engine, value, median.median));
-                let (setting, digest) = (setting(value, engine), times.digest.clone());
-                results.timings.push(Timing { setting, seconds, median, digest });
-            }
-        }
-        Ok(())
+        let picture = (config.samples_per_pixel, config, scene);
+        self.times(["gain", name, "samples"], &Engine::changed(), [picture].into_iter(), results, interrupt)
     }
 
     fn energy(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
@@ -207,26 +223,11 @@ mod tests {
     #[test]
     fn parameters_rise() {
         for quick in [true, false] {
-            let plan = Plan { quick, repeats: 1, idle: false, scenes: PathBuf::new() };
+            let plan = Plan { quick, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
             for parameter in PARAMETERS {
                 let values = plan.values(parameter);
                 assert!(values.len() >= 4 && values.is_sorted_by(|a, b| a < b), "{parameter}: {values:?}");
             }
         }
-    }
-
-    #[test]
-    fn what_would_take_too_long_is_left_out_with_its_reason() {
-        let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new() };
-        let (config, scene) = board(300, 48);
-        // Enough for the literal renderer to take more than a hundredth of the patience at first.
-        let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
-        let mut results = Results::default();
-        let engines = [Engine::Reference, Engine::main()[1]];
-        let outcome =
-            plan.times(["scale", "s", "samples"], &engines, pictures.into_iter(), &mut results, &Interrupt::default());
-        outcome.expect("nothing fails");
-        assert!(results.omitted.iter().any(|omitted| omitted.setting.engine == "reference"), "{:?}", results.omitted);
-        assert!(results.omitted[0].reason.starts_with("a picture would take about "));
     }
 }

@@ -1,12 +1,14 @@
-//! Measured data, as files keep it: JSON with everything, CSV with a line for each time and each error.
+//! Measured data, and what follows from them.
 
 mod files;
+mod merge;
 
 use serde::{Deserialize, Serialize};
 
 use super::energy::Energy;
 use super::error::ErrorCurve;
 use super::fit::{PowerLaw, reaches};
+use super::gain::{self, Gain};
 use super::machine::Machine;
 use super::statistics::Median;
 use crate::usage::Seconds;
@@ -17,7 +19,7 @@ pub const TARGETS: [f64; 3] = [0.05, 0.02, 0.01];
 /// A measurement's place: what was rendered, and with which value of which parameter.
 #[derive(Clone, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
 pub struct Setting {
-    /// What it was measured for: `scale` or `error`.
+    /// What it was measured for: `scale`, `error` or `gain`.
     pub suite: String,
     /// The scene's name.
     pub scene: String,
@@ -51,6 +53,37 @@ pub struct Omitted {
     pub setting: Setting,
     /// Why.
     pub reason: String,
+}
+
+/// An implementation of the intersections: what a test costs, and how wrong its answers are.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Intersection {
+    /// What was tested.
+    #[serde(flatten)]
+    pub trial: Trial,
+    /// Tests.
+    pub cases: usize,
+    /// Of these, with a wrong hit, miss, root or part.
+    pub wrong: usize,
+    /// Relative errors of lambda against exact arithmetic, where the decision is right: median, 99.9 % and largest.
+    pub lambda_error: [f64; 3],
+    /// Nanoseconds a test, every repeat, in the order measured.
+    pub nanoseconds: Vec<f64>,
+    /// Their middle.
+    pub median: Median,
+}
+
+/// A measurement's place among the intersections.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Trial {
+    /// `sphere` or `cylinder`.
+    pub object: String,
+    /// `ordinary` rays, or `hard` ones: those of all other regimes of `docs/accuracy.md`, as many of each.
+    pub rays: String,
+    /// The implementation, as `docs/accuracy.md` names it.
+    pub implementation: String,
+    /// Seed of the rays.
+    pub seed: u64,
 }
 
 /// How the time grows with a parameter.
@@ -103,6 +136,9 @@ pub struct Results {
     pub timings: Vec<Timing>,
     /// Errors.
     pub curves: Vec<ErrorCurve>,
+    /// Intersections by themselves.
+    #[serde(default)]
+    pub intersections: Vec<Intersection>,
     /// Energy.
     pub energy: Vec<Energy>,
     /// What was left out.
@@ -111,6 +147,9 @@ pub struct Results {
     pub growth: Vec<Growth>,
     /// Follows from times and errors.
     pub times_to_error: Vec<TimeToError>,
+    /// Follows from the times.
+    #[serde(default)]
+    pub gains: Vec<Gain>,
 }
 
 impl Results {
@@ -124,6 +163,8 @@ impl Results {
                 Some(Growth { law: PowerLaw::through(&points)?, scene, parameter, engine })
             })
             .collect();
+        let best = self.machines.first().map_or("", |machine| &machine.instruction_set);
+        self.gains = gain::of(&self.timings, best);
         self.times_to_error = Vec::new();
         for Line { scene, engine, points, .. } in self.lines("error") {
             let Some(curve) = self.curves.iter().find(|curve| curve.scene == scene) else { continue };
@@ -160,50 +201,6 @@ impl Results {
         }
         lines
     }
-
-    /// Joins results of parts of one matrix. Times of the same setting, measured twice, are pooled.
-    ///
-    /// # Errors
-    /// Parts of different matrices or different programs, or different pictures at one setting.
-    pub fn merge(parts: Vec<Self>) -> Result<Self, String> {
-        let mut all = Self { quick: parts.first().ok_or("there is nothing to join")?.quick, ..Self::default() };
-        for part in parts {
-            if part.quick != all.quick {
-                return Err("quick and full measurements cannot be joined".to_owned());
-            }
-            for machine in part.machines {
-                if all.machines.iter().any(|other| other.commit != machine.commit) {
-                    return Err(format!("another part was measured at another commit than {}", machine.commit));
-                }
-                // The load differs from one minute to the next; the machine does not.
-                let same = |other: &&Machine| Machine { load: machine.load, ..(*other).clone() } == machine;
-                if !all.machines.iter().any(|other| same(&other)) {
-                    all.machines.push(machine);
-                }
-            }
-            for timing in part.timings {
-                match all.timings.iter_mut().find(|other| other.setting == timing.setting) {
-                    Some(other) if other.digest != timing.digest => {
-                        return Err(format!("different pictures for {:?}", timing.setting));
-                    }
-                    Some(other) => {
-                        other.seconds.extend(timing.seconds);
-                        other.median = Median::of(&other.seconds);
-                    }
-                    None => all.timings.push(timing),
-                }
-            }
-            for curve in part.curves {
-                if !all.curves.iter().any(|other| other.scene == curve.scene) {
-                    all.curves.push(curve);
-                }
-            }
-            all.energy.extend(part.energy);
-            all.omitted.extend(part.omitted);
-        }
-        all.complete();
-        Ok(all)
-    }
 }
 
 #[cfg(test)]
@@ -219,32 +216,6 @@ mod tests {
 
     pub fn results(timings: Vec<Timing>) -> Results {
         Results { timings, machines: vec![Machine::here()], ..Results::default() }
-    }
-
-    #[test]
-    fn parts_are_joined_and_what_follows_is_computed() {
-        let first = results(vec![timing("a", 4, &[4.0]), timing("a", 1, &[1.0])]);
-        let second = results(vec![timing("a", 16, &[16.0]), timing("a", 4, &[6.0])]);
-        let joined = Results::merge(vec![first, second]).expect("they fit");
-        assert_eq!(joined.machines.len(), 1);
-        let medians: Vec<_> =
-            joined.timings.iter().map(|timing| (timing.setting.value, timing.median.median)).collect();
-        assert_eq!(medians, [(1, 1.0), (4, 5.0), (16, 16.0)], "pooled, and in order");
-        assert!((joined.growth[0].law.exponent - 1.0).abs() < 1e-12, "{:?}", joined.growth);
-    }
-
-    #[test]
-    fn what_does_not_belong_together_is_not_joined() {
-        let part = || results(vec![timing("a", 1, &[1.0])]);
-        let quick = Results { quick: true, ..part() };
-        let mut other_picture = part();
-        other_picture.timings[0].digest = "other".to_owned();
-        let mut other_commit = part();
-        other_commit.machines[0].commit = "other".to_owned();
-        for other in [quick, other_picture, other_commit] {
-            assert!(Results::merge(vec![part(), other]).is_err());
-        }
-        assert!(Results::merge(Vec::new()).is_err());
     }
 
     #[test]

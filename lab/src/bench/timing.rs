@@ -50,21 +50,44 @@ pub fn measure(
             }
             _ => digest = Some(own),
         }
-        turns.push((SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32);
+        turns.push(turns_of(seconds));
     }
-    let mut times: Vec<Vec<Seconds>> = vec![Vec::with_capacity(repeats); engines.len()];
+    let times = interleaved(repeats, &turns, interrupt, |index| {
+        std::hint::black_box(engines[index].ppm(config, scene)?);
+        Ok(())
+    })?;
+    Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
+}
+
+/// How often to do something that takes `seconds` for the time to be long enough to be measured.
+#[must_use]
+pub fn turns_of(seconds: Seconds) -> u32 {
+    (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
+}
+
+/// User time of one call of `work` with each index of `turns`, which says how many calls make a repeat, `repeats` times.
+///
+/// # Errors
+/// What `work` says, or [`Failure::Interrupted`].
+pub fn interleaved(
+    repeats: usize,
+    turns: &[u32],
+    interrupt: &Interrupt,
+    mut work: impl FnMut(usize) -> Result<(), Failure>,
+) -> Result<Vec<Vec<Seconds>>, Failure> {
+    let mut times: Vec<Vec<Seconds>> = vec![Vec::with_capacity(repeats); turns.len()];
     for repeat in 0..repeats {
-        for place in 0..engines.len() {
+        for place in 0..turns.len() {
             interrupt.check()?;
-            let index = (place + repeat) % engines.len();
+            let index = (place + repeat) % turns.len();
             let before = Usage::now().user;
             for _ in 0..turns[index] {
-                std::hint::black_box(engines[index].ppm(config, scene)?);
+                work(index)?;
             }
             times[index].push((Usage::now().user - before) / f64::from(turns[index]));
         }
     }
-    Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
+    Ok(times)
 }
 
 #[cfg(test)]

@@ -30,9 +30,16 @@ enum What {
         #[command(flatten)]
         how: How,
     },
-    /// Run time against error, for every implementation
+    /// Run time against error of a picture for every implementation, and cost against error of an intersection
     #[command(after_help = "Examples:\n  render-lab bench error --repeats 9 --out error.json")]
     Error {
+        #[command(flatten)]
+        how: How,
+    },
+    /// Time with one thing switched off at a time: lanes, layout, search, certificate, or all of it
+    #[command(after_help = "Examples:\n  render-lab bench gain --quick --out gain.json\n  \
+                            render-lab bench gain --reference ../shared/reference --out gain.json")]
+    Gain {
         #[command(flatten)]
         how: How,
     },
@@ -70,7 +77,7 @@ enum What {
 /// How it is measured, and where to.
 #[derive(Debug, Args)]
 struct How {
-    /// File to write; OUT.csv and OUT-error.csv go beside it
+    /// File to write; OUT.csv, OUT-error.csv and OUT-intersections.csv go beside it
     #[arg(long, value_name = "OUT.json")]
     out: PathBuf,
     /// Small pictures, to try it out in minutes
@@ -85,6 +92,9 @@ struct How {
     /// Folder of the scenes
     #[arg(long, default_value_os_t = ::tests::project_root().join("scenes"), hide_default_value = true)]
     scenes: PathBuf,
+    /// Folder of the course's cases, config1.txt, scene1.txt and so on, to measure the gains on them too
+    #[arg(long, value_name = "FOLDER")]
+    reference: Option<PathBuf>,
 }
 
 fn parse_part(text: &str) -> Result<(usize, usize), String> {
@@ -104,7 +114,10 @@ impl Arguments {
                 let is_wanted = |name: &str| parameter.as_ref().is_none_or(|parameter| parameter == name);
                 how.run(all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
             }
-            What::Error { how } => how.run(all.iter().filter(|task| matches!(task, Task::Error(_)))),
+            What::Error { how } => {
+                how.run(all.iter().filter(|task| matches!(task, Task::Error(_) | Task::Intersection(_))))
+            }
+            What::Gain { how } => how.run(all.iter().filter(|task| matches!(task, Task::Gain(_)))),
             What::Energy { how } => how.run(all.iter().filter(|task| matches!(task, Task::Energy(_)))),
             What::All { part: (part, parts), how } => how.run(all.iter().skip(part - 1).step_by(*parts)),
             What::Tasks => {
@@ -131,6 +144,7 @@ impl How {
             repeats: usize::from(self.repeats),
             idle: self.subtract_idle,
             scenes: self.scenes.clone(),
+            reference: self.reference.clone(),
         };
         let mut results = Results { quick: self.quick, machines: vec![Machine::here()], ..Results::default() };
         for task in tasks {

@@ -9,7 +9,7 @@ pub fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f6
     low / room..high * room
 }
 
-/// A logarithmic axis whose ticks are round: 1, 2, 5 in each decade where there are few, else powers of ten.
+/// A logarithmic axis whose ticks are round: 1, 2, 5 in each decade where there are few, else powers of ten, or some.
 pub struct Logarithmic(pub std::ops::Range<f64>);
 
 impl Ranged for Logarithmic {
@@ -38,8 +38,12 @@ fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
         let all = decades.clone().flat_map(|decade| steps.iter().map(move |step| step * 10_f64.powi(decade)));
         all.filter(|tick| range.contains(tick)).collect()
     };
-    let sets = [with(&[1.0, 2.0, 5.0]), with(&[1.0, 3.0]), with(&[1.0])];
-    sets.into_iter().find(|ticks| ticks.len() <= most).unwrap_or_else(|| with(&[1.0]))
+    let every = |count: i32| -> Vec<f64> {
+        let powers = decades.clone().filter(|decade| decade % count == 0).map(|decade| 10_f64.powi(decade));
+        powers.filter(|tick| range.contains(tick)).collect()
+    };
+    let sets = [with(&[1.0, 2.0, 5.0]), with(&[1.0, 3.0]), every(1), every(2), every(3)];
+    sets.into_iter().find(|ticks| ticks.len() <= most).unwrap_or_else(|| every(5))
 }
 
 #[cfg(test)]
@@ -50,6 +54,7 @@ mod tests {
     fn ticks_are_round() {
         assert_eq!(ticks(&(0.9..60.0), 9), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]);
         assert_eq!(ticks(&(0.9..60.0), 4), [1.0, 3.0, 10.0, 30.0]);
+        assert_eq!(ticks(&(0.9e-9..1.1), 4), [1e-9, 1e-6, 1e-3, 1.0]);
         assert_eq!(ticks(&(0.9..11000.0), 5), [1.0, 10.0, 100.0, 1000.0, 10000.0]);
     }
 }

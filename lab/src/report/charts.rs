@@ -1,7 +1,7 @@
 //! Which charts the data give.
 
-use super::chart::{Axis, Chart, Point, Series};
-use super::style::{seconds, short};
+use super::chart::{Axis, Bounds, Chart, Point, Series};
+use super::style::{power_of_ten, seconds, short};
 use crate::bench::results::{Results, Timing};
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
@@ -14,7 +14,9 @@ pub fn all(results: &Results) -> Vec<Chart> {
     scale
         .chain(error_by_samples(results))
         .chain(curves.filter_map(|scene| error_by_time(results, scene)))
+        .chain(["sphere", "cylinder"].into_iter().filter_map(|object| intersections(results, object)))
         .chain(speed_ups(results))
+        .chain(gains(results))
         .collect()
 }
 
@@ -43,7 +45,7 @@ fn error_by_samples(results: &Results) -> Option<Chart> {
     for (index, curve) in results.curves.iter().enumerate() {
         for point in &curve.points {
             let error = point.linear;
-            let bounds = Some((error.low, error.high));
+            let bounds = Some(Bounds::Vertical(error.low, error.high));
             push(&mut series, &curve.scene, index + 1, Point { x: point.samples as f64, y: error.median, bounds });
         }
     }
@@ -67,7 +69,7 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
         let is_shown = !engine.starts_with("soa") || engine.ends_with(&results.machines.first()?.instruction_set);
         let error = curve.points.iter().find(|point| point.samples == timing.setting.value);
         if let (true, Some(error)) = (is_shown, error) {
-            let bounds = Some((error.linear.low, error.linear.high));
+            let bounds = Some(Bounds::Vertical(error.linear.low, error.linear.high));
             push(&mut series, engine, color(engine), Point { x: timing.median.median, y: error.linear.median, bounds });
         }
     }
@@ -75,6 +77,43 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
     let y = Axis { label: "RMSE in linear light (white is 1)", format: short };
     let title = format!("Error against time, scene \u{201c}{scene}\u{201d}");
     chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y, series, rows: Vec::new() })
+}
+
+/// What an intersection costs against how wrong it is: a line an implementation, from ordinary rays up to hard ones.
+fn intersections(results: &Results, object: &str) -> Option<Chart> {
+    let mut series: Vec<Series> = Vec::new();
+    for intersection in results.intersections.iter().filter(|intersection| intersection.trial.object == object) {
+        let name = &intersection.trial.implementation;
+        let color = crate::bench::intersections::METHODS.iter().position(|method| method == name)?;
+        let (cost, [_, high, _]) = (intersection.median, intersection.lambda_error);
+        // Where hardly an answer is not the nearest number, the half of its last place stands for none.
+        let bounds = Some(Bounds::Horizontal(cost.low, cost.high));
+        push(&mut series, name, color, Point { x: cost.median, y: high.max(f64::EPSILON / 2.0), bounds });
+    }
+    let x = Axis { label: "ns a test", format: short };
+    let y = Axis { label: "relative error of lambda, 99.9 %", format: power_of_ten };
+    let title = format!("What an intersection costs, and its error: {object}s");
+    chart(Chart { name: format!("intersection-{object}"), title, x, y, series, rows: Vec::new() })
+}
+
+/// How many times as long each scene takes with one thing switched off.
+fn gains(results: &Results) -> Option<Chart> {
+    let mut rows: Vec<String> = Vec::new();
+    for gain in &results.gains {
+        if !rows.contains(&gain.without) {
+            rows.push(gain.without.clone());
+        }
+    }
+    let mut series: Vec<Series> = Vec::new();
+    for gain in &results.gains {
+        let row = rows.iter().position(|row| *row == gain.without)?;
+        let color = series.iter().position(|series| series.name == gain.scene).unwrap_or(series.len());
+        let bounds = Some(Bounds::Horizontal(gain.low, gain.high));
+        push(&mut series, &gain.scene, color, Point { x: gain.ratio, y: row as f64 + 1.0, bounds });
+    }
+    let x = Axis { label: "times as long", format: short };
+    let y = Axis { label: "", format: short };
+    chart(Chart { name: "gain".to_owned(), title: "Time with one thing switched off".to_owned(), x, y, series, rows })
 }
 
 /// How many times as fast as the literal renderer each engine is, at the most samples that both were measured with.
@@ -91,7 +130,7 @@ fn speed_ups(results: &Results) -> Option<Chart> {
         for timing in same {
             let Some(row) = rows.iter().position(|row| *row == timing.setting.engine) else { continue };
             let ratio = |seconds: f64| literal.median.median / seconds;
-            let bounds = Some((ratio(timing.median.high), ratio(timing.median.low)));
+            let bounds = Some(Bounds::Horizontal(ratio(timing.median.high), ratio(timing.median.low)));
             let point = Point { x: ratio(timing.median.median), y: row as f64 + 1.0, bounds };
             push(&mut series, &curve.scene, index + 1, point);
         }
@@ -108,7 +147,7 @@ fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIt
 }
 
 fn timed(timing: &Timing, x: f64) -> Point {
-    Point { x, y: timing.median.median, bounds: Some((timing.median.low, timing.median.high)) }
+    Point { x, y: timing.median.median, bounds: Some(Bounds::Vertical(timing.median.low, timing.median.high)) }
 }
 
 fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {

@@ -1,10 +1,16 @@
 //! What the data say, in sentences that are computed from them.
 
+mod comparisons;
+mod growth;
+mod intersections;
+
 use serde::Serialize;
 
-use super::style::{seconds, short, with_error};
-use crate::bench::fit::PowerLaw;
-use crate::bench::results::{Results, Timing};
+use super::style::short;
+use crate::bench::results::Results;
+use comparisons::{gains, instruction_sets, layouts, literal};
+use growth::{error, scaling, time_to_error};
+use intersections::intersections;
 
 /// A sentence and what it is about.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -24,9 +30,11 @@ pub fn of(results: &Results) -> Vec<Finding> {
         ("Layouts", layouts(results)),
         ("Literal renderer", literal(results)),
         ("Instruction sets", instruction_sets(results)),
+        ("Gains", gains(results)),
         ("Scaling", scaling(results)),
         ("Error", error(results)),
         ("Time to an error", time_to_error(results)),
+        ("Intersections", intersections(results)),
         ("Energy", energy(results)),
     ];
     findings.into_iter().filter_map(|(topic, text)| Some(Finding { topic, text: text? })).collect()
@@ -62,139 +70,6 @@ fn spread(results: &Results) -> Option<String> {
     ))
 }
 
-/// Pairs of times that differ in the engine alone.
-fn pairs<'a>(
-    results: &'a Results,
-    other: impl Fn(&str) -> Option<String> + 'a,
-) -> impl Iterator<Item = (&'a Timing, &'a Timing)> {
-    results.timings.iter().filter_map(move |timing| {
-        let mut setting = timing.setting.clone();
-        setting.engine = other(&setting.engine)?;
-        Some((timing, results.timings.iter().find(|timing| timing.setting == setting)?))
-    })
-}
-
-/// Geometric mean, least and largest.
-fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
-    let values: Vec<_> = values.collect();
-    let mean = (values.iter().map(|value| value.ln()).sum::<f64>() / values.len() as f64).exp();
-    let [low, high] = [values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?];
-    Some([mean, low, high])
-}
-
-fn layouts(results: &Results) -> Option<String> {
-    let pairs = || pairs(results, |engine| engine.strip_prefix("aos-").map(|set| format!("soa-{set}")));
-    let [mean, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
-    let apart = pairs().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
-    Some(format!(
-        "Structures of arrays take {} times the time of arrays of structures (geometric mean; {} to {}); in {apart} of {} \
-         settings their bounds lie apart.",
-        short(mean),
-        short(low),
-        short(high),
-        pairs().count()
-    ))
-}
-
-fn literal(results: &Results) -> Option<String> {
-    let best = results.machines.first()?.instruction_set.clone();
-    let faster = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| "reference".to_owned()));
-    let pairs: Vec<_> = faster.collect();
-    let ratio = |(real, literal): &(&Timing, &Timing)| literal.median.median / real.median.median;
-    let [mean, ..] = ratios(pairs.iter().map(ratio))?;
-    let most = pairs.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    let least = pairs.iter().min_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
-    let place = |(real, _): &(&Timing, &Timing)| {
-        format!("{}, {} {}", real.setting.scene, real.setting.value, real.setting.parameter)
-    };
-    Some(format!(
-        "The renderer is {} times as fast as the literal one (geometric mean over {} settings): least {} times ({}), most \
-         {} times ({}).",
-        short(mean),
-        pairs.len(),
-        short(ratio(least)),
-        place(least),
-        short(ratio(most)),
-        place(most)
-    ))
-}
-
-fn instruction_sets(results: &Results) -> Option<String> {
-    let sets: Vec<_> = cpu::InstructionSet::ALL.iter().map(|set| set.name()).collect();
-    let steps: Vec<_> = sets
-        .windows(2)
-        .filter_map(|pair| {
-            let (slower, faster) = (pair[0], pair[1]);
-            let both = pairs(results, move |engine| {
-                engine.strip_suffix(faster).filter(|layout| layout.ends_with('-')).map(|l| format!("{l}{slower}"))
-            });
-            let [mean, low, high] = ratios(both.map(|(fast, slow)| slow.median.median / fast.median.median))?;
-            Some(format!("{faster} is {} times as fast as {slower} ({} to {})", short(mean), short(low), short(high)))
-        })
-        .collect();
-    (!steps.is_empty()).then(|| format!("On average {}.", steps.join(", ")))
-}
-
-fn scaling(results: &Results) -> Option<String> {
-    let best = &results.machines.first()?.instruction_set;
-    let of = |law: &PowerLaw| with_error(law.exponent, law.exponent_error);
-    let parts: Vec<_> = crate::bench::matrix::PARAMETERS
-        .iter()
-        .filter_map(|parameter| {
-            let find = |engine: &str| {
-                results.growth.iter().find(|growth| growth.parameter == *parameter && growth.engine == engine)
-            };
-            let real = find(&format!("aos-{best}"))?;
-            let literal =
-                find("reference").map_or_else(String::new, |growth| format!(" (literal: {})", of(&growth.law)));
-            Some(format!("{parameter} to the power {}{literal}", of(&real.law)))
-        })
-        .collect();
-    (!parts.is_empty()).then(|| format!("Time grows with {}.", parts.join(", ")))
-}
-
-fn error(results: &Results) -> Option<String> {
-    let parts: Vec<_> = results
-        .curves
-        .iter()
-        .filter_map(|curve| {
-            let points: Vec<_> = curve.points.iter().map(|p| (p.samples as f64, p.linear.median)).collect();
-            let law = PowerLaw::through(&points)?;
-            let (scene, exponent) = (&curve.scene, with_error(law.exponent, law.exponent_error));
-            let own = short(curve.reference_error);
-            Some(format!("{exponent} ({scene}; the converged picture's own error is {own})"))
-        })
-        .collect();
-    (!parts.is_empty()).then(|| {
-        format!(
-            "The error falls with the number of samples to the power {}; independent samples give -0.5.",
-            parts.join(", ")
-        )
-    })
-}
-
-fn time_to_error(results: &Results) -> Option<String> {
-    let best = format!("aos-{}", results.machines.first()?.instruction_set);
-    let find = |scene: &str, engine: &str, error: f64| {
-        let is_it =
-            |t: &&crate::bench::results::TimeToError| t.scene == scene && t.engine == engine && t.error == error;
-        results.times_to_error.iter().find(is_it).and_then(|time| time.seconds)
-    };
-    // The smallest error for which both were measured, for each scene.
-    let parts: Vec<_> = results
-        .curves
-        .iter()
-        .filter_map(|curve| {
-            let scene = &curve.scene;
-            crate::bench::results::TARGETS.iter().rev().find_map(|&error| {
-                let (real, literal) = (find(scene, &best, error)?, find(scene, "reference", error)?);
-                Some(format!("{error} takes {} instead of {} ({scene})", seconds(real), seconds(literal)))
-            })
-        })
-        .collect();
-    (!parts.is_empty()).then(|| format!("An error of {}.", parts.join(", of ")))
-}
-
 fn energy(results: &Results) -> Option<String> {
     let first = results.energy.first()?;
     if let Some(reason) = results.energy.iter().find_map(|energy| energy.reason.as_ref()) {
@@ -218,7 +93,7 @@ mod tests {
     use super::*;
     use crate::bench::energy::Energy;
     use crate::bench::machine::Machine;
-    use crate::bench::results::Setting;
+    use crate::bench::results::{Intersection, Setting, Timing, Trial};
     use crate::bench::statistics::Median;
 
     fn timing(engine: &str, value: u64, seconds: f64) -> Timing {
@@ -249,6 +124,47 @@ mod tests {
         assert!(literal.contains("least 2 times (board, 10 objects), most 8 times (board, 100 objects)"), "{literal}");
         assert!(text(&results, "Instruction sets").contains("avx2 is 1.5 times as fast as sse2"));
         assert!(text(&results, "Scaling").contains("objects to the power 0"), "{}", text(&results, "Scaling"));
+    }
+
+    #[test]
+    fn what_is_switched_off_is_named_with_how_much_longer_it_takes() {
+        let machine = Machine { instruction_set: "avx2".to_owned(), ..Machine::here() };
+        let mut timings = Vec::new();
+        for (scene, slow) in [("grid", 2.0), ("board", 8.0)] {
+            let engines = [("aos-avx2", 1.0), ("aos-sse2", slow), ("aos-avx2-textbook", 0.5)];
+            for (engine, seconds) in engines {
+                let mut timing = timing(engine, 4, seconds);
+                (timing.setting.suite, timing.setting.scene) = ("gain".to_owned(), scene.to_owned());
+                timings.push(timing);
+            }
+        }
+        let mut results = Results { machines: vec![machine], timings, ..Results::default() };
+        results.complete();
+        let text = text(&results, "Gains");
+        assert!(text.contains("4 times as long with sse2 lanes (2 in grid to 8 in board)"), "{text}");
+        assert!(text.contains("0.5 times as long with no certificate"), "{text}");
+    }
+
+    #[test]
+    fn intersections_are_told_with_cost_error_and_wrong_decisions() {
+        let intersection = |rays: &str, implementation: &str, nanoseconds: f64, error: f64, wrong| {
+            let [object, rays, implementation] = ["sphere", rays, implementation].map(str::to_owned);
+            let trial = Trial { object, rays, implementation, seed: 1 };
+            let median = Median::of(&[nanoseconds]);
+            Intersection { trial, cases: 1000, wrong, lambda_error: [0.0, error, 1.0], nanoseconds: vec![], median }
+        };
+        let intersections = vec![
+            intersection("ordinary", "textbook f64", 5.0, 1e-13, 0),
+            intersection("hard", "textbook f64", 5.0, 1e-3, 123),
+            intersection("ordinary", "certified f64", 6.0, 1e-13, 0),
+            intersection("hard", "certified f64", 400.0, 1e-12, 0),
+        ];
+        let text = text(&Results { intersections, ..Results::default() }, "Intersections");
+        assert!(text.contains("; textbook f64 5 and 5 ns, errors of 1e-13 and 1e-3, 0 % and 12.3 % wrong"), "{text}");
+        assert!(
+            text.contains("With a sphere: certified f64 6 and 400 ns, errors of 1e-13 and 1e-12, none wrong"),
+            "{text}"
+        );
     }
 
     #[test]

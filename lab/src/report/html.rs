@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::chart::Chart;
 use super::findings::Finding;
-use super::style::{for_screen, seconds, short, variables, with_error};
+use super::style::{for_screen, power_of_ten, seconds, short, variables, with_error};
 use crate::bench::results::Results;
 
 const STYLE: &str = "\
@@ -37,6 +37,8 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
     }
     growth(&mut page, results);
     times_to_error(&mut page, results);
+    gains(&mut page, results);
+    intersections(&mut page, results);
     omitted(&mut page, results);
     machines(&mut page, results);
     page.push_str("</html>\n");
@@ -59,6 +61,28 @@ fn times_to_error(page: &mut String, results: &Results) {
         vec![time.scene.clone(), time.engine.clone(), short(time.error), reached]
     });
     table(page, "Time to an error (RMSE in linear light)", &["scene", "implementation", "error", "user time"], rows);
+}
+
+fn gains(page: &mut String, results: &Results) {
+    let rows = results.gains.iter().map(|gain| {
+        let bounds = format!("{} to {}", short(gain.low), short(gain.high));
+        vec![gain.scene.clone(), gain.without.clone(), short(gain.ratio), bounds]
+    });
+    table(page, "Time with one thing switched off", &["scene", "with", "times as long", "bounds"], rows);
+}
+
+fn intersections(page: &mut String, results: &Results) {
+    let rows = results.intersections.iter().map(|found| {
+        let [object, rays, name] =
+            [&found.trial.object, &found.trial.rays, &found.trial.implementation].map(Clone::clone);
+        let wrong = format!("{} of {}", found.wrong, found.cases);
+        let [middle, high, most] = found.lambda_error.map(power_of_ten);
+        let cost =
+            format!("{} ({} to {})", short(found.median.median), short(found.median.low), short(found.median.high));
+        vec![object, rays, name, wrong, middle, high, most, cost]
+    });
+    let head = ["object", "rays", "implementation", "wrong", "error, 50 %", "99.9 %", "most", "ns a test"];
+    table(page, "Intersections against exact arithmetic", &head, rows);
 }
 
 fn omitted(page: &mut String, results: &Results) {

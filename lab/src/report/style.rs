@@ -7,7 +7,7 @@ pub const INK: RGBColor = RGBColor(0x26, 0x26, 0x2B);
 /// Lines of the grid.
 pub const GRID: RGBColor = RGBColor(0xDC, 0xDC, 0xE2);
 /// Series, told apart by most eyes (after Okabe and Ito), each with its tone for a dark page.
-pub const SERIES: [(RGBColor, &str); 7] = [
+pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x5C, 0x5C, 0x66), "#A9A9B4"),
     (RGBColor(0x00, 0x72, 0xB2), "#56B4E9"),
     (RGBColor(0xD5, 0x5E, 0x00), "#F08A3C"),
@@ -15,6 +15,7 @@ pub const SERIES: [(RGBColor, &str); 7] = [
     (RGBColor(0xAA, 0x45, 0x83), "#DD8DBB"),
     (RGBColor(0x9A, 0x73, 0x00), "#E0B93A"),
     (RGBColor(0x7A, 0x1F, 0x1F), "#E38383"),
+    (RGBColor(0x4B, 0x3F, 0xB5), "#A79CF0"),
 ];
 
 /// A colour as SVG writes it.
@@ -61,6 +62,12 @@ pub fn short(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
+/// A number as one digit and a power of ten.
+#[must_use]
+pub fn power_of_ten(value: f64) -> String {
+    format!("{value:.0e}")
+}
+
 /// A value with its standard error, to the place of the error's first digit.
 #[must_use]
 pub fn with_error(value: f64, error: Option<f64>) -> String {
@@ -85,6 +92,7 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
+        assert_eq!([1e-13, 4.4e-16, 1.0].map(power_of_ten), ["1e-13", "4e-16", "1e0"]);
         assert_eq!([0.0, 0.0123456, 1.5, 1234.5, -0.4987].map(short), ["0", "0.0123", "1.5", "1234", "-0.499"]);
     }
 

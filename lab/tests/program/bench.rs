@@ -1,5 +1,6 @@
 //! `render-lab bench` and `render-lab report`. No time is asserted: only what must hold on the busiest machine.
 
+use std::collections::BTreeSet;
 use std::fs;
 
 use lab::bench::results::Results;
@@ -28,7 +29,7 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
             .find(|other| other.setting.value == timing.setting.value && other.setting.engine != timing.setting.engine);
         assert_eq!(other.expect("the layouts are always measured").digest, timing.digest);
     }
-    assert_eq!(folder.names(), ["depth-error.csv", "depth.csv", "depth.json"]);
+    assert_eq!(folder.names(), ["depth-error.csv", "depth-intersections.csv", "depth.csv", "depth.json"]);
 
     let merged = folder.name("merged.json");
     printed(&["bench", "merge", "--out", &merged, &folder.name("depth.json"), &folder.name("depth.json")]);
@@ -44,6 +45,49 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     let findings: serde_json::Value = serde_json::from_str(&findings).expect("it is JSON");
     assert!(findings.as_array().is_some_and(|findings| findings.len() >= 4), "{findings}");
     assert!(folder.file("report/charts/scale-depth.svg").is_file());
+}
+
+#[test]
+fn what_is_switched_off_is_timed_on_the_scenes_and_on_the_courses_cases() {
+    let folder = Folder::new();
+    for case in 1..=4 {
+        let scene = format!("matte: m .5 .5 .5\nsphere: 0 0 0 {case} m\n");
+        fs::write(folder.file(&format!("config{case}.txt")), "camera_position: 0 0 -9\n").expect("it is writable");
+        fs::write(folder.file(&format!("scene{case}.txt")), scene).expect("it is writable");
+    }
+    let cases = folder.path().to_str().expect("temporary names are text");
+    let results = measure(&folder, "gain.json", &["gain", "--reference", cases]);
+    let scenes: BTreeSet<_> = results.gains.iter().map(|gain| gain.scene.as_str()).collect();
+    assert_eq!(scenes.len(), 3 + 1 + 4, "{scenes:?}");
+    let names: BTreeSet<_> = results.gains.iter().map(|gain| gain.without.as_str()).collect();
+    assert!(["soa layout", "no search", "no certificate", "literal renderer"].iter().all(|name| names.contains(name)));
+    assert_eq!(results.gains.len(), scenes.len() * names.len(), "every thing on every scene");
+    assert!(results.gains.iter().all(|gain| 0.0 < gain.low && gain.low <= gain.ratio && gain.ratio <= gain.high));
+
+    // Without the folder the cases are left out, and it is said why.
+    let tasks = printed(&["bench", "tasks"]);
+    let place = 1 + tasks.lines().position(|task| task == "gain case-1").expect("it is a task");
+    let part = format!("{place}/{}", tasks.lines().count());
+    let results = measure(&folder, "none.json", &["all", "--part", &part]);
+    assert!(results.timings.is_empty() && results.omitted[0].reason.contains("--reference"), "{results:?}");
+}
+
+#[test]
+fn intersections_have_cost_and_error_in_data_and_report() {
+    let folder = Folder::new();
+    let tasks = printed(&["bench", "tasks"]);
+    let place = 1 + tasks.lines().position(|task| task == "intersection sphere").expect("it is a task");
+    let part = format!("{place}/{}", tasks.lines().count());
+    let results = measure(&folder, "one.json", &["all", "--part", &part]);
+    assert_eq!(results.intersections.len(), 2 * 5, "five implementations on ordinary and on hard rays");
+    let lines = fs::read_to_string(folder.file("one-intersections.csv")).expect("it was written");
+    assert_eq!(lines.lines().count(), 1 + 2 * 5);
+
+    printed(&["report", &folder.name("one.json"), "--out", &folder.name("report")]);
+    let chart = fs::read_to_string(folder.file("report/charts/intersection-sphere.svg")).expect("it was written");
+    assert!(["certified f64", "projected f32", "ns a test"].iter().all(|text| chart.contains(text)), "{chart}");
+    let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
+    assert!(page.contains("Intersections against exact arithmetic"), "{page}");
 }
 
 #[test]

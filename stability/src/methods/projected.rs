@@ -21,11 +21,13 @@ fn crossings<T: Real<Mask = bool>>(direction: Vec3<T>, r_c: Vec3<T>, radius_squa
     Some([middle - half, middle + half])
 }
 
+/// Where the ray meets the sphere; the contract of [`SphereRecord::intersect`].
 pub fn sphere<T: Real<Mask = bool>>(sphere: &SphereRecord<T>, ray: &Ray<T>) -> Option<T> {
     let crossings = crossings(ray.direction, sphere.center - ray.origin, sphere.radius_squared)?;
     crossings.into_iter().find(|&lambda| in_range(lambda))
 }
 
+/// Where the ray meets the cylinder, and its part; the contract of [`CylinderRecord::intersect`].
 pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>) -> Option<(T, Part)> {
     let r_c = (cylinder.center - ray.origin).perpendicular_to(cylinder.axis);
     let side = crossings(ray.direction.perpendicular_to(cylinder.axis), r_c, cylinder.radius_squared)

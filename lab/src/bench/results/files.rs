@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cpu::output::Output;
 
-use super::{Results, Setting, Timing};
+use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::Failure;
 use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
@@ -20,17 +20,22 @@ impl Results {
         Ok(serde_json::from_slice(&text).map_err(|error| explain(&error))?)
     }
 
-    /// Writes the JSON file `path`, and beside it the times as `NAME.csv` and the errors as `NAME-error.csv`.
+    /// Writes the JSON file `path`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
+    /// intersections as `NAME-intersections.csv`.
     ///
     /// # Errors
     /// A file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), Failure> {
         let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let beside = |ending: &str, csv: csv::Result<Vec<u8>>| {
+            csv.map(|bytes| (path.with_file_name(format!("{stem}{ending}.csv")), bytes)).map_err(|e| e.to_string())
+        };
         let files = [
             (path.to_owned(), format!("{json}\n").into_bytes()),
-            (path.with_file_name(format!("{stem}.csv")), self.times_as_csv().map_err(|error| error.to_string())?),
-            (path.with_file_name(format!("{stem}-error.csv")), self.errors_as_csv().map_err(|e| e.to_string())?),
+            beside("", self.times_as_csv())?,
+            beside("-error", self.errors_as_csv())?,
+            beside("-intersections", self.intersections_as_csv())?,
         ];
         for (path, bytes) in files {
             Output::open(&path)?.write(|file| file.write_all(&bytes))?;
@@ -67,6 +72,24 @@ impl Results {
             for ErrorPoint { samples, linear: a, course: b } in &curve.points {
                 out.serialize((&curve.scene, samples, a.median, a.low, a.high, b.median, b.low, b.high))?;
             }
+        }
+        out.into_inner().map_err(|error| error.into_error().into())
+    }
+
+    fn intersections_as_csv(&self) -> csv::Result<Vec<u8>> {
+        let mut out = csv::Writer::from_writer(Vec::new());
+        let keys = ["object", "rays", "seed", "implementation", "cases", "wrong"];
+        let errors = ["lambda_p50", "lambda_p999", "lambda_max"];
+        let costs = ["median_ns", "low_ns", "high_ns", "confidence", "repeats"];
+        out.write_record(keys.iter().chain(&errors).chain(&costs))?;
+        for Intersection { trial, cases, wrong, lambda_error, nanoseconds, median } in &self.intersections {
+            let Trial { object, rays, implementation, seed } = trial;
+            let Median { median, low, high, confidence } = median;
+            out.serialize((
+                (object, rays, seed, implementation, cases, wrong),
+                lambda_error,
+                (median, low, high, confidence, nanoseconds.len()),
+            ))?;
         }
         out.into_inner().map_err(|error| error.into_error().into())
     }

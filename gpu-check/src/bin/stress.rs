@@ -1,15 +1,17 @@
-//! `stability [RAYS [SEED [NAME CONFIG SCENE]...]]`: runs the whole stress test and writes `docs/accuracy/`.
+//! `stress [RAYS [SEED [NAME CONFIG SCENE]...]]`: runs the whole stress test of the intersections, in Rust and in WGSL,
+//! and writes `docs/accuracy/` and the tables of `docs/accuracy.md`.
 //!
 //! RAYS (100,000) is the number of rays a regime of spheres; cylinders get three fifths of it. Beside the pictures of
-//! `tests/cases`, those named on the command line are rendered. Costs are printed and not written, since they differ
-//! from run to run.
+//! `tests/cases`, those named on the command line are rendered.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use cpu::{Config, Scatter, Scene};
-use stability::methods::{CERTIFIED, PROJECTED};
+use gpu_check::Gpu;
+use stability::methods::{self, CERTIFIED, PROJECTED};
 use stability::observed::Counts;
 use stability::regimes;
 use stability::report::{self, Picture, Section};
@@ -23,11 +25,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = root.join("docs/accuracy");
     fs::create_dir_all(&folder)?;
 
-    let spheres = run::sections(&regimes::SPHERES, seed, rays);
-    let cylinders = run::sections(&regimes::CYLINDERS, seed, rays * 3 / 5);
+    let gpu = Gpu::open()?;
+    let device = gpu.to_string();
+    println!("{device}");
+    if !gpu.has_f64() {
+        println!("it has no f64 in shaders: WGSL is held to exact arithmetic in f32 only");
+    }
+    let mut methods = methods::all();
+    methods.extend(gpu_check::methods::all(gpu)?);
+
+    let spheres = run::sections(&methods, &regimes::SPHERES, seed, rays)?;
+    let cylinders = run::sections(&methods, &regimes::CYLINDERS, seed, rays * 3 / 5)?;
     print_costs(&spheres);
     print_costs(&cylinders);
-    fs::write(folder.join("table.csv"), report::csv(&[("sphere", &spheres), ("cylinder", &cylinders)]))?;
+    let kinds: [(&str, &[Section]); 2] = [("sphere", &spheres), ("cylinder", &cylinders)];
+    fs::write(folder.join("table.csv"), report::csv(&kinds))?;
     for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
         let wrong =
             run::plot(&format!("{kind}: wrong decisions (no mark: none)"), "share of rays", (-5, 0), sections, |row| {
@@ -44,27 +56,32 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::write(folder.join(format!("{name}-lambda.svg")), errors.svg())?;
     }
 
-    let large = LargeSpheres::new(seed, rays);
+    let large = LargeSpheres::new(&methods, seed, rays)?;
     fs::write(folder.join("large-spheres.svg"), large.plot().svg())?;
     let pictures = pictures(&root, arguments.get(2..).unwrap_or_default())?;
 
-    let mut command = format!("cargo run --release -p stability -- {rays} {seed}");
+    let mut command = format!("cargo run --release -p gpu-check --bin stress -- {rays} {seed}");
     for triple in arguments.get(2..).unwrap_or_default().chunks_exact(3) {
         command += &format!(" {} CONFIG SCENE", triple[0]);
     }
     let limits = format!(
         "Of {rays} rays that leave a sphere, up to which radius at most none, and at most one in a thousand, is \
-         decided wrongly: projected f32 {:.0} and {:.0}, certified f64 {:.0e} (the largest tried) and the same.\n",
+         decided wrongly: projected f32 {:.0} and {:.0}, in WGSL {:.0} and {:.0}, certified f64 {:.0e} (the largest \
+         tried) and the same.\n",
         large.limit(PROJECTED, 0.0),
         large.limit(PROJECTED, 1e-3),
+        large.limit(gpu_check::methods::PROJECTED, 0.0),
+        large.limit(gpu_check::methods::PROJECTED, 1e-3),
         large.limit(CERTIFIED, 0.0),
     );
+    let today = String::from_utf8(Command::new("date").args(["-u", "+%F"]).output()?.stdout)?;
     let document = root.join("docs/accuracy.md");
     let mut text = fs::read_to_string(&document)?;
     for (mark, block) in [
-        ("command", format!("`{command}`\n")),
+        ("command", format!("`{command}`\n\nRun on {}, the seed is {seed}; WGSL ran on {device}.\n", today.trim())),
         ("spheres", report::markdown(&spheres)),
         ("cylinders", report::markdown(&cylinders)),
+        ("costs", report::costs(&kinds)),
         ("large", limits),
         ("pictures", report::pictures(&pictures)),
     ] {
@@ -73,15 +90,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::write(document, text)?;
 
     let textbook = [run::check(&spheres, [2e-12, 2e-12])?, run::check(&cylinders, [1e-11, 1e-9])?];
+    for row in [&spheres, &cylinders].into_iter().flat_map(|sections| run::parted_from_their_twins(sections)) {
+        println!("{}, {}: not the figures of the same formulas in Rust", row.regime, row.method);
+    }
     println!("certified: 0 wrong; textbook: {} spheres and {} cylinders wrong", textbook[0], textbook[1]);
     Ok(())
 }
 
 fn print_costs(sections: &[Section]) {
     for row in sections.iter().flat_map(|section| &section.rows) {
-        if let Some(nanoseconds) = row.nanoseconds {
-            println!("{:36} {:14} {nanoseconds:8.1} ns a test", row.regime, row.method);
-        }
+        println!("{:36} {:18} {:8.1} ns a test", row.regime, row.method, row.nanoseconds);
     }
 }
 

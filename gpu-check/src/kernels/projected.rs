@@ -1,0 +1,64 @@
+//! Ray against sphere and cylinder in the projected form, on the cases of the textbook's.
+
+use cpu::cylinder::CylinderRecord;
+use cpu::real::Real;
+use cpu::rng::Uniform;
+use cpu::sphere::SphereRecord;
+use cpu::{Hit, Ray};
+use stability::methods::projected;
+
+use super::{HIT_REPORT, cylinder, report, sphere};
+use crate::kernel::{Formula, Reader};
+
+pub enum Sphere {}
+pub enum Cylinder {}
+
+impl Formula for Sphere {
+    const MODULE: &'static str = "kernels/projected_sphere";
+    const INPUTS: usize = sphere::Sphere::INPUTS;
+    const OUTPUTS: &'static [&'static str] = HIT_REPORT;
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        let mut case = Reader(case);
+        let ray = Ray { origin: case.vector(), direction: case.vector() };
+        let sphere = SphereRecord::new(case.vector(), case.number());
+        let hit = projected::sphere(&sphere, &ray).map(|lambda| {
+            let point = ray.at(lambda);
+            (lambda, 0, Hit::facing(ray.direction, point, sphere.outward(point)))
+        });
+        report(hit, result);
+    }
+
+    fn edges() -> Vec<f64> {
+        sphere::Sphere::edges()
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        sphere::Sphere::random(draws, case);
+    }
+}
+
+impl Formula for Cylinder {
+    const MODULE: &'static str = "kernels/projected_cylinder";
+    const INPUTS: usize = cylinder::Cylinder::INPUTS;
+    const OUTPUTS: &'static [&'static str] = HIT_REPORT;
+
+    fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
+        let mut case = Reader(case);
+        let ray = Ray { origin: case.vector(), direction: case.vector() };
+        let cylinder = CylinderRecord::new(case.vector(), case.number(), case.vector());
+        let hit = projected::cylinder(&cylinder, &ray).map(|(lambda, part)| {
+            let point = ray.at(lambda);
+            (lambda, part as u32, Hit::facing(ray.direction, point, cylinder.outward(part, point)))
+        });
+        report(hit, result);
+    }
+
+    fn edges() -> Vec<f64> {
+        cylinder::Cylinder::edges()
+    }
+
+    fn random(draws: &mut Uniform, case: &mut [f64]) {
+        cylinder::Cylinder::random(draws, case);
+    }
+}

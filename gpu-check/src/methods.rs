@@ -1,0 +1,121 @@
+//! The intersections in WGSL as implementations that `stability` holds against exact arithmetic.
+
+use std::marker::PhantomData;
+use std::rc::Rc;
+
+use cpu::Vec3;
+use cpu::cylinder::Part;
+use cpu::scene::Shape;
+use shaders::Library;
+use stability::case::Case;
+use stability::methods::{Answer, Failure, Method, Stopwatch};
+
+use crate::kernel::Reader;
+use crate::kernels::{CYLINDER, PROJECTED_CYLINDER, PROJECTED_SPHERE, SPHERE};
+use crate::{Error, Float, Gpu, Kernel, Pipeline, check};
+
+/// The name of the textbook's formulas in f64.
+pub const TEXTBOOK: &str = "WGSL textbook f64";
+/// The name of the textbook's formulas in f32.
+pub const TEXTBOOK_SINGLE: &str = "WGSL textbook f32";
+/// The name of the projected form in f32.
+pub const PROJECTED: &str = "WGSL projected f32";
+
+/// All that `gpu` can calculate, in the order of the table's rows: without f64 in shaders, f32 alone.
+///
+/// # Errors
+/// As [`Pipeline::new`].
+pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
+    let gpu = Rc::new(gpu);
+    let mut methods: Vec<Box<dyn Method>> = Vec::new();
+    if gpu.has_f64() {
+        methods.push(Box::new(Wgsl::<f64>::new(TEXTBOOK, &gpu, [SPHERE, CYLINDER])?));
+    }
+    methods.push(Box::new(Wgsl::<f32>::new(TEXTBOOK_SINGLE, &gpu, [SPHERE, CYLINDER])?));
+    methods.push(Box::new(Wgsl::<f32>::new(PROJECTED, &gpu, [PROJECTED_SPHERE, PROJECTED_CYLINDER])?));
+    Ok(methods)
+}
+
+/// Kernels of spheres and of cylinders, ready to run.
+struct Wgsl<T> {
+    name: &'static str,
+    gpu: Rc<Gpu>,
+    kernels: [(Kernel, Pipeline); 2],
+    precision: PhantomData<T>,
+}
+
+impl<T: Float> Wgsl<T> {
+    fn new(name: &'static str, gpu: &Rc<Gpu>, [spheres, cylinders]: [Kernel; 2]) -> Result<Self, Error> {
+        let pipeline = |kernel: &Kernel| check::compile::<T>(gpu, &Library::standard(), kernel);
+        let kernels = [(spheres, pipeline(&spheres)?), (cylinders, pipeline(&cylinders)?)];
+        Ok(Self { name, gpu: Rc::clone(gpu), kernels, precision: PhantomData })
+    }
+
+    /// The kernel that takes these cases.
+    fn kernel(&self, cases: &[Case]) -> &(Kernel, Pipeline) {
+        let cylinders = matches!(cases.first(), Some(Case { shape: Shape::Cylinder(_), .. }));
+        &self.kernels[usize::from(cylinders)]
+    }
+}
+
+impl<T: Float> Method for Wgsl<T> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn unit_roundoff(&self) -> f64 {
+        match T::PRECISION {
+            shaders::Precision::F32 => f64::from(f32::EPSILON) / 2.0,
+            shaders::Precision::F64 => f64::EPSILON / 2.0,
+        }
+    }
+
+    fn answer(&self, cases: &[Case]) -> Result<Vec<Option<Answer>>, Failure> {
+        let (kernel, pipeline) = self.kernel(cases);
+        let reports = check::results(&self.gpu, pipeline, kernel, &rows::<T>(cases))?;
+        Ok(reports.chunks(kernel.outputs.len()).map(answer).collect())
+    }
+
+    /// The device's time: unlike in the renderer, objects' records are computed on the way and all cores take part.
+    fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
+        let ((kernel, pipeline), rows) = (self.kernel(cases), rows::<T>(cases));
+        Ok(Box::new(move || Ok(check::timed_results(&self.gpu, pipeline, kernel, &rows)?.1)))
+    }
+}
+
+/// The cases as rows of the kernels' inputs.
+fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
+    let mut rows = Vec::new();
+    for Case { shape, ray } in cases {
+        let mut vector = |vector: Vec3| rows.extend(vector.to_array().map(T::of));
+        vector(ray.origin);
+        vector(ray.direction);
+        match shape {
+            Shape::Sphere(sphere) => {
+                vector(sphere.center);
+                rows.push(T::of(sphere.radius));
+            }
+            Shape::Cylinder(cylinder) => {
+                vector(cylinder.center);
+                rows.push(T::of(cylinder.radius));
+                rows.extend(cylinder.axis.to_array().map(T::of));
+            }
+        }
+    }
+    rows
+}
+
+/// A row of a kernel's output, a `HitReport`.
+fn answer<T: Float>(report: &[T]) -> Option<Answer> {
+    let mut report = Reader(report);
+    let some = report.number().wide() == 1.0;
+    let lambda = report.number().wide();
+    let part = match report.number().wide() {
+        1.0 => Part::Top,
+        2.0 => Part::Bottom,
+        _ => Part::Side,
+    };
+    let front = report.number().wide() == 1.0;
+    let point = report.vector().map(Float::wide);
+    some.then_some(Answer { lambda, part, point, front })
+}

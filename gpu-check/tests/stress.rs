@@ -1,0 +1,76 @@
+//! The intersections in WGSL against exact arithmetic, at a smaller size than the binary `stress` runs them.
+
+mod common;
+
+use gpu_check::methods::{self, PROJECTED, TEXTBOOK, TEXTBOOK_SINGLE};
+use stability::case::Case;
+use stability::measure::{Judged, Row};
+use stability::methods::{Answer, Method};
+use stability::regimes::{CYLINDERS, Regime, SPHERES};
+use stability::run;
+
+const SEED: u64 = 5;
+const RAYS: usize = 20_000;
+/// Regimes in which no ray starts on the sphere that it is tried on, or within the least lambda of it.
+const OFF_THE_SURFACE: [&str; 5] =
+    ["ordinary", "far and small", "grazing", "tangent to the last bit", "direction lengths"];
+
+fn in_rust(name: &str) -> Box<dyn Method> {
+    let found = stability::methods::all().into_iter().find(|method| method.name() == name);
+    found.unwrap_or_else(|| panic!("Rust has no [{name}]"))
+}
+
+fn answers(method: &dyn Method, cases: &[Case]) -> Vec<Option<Answer>> {
+    method.answer(cases).unwrap_or_else(|error| panic!("{}: {error}", method.name()))
+}
+
+fn regimes() -> impl Iterator<Item = &'static Regime> {
+    SPHERES.iter().chain(&CYLINDERS)
+}
+
+#[test]
+fn what_wgsl_says_of_hard_rays_has_the_bits_of_rust() {
+    let in_wgsl = methods::all(common::gpu()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(in_wgsl.len(), 3, "lavapipe has f64");
+    for method in in_wgsl {
+        let name = method.name().strip_prefix(run::WGSL).expect("names begin with WGSL");
+        let twin = in_rust(name);
+        assert_eq!(method.unit_roundoff(), twin.unit_roundoff());
+        let mut hits = 0;
+        for regime in regimes() {
+            let cases = regime.cases(SEED, RAYS);
+            let (wgsl, rust) = (answers(method.as_ref(), &cases), answers(twin.as_ref(), &cases));
+            assert_eq!(wgsl.len(), RAYS);
+            // Numbers of one value have the same bits but for the sign of zero, which tests/kernels.rs looks at.
+            let parted = wgsl.iter().zip(&rust).filter(|(wgsl, rust)| wgsl != rust).count();
+            assert_eq!(parted, 0, "{name}, {}", regime.name);
+            hits += wgsl.iter().flatten().count();
+        }
+        println!("{name}: {hits} hits of {} rays, all with the bits of Rust", RAYS * regimes().count());
+        assert!(hits > RAYS * regimes().count() / 2);
+    }
+}
+
+#[test]
+fn f32_in_wgsl_is_wrong_only_within_its_noise_off_the_surface() {
+    let in_wgsl = methods::all(common::gpu()).unwrap_or_else(|error| panic!("{error}"));
+    let measure = |judged: &Judged, name: &str| -> Row {
+        let method = in_wgsl.iter().find(|method| method.name() == name).expect("it is listed");
+        judged.measure(method.as_ref()).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let (mut wrong, mut textbook_beyond) = (0, 0);
+    for name in OFF_THE_SURFACE {
+        let regime = SPHERES.iter().find(|regime| regime.name == name).expect("it is listed");
+        let judged = Judged::new(regime.name, regime.cases(SEED + 1, RAYS / 4));
+        let row = measure(&judged, PROJECTED);
+        println!("{name}: {} of {} wrong", row.wrong, row.cases);
+        assert_eq!(row.wrong_beyond_noise, Some(0), "{name}");
+        wrong += row.wrong;
+        textbook_beyond += measure(&judged, TEXTBOOK_SINGLE).wrong_beyond_noise.unwrap_or(0);
+        if name == "ordinary" {
+            assert_eq!(measure(&judged, TEXTBOOK).wrong, 0, "f64 decides ordinary rays rightly");
+        }
+    }
+    assert!(wrong > RAYS / 20, "few rays were near the noise: {wrong}");
+    assert!(textbook_beyond > RAYS / 100, "the textbook's form is no longer worse: {textbook_beyond}");
+}

@@ -1,0 +1,116 @@
+//! What one intersection costs, and how far its lambda is from the truth.
+//!
+//! The rays and the oracle are those of the crate `stability`, whose tables in `docs/accuracy.md` tell regimes apart;
+//! here all but the ordinary one are one family of hard rays. The cost is that of tests one after the other, each with
+//! its ray and its object at hand, as the renderer has them.
+
+use stability::case::Case;
+use stability::measure::Judged;
+use stability::methods::{self, Method};
+use stability::regimes::{CYLINDERS, Regime, SPHERES};
+
+use super::results::{Intersection, Trial};
+use super::statistics::Median;
+use super::timing;
+use crate::Failure;
+use crate::interrupt::Interrupt;
+
+/// Names of the implementations, in the order of the chart's legend.
+pub const METHODS: [&str; 5] =
+    [methods::RESOLVED, methods::CERTIFIED, methods::TEXTBOOK, methods::TEXTBOOK_SINGLE, methods::PROJECTED];
+
+/// What is tested.
+pub const OBJECTS: [&str; 2] = ["sphere", "cylinder"];
+
+/// Seed of the rays: measurements of one program differ in their times alone.
+const SEED: u64 = 1;
+
+/// Measures every implementation on `count` ordinary and as many hard rays.
+///
+/// # Errors
+/// [`Failure::Interrupted`].
+pub fn measure(
+    object: &str,
+    count: usize,
+    repeats: usize,
+    interrupt: &Interrupt,
+) -> Result<Vec<Intersection>, Failure> {
+    let regimes: &[Regime] = if object == OBJECTS[0] { &SPHERES } else { &CYLINDERS };
+    let hard = &regimes[1..];
+    let each = count.div_ceil(hard.len());
+    let families = [
+        ("ordinary", regimes[0].cases(SEED, count)),
+        ("hard", hard.iter().flat_map(|regime| regime.cases(SEED, each)).collect()),
+    ];
+    let mut found = Vec::new();
+    for (rays, cases) in families {
+        let methods: Vec<_> = methods::all().into_iter().chain([methods::resolved()]).collect();
+        let times = times(&methods, &cases, repeats, interrupt)?;
+        let judged = Judged::new(rays, cases);
+        for (method, nanoseconds) in methods.iter().zip(times) {
+            interrupt.check()?;
+            let row = judged.measure(method.as_ref()).map_err(|error| error.to_string())?;
+            let [object, rays, implementation] = [object, rays, method.name()].map(str::to_owned);
+            found.push(Intersection {
+                trial: Trial { object, rays, implementation, seed: SEED },
+                cases: row.cases,
+                wrong: row.wrong,
+                lambda_error: row.lambda_error,
+                median: Median::of(&nanoseconds),
+                nanoseconds,
+            });
+        }
+    }
+    Ok(found)
+}
+
+/// Nanoseconds a test, for each implementation and repeat.
+fn times(
+    methods: &[Box<dyn Method>],
+    cases: &[Case],
+    repeats: usize,
+    interrupt: &Interrupt,
+) -> Result<Vec<Vec<f64>>, Failure> {
+    let explain = |error: methods::Failure| error.to_string();
+    let mut stopwatches = Vec::new();
+    let mut turns = Vec::new();
+    for method in methods {
+        let mut stopwatch = method.stopwatch(cases).map_err(explain)?;
+        // The first pass warms caches up and says how many make a repeat.
+        turns.push(timing::turns_of(stopwatch().map_err(explain)?.as_secs_f64()));
+        stopwatches.push(stopwatch);
+    }
+    let seconds = timing::interleaved(repeats, &turns, interrupt, |index| {
+        stopwatches[index]().map_err(explain)?;
+        Ok(())
+    })?;
+    let a_test = |seconds: f64| seconds * 1e9 / cases.len() as f64;
+    Ok(seconds.into_iter().map(|times| times.into_iter().map(a_test).collect()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn certified_and_exact_intersections_are_right_and_the_others_are_not() {
+        for object in OBJECTS {
+            let found = measure(object, 900, 2, &Interrupt::default()).expect("nothing fails");
+            assert_eq!(found.len(), 2 * METHODS.len());
+            let hard = |name: &str| {
+                let is_it = |found: &&Intersection| found.trial.rays == "hard" && found.trial.implementation == name;
+                found.iter().find(is_it).expect("it was measured")
+            };
+            for name in METHODS {
+                let found = hard(name);
+                assert!(found.cases >= 900 && found.nanoseconds.len() == 2 && found.median.median > 0.0, "{found:?}");
+                let is_right = [methods::CERTIFIED, methods::RESOLVED].contains(&name);
+                assert_eq!(found.wrong == 0, is_right, "{found:?}");
+            }
+            // One unit in the last place, against a bound thousands of times as large.
+            assert!(hard(methods::RESOLVED).lambda_error[2] <= f64::EPSILON);
+            assert!(hard(methods::CERTIFIED).lambda_error[2] <= 1e-9);
+            assert!(hard(methods::TEXTBOOK).lambda_error[2] > 1e-9);
+        }
+    }
+}

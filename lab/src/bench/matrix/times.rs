@@ -1,0 +1,75 @@
+//! Times of engines for a row of pictures.
+
+use cpu::{Config, Scene};
+
+use super::Plan;
+use crate::Failure;
+use crate::bench::results::{Omitted, Results, Setting, Timing};
+use crate::bench::statistics::Median;
+use crate::bench::timing;
+use crate::engine::Engine;
+use crate::interrupt::Interrupt;
+
+impl Plan {
+    /// Times of `engines` for pictures of rising value. One of which the time before says that it would take longer than
+    /// [`Plan::patience`] is left out, with that reason.
+    pub(super) fn times(
+        &self,
+        [suite, scene_name, parameter]: [&str; 3],
+        engines: &[Engine],
+        pictures: impl Iterator<Item = (u64, Config, Scene)>,
+        results: &mut Results,
+        interrupt: &Interrupt,
+    ) -> Result<(), Failure> {
+        let setting = |value, engine: Engine| Setting {
+            suite: suite.to_owned(),
+            scene: scene_name.to_owned(),
+            parameter: parameter.to_owned(),
+            value,
+            engine: engine.to_string(),
+        };
+        let mut last: Vec<(Engine, u64, f64)> = Vec::new();
+        for (value, config, scene) in pictures {
+            let growth = |before: u64| (value as f64 / before as f64).powi(if parameter == "width" { 2 } else { 1 });
+            let expected = |engine: Engine| {
+                last.iter().rev().find(|(other, ..)| *other == engine).map_or(0.0, |&(_, at, time)| time * growth(at))
+            };
+            let (wanted, slow): (Vec<_>, Vec<_>) = engines.iter().partition(|&&e| expected(e) <= self.patience());
+            for engine in slow {
+                let reason = format!("a picture would take about {:.1} s", expected(engine));
+                results.omitted.push(Omitted { setting: setting(value, engine), reason });
+            }
+            let times = timing::measure(&wanted, self.repeats, &config, &scene, interrupt)?;
+            for (engine, seconds) in times.of {
+                let median = Median::of(&seconds);
+                last.push((engine, value, median.median));
+                let (setting, digest) = (setting(value, engine), times.digest.clone());
+                results.timings.push(Timing { setting, seconds, median, digest });
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::super::board;
+    use super::*;
+
+    #[test]
+    fn what_would_take_too_long_is_left_out_with_its_reason() {
+        let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
+        let (config, scene) = board(300, 48);
+        // Enough for the literal renderer to take more than a hundredth of the patience at first.
+        let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
+        let mut results = Results::default();
+        let engines = [Engine::Reference, Engine::main()[1]];
+        let outcome =
+            plan.times(["scale", "s", "samples"], &engines, pictures.into_iter(), &mut results, &Interrupt::default());
+        outcome.expect("nothing fails");
+        assert!(results.omitted.iter().any(|omitted| omitted.setting.engine == "reference"), "{:?}", results.omitted);
+        assert!(results.omitted[0].reason.starts_with("a picture would take about "));
+    }
+}

@@ -1,0 +1,155 @@
+//! Legend, axes, lines, dots and markers.
+
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::{Ranged, ValueFormatter};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::{Chart, LEFT, LEGEND_ROW, Point, Series, TITLE};
+use crate::report::axis::{Logarithmic, range};
+use crate::report::style::{GRID, INK, SERIES};
+
+const FONT: i32 = 17;
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+impl Chart {
+    pub(super) fn draw_head(&self, area: &Area<'_>, legend: &[(u32, i32)]) -> Result<(), Box<dyn std::error::Error>> {
+        let text = |size: i32| ("sans-serif", size).into_font().color(&INK);
+        area.draw(&Text::new(self.title.clone(), (LEFT, 8), text(21)))?;
+        for (series, &(row, x)) in self.series.iter().zip(legend) {
+            let y = (TITLE + LEGEND_ROW * row + LEGEND_ROW / 2) as i32;
+            let style = color(series);
+            if self.rows.is_empty() {
+                let stroke = if series.is_guide { style.stroke_width(1) } else { style.stroke_width(2) };
+                area.draw(&PathElement::new([(x, y), (x + 24, y)], stroke))?;
+            }
+            if !series.is_guide {
+                draw_marker(area, series.color, (x + 12, y))?;
+            }
+            let left = Pos::new(HPos::Left, VPos::Center);
+            area.draw(&Text::new(series.name.clone(), (x + 29, y), text(FONT).pos(left)))?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn draw_lines(&self, area: &Area<'_>) -> Result<(), Box<dyn std::error::Error>> {
+        let ends = || self.series.iter().flat_map(|series| &series.points).flat_map(Point::ends);
+        let x = range(ends().map(|(x, _)| x), 1.25);
+        let y = range(ends().map(|(_, y)| y), 1.35);
+        let mut chart = ChartBuilder::on(area)
+            .margin_left(12)
+            .margin_right(36)
+            .margin_top(6)
+            .x_label_area_size(48)
+            .y_label_area_size(78)
+            .build_cartesian_2d(Logarithmic(x), Logarithmic(y))?;
+        self.draw_mesh(&mut chart)?;
+        for series in &self.series {
+            let style = color(series);
+            let path: Vec<_> = series.points.iter().map(|point| (point.x, point.y)).collect();
+            if series.is_guide {
+                chart.draw_series(DashedLineSeries::new(path, 5, 4, style.stroke_width(1)))?;
+                continue;
+            }
+            chart.draw_series(LineSeries::new(path, style.stroke_width(2)))?;
+            for point in &series.points {
+                if point.bounds.is_some() {
+                    chart.draw_series([PathElement::new(point.ends(), style.stroke_width(1))])?;
+                }
+                draw_marker(area, series.color, chart.backend_coord(&(point.x, point.y)).relative_to(area))?;
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn draw_dots(&self, area: &Area<'_>) -> Result<(), Box<dyn std::error::Error>> {
+        let ends = self.series.iter().flat_map(|series| &series.points).flat_map(Point::ends);
+        let x = range(ends.map(|(x, _)| x), 1.15);
+        let count = self.rows.len() as f64;
+        let mut chart = ChartBuilder::on(area)
+            .margin_left(12)
+            .margin_right(36)
+            .margin_top(6)
+            .x_label_area_size(48)
+            .y_label_area_size(150)
+            .build_cartesian_2d(Logarithmic(x), count + 0.5..0.5)?;
+        self.draw_mesh(&mut chart)?;
+        for (index, name) in self.rows.iter().enumerate() {
+            let (_, y) = chart.backend_coord(&(1.0, index as f64 + 1.0)).relative_to(area);
+            let style = ("sans-serif", FONT).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Center));
+            area.draw(&Text::new(name.clone(), (154, y), style))?;
+        }
+        for series in &self.series {
+            for point in &series.points {
+                if point.bounds.is_some() {
+                    chart.draw_series([PathElement::new(point.ends(), color(series).stroke_width(1))])?;
+                }
+                draw_marker(area, series.color, chart.backend_coord(&(point.x, point.y)).relative_to(area))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Axes and grid; the vertical axis without numbers where rows have names instead.
+    fn draw_mesh<X, Y>(
+        &self,
+        chart: &mut ChartContext<'_, SVGBackend<'_>, Cartesian2d<X, Y>>,
+    ) -> Result<(), Box<dyn std::error::Error>>
+    where
+        X: Ranged<ValueType = f64> + ValueFormatter<f64>,
+        Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    {
+        let text = ("sans-serif", FONT).into_font().color(&INK);
+        let (x_format, y_format) = (|x: &f64| (self.x.format)(*x), |y: &f64| (self.y.format)(*y));
+        let mut mesh = chart.configure_mesh();
+        mesh.label_style(text.clone())
+            .axis_desc_style(text)
+            .axis_style(INK.stroke_width(1))
+            .bold_line_style(GRID.stroke_width(1))
+            .light_line_style(TRANSPARENT)
+            .x_labels(7)
+            .x_desc(self.x.label)
+            .x_label_formatter(&x_format)
+            .y_label_formatter(&y_format);
+        if self.rows.is_empty() {
+            mesh.y_labels(9).y_desc(self.y.label);
+        } else {
+            mesh.y_labels(0).disable_y_mesh();
+        }
+        Ok(mesh.draw()?)
+    }
+}
+
+/// A place of the whole picture as a place of one of its areas.
+trait RelativeTo {
+    fn relative_to(self, area: &Area<'_>) -> (i32, i32);
+}
+
+impl RelativeTo for (i32, i32) {
+    fn relative_to(self, area: &Area<'_>) -> (i32, i32) {
+        let (left, top) = area.get_base_pixel();
+        (self.0 - left, self.1 - top)
+    }
+}
+
+fn color(series: &Series) -> RGBColor {
+    if series.is_guide { INK } else { SERIES[series.color % SERIES.len()].0 }
+}
+
+/// Colours alone would not do for everyone: each has a shape as well.
+fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
+    let style = SERIES[color % SERIES.len()].0;
+    let hollow = style.stroke_width(2);
+    match color % SERIES.len() {
+        0 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], style.filled()))?,
+        1 => area.draw(&Circle::new((x, y), 5, style.filled()))?,
+        2 => area.draw(&Polygon::new([(x, y - 6), (x + 6, y + 5), (x - 6, y + 5)], style.filled()))?,
+        3 => area.draw(&Polygon::new([(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)], style.filled()))?,
+        4 => area.draw(&Circle::new((x, y), 5, hollow))?,
+        5 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], hollow))?,
+        6 => area.draw(&Polygon::new([(x, y + 6), (x + 6, y - 5), (x - 6, y - 5)], style.filled()))?,
+        _ => area.draw(&PathElement::new([(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y), (x, y - 6)], hollow))?,
+    }
+    Ok(())
+}

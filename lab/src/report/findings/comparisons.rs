@@ -1,0 +1,101 @@
+//! One implementation against another, at the same setting.
+
+use crate::bench::gain::Gain;
+use crate::bench::results::{Results, Timing};
+use crate::report::style::short;
+
+/// Pairs of times that differ in the engine alone.
+fn pairs<'a>(
+    results: &'a Results,
+    other: impl Fn(&str) -> Option<String> + 'a,
+) -> impl Iterator<Item = (&'a Timing, &'a Timing)> {
+    results.timings.iter().filter_map(move |timing| {
+        let mut setting = timing.setting.clone();
+        setting.engine = other(&setting.engine)?;
+        Some((timing, results.timings.iter().find(|timing| timing.setting == setting)?))
+    })
+}
+
+/// Geometric mean, least and largest.
+fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
+    let values: Vec<_> = values.collect();
+    let mean = (values.iter().map(|value| value.ln()).sum::<f64>() / values.len() as f64).exp();
+    let [low, high] = [values.iter().copied().reduce(f64::min)?, values.iter().copied().reduce(f64::max)?];
+    Some([mean, low, high])
+}
+
+pub fn layouts(results: &Results) -> Option<String> {
+    let pairs = || pairs(results, |engine| engine.strip_prefix("aos-").map(|set| format!("soa-{set}")));
+    let [mean, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
+    let apart = pairs().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
+    Some(format!(
+        "Structures of arrays take {} times the time of arrays of structures (geometric mean; {} to {}); in {apart} of {} \
+         settings their bounds lie apart.",
+        short(mean),
+        short(low),
+        short(high),
+        pairs().count()
+    ))
+}
+
+pub fn literal(results: &Results) -> Option<String> {
+    let best = results.machines.first()?.instruction_set.clone();
+    let faster = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| "reference".to_owned()));
+    let pairs: Vec<_> = faster.collect();
+    let ratio = |(real, literal): &(&Timing, &Timing)| literal.median.median / real.median.median;
+    let [mean, ..] = ratios(pairs.iter().map(ratio))?;
+    let most = pairs.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    let least = pairs.iter().min_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
+    let place = |(real, _): &(&Timing, &Timing)| {
+        format!("{}, {} {}", real.setting.scene, real.setting.value, real.setting.parameter)
+    };
+    Some(format!(
+        "The renderer is {} times as fast as the literal one (geometric mean over {} settings): least {} times ({}), most \
+         {} times ({}).",
+        short(mean),
+        pairs.len(),
+        short(ratio(least)),
+        place(least),
+        short(ratio(most)),
+        place(most)
+    ))
+}
+
+pub fn instruction_sets(results: &Results) -> Option<String> {
+    let sets: Vec<_> = cpu::InstructionSet::ALL.iter().map(|set| set.name()).collect();
+    let steps: Vec<_> = sets
+        .windows(2)
+        .filter_map(|pair| {
+            let (slower, faster) = (pair[0], pair[1]);
+            let both = pairs(results, move |engine| {
+                engine.strip_suffix(faster).filter(|layout| layout.ends_with('-')).map(|l| format!("{l}{slower}"))
+            });
+            let [mean, low, high] = ratios(both.map(|(fast, slow)| slow.median.median / fast.median.median))?;
+            Some(format!("{faster} is {} times as fast as {slower} ({} to {})", short(mean), short(low), short(high)))
+        })
+        .collect();
+    (!steps.is_empty()).then(|| format!("On average {}.", steps.join(", ")))
+}
+
+/// What each thing gains: with how much more time a picture is made without it.
+pub fn gains(results: &Results) -> Option<String> {
+    let mut names: Vec<&str> = Vec::new();
+    for gain in &results.gains {
+        if !names.contains(&gain.without.as_str()) {
+            names.push(&gain.without);
+        }
+    }
+    let parts: Vec<_> = names
+        .into_iter()
+        .filter_map(|name| {
+            let its: Vec<_> = results.gains.iter().filter(|gain| gain.without == name).collect();
+            let [mean, ..] = ratios(its.iter().map(|gain| gain.ratio))?;
+            let least = its.iter().min_by(|a, b| a.ratio.total_cmp(&b.ratio))?;
+            let most = its.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))?;
+            let place = |gain: &Gain| format!("{} in {}", short(gain.ratio), gain.scene);
+            let name = name.replace("literal renderer", "the literal renderer");
+            Some(format!("{} times as long with {name} ({} to {})", short(mean), place(least), place(most)))
+        })
+        .collect();
+    (!parts.is_empty()).then(|| format!("A picture takes, as a geometric mean over scenes, {}.", parts.join(", ")))
+}

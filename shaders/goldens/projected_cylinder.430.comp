@@ -1,0 +1,537 @@
+#version 430 core
+#extension GL_ARB_compute_shader : require
+#extension GL_ARB_shader_storage_buffer_object : require
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+
+struct Ray {
+    vec3 origin;
+    vec3 direction;
+};
+struct Root {
+    bool some;
+    float lambda;
+};
+struct Hit {
+    vec3 point;
+    vec3 normal;
+    bool front;
+};
+struct SphereRecord {
+    vec3 center;
+    float radius;
+    float radius_squared;
+};
+struct SphereView {
+    vec3 r_c;
+    float c;
+};
+struct SphereQuadratic {
+    float h;
+    float discriminant;
+};
+struct CylinderRecord {
+    vec3 center;
+    vec3 axis;
+    vec3 top;
+    vec3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+};
+struct CylinderView {
+    vec3 r_c;
+    float c;
+    float to_top;
+    float to_bottom;
+};
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+struct Crossings {
+    bool some;
+    float near;
+    float far;
+};
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+struct HitReport {
+    float some;
+    float lambda;
+    float part;
+    float front;
+    PackedVec3_ point;
+    PackedVec3_ normal;
+};
+struct ProjectedCylinderCase {
+    PackedRay ray;
+    PackedVec3_ center;
+    float radius;
+    PackedVec3_ axis;
+};
+const uint SIDE = 0u;
+const uint TOP = 1u;
+const uint BOTTOM = 2u;
+
+layout(std430, binding = 0) readonly buffer type_3_block_0Compute { ProjectedCylinderCase _group_0_binding_0_cs[]; };
+
+layout(std430, binding = 1) buffer type_4_block_1Compute { HitReport _group_0_binding_1_cs[]; };
+
+
+float vec3_dot(vec3 a, vec3 b) {
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(vec3 v) {
+    float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+vec3 vec3_unit(vec3 v_1) {
+    float _e1 = vec3_length(v_1);
+    return (v_1 / vec3(_e1));
+}
+
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(vec3 v_3) {
+    bool local = false;
+    bool local_1 = false;
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+vec3 ray_at(Ray ray, float lambda) {
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1) {
+    return (0.001 <= lambda_1);
+}
+
+Root root_none() {
+    return Root(false, 0.0);
+}
+
+Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
+    float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        return Hit(point, outward, front);
+    }
+    return Hit(point, -(outward), front);
+}
+
+SphereRecord sphere_new(vec3 center, float radius) {
+    return SphereRecord(center, radius, (radius * radius));
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, vec3 origin) {
+    vec3 r_c_1 = (sphere.center - origin);
+    float _e4 = vec3_dot(r_c_1, r_c_1);
+    return SphereView(r_c_1, (_e4 - sphere.radius_squared));
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, vec3 direction_1, float a_1) {
+    float _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant) {
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
+    bool _e8 = in_range(near);
+    float lambda_4 = (_e8 ? near : far);
+    bool _e10 = in_range(lambda_4);
+    return Root(_e10, lambda_4);
+}
+
+vec3 sphere_outward(SphereRecord sphere_1, vec3 point_1) {
+    return ((point_1 - sphere_1.center) / vec3(sphere_1.radius));
+}
+
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_1) {
+    float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        Root _e12 = root_none();
+        return _e12;
+    }
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
+}
+
+CylinderRecord cylinder_new(vec3 center_1, float radius_1, vec3 axis_1) {
+    float _e3 = vec3_length(axis_1);
+    vec3 unit = (axis_1 / vec3(_e3));
+    float half_height = (_e3 / 2.0);
+    vec3 reach = (unit * half_height);
+    vec3 top = (center_1 + reach);
+    vec3 bottom = (center_1 - reach);
+    return CylinderRecord(center_1, unit, top, bottom, radius_1, (radius_1 * radius_1), half_height);
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin_1) {
+    vec3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center), cylinder.axis);
+    float _e6 = vec3_dot(_e5, _e5);
+    float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
+    float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
+    return CylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, vec3 along) {
+    vec3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    float _e5 = vec3_dot(_e4, _e4);
+    float _e7 = vec3_dot(view_1.r_c, _e4);
+    return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2) {
+    vec3 _e3 = ray_at(ray_2, lambda_2);
+    float _e7 = vec3_dot((_e3 - cylinder_2.center), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool local_4 = false;
+    float root_1 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_1) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_1) / quadratic.a);
+    bool _e15 = in_range(near_1);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    bool _e21 = in_range(far_1);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    return Root(_e31, (near_counts ? near_1 : far_1));
+}
+
+Root cylinder_base(CylinderRecord cylinder_4, Ray ray_4, vec3 base, float distance_) {
+    bool local_5 = false;
+    bool local_6 = false;
+    float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    float lambda_5 = (distance_ / _e6);
+    vec3 _e8 = ray_at(ray_4, lambda_5);
+    float _e10 = vec3_length((_e8 - base));
+    bool on_disc = (_e10 <= cylinder_4.radius);
+    if (!((abs(_e6) < 1e-8))) {
+        bool _e19 = in_range(lambda_5);
+        local_5 = _e19;
+    } else {
+        local_5 = false;
+    }
+    bool _e21 = local_5;
+    if (_e21) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e25 = local_6;
+    return Root(_e25, lambda_5);
+}
+
+vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
+    switch(part) {
+        case 0u: {
+            vec3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5) {
+    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
+    CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
+        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+    }
+    Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    if (_e18.some) {
+        bool _e23 = nearest.some;
+        if (!(!(_e23))) {
+            float _e30 = nearest.lambda;
+            local_8 = (_e18.lambda <= _e30);
+        } else {
+            local_8 = true;
+        }
+        bool _e33 = local_8;
+        local_7 = _e33;
+    } else {
+        local_7 = false;
+    }
+    bool _e35 = local_7;
+    if (_e35) {
+        nearest = CylinderRoot(true, _e18.lambda, TOP);
+    }
+    Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    if (_e42.some) {
+        bool _e47 = nearest.some;
+        if (!(!(_e47))) {
+            float _e54 = nearest.lambda;
+            local_10 = (_e42.lambda <= _e54);
+        } else {
+            local_10 = true;
+        }
+        bool _e57 = local_10;
+        local_9 = _e57;
+    } else {
+        local_9 = false;
+    }
+    bool _e59 = local_9;
+    if (_e59) {
+        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    }
+    CylinderRoot _e64 = nearest;
+    return _e64;
+}
+
+Crossings projected_crossings(vec3 direction_2, vec3 r_c, float radius_squared) {
+    float _e3 = vec3_dot(direction_2, direction_2);
+    float _e4 = vec3_dot(direction_2, r_c);
+    float middle = (_e4 / _e3);
+    vec3 off_center = (r_c - (direction_2 * middle));
+    float _e8 = vec3_dot(off_center, off_center);
+    float rest = (radius_squared - _e8);
+    if ((rest < 0.0)) {
+        return Crossings(false, 0.0, 0.0);
+    }
+    float half_ = sqrt((rest / _e3));
+    return Crossings(true, (middle - half_), (middle + half_));
+}
+
+Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_6) {
+    bool local_11 = false;
+    Crossings _e7 = projected_crossings(ray_6.direction, (sphere_3.center - ray_6.origin), sphere_3.radius_squared);
+    bool _e11 = in_range(_e7.near);
+    float lambda_6 = (_e11 ? _e7.near : _e7.far);
+    if (_e7.some) {
+        bool _e16 = in_range(lambda_6);
+        local_11 = _e16;
+    } else {
+        local_11 = false;
+    }
+    bool _e18 = local_11;
+    return Root(_e18, lambda_6);
+}
+
+Root projected_base(CylinderRecord cylinder_7, Ray ray_7, vec3 base_1) {
+    bool local_12 = false;
+    bool local_13 = false;
+    float _e5 = vec3_dot(ray_7.direction, cylinder_7.axis);
+    float _e9 = vec3_dot((base_1 - ray_7.origin), cylinder_7.axis);
+    float lambda_7 = (_e9 / _e5);
+    vec3 _e11 = ray_at(ray_7, lambda_7);
+    float _e13 = vec3_length((_e11 - base_1));
+    bool on_disc_1 = (_e13 <= cylinder_7.radius);
+    if ((1e-8 <= abs(_e5))) {
+        bool _e21 = in_range(lambda_7);
+        local_12 = _e21;
+    } else {
+        local_12 = false;
+    }
+    bool _e23 = local_12;
+    if (_e23) {
+        local_13 = on_disc_1;
+    } else {
+        local_13 = false;
+    }
+    bool _e27 = local_13;
+    return Root(_e27, lambda_7);
+}
+
+CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) {
+    CylinderRoot nearest_1 = CylinderRoot(false, 0.0, 0u);
+    bool local_14 = false;
+    bool local_15 = false;
+    bool local_16 = false;
+    bool local_17 = false;
+    bool local_18 = false;
+    bool local_19 = false;
+    bool local_20 = false;
+    vec3 _e6 = vec3_perpendicular_to((cylinder_8.center - ray_8.origin), cylinder_8.axis);
+    vec3 _e9 = vec3_perpendicular_to(ray_8.direction, cylinder_8.axis);
+    Crossings _e11 = projected_crossings(_e9, _e6, cylinder_8.radius_squared);
+    if (_e11.some) {
+        bool _e15 = in_range(_e11.near);
+        if (_e15) {
+            bool _e19 = cylinder_within_height(cylinder_8, ray_8, _e11.near);
+            local_14 = _e19;
+        } else {
+            local_14 = false;
+        }
+        bool near_counts_1 = local_14;
+        bool _e23 = in_range(_e11.far);
+        if (_e23) {
+            bool _e27 = cylinder_within_height(cylinder_8, ray_8, _e11.far);
+            local_15 = _e27;
+        } else {
+            local_15 = false;
+        }
+        bool far_counts_1 = local_15;
+        float lambda_8 = (near_counts_1 ? _e11.near : _e11.far);
+        if (!(near_counts_1)) {
+            local_16 = far_counts_1;
+        } else {
+            local_16 = true;
+        }
+        bool _e37 = local_16;
+        nearest_1 = CylinderRoot(_e37, lambda_8, SIDE);
+    }
+    Root _e41 = projected_base(cylinder_8, ray_8, cylinder_8.top);
+    if (_e41.some) {
+        bool _e46 = nearest_1.some;
+        if (!(!(_e46))) {
+            float _e53 = nearest_1.lambda;
+            local_18 = (_e41.lambda <= _e53);
+        } else {
+            local_18 = true;
+        }
+        bool _e56 = local_18;
+        local_17 = _e56;
+    } else {
+        local_17 = false;
+    }
+    bool _e58 = local_17;
+    if (_e58) {
+        nearest_1 = CylinderRoot(true, _e41.lambda, TOP);
+    }
+    Root _e64 = projected_base(cylinder_8, ray_8, cylinder_8.bottom);
+    if (_e64.some) {
+        bool _e69 = nearest_1.some;
+        if (!(!(_e69))) {
+            float _e76 = nearest_1.lambda;
+            local_20 = (_e64.lambda <= _e76);
+        } else {
+            local_20 = true;
+        }
+        bool _e79 = local_20;
+        local_19 = _e79;
+    } else {
+        local_19 = false;
+    }
+    bool _e81 = local_19;
+    if (_e81) {
+        nearest_1 = CylinderRoot(true, _e64.lambda, BOTTOM);
+    }
+    CylinderRoot _e86 = nearest_1;
+    return _e86;
+}
+
+vec3 vec3_load(PackedVec3_ v_4) {
+    return vec3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(vec3 v_5) {
+    return PackedVec3_(v_5.x, v_5.y, v_5.z);
+}
+
+Ray ray_load(PackedRay ray_9) {
+    vec3 _e2 = vec3_load(ray_9.origin);
+    vec3 _e4 = vec3_load(ray_9.direction);
+    return Ray(_e2, _e4);
+}
+
+PackedRay ray_store(Ray ray_10) {
+    PackedVec3_ _e2 = vec3_store(ray_10.origin);
+    PackedVec3_ _e4 = vec3_store(ray_10.direction);
+    return PackedRay(_e2, _e4);
+}
+
+HitReport hit_report_none() {
+    PackedVec3_ _e1 = vec3_store(vec3(0.0));
+    return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
+}
+
+HitReport hit_report(float lambda_3, uint part_1, Hit hit) {
+    float front_1 = (hit.front ? 1.0 : 0.0);
+    PackedVec3_ _e10 = vec3_store(hit.point);
+    PackedVec3_ _e12 = vec3_store(hit.normal);
+    return HitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+}
+
+void main() {
+    uvec3 id = gl_GlobalInvocationID;
+    if ((id.x >= uint(_group_0_binding_0_cs.length()))) {
+        return;
+    }
+    PackedRay _e9 = _group_0_binding_0_cs[id.x].ray;
+    Ray _e10 = ray_load(_e9);
+    PackedVec3_ _e15 = _group_0_binding_0_cs[id.x].center;
+    vec3 _e16 = vec3_load(_e15);
+    float _e21 = _group_0_binding_0_cs[id.x].radius;
+    PackedVec3_ _e26 = _group_0_binding_0_cs[id.x].axis;
+    vec3 _e27 = vec3_load(_e26);
+    CylinderRecord _e28 = cylinder_new(_e16, _e21, _e27);
+    CylinderRoot _e29 = projected_cylinder_intersect(_e28, _e10);
+    if (!(_e29.some)) {
+        HitReport _e35 = hit_report_none();
+        _group_0_binding_1_cs[id.x] = _e35;
+        return;
+    }
+    vec3 _e37 = ray_at(_e10, _e29.lambda);
+    vec3 _e40 = cylinder_outward(_e28, _e29.part, _e37);
+    Hit _e41 = hit_facing(_e10.direction, _e37, _e40);
+    HitReport _e47 = hit_report(_e29.lambda, _e29.part, _e41);
+    _group_0_binding_1_cs[id.x] = _e47;
+    return;
+}
+

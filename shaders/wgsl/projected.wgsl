@@ -1,0 +1,61 @@
+// The projected form of both intersections, the best that one precision can do; twin of
+// stability/src/methods/projected.rs. It starts from the point of the line nearest to the centre or the axis and goes
+// half a chord to each side: what cancels is only as large as the miss distance, not as the way there.
+
+// crossings: both lambdas at which a line crosses a round surface, given its direction and the way from its start to
+// the centre, both without what runs along the axis if there is one.
+struct Crossings {
+    some: bool,
+    near: real,
+    far: real,
+}
+
+fn projected_crossings(direction: vec3<real>, r_c: vec3<real>, radius_squared: real) -> Crossings {
+    let a = vec3_dot(direction, direction);
+    let middle = vec3_dot(direction, r_c) / a;
+    let off_center = r_c - direction * middle;
+    let rest = radius_squared - vec3_dot(off_center, off_center);
+    if rest < real(0.0) {
+        return Crossings(false, real(0.0), real(0.0));
+    }
+    let half = sqrt(rest / a);
+    return Crossings(true, middle - half, middle + half);
+}
+
+// projected::sphere
+fn projected_sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
+    let crossings = projected_crossings(ray.direction, sphere.center - ray.origin, sphere.radius_squared);
+    let lambda = select(crossings.far, crossings.near, in_range(crossings.near));
+    return Root(crossings.some && in_range(lambda), lambda);
+}
+
+// The part of projected::cylinder that tries a base.
+fn projected_base(cylinder: CylinderRecord, ray: Ray, base: vec3<real>) -> Root {
+    let slope = vec3_dot(ray.direction, cylinder.axis);
+    let lambda = vec3_dot(base - ray.origin, cylinder.axis) / slope;
+    let on_disc = vec3_length(ray_at(ray, lambda) - base) <= cylinder.radius;
+    return Root(real(1e-8) <= abs(slope) && in_range(lambda) && on_disc, lambda);
+}
+
+// projected::cylinder: the side, then the upper base, then the lower; of equals the later.
+fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
+    let r_c = vec3_perpendicular_to(cylinder.center - ray.origin, cylinder.axis);
+    let along = vec3_perpendicular_to(ray.direction, cylinder.axis);
+    let crossings = projected_crossings(along, r_c, cylinder.radius_squared);
+    var nearest: CylinderRoot;
+    if crossings.some {
+        let near_counts = in_range(crossings.near) && cylinder_within_height(cylinder, ray, crossings.near);
+        let far_counts = in_range(crossings.far) && cylinder_within_height(cylinder, ray, crossings.far);
+        let lambda = select(crossings.far, crossings.near, near_counts);
+        nearest = CylinderRoot(near_counts || far_counts, lambda, SIDE);
+    }
+    let top = projected_base(cylinder, ray, cylinder.top);
+    if top.some && (!nearest.some || top.lambda <= nearest.lambda) {
+        nearest = CylinderRoot(true, top.lambda, TOP);
+    }
+    let bottom = projected_base(cylinder, ray, cylinder.bottom);
+    if bottom.some && (!nearest.some || bottom.lambda <= nearest.lambda) {
+        nearest = CylinderRoot(true, bottom.lambda, BOTTOM);
+    }
+    return nearest;
+}
