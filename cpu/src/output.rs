@@ -3,7 +3,12 @@
 //! A regular file is written beside its place under a temporary name and renamed over it. Anything else that can be
 //! written to (`/dev/stdout`, `/dev/null`, a pipe) takes the bytes directly.
 
+#[cfg(unix)]
+pub mod stop;
+
+use std::collections::hash_map::RandomState;
 use std::fs::{self, File, OpenOptions, Permissions};
+use std::hash::BuildHasher;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -74,9 +79,7 @@ impl Place {
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return Err(error),
         };
-        let (file, temporary) = create_beside(&target)?;
-        drop(file);
-        fs::remove_file(temporary)?;
+        drop(Temporary::beside(&target)?);
         Ok(Self::Regular { target, permissions })
     }
 }
@@ -93,37 +96,67 @@ fn free_name(path: &Path) -> io::Result<PathBuf> {
     Ok(target)
 }
 
-/// A new file in the folder of `target`, hidden, with a name that no other has.
-fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
-    const TRIES: u32 = 1000;
-
-    let process = std::process::id();
-    for attempt in 0..TRIES {
-        // Short and without the target's own name, which may be as long as a name can be.
-        let temporary = target.with_file_name(format!(".render-{process}-{attempt}.tmp"));
-        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-            Ok(file) => return Ok((file, temporary)),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
+/// A new file that is removed when it is dropped, and when the process is asked to stop.
+struct Temporary {
+    file: File,
+    path: PathBuf,
 }
+
+impl Temporary {
+    /// One in the folder of `target`, hidden, with a name that no other has.
+    fn beside(target: &Path) -> io::Result<Self> {
+        const TRIES: u32 = 100;
+
+        let process = std::process::id();
+        for _ in 0..TRIES {
+            // Short and without the target's own name, which may be as long as a name can be. A number from the system
+            // sets processes of the same number on other machines apart, and files that a killed one left.
+            let random = RandomState::new().hash_one(process);
+            let path = target.with_file_name(format!(".render-{process}-{random:016x}.tmp"));
+            remember(&path);
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Ok(file) => return Ok(Self { file, path }),
+                Err(error) => {
+                    forget();
+                    if error.kind() != io::ErrorKind::AlreadyExists {
+                        return Err(error);
+                    }
+                }
+            }
+        }
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // After a failure that is the one to report; a leftover that cannot be removed either is named by it. After a
+        // renaming there is nothing under this name.
+        let _ = fs::remove_file(&self.path);
+        forget();
+    }
+}
+
+#[cfg(unix)]
+use stop::{forget, remember};
+
+/// Elsewhere nothing but dropping removes a temporary file.
+#[cfg(not(unix))]
+fn remember(_: &Path) {}
+#[cfg(not(unix))]
+fn forget() {}
 
 fn replace(
     target: &Path,
     permissions: Option<Permissions>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let (mut file, temporary) = create_beside(target)?;
-    let result = write(&mut file)
-        .and_then(|()| permissions.map_or(Ok(()), |permissions| file.set_permissions(permissions)))
-        .and_then(|()| fs::rename(&temporary, target));
-    if result.is_err() {
-        // The first failure is the one to report; a leftover that cannot be removed either is named by it.
-        let _ = fs::remove_file(&temporary);
+    let mut temporary = Temporary::beside(target)?;
+    write(&mut temporary.file)?;
+    if let Some(permissions) = permissions {
+        temporary.file.set_permissions(permissions)?;
     }
-    result
+    fs::rename(&temporary.path, target)
 }
 
 #[cfg(test)]
