@@ -97,7 +97,7 @@ impl<'a> Choices<'a> {
         Vec3::new(self.channel(), self.channel(), self.channel())
     }
 
-    /// A configuration of a picture of at most 12 x 12 pixels.
+    /// A configuration of a picture of at most 7 x 21 pixels, mostly of a few.
     pub fn config(&mut self) -> Config {
         let default = Config::default();
         let shape = self.byte();
@@ -109,14 +109,14 @@ impl<'a> Choices<'a> {
         let fov = self.positive();
         Config {
             aspect_ratio: [1 + u64::from(shape % 3), 1 + u64::from(shape / 3 % 3)],
-            image_width: 1 + (shape / 9) as u64 % 12,
+            image_width: 1 + u64::from(shape / 9) % 7,
             gamma: if self.below(2) == 0 { default.gamma } else { self.positive() },
             camera_position,
             camera_target,
             camera_north,
             field_of_view: if fov < 180.0 { fov.max(5e-324) } else { 60.0 },
-            samples_per_pixel: 1 + self.below(5) as u64,
-            max_depth: 1 + self.below(12) as u64,
+            samples_per_pixel: 1 + self.below(3) as u64,
+            max_depth: 1 + self.below(7) as u64,
             material_rng_seed: 1 + u64::from(self.byte()),
             ray_rng_seed: 1 + u64::from(self.byte()),
             background_dark_color: self.color(),
@@ -124,11 +124,11 @@ impl<'a> Choices<'a> {
         }
     }
 
-    /// A scene of at most four materials and 24 objects.
+    /// A scene of at most four materials and 16 objects.
     pub fn scene(&mut self) -> Scene {
         let materials: Vec<_> = (0..=self.below(4)).map(|_| self.material()).collect();
         let mut objects = Vec::new();
-        while !self.0.is_empty() && objects.len() < 24 {
+        while !self.0.is_empty() && objects.len() < 16 {
             objects.push(self.object(&objects, materials.len()));
         }
         Scene { materials, objects }
