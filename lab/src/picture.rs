@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{self, Cursor, Read, Write};
 use std::path::Path;
 
-use cpu::{Image, Rgb, Size};
+use cpu::{Error, Image, Rgb, Size};
 
 use crate::Failure;
 
@@ -51,14 +51,18 @@ impl Picture {
     }
 
     /// What the renderer made.
-    #[must_use]
-    pub fn of(image: &impl Image) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn of(image: &impl Image) -> Result<Self, Error> {
         let size = image.size();
         let pixel = |index| {
             let Rgb { red, green, blue } = image.pixel(index);
             [red, green, blue]
         };
-        Self { width: size.width(), height: size.height(), pixels: (0..size.pixels()).map(pixel).collect() }
+        let mut pixels = with_room(size.pixels()).map_err(|_| Error::OutOfMemory { what: "the picture" })?;
+        pixels.extend((0..size.pixels()).map(pixel));
+        Ok(Self { width: size.width(), height: size.height(), pixels })
     }
 
     /// The part of it that starts at column `x`, row `y`.

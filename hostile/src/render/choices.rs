@@ -97,7 +97,7 @@ impl<'a> Choices<'a> {
         Vec3::new(self.channel(), self.channel(), self.channel())
     }
 
-    /// A configuration of a picture of at most 7 x 21 pixels, mostly of a few.
+    /// A configuration of a picture of at most 5 x 10 pixels: numbers of extreme sizes take milliseconds a ray.
     pub fn config(&mut self) -> Config {
         let default = Config::default();
         let shape = self.byte();
@@ -108,15 +108,15 @@ impl<'a> Choices<'a> {
         let camera_north = if free { self.vector() } else { default.camera_north };
         let fov = self.positive();
         Config {
-            aspect_ratio: [1 + u64::from(shape % 3), 1 + u64::from(shape / 3 % 3)],
-            image_width: 1 + u64::from(shape / 9) % 7,
+            aspect_ratio: [1 + u64::from(shape % 3), 1 + u64::from(shape / 3 % 2)],
+            image_width: 1 + u64::from(shape / 6) % 5,
             gamma: if self.below(2) == 0 { default.gamma } else { self.positive() },
             camera_position,
             camera_target,
             camera_north,
             field_of_view: if fov < 180.0 { fov.max(5e-324) } else { 60.0 },
-            samples_per_pixel: 1 + self.below(3) as u64,
-            max_depth: 1 + self.below(7) as u64,
+            samples_per_pixel: 1 + self.below(2) as u64,
+            max_depth: 1 + self.below(6) as u64,
             material_rng_seed: 1 + u64::from(self.byte()),
             ray_rng_seed: 1 + u64::from(self.byte()),
             background_dark_color: self.color(),
