@@ -9,8 +9,7 @@ cd "$(dirname "$0")/.."
 
 cargo llvm-cov clean --workspace
 cargo llvm-cov --no-report test -p cpu --lib
-# Instrumented, a case takes many times as long; what it reaches does not depend on their number.
-RENDER_PROPERTY_CASES=${RENDER_PROPERTY_CASES:-10} cargo llvm-cov --no-report test -p tests --tests
+cargo llvm-cov --no-report test -p tests --tests
 RENDER_SMOKE_CASES=${RENDER_SMOKE_CASES:-100} cargo llvm-cov --no-report test -p hostile --tests
 cargo llvm-cov --no-report test -p cli --test programs --test machine --test digests
 # Forced, so that the way in which an instruction set is asked for by name is run too.
