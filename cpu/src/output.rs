@@ -248,11 +248,35 @@ mod tests {
         assert_eq!(fs::metadata(&path).expect("there").permissions().mode() & 0o777, 0o640);
     }
 
+    /// A pipe with a name, of the test's own: where this module is wrong it renames files over whatever it is given, and
+    /// the devices of the machine belong to all.
     #[cfg(unix)]
     #[test]
     fn special_files_take_the_bytes_directly() {
-        write(Path::new("/dev/null"), "nothing").expect("/dev/null takes everything");
-        let error = write(Path::new("/dev/full"), "too much").expect_err("/dev/full is always full");
-        assert!(error.to_string().starts_with("Cannot write file [/dev/full]: "), "{error}");
+        use std::io::Read;
+        use std::os::unix::fs::FileTypeExt;
+        let folder = Folder::new("special");
+        let path = folder.0.join("pipe");
+        let status = std::process::Command::new("mkfifo").arg(&path).status().expect("every Unix has mkfifo");
+        assert!(status.success());
+        let is_pipe = || fs::symlink_metadata(&path).expect("there").file_type().is_fifo();
+
+        let from = path.clone();
+        let reader = std::thread::spawn(move || {
+            let mut text = String::new();
+            File::open(from).and_then(|mut file| file.read_to_string(&mut text)).map(|_| text)
+        });
+        write(&path, "through a pipe").expect("somebody reads");
+        assert!(is_pipe());
+        assert_eq!(reader.join().expect("it reads").expect("it is text"), "through a pipe");
+
+        let from = path.clone();
+        let reader = std::thread::spawn(move || File::open(from).map(drop));
+        // More than a pipe holds.
+        let error = write(&path, &"x".repeat(1 << 20)).expect_err("nobody reads");
+        assert!(error.to_string().starts_with(&format!("Cannot write file [{}]: ", path.display())), "{error}");
+        reader.join().expect("it ends").expect("the pipe is there");
+        assert!(is_pipe());
+        assert_eq!(folder.names(), ["pipe"]);
     }
 }
