@@ -248,6 +248,28 @@ mod tests {
         assert_eq!(fs::metadata(&path).expect("there").permissions().mode() & 0o777, 0o640);
     }
 
+    /// Even root may not write to a program while it runs; renaming over it would go round that.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_may_not_be_written_to_is_not_replaced() {
+        let folder = Folder::new("busy");
+        let path = folder.0.join("sleep");
+        fs::copy("/bin/sleep", &path).expect("the folder is writable");
+        let start = || std::process::Command::new(&path).arg("60").spawn();
+        // While another test starts a process of its own, that one may hold the copy open for a moment.
+        let mut running = (0..100)
+            .find_map(|_| {
+                std::thread::sleep(std::time::Duration::from_millis(5));
+                start().ok()
+            })
+            .expect("the copy runs");
+        let result = Output::open(&path);
+        running.kill().expect("it is ours");
+        running.wait().expect("it ends");
+        let message = result.expect_err("it was running").to_string();
+        assert!(message.starts_with(&format!("Cannot write file [{}]: ", path.display())), "{message}");
+    }
+
     /// A pipe with a name, of the test's own: where this module is wrong it renames files over whatever it is given, and
     /// the devices of the machine belong to all.
     #[cfg(unix)]
