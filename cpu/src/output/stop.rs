@@ -13,8 +13,11 @@ use std::path::Path;
 use std::ptr;
 use std::sync::atomic::{AtomicPtr, Ordering};
 
-/// A path that `unlink` takes, or null. Whoever swaps it out owns it.
-static TEMPORARY: AtomicPtr<c_char> = AtomicPtr::new(ptr::null_mut());
+/// The file that is being written.
+static TEMPORARY: Slot = Slot(AtomicPtr::new(ptr::null_mut()));
+
+/// A place for one path, as `unlink` takes it, or null. Whoever swaps it out owns it.
+struct Slot(AtomicPtr<c_char>);
 
 /// Hangup, interruption, quit and termination have these numbers on every Unix.
 const STOPS: [c_int; 4] = [1, 2, 3, 15];
@@ -35,17 +38,26 @@ unsafe extern "C" {
     fn unlink(path: *const c_char) -> c_int;
 }
 
-/// From now on the file at `path` is removed when the process is asked to stop. One file at a time: a second takes the
-/// place of the first.
-pub(super) fn remember(path: &Path) {
-    // A path with a NUL byte names no file that could be there.
-    let name = CString::new(path.as_os_str().as_bytes()).map_or(ptr::null_mut(), CString::into_raw);
-    free(TEMPORARY.swap(name, Ordering::SeqCst));
-}
+impl Slot {
+    fn remember(&self, path: &Path) {
+        // A path with a NUL byte names no file that could be there.
+        let name = CString::new(path.as_os_str().as_bytes()).map_or(ptr::null_mut(), CString::into_raw);
+        free(self.0.swap(name, Ordering::SeqCst));
+    }
 
-/// The file has its place or is gone.
-pub(super) fn forget() {
-    free(TEMPORARY.swap(ptr::null_mut(), Ordering::SeqCst));
+    fn forget(&self) {
+        free(self.0.swap(ptr::null_mut(), Ordering::SeqCst));
+    }
+
+    /// Calls nothing but what a signal handler may call.
+    fn remove(&self) {
+        // Not freed: the process ends, and a signal handler may not free.
+        let name = self.0.swap(ptr::null_mut(), Ordering::SeqCst);
+        if !name.is_null() {
+            // SAFETY: it is a C string from `remember` that only this swap took out, and it is never freed.
+            unsafe { unlink(name) };
+        }
+    }
 }
 
 fn free(name: *mut c_char) {
@@ -55,15 +67,21 @@ fn free(name: *mut c_char) {
     }
 }
 
+/// From now on the file at `path` is removed when the process is asked to stop. One file at a time: a second takes the
+/// place of the first.
+pub(super) fn remember(path: &Path) {
+    TEMPORARY.remember(path);
+}
+
+/// The file has its place or is gone.
+pub(super) fn forget() {
+    TEMPORARY.forget();
+}
+
 /// Removes the file that is being written, if any: for whoever is about to end the process. Does nothing that a signal
 /// handler may not do.
 pub fn remove_temporary() {
-    // Not freed: the process ends, and a signal handler may not free.
-    let name = TEMPORARY.swap(ptr::null_mut(), Ordering::SeqCst);
-    if !name.is_null() {
-        // SAFETY: it is a C string from `remember` that only this swap took out, and it is never freed.
-        unsafe { unlink(name) };
-    }
+    TEMPORARY.remove();
 }
 
 /// From now on a signal that asks this process to stop removes the temporary file first; the process then ends by the
@@ -98,26 +116,27 @@ extern "C" fn stop(number: c_int) {
 mod tests {
     use super::*;
 
-    // One test for all: what is remembered is a single place for the whole process, and other tests write files.
     #[test]
-    fn the_file_that_is_remembered_is_removed_and_no_other() {
+    fn the_last_file_that_is_remembered_is_removed_and_no_other() {
+        // A slot of its own: other tests write files, and what they remember is not to be removed.
+        let slot = Slot(AtomicPtr::new(ptr::null_mut()));
         let path = |name| std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
-        let (first, second) = (path("first"), path("second"));
-        let mut removed = false;
-        // Another test's file may take the place in between; a few tries are enough.
-        for _ in 0..1000 {
-            std::fs::write(&first, "1").expect("the temporary folder is writable");
-            std::fs::write(&second, "2").expect("the temporary folder is writable");
-            remember(&first);
-            remember(&second);
-            remove_temporary();
-            assert!(first.exists(), "it was forgotten for the second");
-            if !second.exists() {
-                removed = true;
-                break;
-            }
+        let [first, second, third] = ["first", "second", "third"].map(path);
+        for path in [&first, &second, &third] {
+            std::fs::write(path, "text").expect("the temporary folder is writable");
         }
-        assert!(removed);
-        std::fs::remove_file(first).expect("it is there");
+        slot.remove();
+        slot.remember(&first);
+        slot.remember(&second);
+        slot.remove();
+        assert!(first.exists(), "it was forgotten for the second");
+        assert!(!second.exists());
+        slot.remember(&third);
+        slot.forget();
+        slot.remove();
+        assert!(third.exists(), "it was forgotten");
+        for path in [first, third] {
+            std::fs::remove_file(path).expect("it is there");
+        }
     }
 }
