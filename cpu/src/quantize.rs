@@ -183,6 +183,23 @@ mod tests {
     }
 
     #[test]
+    fn a_narrow_interval_hardly_ever_lacks_its_byte_whatever_is_tried_first() {
+        let mut draws = crate::rng::Uniform::new(9);
+        for gamma in [1.0, 2.2, 0.45] {
+            let table = Quantizer::new(gamma);
+            let mut known = 0;
+            for guess in (0..=255).cycle().take(10_000) {
+                let low = draws.canonical();
+                if let Some(byte) = table.quantize_interval(low, low + 1e-9, guess) {
+                    assert_eq!(byte, quantize(low, gamma), "gamma {gamma}, from {low:e}");
+                    known += 1;
+                }
+            }
+            assert!(known > 9_900, "gamma {gamma}: {known} of 10,000");
+        }
+    }
+
+    #[test]
     fn a_common_gamma_hardly_ever_needs_the_power() {
         let table = Quantizer::new(2.2);
         let uncertain: f64 = table.bounds[1..256].iter().map(|(below, from)| from - below).sum();
