@@ -10,7 +10,6 @@ cd "$(dirname "$0")/.."
 cargo llvm-cov clean --workspace
 cargo llvm-cov --no-report test -p cpu --lib
 cargo llvm-cov --no-report test -p tests --tests
-RENDER_SMOKE_CASES=${RENDER_SMOKE_CASES:-100} cargo llvm-cov --no-report test -p hostile --tests
 cargo llvm-cov --no-report test -p cli --test programs --test machine --test digests
 # Forced, so that the way in which an instruction set is asked for by name is run too.
 for set in portable sse2 avx2; do
