@@ -255,9 +255,8 @@ mod tests {
         let mut draws = crate::rng::Uniform::new(5);
         let mut counts = [0; 4];
         for _ in 0..20_000 {
-            let mut vector = |size: f64| {
-                Vec3::new(draws.draw(-size, size), draws.draw(-size, size), draws.draw(-size, size))
-            };
+            let mut vector =
+                |size: f64| Vec3::new(draws.draw(-size, size), draws.draw(-size, size), draws.draw(-size, size));
             // From without and from within, towards it and past it.
             let ray = Ray { origin: vector(3.0), direction: vector(1.0) };
             let view = record.seen_from(ray.origin);

@@ -31,7 +31,8 @@ pub fn check(bytes: &[u8]) {
 }
 
 fn agree<P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) {
-    let expected = cpu::reference::render_with::<AosImage, P>(config, scene, scatter).map_err(|error| error.to_string());
+    let expected =
+        cpu::reference::render_with::<AosImage, P>(config, scene, scatter).map_err(|error| error.to_string());
     let all: Vec<_> = InstructionSet::ALL.into_iter().filter(|set| set.is_available()).collect();
     held_to::<Aos, P>(config, scene, scatter, &all, &expected);
     held_to::<Soa, P>(config, scene, scatter, &[InstructionSet::best()], &expected);

@@ -25,9 +25,8 @@ fn with_too_little_memory_the_programs_say_so_and_never_die() {
     let (empty, workshop) = (Workshop::new("image_width: 1\n", ""), Workshop::new(config, scene(10_000)));
     for program in PROGRAMS {
         // What the program needs for nothing at all: below it not even the loader can say what is wrong.
-        let runs = |kilobytes| {
-            empty.limited(kilobytes, program, NAMES).output().expect("the program runs").status.success()
-        };
+        let runs =
+            |kilobytes| empty.limited(kilobytes, program, NAMES).output().expect("the program runs").status.success();
         let least = (4_000..200_000).step_by(500).find(|&limit| runs(limit)).expect("so much is enough") + 500;
         let (mut refused, mut kilobytes) = (0, least);
         loop {

@@ -10,10 +10,7 @@ fn a_place_below_a_file_is_refused() {
     let workshop = Workshop::new("image_width: 8\n", "");
     for program in PROGRAMS {
         let output = workshop.command_with(program, ["config.txt", "scene.txt", "config.txt/out.ppm"]).output();
-        assert_refused(
-            &output.expect("the program runs"),
-            "Cannot write file [config.txt/out.ppm]: Not a directory",
-        );
+        assert_refused(&output.expect("the program runs"), "Cannot write file [config.txt/out.ppm]: Not a directory");
         // Nobody, root included, makes a file there.
         let output = workshop.command_with(program, ["config.txt", "scene.txt", "/proc/out.ppm"]).output();
         assert_refused(&output.expect("the program runs"), "Cannot write file [/proc/out.ppm]: ");

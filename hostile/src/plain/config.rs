@@ -22,8 +22,13 @@ pub fn parse(text: &[u8]) -> Result<Config, Vec<u8>> {
             | b"camera_north:"
             | b"background_dark_color:"
             | b"background_light_color:" => 3,
-            b"image_width:" | b"gamma:" | b"field_of_view:" | b"samples_per_pixel:" | b"max_depth:"
-            | b"material_rng_seed:" | b"ray_rng_seed:" => 1,
+            b"image_width:"
+            | b"gamma:"
+            | b"field_of_view:"
+            | b"samples_per_pixel:"
+            | b"max_depth:"
+            | b"material_rng_seed:"
+            | b"ray_rng_seed:" => 1,
             _ => {
                 let colon: &[u8] = if key.last() == Some(&b':') { b"" } else { b":" };
                 return Err([b"Unknown configuration key: [", key, colon, b"]"].concat());

@@ -136,7 +136,15 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_refused() {
-        for option in ["--cylinders=1.5", "--cylinders=nan", "--matte=-1", "--extent=0", "--extent=1e300", "--objects=-1", "--objects=10000001"] {
+        for option in [
+            "--cylinders=1.5",
+            "--cylinders=nan",
+            "--matte=-1",
+            "--extent=0",
+            "--extent=1e300",
+            "--objects=-1",
+            "--objects=10000001",
+        ] {
             assert!(Alone::try_parse_from(["generate", "c", "s", option]).is_err(), "{option}");
         }
         let none = ["generate", "c", "s", "--matte=0", "--metal=0", "--refractive=0"];
