@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn an_endless_file_is_refused() {
+    fn a_file_is_read_up_to_its_limit_and_an_endless_one_refused() {
         struct Endless;
         impl Read for Endless {
             fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
@@ -183,8 +183,12 @@ mod tests {
                 Ok(buffer.len())
             }
         }
-        let input = BufReader::with_capacity(MAX_LINE_BYTES, Endless);
-        let error = for_each_line::<io::Error>(input, |_| Ok(())).unwrap_err();
+        let read = |bytes| {
+            let input = BufReader::with_capacity(MAX_LINE_BYTES, Endless.take(bytes));
+            for_each_line::<io::Error>(input, |_| Ok(()))
+        };
+        assert!(read(MAX_FILE_BYTES).is_ok());
+        let error = read(u64::MAX).unwrap_err();
         assert_eq!(error.to_string(), "it is larger than 1073741824 bytes");
     }
 
