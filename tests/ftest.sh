@@ -4,5 +4,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-cargo test --workspace --exclude shaders --exclude gpu-check --release --test '*' "$@"
-cargo test -p shaders -p gpu-check --test '*' "$@"
+cargo test --workspace --exclude shaders --exclude gpu-check --exclude hostile --release --test '*' "$@"
+cargo test -p shaders -p gpu-check -p hostile --test '*' "$@"

@@ -52,6 +52,14 @@ mod tests {
     }
 
     #[test]
+    fn between_the_ends_both_colours_have_their_share() {
+        let background = Background { dark: Vec3::new(1.0, 0.0, 0.5), light: Vec3::new(0.0, 1.0, 0.25) };
+        // The direction's unit vector has y = 3 / 5: four fifths of the way up.
+        let color = background.color(Vec3::new(4.0, 3.0, 0.0));
+        assert!((color - Vec3::new(0.8, 0.2, 0.45)).length() < 1e-15, "{color:?}");
+    }
+
+    #[test]
     fn a_null_direction_has_no_colour() {
         assert!(Background::new(&Config::default()).color(Vec3::ZERO).x.is_nan());
     }

@@ -113,7 +113,7 @@ impl Config {
     /// [`Error::Input`] when `input` cannot be read.
     pub fn parse(input: impl BufRead) -> Result<Self, Error> {
         let mut config = Self::default();
-        text::for_each_line(input, |line| config.read_line(line))?;
+        text::for_each_line(input, |line| config.set(line))?;
         Ok(config)
     }
 
@@ -128,7 +128,18 @@ impl Config {
             .map_err(|error| error.in_file(path))
     }
 
-    fn read_line(&mut self, line: &[u8]) -> Result<(), Error> {
+    /// Changes what one more line of a configuration file says; a blank line changes nothing.
+    ///
+    /// ```
+    /// let mut config = cpu::Config::default();
+    /// config.set(b"gamma: 1")?;
+    /// assert_eq!(config.gamma, 1.0);
+    /// # Ok::<(), cpu::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Config::parse`], but for reading.
+    pub fn set(&mut self, line: &[u8]) -> Result<(), Error> {
         let mut tokens = Tokens::new(line);
         let Some(key) = tokens.next() else { return Ok(()) };
         let Some((key, read)) = KEYS.iter().find(|(known, _)| known.as_bytes() == key) else {

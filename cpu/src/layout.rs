@@ -136,6 +136,14 @@ mod tests {
     }
 
     #[test]
+    fn room_is_made_for_as_many_as_there_are() {
+        let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
+        assert_eq!(count_kinds(&scene), (2, 1));
+        assert!(with_room::<u64>(5).is_ok_and(|list| list.is_empty() && list.capacity() >= 5));
+        assert!(matches!(with_room::<u64>(usize::MAX / 8), Err(Error::OutOfMemory { .. })));
+    }
+
+    #[test]
     fn both_layouts_store_the_same_objects() {
         stores_objects::<Aos>();
         stores_objects::<Soa>();

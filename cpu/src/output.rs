@@ -3,7 +3,12 @@
 //! A regular file is written beside its place under a temporary name and renamed over it. Anything else that can be
 //! written to (`/dev/stdout`, `/dev/null`, a pipe) takes the bytes directly.
 
+#[cfg(unix)]
+pub mod stop;
+
+use std::collections::hash_map::RandomState;
 use std::fs::{self, File, OpenOptions, Permissions};
+use std::hash::BuildHasher;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -74,9 +79,7 @@ impl Place {
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return Err(error),
         };
-        let (file, temporary) = create_beside(&target)?;
-        drop(file);
-        fs::remove_file(temporary)?;
+        drop(Temporary::beside(&target)?);
         Ok(Self::Regular { target, permissions })
     }
 }
@@ -93,37 +96,67 @@ fn free_name(path: &Path) -> io::Result<PathBuf> {
     Ok(target)
 }
 
-/// A new file in the folder of `target`, hidden, with a name that no other has.
-fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
-    const TRIES: u32 = 1000;
-
-    let process = std::process::id();
-    for attempt in 0..TRIES {
-        // Short and without the target's own name, which may be as long as a name can be.
-        let temporary = target.with_file_name(format!(".render-{process}-{attempt}.tmp"));
-        match OpenOptions::new().write(true).create_new(true).open(&temporary) {
-            Ok(file) => return Ok((file, temporary)),
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Err(io::Error::new(io::ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
+/// A new file that is removed when it is dropped, and when the process is asked to stop.
+struct Temporary {
+    file: File,
+    path: PathBuf,
 }
+
+impl Temporary {
+    /// One in the folder of `target`, hidden, with a name that no other has.
+    fn beside(target: &Path) -> io::Result<Self> {
+        const TRIES: u32 = 100;
+
+        let process = std::process::id();
+        for _ in 0..TRIES {
+            // Short and without the target's own name, which may be as long as a name can be. A number from the system
+            // sets processes of the same number on other machines apart, and files that a killed one left.
+            let random = RandomState::new().hash_one(process);
+            let path = target.with_file_name(format!(".render-{process}-{random:016x}.tmp"));
+            remember(&path);
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Ok(file) => return Ok(Self { file, path }),
+                Err(error) => {
+                    forget();
+                    if error.kind() != io::ErrorKind::AlreadyExists {
+                        return Err(error);
+                    }
+                }
+            }
+        }
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // After a failure that is the one to report; a leftover that cannot be removed either is named by it. After a
+        // renaming there is nothing under this name.
+        let _ = fs::remove_file(&self.path);
+        forget();
+    }
+}
+
+#[cfg(unix)]
+use stop::{forget, remember};
+
+/// Elsewhere nothing but dropping removes a temporary file.
+#[cfg(not(unix))]
+fn remember(_: &Path) {}
+#[cfg(not(unix))]
+fn forget() {}
 
 fn replace(
     target: &Path,
     permissions: Option<Permissions>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let (mut file, temporary) = create_beside(target)?;
-    let result = write(&mut file)
-        .and_then(|()| permissions.map_or(Ok(()), |permissions| file.set_permissions(permissions)))
-        .and_then(|()| fs::rename(&temporary, target));
-    if result.is_err() {
-        // The first failure is the one to report; a leftover that cannot be removed either is named by it.
-        let _ = fs::remove_file(&temporary);
+    let mut temporary = Temporary::beside(target)?;
+    write(&mut temporary.file)?;
+    if let Some(permissions) = permissions {
+        temporary.file.set_permissions(permissions)?;
     }
-    result
+    fs::rename(&temporary.path, target)
 }
 
 #[cfg(test)]
@@ -215,11 +248,57 @@ mod tests {
         assert_eq!(fs::metadata(&path).expect("there").permissions().mode() & 0o777, 0o640);
     }
 
+    /// Even root may not write to a program while it runs; renaming over it would go round that.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_may_not_be_written_to_is_not_replaced() {
+        let folder = Folder::new("busy");
+        let path = folder.0.join("sleep");
+        fs::copy("/bin/sleep", &path).expect("the folder is writable");
+        let start = || std::process::Command::new(&path).arg("60").spawn();
+        // While another test starts a process of its own, that one may hold the copy open for a moment.
+        let mut running = (0..100)
+            .find_map(|_| {
+                std::thread::sleep(std::time::Duration::from_millis(5));
+                start().ok()
+            })
+            .expect("the copy runs");
+        let result = Output::open(&path);
+        running.kill().expect("it is ours");
+        running.wait().expect("it ends");
+        let message = result.expect_err("it was running").to_string();
+        assert!(message.starts_with(&format!("Cannot write file [{}]: ", path.display())), "{message}");
+    }
+
+    /// A pipe with a name, of the test's own: where this module is wrong it renames files over whatever it is given, and
+    /// the devices of the machine belong to all.
     #[cfg(unix)]
     #[test]
     fn special_files_take_the_bytes_directly() {
-        write(Path::new("/dev/null"), "nothing").expect("/dev/null takes everything");
-        let error = write(Path::new("/dev/full"), "too much").expect_err("/dev/full is always full");
-        assert!(error.to_string().starts_with("Cannot write file [/dev/full]: "), "{error}");
+        use std::io::Read;
+        use std::os::unix::fs::FileTypeExt;
+        let folder = Folder::new("special");
+        let path = folder.0.join("pipe");
+        let status = std::process::Command::new("mkfifo").arg(&path).status().expect("every Unix has mkfifo");
+        assert!(status.success());
+        let is_pipe = || fs::symlink_metadata(&path).expect("there").file_type().is_fifo();
+
+        let from = path.clone();
+        let reader = std::thread::spawn(move || {
+            let mut text = String::new();
+            File::open(from).and_then(|mut file| file.read_to_string(&mut text)).map(|_| text)
+        });
+        write(&path, "through a pipe").expect("somebody reads");
+        assert!(is_pipe());
+        assert_eq!(reader.join().expect("it reads").expect("it is text"), "through a pipe");
+
+        let from = path.clone();
+        let reader = std::thread::spawn(move || File::open(from).map(drop));
+        // More than a pipe holds.
+        let error = write(&path, &"x".repeat(1 << 20)).expect_err("nobody reads");
+        assert!(error.to_string().starts_with(&format!("Cannot write file [{}]: ", path.display())), "{error}");
+        reader.join().expect("it ends").expect("the pipe is there");
+        assert!(is_pipe());
+        assert_eq!(folder.names(), ["pipe"]);
     }
 }

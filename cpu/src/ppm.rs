@@ -96,6 +96,25 @@ mod tests {
     }
 
     #[test]
+    fn bytes_are_handed_over_in_large_pieces() {
+        struct Pieces(Vec<usize>);
+        impl Write for Pieces {
+            fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+                self.0.push(bytes.len());
+                Ok(bytes.len())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        let mut pieces = Pieces(Vec::new());
+        let image = AosImage::black(Size::new(300, 300).expect("small")).expect("small");
+        write_ppm(&image, &mut pieces).expect("it takes all bytes");
+        let large = pieces.0.iter().filter(|&&length| length > CHUNK - 2 * MAX_LINE).count();
+        assert_eq!(large, 6 * 300 * 300 / CHUNK, "{:?}", pieces.0);
+    }
+
+    #[test]
     fn a_writer_that_fails_is_reported() {
         struct Full;
         impl Write for Full {

@@ -69,7 +69,7 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
             background: Background::new(config),
             search: Search::new(&objects, &extent)?,
             objects,
-            finishes: scene.materials.iter().map(|material| Finish::new(material, scatter)).collect(),
+            finishes: finishes(scene, scatter)?,
             quantizer: Quantizer::new(config.gamma),
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,
@@ -79,4 +79,12 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
             intersect: PhantomData,
         })
     }
+}
+
+fn finishes(scene: &Scene, scatter: Scatter) -> Result<Vec<Finish>, Error> {
+    let mut finishes = Vec::new();
+    let out_of_memory = |_| Error::OutOfMemory { what: "the materials" };
+    finishes.try_reserve_exact(scene.materials.len()).map_err(out_of_memory)?;
+    finishes.extend(scene.materials.iter().map(|material| Finish::new(material, scatter)));
+    Ok(finishes)
 }

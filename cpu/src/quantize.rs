@@ -183,6 +183,47 @@ mod tests {
     }
 
     #[test]
+    fn a_narrow_interval_hardly_ever_lacks_its_byte_whatever_is_tried_first() {
+        let mut draws = crate::rng::Uniform::new(9);
+        for gamma in [1.0, 2.2, 0.45] {
+            let table = Quantizer::new(gamma);
+            let mut known = 0;
+            for guess in (0..=255).cycle().take(10_000) {
+                let low = draws.canonical();
+                if let Some(byte) = table.quantize_interval(low, low + 1e-9, guess) {
+                    assert_eq!(byte, quantize(low, gamma), "gamma {gamma}, from {low:e}");
+                    known += 1;
+                }
+            }
+            assert!(known > 9_900, "gamma {gamma}: {known} of 10,000");
+        }
+    }
+
+    #[test]
+    fn bounds_leave_as_much_room_as_rounding_may_need_and_hardly_more() {
+        for gamma in [0.45, 1.0, 2.2, 10.0] {
+            for root in [0.1, 0.5, 254.0 / 255.0] {
+                let (below, from) = bound_of(root, gamma);
+                let boundary = root.powf(gamma);
+                // In units in the last place: 64 times gamma before the power, 512 times (1 + gamma) after it.
+                let expected = 64.0 * gamma + 512.0 * (1.0 + gamma);
+                for room in [1.0 - below / boundary, from / boundary - 1.0] {
+                    let room = room / f64::EPSILON;
+                    assert!((room - expected).abs() < 10.0, "gamma {gamma}, {root}: {room} for {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_certain_the_bounds_say_so() {
+        // The boundary vanishes, and the room grows beyond the boundary itself.
+        for (root, gamma) in [(1.0 / 255.0, 1000.0), (1.0, 1e13)] {
+            assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, f64::INFINITY));
+        }
+    }
+
+    #[test]
     fn a_common_gamma_hardly_ever_needs_the_power() {
         let table = Quantizer::new(2.2);
         let uncertain: f64 = table.bounds[1..256].iter().map(|(below, from)| from - below).sum();

@@ -143,7 +143,10 @@ impl Parser {
                     .map_err(|_| Error::OutOfMemory { what: "the materials" })?;
                 push(&mut self.scene.materials, material, "the materials")?;
                 self.names.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the materials" })?;
-                self.names.insert(name.to_vec(), id);
+                let mut owned = Vec::new();
+                owned.try_reserve_exact(name.len()).map_err(|_| Error::OutOfMemory { what: "the materials" })?;
+                owned.extend_from_slice(name);
+                self.names.insert(owned, id);
                 Ok(())
             }
             (Item::Shape(_), None) => Err(Error::MaterialNotFound { name: name.to_vec(), line: line.to_vec() }),

@@ -22,6 +22,8 @@ pub fn for_each_line<E: From<io::Error>>(
 ) -> Result<(), E> {
     let mut input = input.take(MAX_FILE_BYTES + 1);
     let mut line = Vec::new();
+    // All at once, where it can still be refused; what no line needs is never touched.
+    line.try_reserve_exact(MAX_LINE_BYTES + 2).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
     let mut total = 0_u64;
     for number in 1_u64.. {
         line.clear();
@@ -172,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn an_endless_file_is_refused() {
+    fn a_file_is_read_up_to_its_limit_and_an_endless_one_refused() {
         struct Endless;
         impl Read for Endless {
             fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
@@ -181,8 +183,12 @@ mod tests {
                 Ok(buffer.len())
             }
         }
-        let input = BufReader::with_capacity(MAX_LINE_BYTES, Endless);
-        let error = for_each_line::<io::Error>(input, |_| Ok(())).unwrap_err();
+        let read = |bytes| {
+            let input = BufReader::with_capacity(MAX_LINE_BYTES, Endless.take(bytes));
+            for_each_line::<io::Error>(input, |_| Ok(()))
+        };
+        assert!(read(MAX_FILE_BYTES).is_ok());
+        let error = read(u64::MAX).unwrap_err();
         assert_eq!(error.to_string(), "it is larger than 1073741824 bytes");
     }
 

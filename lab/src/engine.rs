@@ -164,7 +164,7 @@ pub fn render_rows<L: Layout>(
         after_row(row)?;
         if row >= rows { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
-    Ok((done >= rows).then(|| Picture::of(&image)))
+    (done >= rows).then(|| Picture::of(&image)).transpose()
 }
 
 impl fmt::Display for Engine {

@@ -21,6 +21,9 @@ impl Interrupt {
         ctrlc::set_handler(move || {
             // Asked a second time: whoever waits does not want to wait for the end of a row.
             if flag.swap(true, Ordering::SeqCst) {
+                // Nor for the end of a file, which then goes.
+                #[cfg(unix)]
+                cpu::output::stop::remove_temporary();
                 std::process::exit(130);
             }
         })

@@ -3,13 +3,19 @@
 //! `tests::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must take any
 //! valid picture, so this reader follows the PPM format with its comments and free white space.
 
-use std::fs;
-use std::io::{self, Cursor, Write};
+use std::fs::File;
+use std::io::{self, Cursor, Read, Write};
 use std::path::Path;
 
-use cpu::{Image, Rgb, Size};
+use cpu::{Error, Image, Rgb, Size};
 
 use crate::Failure;
+
+/// Largest file that is read, in bytes: PPM text of more than 300 million pixels.
+pub const MAX_FILE_BYTES: u64 = 4 << 30;
+
+/// Most that deflate can grow: a PNG that announces more pixels than this holds lies about them.
+const DEFLATE_GROWTH: usize = 1032;
 
 /// A picture of bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,10 +32,10 @@ impl Picture {
     /// The picture in a file; its first bytes say what it is.
     ///
     /// # Errors
-    /// The file cannot be read, or is neither PPM nor an 8-bit PNG.
+    /// The file cannot be read, is larger than [`MAX_FILE_BYTES`], or is neither PPM nor an 8-bit PNG.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
-        Self::parse(&bytes).map_err(|reason| format!("{}: {reason}", path.display()).into())
+        let read = |path| Self::parse(&picture_bytes(File::open(path).map_err(|error| error.to_string())?)?);
+        read(path).map_err(|reason| format!("{}: {reason}", path.display()).into())
     }
 
     /// The picture that `bytes` are the file of.
@@ -40,19 +46,23 @@ impl Picture {
         match bytes {
             [0x89, b'P', b'N', b'G', ..] => from_png(bytes),
             [b'P', b'3' | b'6', ..] => from_ppm(bytes),
-            _ => Err("neither PPM (P3 or P6) nor PNG".to_owned()),
+            _ => Err(NEITHER.to_owned()),
         }
     }
 
     /// What the renderer made.
-    #[must_use]
-    pub fn of(image: &impl Image) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn of(image: &impl Image) -> Result<Self, Error> {
         let size = image.size();
         let pixel = |index| {
             let Rgb { red, green, blue } = image.pixel(index);
             [red, green, blue]
         };
-        Self { width: size.width(), height: size.height(), pixels: (0..size.pixels()).map(pixel).collect() }
+        let mut pixels = with_room(size.pixels()).map_err(|_| Error::OutOfMemory { what: "the picture" })?;
+        pixels.extend((0..size.pixels()).map(pixel));
+        Ok(Self { width: size.width(), height: size.height(), pixels })
     }
 
     /// The part of it that starts at column `x`, row `y`.
@@ -96,23 +106,59 @@ impl Picture {
     }
 }
 
+const NEITHER: &str = "neither PPM (P3 or P6) nor PNG";
+
+/// The bytes of a file that begins as a picture does. One that does not, such as `/dev/zero`, is not read to its end.
+fn picture_bytes(file: impl Read) -> Result<Vec<u8>, String> {
+    let mut file = file.take(MAX_FILE_BYTES + 1);
+    let mut bytes = Vec::new();
+    let mut read = |limit, bytes: &mut Vec<u8>| {
+        // `read_to_end` reports it as an error where memory is short.
+        (&mut file).take(limit).read_to_end(bytes).map_err(|error| error.to_string())
+    };
+    read(4, &mut bytes)?;
+    if !matches!(bytes[..], [0x89, b'P', b'N', b'G', ..] | [b'P', b'3' | b'6', ..]) {
+        return Err(NEITHER.to_owned());
+    }
+    read(u64::MAX, &mut bytes)?;
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        return Err(format!("it is larger than {MAX_FILE_BYTES} bytes"));
+    }
+    Ok(bytes)
+}
+
+/// An empty list with room for `count` items, or words where memory is short.
+fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| "not enough memory for the picture".to_owned())?;
+    Ok(list)
+}
+
 fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    let mut buffer = vec![0; reader.output_buffer_size().ok_or("too large a PNG")?];
+    // Before any memory is taken for it: a few bytes can announce a picture of any size.
+    let announced = reader.info().raw_bytes();
+    if announced > bytes.len().saturating_mul(DEFLATE_GROWTH) {
+        return Err(format!("a PNG that announces {announced} bytes of pixels and cannot hold them"));
+    }
+    let length = reader.output_buffer_size().ok_or("too large a PNG")?;
+    let mut buffer = with_room(length)?;
+    buffer.resize(length, 0);
     let frame = reader.next_frame(&mut buffer).map_err(|error| error.to_string())?;
     if frame.bit_depth != png::BitDepth::Eight {
         return Err("a PNG of more than 8 bits a channel".to_owned());
     }
     let samples = frame.color_type.samples();
-    let pixels = buffer[..frame.buffer_size()].chunks_exact(samples);
-    let pixel = |channels: &[u8]| match *channels {
+    let colors = buffer[..frame.buffer_size()].chunks_exact(samples);
+    let mut pixels = with_room(colors.len())?;
+    pixels.extend(colors.map(|channels| match *channels {
         [red, green, blue, ..] => [red, green, blue],
         [grey, ..] => [grey; 3],
         [] => [0; 3],
-    };
-    Ok(Picture { width: frame.width as usize, height: frame.height as usize, pixels: pixels.map(pixel).collect() })
+    }));
+    Ok(Picture { width: frame.width as usize, height: frame.height as usize, pixels })
 }
 
 fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
@@ -122,31 +168,36 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
         return Err("a PPM whose largest value is not 255".to_owned());
     }
     let count = width.checked_mul(height).filter(|&count| count > 0).ok_or("a PPM of no possible size")?;
-    let pixels = if bytes[1] == b'6' {
+    let mut pixels;
+    if bytes[1] == b'6' {
         // One white-space byte ends the header.
-        let data = rest.get(1..).unwrap_or_default();
-        let (pixels, tail) = data.as_chunks::<3>();
-        if pixels.len() != count || !tail.is_empty() {
+        let Some((true, data)) = rest.split_first().map(|(end, data)| (end.is_ascii_whitespace(), data)) else {
+            return Err("a PPM whose header does not end in white space".to_owned());
+        };
+        let (colors, tail) = data.as_chunks::<3>();
+        if colors.len() != count || !tail.is_empty() {
             return Err(format!("{} bytes of pixels where {width} x {height} are announced", data.len()));
         }
-        pixels.to_vec()
+        pixels = with_room(count)?;
+        pixels.extend_from_slice(colors);
     } else {
         // Each pixel takes at least six bytes: a size that lies is found before memory is taken for it.
-        let mut pixels = Vec::with_capacity(count.min(rest.len() / 6 + 1));
+        pixels = with_room(count.min(rest.len() / 6 + 1))?;
         for _ in 0..count {
             let mut byte = || u8::try_from(number(&mut rest)?).map_err(|_| "a value over 255".to_owned());
-            pixels.push([byte()?, byte()?, byte()?]);
+            let pixel = [byte()?, byte()?, byte()?];
+            pixels.push(pixel);
         }
         if !rest.trim_ascii().is_empty() {
             return Err(format!("something follows the {count} pixels"));
         }
-        pixels
-    };
+    }
     Ok(Picture { width, height, pixels })
 }
 
-/// The next number of a PPM header or of P3 pixels, after white space and comments.
+/// The next number of a PPM header or of P3 pixels, after white space and comments, of which there must be some.
 fn number(rest: &mut &[u8]) -> Result<usize, String> {
+    let before = rest.len();
     *rest = rest.trim_ascii_start();
     while rest.first() == Some(&b'#') {
         let end = rest.iter().position(|&byte| byte == b'\n').unwrap_or(rest.len());
@@ -154,9 +205,10 @@ fn number(rest: &mut &[u8]) -> Result<usize, String> {
     }
     let length = rest.iter().position(|byte| !byte.is_ascii_digit()).unwrap_or(rest.len());
     let (digits, after) = rest.split_at(length);
+    let separated = rest.len() < before;
     *rest = after;
-    let text = std::str::from_utf8(digits).unwrap_or_default();
-    text.parse().map_err(|_| "a PPM that ends early or has something else where a number belongs".to_owned())
+    let number = std::str::from_utf8(digits).ok().and_then(|text| text.parse().ok()).filter(|_| separated);
+    number.ok_or_else(|| "a PPM that ends early or has something else where a number belongs".to_owned())
 }
 
 #[cfg(test)]
@@ -191,7 +243,7 @@ mod tests {
 
     #[test]
     fn damaged_pictures_are_refused() {
-        let texts: [&[u8]; 8] = [
+        let texts: [&[u8]; 11] = [
             b"",
             b"P3\n",
             b"P3 2 2 255 0 0 0",
@@ -200,12 +252,43 @@ mod tests {
             b"P3 0 0 255",
             b"P3 1 1 65535 0 0 0",
             b"P6 1 1 255\n\0\0",
+            b"P6 1 1 255x\0\0\0",
+            b"P6 1 1 255",
+            b"P31 1 255 0 0 0",
         ];
         for bytes in texts {
             assert!(Picture::parse(bytes).is_err(), "{}", bytes.escape_ascii());
         }
         assert!(Picture::parse(b"P3 99999999999 9999999 255 0").is_err(), "a size that lies takes no memory");
         assert!(Picture::parse(b"\x89PNG\r\n\x1a\nrest").is_err());
+    }
+
+    #[test]
+    fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
+        let mut png = Vec::new();
+        let wide = Picture { width: 3, height: 1, pixels: vec![[1; 3]; 3] };
+        wide.write_png(&mut png).expect("memory takes all bytes");
+        // The sides stand in the first chunk: two thousand million each, and its checksum made right again.
+        png[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
+        assert!(Picture::parse(&png).is_err(), "the checksum is wrong");
+        let checksum = crc32(&png[12..29]).to_be_bytes();
+        png[29..33].copy_from_slice(&checksum);
+        let message = Picture::parse(&png).expect_err("it cannot hold them");
+        assert!(message.contains("announces") || message.contains("imit"), "{message}");
+    }
+
+    /// The checksum of a PNG's chunk, bit by bit.
+    fn crc32(bytes: &[u8]) -> u32 {
+        !bytes.iter().fold(u32::MAX, |crc, &byte| {
+            (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })
+        })
+    }
+
+    #[test]
+    fn an_endless_file_that_is_no_picture_is_not_read_to_its_end() {
+        assert_eq!(picture_bytes(io::repeat(0)), Err(NEITHER.to_owned()));
+        assert_eq!(picture_bytes(&b"P3 x"[..]), Ok(b"P3 x".to_vec()));
+        assert_eq!(picture_bytes(&b"P"[..]), Err(NEITHER.to_owned()));
     }
 
     #[test]

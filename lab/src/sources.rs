@@ -1,6 +1,5 @@
 //! The two files of a rendering, with values of the configuration replaced on the command line.
 
-use std::fs;
 use std::path::Path;
 
 use cpu::{Config, Error, Scene};
@@ -11,17 +10,12 @@ use cpu::{Config, Error, Scene};
 /// # Errors
 /// What [`Config::parse`] says about the file or a setting.
 pub fn config(path: &Path, settings: &[String]) -> Result<Config, Error> {
-    let mut text = fs::read(path).map_err(|error| Error::from(error).in_file(path))?;
     // The file alone first, so that its own errors are told before those of a setting.
-    let config = Config::parse(&text[..]).map_err(|error| error.in_file(path))?;
-    if settings.is_empty() {
-        return Ok(config);
-    }
+    let mut config = Config::read(path)?;
     for setting in settings {
-        text.push(b'\n');
-        text.extend_from_slice(line(setting).as_bytes());
+        config.set(line(setting).as_bytes())?;
     }
-    Config::parse(&text[..]).map_err(|error| error.in_file(path))
+    Ok(config)
 }
 
 /// The scene at `path`.
@@ -44,6 +38,7 @@ fn line(setting: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn settings_become_lines() {

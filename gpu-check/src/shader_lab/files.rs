@@ -1,6 +1,7 @@
 //! A person's modules, and which of the crate's each stands in for.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use shaders::{Library, module};
@@ -9,6 +10,9 @@ use crate::Error;
 
 /// Where a file says which module it is.
 const MARK: &str = "// module:";
+
+/// Largest module that is read, in bytes.
+const MAX_BYTES: u64 = 1 << 24;
 
 /// A person's module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,7 +49,12 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
 }
 
 fn read_one(path: &Path) -> Result<UserModule, Error> {
-    let text = fs::read_to_string(path).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
+    let mut text = String::new();
+    let file = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_string(&mut text));
+    file.map_err(|cause| Error::File { path: path.to_owned(), cause })?;
+    if text.len() as u64 > MAX_BYTES {
+        return Err(fault(path, format!("it is larger than {MAX_BYTES} bytes")));
+    }
     let name = name(path, &text);
     if module::find(&name).is_none() {
         return Err(unknown(path, &text, &name));
@@ -112,6 +121,13 @@ mod tests {
     #[test]
     fn its_first_line_says_otherwise() {
         assert_eq!(name(Path::new("mine/normals.wgsl"), "// module: kernels/image\n"), "kernels/image");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_endless_file_is_refused() {
+        let error = read_one(Path::new("/dev/zero")).expect_err("it has no end");
+        assert!(error.to_string().contains("larger than 16777216 bytes"), "{error}");
     }
 
     #[test]

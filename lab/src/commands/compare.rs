@@ -17,6 +17,9 @@ Examples:
   render-lab compare mine.png theirs.ppm --heatmap where.png
   render-lab compare a.ppm b.ppm --json | jq .rmse
 
+Limits:
+  A picture's file has at most 4294967296 bytes; both pictures are held in memory
+
 Exit status: 0 accepted (maximum < 150 and RMSE < 10), 1 not accepted, 2 an error";
 
 /// Options of `compare`.

@@ -26,8 +26,8 @@ pub struct Arguments {
     /// Where all random numbers come from
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Number of objects
-    #[arg(long, default_value_t = 100)]
+    /// Number of objects, at most 10000000
+    #[arg(long, default_value_t = 100, value_parser = count)]
     objects: usize,
     /// Share of cylinders, from 0 to 1; the others are spheres
     #[arg(long, default_value_t = 0.5, value_parser = share)]
@@ -41,7 +41,7 @@ pub struct Arguments {
     /// Weight of refractive materials
     #[arg(long, default_value_t = 1.0, value_parser = weight)]
     refractive: f64,
-    /// Half the side of the cube that holds the objects' centres
+    /// Half the side of the cube that holds the objects' centres, from 1e-100 to 1e100
     #[arg(long, default_value_t = 10.0, value_parser = length)]
     extent: f64,
     /// Where objects are put
@@ -74,7 +74,18 @@ fn weight(text: &str) -> Result<f64, String> {
 }
 
 fn length(text: &str) -> Result<f64, String> {
-    number(text, |value| value > 0.0, "a positive number is needed")
+    // Beyond it, squares of lengths overflow or vanish, and the scene's own file would be refused.
+    number(text, |value| (1e-100..=1e100).contains(&value), "a number from 1e-100 to 1e100 is needed")
+}
+
+/// More would be a file larger than what is read.
+const MOST_OBJECTS: usize = 10_000_000;
+
+fn count(text: &str) -> Result<usize, String> {
+    text.parse()
+        .ok()
+        .filter(|&count| count <= MOST_OBJECTS)
+        .ok_or_else(|| format!("a number from 0 to {MOST_OBJECTS} is needed"))
 }
 
 impl Arguments {
@@ -125,7 +136,15 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_refused() {
-        for option in ["--cylinders=1.5", "--cylinders=nan", "--matte=-1", "--extent=0", "--objects=-1"] {
+        for option in [
+            "--cylinders=1.5",
+            "--cylinders=nan",
+            "--matte=-1",
+            "--extent=0",
+            "--extent=1e300",
+            "--objects=-1",
+            "--objects=10000001",
+        ] {
             assert!(Alone::try_parse_from(["generate", "c", "s", option]).is_err(), "{option}");
         }
         let none = ["generate", "c", "s", "--matte=0", "--metal=0", "--refractive=0"];

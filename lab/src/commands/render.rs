@@ -21,7 +21,10 @@ Examples:
   render-lab render scenes/grid/config.txt scenes/grid/scene.txt grid.png
   render-lab render config.txt scene.txt out.ppm --set samples_per_pixel=500 --set gamma=2
   render-lab render config.txt scene.txt part.png --crop 100,40,64,64
-  render-lab render config.txt scene.txt out.ppm --json --count";
+  render-lab render config.txt scene.txt out.ppm --json --count
+
+Limits:
+  A picture has at most 1073741824 pixels, a file at most 1073741824 bytes, a line at most 1048576";
 
 /// Options of `render`.
 #[derive(Debug, Args)]
@@ -137,7 +140,7 @@ impl Arguments {
         let write_png = is_png(&self.out);
         output.write(|file| if write_png { picture.write_png(file) } else { picture.write_ppm(file) })?;
         let after = Usage::now();
-        let primary_rays = (rows * size.width()) as u64 * prepared.samples;
+        let primary_rays = ((rows * size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = after.user - before.user;
         Ok(Taken {
             width: picture.width,

@@ -3,6 +3,8 @@
 mod bench;
 mod compare;
 mod files;
+#[cfg(unix)]
+mod hostile;
 mod render;
 #[cfg(unix)]
 mod slurm;

@@ -1,0 +1,135 @@
+//! Processes ended from outside at random moments.
+
+use std::fs;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use cpu::rng::Uniform;
+use nix::sys::signal::Signal;
+
+use crate::workshop::{PROGRAMS, Workshop, send, signal_of, wait_until};
+
+/// A picture of nothing but background, of which the writing takes a good part of the time.
+const CONFIG: &str = "image_width: 500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
+
+/// Kills that each program must survive, of each of the two signals.
+const KILLS: u32 = 100;
+
+/// Kills a program until [`KILLS`] have met it alive; gives how often the old and the new picture stood, and how many
+/// temporary files were left.
+fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
+    let workshop = Workshop::new(CONFIG, "");
+    let new = workshop.render();
+    let out = workshop.path("d/out.ppm");
+    let mut moments = Uniform::new(seed);
+    let (mut kills, mut tries) = (0, 0);
+    let [mut old_stood, mut new_stood, mut left] = [0; 3];
+    // As long as one takes undisturbed: the later ones hit the writing, the renaming and the end.
+    let start = Instant::now();
+    assert!(workshop.command(program).status().expect("the program runs").success());
+    let whole = start.elapsed();
+    while kills < KILLS {
+        tries += 1;
+        assert!(tries < 100 * KILLS, "only {kills} of {tries} met it alive");
+        fs::write(&out, "old").expect("the folder is writable");
+        let mut child = workshop.command(program).stdout(Stdio::null()).spawn().expect("the program runs");
+        std::thread::sleep(whole.mul_f64(moments.canonical()));
+        send(&child, signal);
+        let status = child.wait().expect("it ends");
+        match signal_of(status) {
+            Some(ended_by) => assert_eq!(ended_by, signal),
+            None => assert!(status.success(), "{status}"),
+        }
+        let met = signal_of(status).is_some();
+        kills += u32::from(met);
+        let picture = fs::read(&out).expect("a picture stands");
+        if picture == b"old" {
+            assert!(met, "it ended well and wrote nothing");
+            old_stood += 1;
+        } else {
+            assert!(picture == new, "{} bytes that are neither the old picture nor the new", picture.len());
+            new_stood += 1;
+        }
+        for name in workshop.outputs() {
+            if name != "out.ppm" {
+                assert!(name.starts_with(".render-") && name.ends_with(".tmp"), "{name}");
+                fs::remove_file(workshop.path("d").join(name)).expect("it is ours");
+                left += 1;
+            }
+        }
+    }
+    println!("{signal} {kills} times: {old_stood} old, {new_stood} new pictures, {left} temporary files left");
+    [old_stood, new_stood, left]
+}
+
+#[test]
+fn after_a_kill_the_old_picture_stands_or_the_new_one() {
+    for (seed, program) in PROGRAMS.into_iter().enumerate() {
+        let [old, ..] = killed(program, Signal::SIGKILL, 1 + seed as u64);
+        assert!(old > 0, "no kill came before the end");
+    }
+}
+
+#[test]
+fn after_a_request_to_stop_nothing_else_is_left() {
+    for (seed, program) in PROGRAMS.into_iter().enumerate() {
+        let [old, _, left] = killed(program, Signal::SIGTERM, 11 + seed as u64);
+        assert!(old > 0, "no request came before the end");
+        assert_eq!(left, 0);
+    }
+}
+
+#[test]
+fn every_request_to_stop_in_the_middle_of_writing_removes_the_half_picture() {
+    let config = "image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
+    let workshop = Workshop::new(config, "");
+    let out = workshop.path("d/out.ppm");
+    let mut met = 0;
+    for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT, Signal::SIGXCPU] {
+        for program in PROGRAMS {
+            fs::write(&out, "old").expect("the folder is writable");
+            let mut child = workshop.command(program).spawn().expect("the program runs");
+            let is_half = |name: &String| {
+                fs::metadata(workshop.path("d").join(name)).is_ok_and(|metadata| metadata.len() > 1 << 16)
+            };
+            wait_until("a half picture", || workshop.outputs().iter().any(is_half));
+            send(&child, signal);
+            let status = child.wait().expect("it ends");
+            assert_eq!(workshop.outputs(), ["out.ppm"], "{signal}");
+            if signal_of(status) == Some(signal) {
+                assert_eq!(fs::read(&out).expect("it stands"), b"old");
+                met += 1;
+            }
+        }
+    }
+    assert!(met > 0, "no request came in the middle of writing");
+}
+
+#[test]
+fn a_signal_that_is_ignored_stays_ignored() {
+    let workshop = Workshop::new("image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n", "");
+    let mut shell = std::process::Command::new("bash");
+    // As under nohup.
+    shell.args(["-c", "trap '' HUP; exec \"$@\"", "ignoring", PROGRAMS[0], "config.txt", "scene.txt", "d/out.ppm"]);
+    let mut child = shell.current_dir(workshop.path("")).spawn().expect("the program runs");
+    wait_until("a half picture", || workshop.outputs().iter().any(|name| name.starts_with('.')));
+    send(&child, Signal::SIGHUP);
+    assert!(child.wait().expect("it ends").success());
+    assert_eq!(workshop.outputs(), ["out.ppm"]);
+}
+
+#[test]
+fn a_program_that_waits_for_its_input_can_be_stopped() {
+    let workshop = Workshop::new("", "");
+    let fifo = workshop.path("never");
+    nix::unistd::mkfifo(&fifo, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
+    for program in PROGRAMS {
+        let mut child =
+            workshop.command_with(program, ["never", "scene.txt", "d/out.ppm"]).spawn().expect("the program runs");
+        std::thread::sleep(Duration::from_millis(50));
+        assert!(child.try_wait().expect("it is ours").is_none(), "nobody wrote and it ended");
+        send(&child, Signal::SIGTERM);
+        assert_eq!(signal_of(child.wait().expect("it ends")), Some(Signal::SIGTERM));
+        assert!(workshop.outputs().is_empty());
+    }
+}

@@ -1,0 +1,49 @@
+//! Too little memory, by every step from none to enough.
+
+use std::fmt::Write;
+
+use crate::workshop::{PROGRAMS, Workshop};
+
+const NAMES: [&str; 3] = ["config.txt", "scene.txt", "d/out.ppm"];
+
+/// Materials and objects of both kinds, all of them behind the camera.
+fn scene(count: usize) -> String {
+    let mut scene = String::new();
+    for index in 0..count {
+        writeln!(scene, "matte: m{index} .5 .5 .5").expect("a string takes all text");
+        let place = index as f64;
+        writeln!(scene, "sphere: {place} 1 2 .3 m{index}").expect("a string takes all text");
+        writeln!(scene, "cylinder: {place} 5 2 .3 0 1 .1 m{index}").expect("a string takes all text");
+    }
+    scene
+}
+
+#[test]
+fn with_too_little_memory_the_programs_say_so_and_never_die() {
+    let config = "image_width: 300\naspect_ratio: 1 1\nsamples_per_pixel: 1\n\
+                  camera_position: 0 0 -10\ncamera_target: 0 0 -20\n";
+    let (empty, workshop) = (Workshop::new("image_width: 1\n", ""), Workshop::new(config, scene(10_000)));
+    for program in PROGRAMS {
+        // What the program needs for nothing at all: below it not even the loader can say what is wrong.
+        let runs =
+            |kilobytes| empty.limited(kilobytes, program, NAMES).output().expect("the program runs").status.success();
+        let least = (4_000..200_000).step_by(500).find(|&limit| runs(limit)).expect("so much is enough") + 500;
+        let (mut refused, mut kilobytes) = (0, least);
+        loop {
+            let output = workshop.limited(kilobytes, program, NAMES).output().expect("the program runs");
+            if output.status.success() {
+                break;
+            }
+            let stderr = String::from_utf8_lossy(&output.stderr);
+            let says_so = stderr.starts_with("Error: Not enough memory for ") || stderr.contains("]: out of memory");
+            assert!(output.status.code() == Some(1) && says_so, "at {kilobytes} kB: {output:?}");
+            assert!(workshop.outputs().is_empty());
+            refused += 1;
+            kilobytes += 400;
+            assert!(kilobytes < least + 200_000, "so much is enough");
+        }
+        println!("refused {refused} times from {least} to {kilobytes} kB");
+        assert!(refused >= 5, "only {refused} steps");
+        std::fs::remove_file(workshop.path("d/out.ppm")).expect("it was written");
+    }
+}

@@ -1,0 +1,95 @@
+//! A folder with the files of a call, and processes that are watched.
+
+use std::fs;
+use std::os::unix::process::ExitStatusExt;
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitStatus, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+
+/// The two programs.
+pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
+
+/// `config.txt` and `scene.txt` in a folder, and a folder `d` for the picture alone.
+pub struct Workshop(tempfile::TempDir);
+
+impl Workshop {
+    pub fn new(config: impl AsRef<[u8]>, scene: impl AsRef<[u8]>) -> Self {
+        let workshop = Self(tempfile::tempdir().expect("the temporary folder is writable"));
+        fs::write(workshop.path("config.txt"), config).expect("the folder is writable");
+        fs::write(workshop.path("scene.txt"), scene).expect("the folder is writable");
+        fs::create_dir(workshop.path("d")).expect("the folder is writable");
+        workshop
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// The names in the picture's folder.
+    pub fn outputs(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.path("d")).expect("the folder is readable");
+        let name = |entry: std::io::Result<fs::DirEntry>| entry.expect("it is readable").file_name();
+        let mut names: Vec<_> = entries.map(|entry| name(entry).to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    /// `program config.txt scene.txt d/out.ppm`, run in the folder.
+    pub fn command(&self, program: &str) -> Command {
+        self.command_with(program, ["config.txt", "scene.txt", "d/out.ppm"])
+    }
+
+    pub fn command_with(&self, program: &str, names: [&str; 3]) -> Command {
+        let mut command = Command::new(program);
+        command.current_dir(self.0.path()).args(names).stdout(Stdio::piped()).stderr(Stdio::piped());
+        command
+    }
+
+    /// The same after a shell has limited itself to so much address space.
+    pub fn limited(&self, kilobytes: u64, program: &str, names: [&str; 3]) -> Command {
+        let mut shell = Command::new("bash");
+        shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", program]).args(names);
+        shell.current_dir(self.0.path());
+        shell
+    }
+
+    /// The picture, made undisturbed.
+    pub fn render(&self) -> Vec<u8> {
+        let output = self.command(PROGRAMS[0]).output().expect("the program runs");
+        assert!(output.status.success(), "{output:?}");
+        let picture = fs::read(self.path("d/out.ppm")).expect("it was written");
+        fs::remove_file(self.path("d/out.ppm")).expect("it is ours");
+        picture
+    }
+}
+
+/// Sends a signal to a process; one that has ended already does not mind.
+pub fn send(child: &Child, signal: Signal) {
+    let id = i32::try_from(child.id()).expect("it is a process");
+    kill(Pid::from_raw(id), signal).expect("it is ours, and not yet waited for");
+}
+
+/// The signal that a process ended by.
+pub fn signal_of(status: ExitStatus) -> Option<Signal> {
+    status.signal().map(|number| Signal::try_from(number).expect("it is a signal"))
+}
+
+/// Waits until `holds`, and fails where it takes for ever.
+pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !holds() {
+        assert!(start.elapsed() < Duration::from_secs(120), "waited in vain for: {what}");
+        std::thread::sleep(Duration::from_micros(200));
+    }
+}
+
+/// Checks for status 1, nothing on standard output, and this message.
+#[track_caller]
+pub fn assert_refused(output: &Output, message: &str) {
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(stderr.starts_with(&format!("Error: {message}")), "{output:?} instead of {message}");
+    assert!(output.status.code() == Some(1) && output.stdout.is_empty() && stderr.ends_with('\n'), "{output:?}");
+}

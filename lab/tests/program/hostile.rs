@@ -1,0 +1,92 @@
+//! Files that are no pictures and no texts, and requests to stop at any moment.
+
+use std::fs::{self, File};
+use std::io::Write;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+
+use crate::{Folder, complaint, lab};
+
+const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
+
+/// What `render-lab` says in 200 MB of address space; it must not die of it.
+fn complaint_in_little_memory(arguments: &[&str]) -> String {
+    let mut shell = Command::new("bash");
+    shell.args(["-c", "ulimit -v 200000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
+    let output = shell.current_dir(tests::project_root()).output().expect("the program runs");
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stderr).expect("it complains in text")
+}
+
+#[test]
+fn endless_and_empty_pictures_are_refused_in_little_memory() {
+    let folder = Folder::new();
+    let holes = folder.name("holes.ppm");
+    File::create(&holes).and_then(|file| file.set_len(4 << 30)).expect("holes take no place");
+    for name in ["/dev/zero", "/dev/null", &holes] {
+        let message = complaint_in_little_memory(&["compare", name, name]);
+        assert!(message.contains(&format!("{name}: neither PPM (P3 or P6) nor PNG")), "{message}");
+    }
+    // Begins as a picture does and never ends: what is read of it is refused by the memory there is.
+    let mut file = File::create(folder.file("long.ppm")).expect("the folder is writable");
+    file.write_all(b"P6 9 9 255\n").and_then(|()| file.set_len(5 << 30)).expect("holes take no place");
+    let message = complaint_in_little_memory(&["compare", &folder.name("long.ppm"), &folder.name("long.ppm")]);
+    assert!(message.contains("long.ppm: "), "{message}");
+}
+
+#[test]
+fn endless_configurations_are_refused_with_and_without_settings() {
+    let folder = Folder::new();
+    let out = folder.name("out.ppm");
+    for settings in [&[][..], &["--set", "gamma=1"]] {
+        let arguments = [&["render", "/dev/zero", GRID[1], &out], settings].concat();
+        let message = complaint_in_little_memory(&arguments);
+        assert!(message.contains("[/dev/zero]: line 1 is longer than 1048576 bytes"), "{message}");
+        assert!(folder.names().is_empty());
+    }
+}
+
+#[test]
+fn more_objects_than_a_file_may_have_are_not_generated() {
+    let folder = Folder::new();
+    let message = complaint(&["generate", &folder.name("c"), &folder.name("s"), "--objects", "18446744073709551615"]);
+    assert!(message.contains("a number from 0 to 10000000 is needed"), "{message}");
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_request_to_stop_at_any_moment_leaves_the_old_picture_or_the_new_one() {
+    let folder = Folder::new();
+    let out = folder.name("out.png");
+    let arguments = ["render", GRID[0], GRID[1], &out, "--set", "image_width=200", "--set", "samples_per_pixel=1"];
+    let start = Instant::now();
+    assert!(lab(&arguments).status().expect("the program runs").success());
+    let whole = start.elapsed();
+    let new = fs::read(&out).expect("it was written");
+    let [mut stopped, mut finished] = [0; 2];
+    let mut draws = cpu::rng::Uniform::new(3);
+    for _ in 0..60 {
+        fs::write(&out, "old").expect("the folder is writable");
+        let mut child = lab(&arguments).stderr(Stdio::null()).spawn().expect("the program runs");
+        std::thread::sleep(whole.mul_f64(draws.canonical()));
+        let id = Pid::from_raw(i32::try_from(child.id()).expect("it is a process"));
+        kill(id, Signal::SIGTERM).expect("it is ours, and not yet waited for");
+        let status = child.wait().expect("it ends");
+        let picture = fs::read(&out).expect("a picture stands");
+        if status.success() {
+            assert!(picture == new);
+            finished += 1;
+        } else {
+            // Before it listens the signal ends it, afterwards it ends by itself.
+            assert!(matches!(status.code(), None | Some(130)), "{status}");
+            assert_eq!(picture, b"old");
+            stopped += 1;
+        }
+        assert_eq!(folder.names(), ["out.png"]);
+    }
+    println!("{stopped} stopped, {finished} finished");
+    assert!(stopped > 0);
+}

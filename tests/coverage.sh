@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Which lines and functions of cpu the tests run: a table, and what is missed in target/coverage. Arguments go to the
+# report, such as --fail-under-lines 95.
+#
+# Needs cargo install --locked cargo-llvm-cov, and LLVM's tools of the compiler's version (rustc -vV names it): the
+# component llvm-tools, or Debian's llvm-22 with LLVM_COV=llvm-cov-22 LLVM_PROFDATA=llvm-profdata-22.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cargo llvm-cov clean --workspace
+cargo llvm-cov --no-report test -p cpu --lib
+cargo llvm-cov --no-report test -p tests --tests
+cargo llvm-cov --no-report test -p cli --test programs --test machine --test digests
+# Forced, so that the way in which an instruction set is asked for by name is run too.
+for set in portable sse2 avx2; do
+    RENDER_INSTRUCTION_SET=$set cargo llvm-cov --no-report test -p cli --test programs pictures
+done
+others='/(cli|gpu-check|hostile|lab|shaders|stability|tests)/|/\.cargo/|/rustc/'
+mkdir -p target/coverage
+cargo llvm-cov report --ignore-filename-regex "$others" --show-missing-lines > target/coverage/missing.txt
+cargo llvm-cov report --ignore-filename-regex "$others" --summary-only "$@"
