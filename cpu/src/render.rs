@@ -55,30 +55,38 @@ pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Re
 pub fn render_with<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // Nobody stops this one.
-    let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()));
+    let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()))?;
     Ok(image)
 }
 
 /// Renders what was prepared into an image of its size, and calls `after_row` with the number of rows that are done; the
 /// rendering stops where it breaks off, with the rows done so far in the image.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
 pub fn render_into<L: Layout, P: Intersect>(
     prepared: &Prepared<L, P>,
     set: InstructionSet,
     image: &mut L::Image,
     after_row: impl FnMut(usize) -> ControlFlow<()>,
-) -> ControlFlow<()> {
-    let sink = Bytes { image, quantizer: &prepared.quantizer };
-    set.run(Picture { prepared, sink, after_row })
+) -> Result<ControlFlow<()>, Error> {
+    let (candidates, sink) = (Candidates::new(prepared)?, Bytes { image, quantizer: &prepared.quantizer });
+    Ok(set.run(Picture { prepared, candidates, sink, after_row }))
 }
 
 /// Renders what was prepared and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
 pub fn render_linear<L: Layout, P: Intersect>(
     prepared: &Prepared<L, P>,
     set: InstructionSet,
     pixel: impl FnMut(usize, Vec3),
-) {
+) -> Result<(), Error> {
+    let candidates = Candidates::new(prepared)?;
     // Nobody stops this one.
-    let _ = set.run(Picture { prepared, sink: Means(pixel), after_row: |_| ControlFlow::Continue(()) });
+    let _ = set.run(Picture { prepared, candidates, sink: Means(pixel), after_row: |_| ControlFlow::Continue(()) });
+    Ok(())
 }
 
 /// Where pixels go.
@@ -127,6 +135,7 @@ impl<F: FnMut(usize, Vec3)> Sink for Means<F> {
 /// The whole picture.
 struct Picture<'a, L: Layout, P, K, R> {
     prepared: &'a Prepared<L, P>,
+    candidates: Candidates,
     sink: K,
     after_row: R,
 }
@@ -136,14 +145,14 @@ impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kerne
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) -> ControlFlow<()> {
-        let Self { prepared, sink, mut after_row } = self;
+        let Self { prepared, candidates, sink, mut after_row } = self;
         let mut painter = Painter {
             prepared,
             sink,
             offsets: Offsets::new(prepared.ray_seed),
             batch: Batch::new(),
             walk: Walk::new(prepared),
-            candidates: Candidates::new(prepared),
+            candidates,
             sums: Sums::new(prepared.samples),
             last_sky: [0; 3],
         };

@@ -57,7 +57,7 @@ impl Search {
         Ok(if !extent.moderate {
             Self::Plain
         } else if few::suits(objects) {
-            Self::Few(Few::new(objects, extent))
+            Self::Few(Few::new(objects, extent)?)
         } else if count <= filter::CAPACITY {
             Self::Flat(Filter::new(objects)?)
         } else {
@@ -85,11 +85,25 @@ impl Search {
 }
 
 /// All objects, in the order of the file.
-#[must_use]
-pub fn in_order(objects: &impl Objects) -> Vec<ObjectId> {
-    let mut all: Vec<ObjectId> = (0..(objects.sphere_count() + objects.cylinder_count()) as ObjectId).collect();
-    all.sort_by_key(|&id| order_of(objects, id));
-    all
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn in_order(objects: &impl Objects) -> Result<Vec<ObjectId>, Error> {
+    let count = objects.sphere_count() + objects.cylinder_count();
+    let mut all = room(count)?;
+    all.extend(0..count as ObjectId);
+    all.sort_unstable_by_key(|&id| order_of(objects, id));
+    Ok(all)
+}
+
+/// A list with room for `count` objects.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Error> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
+    Ok(list)
 }
 
 /// An object's place in the file.
@@ -251,6 +265,6 @@ mod tests {
     fn the_order_of_the_file_is_kept() {
         let objects = objects(4, 1.0, 4);
         // The ground, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
-        assert_eq!(in_order(&objects), [0, 1, 3, 2, 4]);
+        assert_eq!(in_order(&objects).expect("five are few"), [0, 1, 3, 2, 4]);
     }
 }

@@ -143,7 +143,7 @@ fn bytes(image: &impl cpu::Image) -> Vec<u8> {
 pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
     let mut means = vec![Vec3::ZERO; prepared.size.pixels()];
-    cpu::render_linear(&prepared, InstructionSet::chosen(), |index, mean| means[index] = mean);
+    cpu::render_linear(&prepared, InstructionSet::chosen(), |index, mean| means[index] = mean)?;
     Ok(means)
 }
 
@@ -163,7 +163,7 @@ pub fn render_rows<L: Layout>(
         done = row;
         after_row(row)?;
         if row >= rows { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
+    })?;
     (done >= rows).then(|| Picture::of(&image)).transpose()
 }
 

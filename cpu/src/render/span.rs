@@ -2,6 +2,7 @@
 
 use crate::certified::Intersect;
 use crate::cylinder::{CylinderRecord, CylinderView};
+use crate::error::Error;
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::search::{self, Bounds, ObjectId, Search};
@@ -102,10 +103,14 @@ pub struct Candidates {
 }
 
 impl Candidates {
-    /// No candidates yet.
-    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Self {
-        let all = search::in_order(&prepared.objects);
-        Self { all, row: Vec::new(), span: Vec::new(), culls: !matches!(prepared.search, Search::Plain) }
+    /// No candidates yet, but room for all objects to be some.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Result<Self, Error> {
+        let all = search::in_order(&prepared.objects)?;
+        let (row, span) = (search::room(all.len())?, search::room(all.len())?);
+        Ok(Self { all, row, span, culls: !matches!(prepared.search, Search::Plain) })
     }
 
     /// Finds the objects that the rays of `row` may meet.

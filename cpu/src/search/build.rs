@@ -52,7 +52,10 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
         return Ok(nodes);
     }
     // Nodes to be filled: their index, their items, their depth.
-    let mut pending = vec![(0, Range::new(&items, 0, items.len()), 0)];
+    let mut pending = Vec::new();
+    pending.try_reserve(1).map_err(out_of_memory)?;
+    nodes.try_reserve(1).map_err(out_of_memory)?;
+    pending.push((0, Range::new(&items, 0, items.len()), 0));
     nodes.push(Node::EMPTY);
     while let Some((node, range, depth)) = pending.pop() {
         let mut children = [range; WIDTH];
@@ -69,6 +72,7 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
                 Child::object(items[child.from].id)
             } else {
                 nodes.try_reserve(1).map_err(out_of_memory)?;
+                pending.try_reserve(1).map_err(out_of_memory)?;
                 pending.push((nodes.len(), *child, depth + 1));
                 nodes.push(Node::EMPTY);
                 Child::node((nodes.len() - 1) as u32)

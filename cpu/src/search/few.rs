@@ -8,6 +8,7 @@ use super::leaving::{crosses_slab, leaves_side, leaves_sphere, misses};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::cylinder::CylinderRecord;
+use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
@@ -28,9 +29,11 @@ pub struct Few {
 
 impl Few {
     /// The search over `objects`.
-    #[must_use]
-    pub fn new(objects: &impl Objects, extent: &Extent) -> Self {
-        Self { in_order: super::in_order(objects), slack: extent.reach * (8192.0 * f64::EPSILON) }
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+        Ok(Self { in_order: super::in_order(objects)?, slack: extent.reach * (8192.0 * f64::EPSILON) })
     }
 
     /// The objects in the order of the file.
