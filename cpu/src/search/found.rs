@@ -2,6 +2,7 @@
 
 use super::{NOWHERE, ObjectId};
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::Objects;
 use crate::ray::Ray;
@@ -41,6 +42,7 @@ impl Found {
     /// Takes the sphere at `index` into account.
     #[inline(always)]
     pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        add(Counter::SphereAsks, 1);
         let sphere = objects.sphere(index);
         if let Some(lambda) = P::sphere(&sphere.record, ray) {
             self.offer(lambda, index as ObjectId, sphere.order, Part::Side);
@@ -50,6 +52,7 @@ impl Found {
     /// Takes the cylinder at `index` among the cylinders into account.
     #[inline(always)]
     pub fn ask_cylinder<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        add(Counter::CylinderAsks, 1);
         let cylinder = objects.cylinder(index);
         if let Some((lambda, part)) = P::cylinder(&cylinder.record, &objects.axis(index), ray) {
             self.offer(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
