@@ -3,14 +3,15 @@
 #
 #   tests/ratio.sh ROUNDS CONFIG SCENE [ROUNDS CONFIG SCENE ...]
 #
-# RENDER_INSTRUCTION_SET=portable|sse2|avx2|avx512 forces an instruction set; PROGRAM and YARDSTICK replace the two.
+# RENDER_INSTRUCTION_SET=portable|sse2|avx2|avx512 forces an instruction set; PROGRAM and YARDSTICK replace the two, by a
+# command each, as in YARDSTICK="env RENDER_INSTRUCTION_SET=sse2 target/release/render-aos".
 set -euo pipefail
 
 top=$(cd "$(dirname "$0")/.." && pwd)
 cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p cpu --bins --examples
 program=${PROGRAM:-$top/target/release/render-aos}
 yardstick=${YARDSTICK:-$top/target/release/examples/reference}
-[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,6p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,7p' "$0" >&2; exit 2; }
 
 user_seconds() {
     local TIMEFORMAT=%U
@@ -25,7 +26,7 @@ while [ $# -gt 0 ]; do
         END {
             n = NR; for (i = 2; i <= n; i++) for (j = i; j > 1 && ratio[j] < ratio[j - 1]; j--) { t = ratio[j]; ratio[j] = ratio[j - 1]; ratio[j - 1] = t }
             middle = n % 2 ? ratio[(n + 1) / 2] : (ratio[n / 2] + ratio[n / 2 + 1]) / 2
-            printf "%s: %.1f times (%.1f to %.1f, %d rounds)\n", what, middle, ratio[1], ratio[n], n
+            printf "%s: %.2f times (%.2f to %.2f, %d rounds)\n", what, middle, ratio[1], ratio[n], n
         }'
     shift 3
 done

@@ -23,6 +23,7 @@ pub mod background;
 pub mod camera;
 pub mod certified;
 pub mod config;
+pub mod counters;
 pub mod cylinder;
 pub mod error;
 pub mod image;
@@ -56,6 +57,9 @@ pub use layout::{Aos, Layout, Soa};
 pub use material::Material;
 pub use prepare::Prepared;
 pub use ray::{Hit, Ray};
+#[cfg(feature = "bench")]
+#[doc(hidden)]
+pub use render::stages;
 pub use render::{render, render_into, render_linear, render_with};
 pub use scatter::Scatter;
 pub use scene::Scene;

@@ -15,6 +15,7 @@ use crate::config::Config;
 use crate::error::Error;
 use crate::image::Size;
 use crate::layout::{Layout, Objects};
+use crate::material::Material;
 use crate::quantize::Quantizer;
 use crate::scatter::Scatter;
 use crate::scene::Scene;
@@ -42,8 +43,10 @@ pub struct Prepared<L: Layout, P = Certified> {
     pub samples: u64,
     /// Most surfaces that a ray may meet.
     pub max_depth: u64,
-    /// Where random vectors come from.
+    /// The convention of the picture.
     pub scatter: Scatter,
+    /// Where random vectors come from: from nowhere where no path can tell.
+    pub vectors: Scatter,
     /// Seed of the samples' places.
     pub ray_seed: u64,
     /// Seed of the random vectors.
@@ -61,7 +64,8 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
         let size = config.image_size()?;
         let camera = Camera::new(config, size)?;
         let objects = L::Objects::build(scene)?;
-        let extent = Extent::new(&objects, &camera, &scene.materials);
+        let materials = scene.materials_in_use();
+        let extent = Extent::new(&objects, &camera, &materials);
         let deterministic = scatter == Scatter::Deterministic;
         Ok(Self {
             size,
@@ -74,6 +78,7 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,
             scatter,
+            vectors: if needs_vectors(config, &materials, scatter) { scatter } else { Scatter::Deterministic },
             ray_seed: config.ray_rng_seed,
             material_seed: config.material_rng_seed,
             intersect: PhantomData,
@@ -87,4 +92,15 @@ fn finishes(scene: &Scene, scatter: Scatter) -> Result<Vec<Finish>, Error> {
     finishes.try_reserve_exact(scene.materials.len()).map_err(out_of_memory)?;
     finishes.extend(scene.materials.iter().map(|material| Finish::new(material, scatter)));
     Ok(finishes)
+}
+
+/// Whether a random vector may reach a pixel. With a depth of one every path that scatters is black; a metal without
+/// diffusion multiplies the statement's draws by nought. (A published vector times nought may be a negative nought.)
+fn needs_vectors(config: &Config, materials: &[Material], scatter: Scatter) -> bool {
+    let spreads = |material: &Material| match *material {
+        Material::Matte { .. } => true,
+        Material::Metal { diffusion, .. } => diffusion != 0.0 || scatter == Scatter::Published,
+        Material::Refractive { .. } => false,
+    };
+    config.max_depth > 1 && materials.iter().any(spreads)
 }

@@ -4,6 +4,8 @@
 //! byte and finds the right one by its position in a table. Close to a boundary, where the power function's own rounding
 //! decides, it calls the power function, so the two always agree.
 
+use crate::counters::{Counter, add};
+
 /// The byte of a channel by the definition: one power a call.
 #[must_use]
 pub fn quantize(mean: f64, gamma: f64) -> u8 {
@@ -90,6 +92,7 @@ impl Quantizer {
 
     #[cold]
     fn at_a_boundary(&self, mean: f64) -> u8 {
+        add(Counter::Powers, 1);
         quantize(mean, self.gamma)
     }
 }

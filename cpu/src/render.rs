@@ -17,6 +17,8 @@ mod queue;
 mod shade;
 mod sky;
 mod span;
+#[cfg(feature = "bench")]
+pub mod stages;
 mod vectors;
 mod walk;
 
@@ -24,6 +26,7 @@ use std::ops::ControlFlow;
 
 use crate::certified::Intersect;
 use crate::config::Config;
+use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::image::{Image, Rgb};
 use crate::layout::Layout;
@@ -202,9 +205,13 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
         let (prepared, offsets, batch) = (self.prepared, &mut self.offsets, &mut self.batch);
         match simd.run(Look { prepared, row, pixel, offsets, batch, last: &mut self.last_sky }) {
             Known::Bytes([red, green, blue]) => {
+                add(Counter::SkyPixels, 1);
                 self.sink.bytes(row * prepared.size.width() + pixel.first, Rgb { red, green, blue });
             }
-            Known::Drawn => self.trace(simd, row, pixel),
+            Known::Drawn => {
+                add(Counter::SkyTraced, 1);
+                self.trace(simd, row, pixel);
+            }
         }
     }
 

@@ -177,6 +177,14 @@ fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> 
 }
 
 impl Scene {
+    /// The materials that objects are made of, each once.
+    #[must_use]
+    pub fn materials_in_use(&self) -> Vec<Material> {
+        let mut in_use = vec![false; self.materials.len()];
+        self.objects.iter().for_each(|object| in_use[object.material as usize] = true);
+        self.materials.iter().zip(in_use).filter_map(|(&material, in_use)| in_use.then_some(material)).collect()
+    }
+
     /// Reads a scene.
     ///
     /// ```

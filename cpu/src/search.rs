@@ -21,6 +21,7 @@ pub use found::Found;
 pub use hierarchy::{Hierarchy, Stack};
 
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -74,6 +75,7 @@ impl Search {
         from: ObjectId,
         stack: &mut Stack,
     ) -> Found {
+        add(Counter::WalkRays, 1);
         match self {
             Self::Plain => plain::<O, P>(objects, ray),
             Self::Few(few) => few.nearest::<O, P>(objects, ray),
@@ -118,6 +120,7 @@ pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
 /// The nearest object, by asking every one.
 #[inline(never)]
 fn plain<O: Objects, P: Intersect>(objects: &O, ray: &Ray) -> Found {
+    add(Counter::PlainAsks, (objects.sphere_count() + objects.cylinder_count()) as u64);
     let mut found = Found::NOTHING;
     for index in 0..objects.sphere_count() {
         found.ask_sphere::<O, P>(objects, index, ray);

@@ -1,5 +1,6 @@
 //! The surface that a ray meets: its point, its normal, its material, and where it sends the ray.
 
+use crate::counters::{Counter, add};
 use crate::layout::Objects;
 use crate::prepare::{Finish, Kind};
 use crate::ray::{Hit, Ray};
@@ -32,6 +33,7 @@ impl Surface {
     /// The surface that the search has found.
     #[inline(always)]
     pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &Found) -> Self {
+        add(Counter::Hits, 1);
         let point = ray.at(found.lambda);
         match (found.object as usize).checked_sub(objects.sphere_count()) {
             None => {

@@ -97,6 +97,7 @@ fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Cer
 #[inline(never)]
 #[must_use]
 pub fn resolve(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+    crate::counters::add(crate::counters::Counter::Fallbacks, 1);
     match InstructionSet::best().run(Precisely { record, ray }) {
         Verdict::Certain(answer) => answer.map(|lambda| lambda.high),
         Verdict::Doubtful => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),

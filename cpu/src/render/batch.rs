@@ -1,6 +1,7 @@
 //! A span's samples on their way: an array for each value, so that several are worked on at once.
 
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
@@ -135,6 +136,7 @@ impl Batch {
         if prepared.scatter == Scatter::Deterministic {
             return;
         }
+        add(Counter::RayDraws, 2 * span.count as u64);
         offsets.fill(&mut self.draws[..2 * span.count]);
         for (sample, pair) in self.draws[..2 * span.count].chunks_exact(2).enumerate() {
             // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing.

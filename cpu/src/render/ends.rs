@@ -4,6 +4,7 @@ use super::batch::{Batch, CAPACITY, SLACK, Vectors};
 use super::queue::Queue;
 use super::shade::{load, store};
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::scene::MaterialId;
@@ -48,6 +49,7 @@ impl Ended {
     pub fn forget(&mut self, at: usize) {
         self.met.truncate(self.begin[at] as usize);
         self.begin[at] = BLACK;
+        add(Counter::DepthReached, 1);
     }
 
     /// Path `at`, the present one, leaves the scene.

@@ -5,6 +5,7 @@ use super::hits::{Hits, MOST_LANES};
 use super::primary::valid_lanes;
 use super::shade::shade;
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::ray::Ray;
@@ -61,6 +62,7 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
 ) {
     let background = prepared.background.lanes::<S::F64>();
     let count = in_glass.len();
+    add(Counter::GlassRays, count as u64);
     let mut staying = 0;
     for from in (0..count).step_by(S::F64::LANES) {
         let lanes = S::F64::LANES.min(count - from);

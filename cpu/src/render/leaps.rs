@@ -10,6 +10,7 @@ use super::shade::{load, select};
 use super::vectors::Triples;
 use super::walk::Walk;
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
@@ -38,6 +39,8 @@ pub fn follow<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, few:
         let tried = V::LANES.min(queue.count - first);
         let stops = V::of(0.0).less(touched).bits() | u32::MAX << tried;
         let leaving = stops.trailing_zeros() as usize;
+        add(Counter::WalkRays, tried.min(leaving + 1) as u64);
+        add(Counter::WrongGuesses, (tried - tried.min(leaving + 1)) as u64);
         triples.skip(leaving);
         first += leaving;
         if leaving == tried {
@@ -71,6 +74,7 @@ pub fn follow<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, few:
                 ended.forget(first);
                 break;
             }
+            add(Counter::WalkRays, 1);
             found = few.nearest::<_, P>(&prepared.objects, &ray);
         }
         first += 1;

@@ -5,6 +5,7 @@ use super::hits::{Hits, for_each_lane};
 use super::shade::{shade, store};
 use super::span::{Candidate, Candidates};
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::ray::Ray;
@@ -41,6 +42,8 @@ fn trace<S: Simd, L: Layout, P: Intersect>(
     let row = S::F64::of(row as f64);
     batch.in_glass.clear();
     batch.waiting.clear();
+    add(Counter::PrimaryRays, batch.count as u64);
+    add(Counter::PrimaryTests, (batch.count * candidates.span.len()) as u64);
     for at in (0..batch.count).step_by(S::F64::LANES) {
         let offset = [S::F64::load(&batch.offset[0][at..]), S::F64::load(&batch.offset[1][at..])];
         let ray = camera.ray(row, S::F64::load(&batch.column[at..]), offset);

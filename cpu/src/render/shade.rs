@@ -2,6 +2,7 @@
 
 use super::hits::{Hits, MOST_LANES, for_each_lane};
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::{Layout, Objects};
 use crate::prepare::{Kind, Prepared};
@@ -30,6 +31,7 @@ pub fn shade<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ray: 
     hits.object.store(&mut numbers);
     let mut shaded =
         Shaded { point: ray.at(hits.lambda), base: Vec3::splat(V::of(0.0)), object: [0; MOST_LANES], glass: 0 };
+    add(Counter::Hits, u64::from(hits.bits.count_ones()));
     let mut left = hits.bits;
     while left != 0 {
         // Neighbours mostly meet the same object: all lanes that meet this one are done together.

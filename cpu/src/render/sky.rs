@@ -14,6 +14,7 @@
 use super::batch::Batch;
 use super::span::Span;
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
@@ -42,6 +43,7 @@ impl Offsets {
     #[inline(always)]
     fn pass_over(&mut self, samples: u64) {
         self.passed_over += 2 * samples;
+        add(Counter::RayDrawsSkipped, 2 * samples);
     }
 
     /// The stream at its place.

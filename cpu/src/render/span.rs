@@ -1,6 +1,7 @@
 //! Spans: runs of samples along a row, and the objects that their rays may meet.
 
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::error::Error;
 use crate::layout::{Layout, Objects};
@@ -152,6 +153,8 @@ impl Candidates {
             };
             self.span.push((id, candidate));
         }
+        add(Counter::SpanObjects, self.all.len() as u64);
+        add(Counter::SpanCandidates, self.span.len() as u64);
     }
 }
 

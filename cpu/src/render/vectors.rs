@@ -1,6 +1,7 @@
 //! The stream of random triples that all materials share, made in bulk.
 
 use super::batch::SLACK;
+use crate::counters::{Counter, add};
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
 use crate::simd::Lanes;
@@ -46,6 +47,7 @@ impl Triples {
     #[inline(always)]
     pub fn next(&mut self) -> Vec3 {
         let triple = Vec3::new(self.x[self.next], self.y[self.next], self.z[self.next]);
+        add(Counter::VectorsTaken, 1);
         self.next += 1;
         triple
     }
@@ -60,6 +62,7 @@ impl Triples {
     /// Uses up `count` triples.
     #[inline(always)]
     pub fn skip(&mut self, count: usize) {
+        add(Counter::VectorsTaken, count as u64);
         self.next += count;
     }
 
@@ -71,7 +74,10 @@ impl Triples {
         }
         self.next = SLACK - kept;
         match self.convention {
-            Scatter::Statement => self.draws.fill(&mut self.raw),
+            Scatter::Statement => {
+                add(Counter::MaterialDraws, self.raw.len() as u64);
+                self.draws.fill(&mut self.raw);
+            }
             Scatter::Published => {
                 for place in self.raw.chunks_exact_mut(3) {
                     place.copy_from_slice(&unit_vector(&mut self.draws).to_array());
@@ -92,6 +98,7 @@ impl Triples {
 fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
     loop {
         let mut triple = [0.0; 3];
+        add(Counter::MaterialDraws, 3);
         draws.fill(&mut triple);
         let vector = Vec3::from(triple).map(|u| u * 2.0 + -1.0);
         let length_squared = vector.dot(vector);

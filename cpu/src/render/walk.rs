@@ -31,7 +31,7 @@ impl Walk {
     /// At the beginning of the stream.
     pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Box<Self> {
         Box::new(Self {
-            triples: Triples::new(prepared.scatter, prepared.material_seed),
+            triples: Triples::new(prepared.vectors, prepared.material_seed),
             queue: Queue::new(),
             ended: Ended::new(),
             stack: Stack::EMPTY,

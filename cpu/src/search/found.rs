@@ -2,6 +2,7 @@
 
 use super::{NOWHERE, ObjectId};
 use crate::certified::{Intersect, Verdict};
+use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::Objects;
 use crate::ray::Ray;
@@ -42,6 +43,7 @@ impl Found {
     /// Takes the sphere at `index` into account.
     #[inline(always)]
     pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        add(Counter::SphereAsks, 1);
         let sphere = objects.sphere(index);
         let lambda = match P::judge_sphere(&sphere.record, ray) {
             Verdict::Certain(lambda) => lambda,
@@ -58,6 +60,7 @@ impl Found {
     /// Takes the cylinder at `index` among the cylinders into account.
     #[inline(always)]
     pub fn ask_cylinder<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        add(Counter::CylinderAsks, 1);
         let cylinder = objects.cylinder(index);
         let met = match P::judge_cylinder(&cylinder.record, &objects.axis(index), ray) {
             Verdict::Certain(met) => met,

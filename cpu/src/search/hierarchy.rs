@@ -11,6 +11,7 @@ use super::ground::{Ground, is_avoided};
 use super::leaving::leaves_cylinder;
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -223,6 +224,7 @@ impl Hierarchy {
             if distance > farthest * SLACK {
                 continue;
             }
+            add(Counter::NodeVisits, 1);
             let node = &self.nodes[index as usize];
             let mut distances = [0.0; WIDTH];
             let mut bits = 0;

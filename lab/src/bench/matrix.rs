@@ -19,7 +19,7 @@ use crate::{Failure, sources};
 /// A piece of the matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Task {
-    /// Time against a parameter: `width`, `samples`, `depth` or `objects`.
+    /// Time against a parameter: `width`, `samples`, `depth`, `objects` or `density`.
     Scale(&'static str),
     /// Error against samples, and every engine's time for each number of them, for a scene.
     Error(&'static str),
@@ -55,8 +55,9 @@ const CASES: [&str; 4] = ["case-1", "case-2", "case-3", "case-4"];
 /// What the parameters are varied on, except objects, which are generated.
 const SCALED: &str = "materials";
 
-/// The parameters of [`Task::Scale`].
-pub const PARAMETERS: [&str; 4] = ["width", "samples", "depth", "objects"];
+/// The parameters of [`Task::Scale`]. With `objects` the camera stays among the objects, of which more are farther away;
+/// with `density` it stays where it is, and they shrink as they multiply.
+pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "density"];
 
 /// Every task, in an order that never changes: parts of the matrix are told by their numbers.
 #[must_use]
@@ -107,6 +108,8 @@ impl Plan {
             ("samples", false) => powers(0, 10),
             ("depth", true) => powers(0, 5),
             ("depth", false) => powers(0, 8),
+            ("density", true) => vec![1000, 2000, 4000, 8000],
+            ("density", false) => vec![1000, 3162, 10_000, 31_623, 100_000],
             (_, true) => vec![4, 16, 64, 256, 1024, 4096],
             (_, false) => vec![4, 16, 64, 256, 1024, 4096, 16_384, 65_536],
         }
@@ -143,12 +146,13 @@ impl Plan {
             "width" => (value, Config { image_width: value, ..base.clone() }, scene.clone()),
             "samples" => (value, Config { samples_per_pixel: value, ..base.clone() }, scene.clone()),
             "depth" => (value, Config { max_depth: value, ..base.clone() }, scene.clone()),
+            "density" => (value, board(1000, self.width()).0, board(value, self.width()).1),
             _ => {
                 let (config, scene) = board(value, self.width());
                 (value, config, scene)
             }
         });
-        let name = if parameter == "objects" { BOARD } else { SCALED };
+        let name = if matches!(parameter, "objects" | "density") { BOARD } else { SCALED };
         self.times(["scale", name, parameter], &Engine::main(), pictures, results, interrupt)
     }
 

@@ -7,7 +7,7 @@ use clap::{Args, Subcommand};
 use crate::Failure;
 use crate::bench::machine::Machine;
 use crate::bench::matrix::{PARAMETERS, Plan, Task, tasks};
-use crate::bench::results::Results;
+use crate::bench::results::{Growth, Results};
 use crate::interrupt::Interrupt;
 
 /// Options of `bench`.
@@ -20,7 +20,7 @@ pub struct Arguments {
 /// What is measured.
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Time against width, samples, depth and number of objects
+    /// Time against width, samples, depth, number of objects, and their number in one view
     #[command(after_help = "Examples:\n  render-lab bench scale --out scale.json\n  \
                             render-lab bench scale objects --quick --out objects.json")]
     Scale {
@@ -152,6 +152,10 @@ impl How {
             plan.run(task, &mut results, &interrupt)?;
         }
         results.complete();
+        for Growth { parameter, engine, law, .. } in &results.growth {
+            let error = law.exponent_error.map_or_else(String::new, |error| format!(" +- {error:.2}"));
+            eprintln!("{engine}: time grows with {parameter} to the power {:.2}{error}", law.exponent);
+        }
         results.write(&self.out)
     }
 }

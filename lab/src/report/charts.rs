@@ -26,6 +26,7 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
         "width" => ("width of the picture in pixels (height follows)", "Time against the picture's width"),
         "samples" => ("samples a pixel", "Time against samples"),
         "depth" => ("largest number of surfaces that a ray may meet", "Time against depth"),
+        "density" => ("objects in the same view", "Time against the number of objects in one view"),
         _ => ("objects in the scene", "Time against the number of objects"),
     };
     let mut series: Vec<Series> = Vec::new();

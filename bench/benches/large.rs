@@ -1,0 +1,74 @@
+//! What a large picture and a large scene cost outside of rendering: `cargo bench -p bench --bench large`.
+//!
+//! The fastest of several turns on the clock: what the machine's other work adds is not the program's.
+
+use std::fs::File;
+use std::time::Instant;
+
+use cpu::layout::{AosImage, AosObjects, Objects, SoaImage};
+use cpu::prepare::Extent;
+use cpu::search::{Search, order_of};
+use cpu::{Camera, Image, Rgb, Scene, Size};
+use tests::generator::{self, Options};
+
+/// The fastest of some turns, in seconds.
+fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
+    let time = |_| {
+        let start = Instant::now();
+        let result = work();
+        let seconds = start.elapsed().as_secs_f64();
+        drop(result);
+        seconds
+    };
+    (0..turns).map(time).fold(f64::INFINITY, f64::min)
+}
+
+fn write<I: Image>(layout: &str) {
+    let size = Size::new(1600, 1125).expect("it is of moderate size");
+    assert_eq!(size.pixels(), 1_800_000);
+    let mut image = I::black(size).expect("it fits");
+    for index in 0..size.pixels() {
+        let [red, green, blue] = [index, index / 3, index / 7].map(|value| value as u8);
+        image.set_pixel(index, Rgb { red, green, blue });
+    }
+    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let to_file = fastest(15, || {
+        let file = File::create(folder.path().join("out.ppm")).expect("the folder takes files");
+        cpu::ppm::write_ppm(&image, file).expect("the file takes all");
+    });
+    let to_nowhere = fastest(15, || cpu::ppm::write_ppm(&image, std::io::sink()).expect("a sink takes all"));
+    println!(
+        "write 1.8 million pixels ({layout}): {:.1} ms, {:.1} ms without the file",
+        to_file * 1e3,
+        to_nowhere * 1e3
+    );
+}
+
+fn read() {
+    const OBJECTS: usize = 1_000_000;
+    let options = Options { objects: OBJECTS, ..Options::default() };
+    let text = tests::write::scene(&generator::scene(&options));
+    let parse = || Scene::parse(text.as_bytes()).expect("it is valid");
+    let scene = parse();
+    let config = generator::view(&options);
+    let camera = Camera::new(&config, config.image_size().expect("it is small")).expect("it sees the scene");
+    let build = || {
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let extent = Extent::new(&objects, &camera, &scene.materials_in_use());
+        let search = Search::new(&objects, &extent).expect("it fits");
+        assert!(matches!(search, Search::Tree(_)) && order_of(&objects, 0) < OBJECTS as u32);
+        search
+    };
+    let (read, built) = (fastest(3, parse), fastest(3, build));
+    println!("read a million objects, {:.0} MB: {read:.2} s, their hierarchy: {built:.2} s", text.len() as f64 / 1e6);
+}
+
+fn main() {
+    // `cargo test --benches` only wants to know that it starts.
+    if std::env::args().any(|argument| argument == "--test") {
+        return;
+    }
+    write::<AosImage>("AoS");
+    write::<SoaImage>("SoA");
+    read();
+}

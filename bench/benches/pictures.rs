@@ -1,0 +1,69 @@
+//! Times of whole pictures, from text to the bytes of the file, whose digests are checked first:
+//! `cargo bench -p bench --bench pictures [NAME]`.
+//!
+//! The scenes of `tests/cases` are timed by criterion. The reference folder's, where it is there, take seconds: each is
+//! rendered once, and its user time printed.
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use bench::time::user_seconds;
+use cpu::{Aos, Config, Scatter, Scene};
+use criterion::{Criterion, criterion_group};
+use tests::digest::sha256;
+use tests::golden::{self, Golden};
+
+/// The picture's file, from the bytes of the other two.
+fn picture(config: &[u8], scene: &[u8], scatter: Scatter) -> Vec<u8> {
+    let config = Config::parse(config).expect("the configuration is valid");
+    let scene = Scene::parse(scene).expect("the scene is valid");
+    tests::ppm(&cpu::render::<Aos>(&config, &scene, scatter).expect("it can be rendered"))
+}
+
+/// The bytes of a picture's two files.
+fn files(golden: &Golden) -> [Vec<u8>; 2] {
+    let read = |path: &Path| fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    [read(&golden.config), read(&golden.scene)]
+}
+
+fn check(golden: &Golden, picture: &[u8]) {
+    assert_eq!(Ok(sha256(picture)), golden.digest(), "{} is another picture", golden.name);
+}
+
+fn cases(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("picture");
+    for golden in golden::cases().iter().filter(|golden| golden.scatter == Scatter::Statement) {
+        let [config, scene] = files(golden);
+        check(golden, &picture(&config, &scene, golden.scatter));
+        group.bench_function(&golden.name, |bencher| bencher.iter(|| picture(&config, &scene, golden.scatter)));
+    }
+    group.finish();
+}
+
+criterion_group! {
+    name = pictures;
+    config = Criterion::default()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(700));
+    targets = cases
+}
+
+fn main() {
+    pictures();
+    Criterion::default().configure_from_args().final_summary();
+    let folder = golden::reference_folder();
+    if !folder.is_dir() {
+        println!("no reference pictures: there is no folder {}; RENDER_REFERENCE_DIR names another", folder.display());
+        return;
+    }
+    for golden in golden::reference(&folder).iter().filter(|golden| golden.scatter == Scatter::Statement) {
+        let [config, scene] = files(golden);
+        let before = user_seconds();
+        let picture = picture(&config, &scene, golden.scatter);
+        let seconds = user_seconds() - before;
+        check(golden, &picture);
+        println!("reference {}: {seconds:.3} s of user time, its digest is right", golden.name);
+    }
+}

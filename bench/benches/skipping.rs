@@ -1,0 +1,135 @@
+//! What it gains to leave out what a scene does not need: the same picture with and without, user time, in turn:
+//! `cargo bench -p bench --bench skipping`.
+
+use std::hint::black_box;
+
+use bench::time::compare;
+use cpu::quantize::{self, Quantizer};
+use cpu::rng::Uniform;
+use cpu::search::Search;
+use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene};
+use tests::generator::{self, Arrangement, Options};
+
+type Picture = <Aos as Layout>::Image;
+
+const ROUNDS: usize = 7;
+
+/// A gradient without a channel at 1, where the bytes of a sky cannot be known in advance.
+const COLORS: &str = "background_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
+const ONE_COLOR: &str = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
+const MATTE: &str = "matte: m .5 .6 .7\n";
+const MIRROR: &str = "metal: m .9 .8 .7 0\n";
+/// Two balls that see each other, before a sky that fills most of the picture.
+const BALLS: &str = "sphere: -1.5 0 0 1.4 m\nsphere: 1.5 0 0 1.4 m\n";
+
+fn prepared(config: &str, scene: &str) -> Prepared<Aos> {
+    let config = format!("image_width: 320\nsamples_per_pixel: 20\nfield_of_view: 40\n{config}");
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
+    Prepared::new(&config, &scene, Scatter::Statement).expect("it can be rendered")
+}
+
+fn render(prepared: &Prepared<Aos>) -> Picture {
+    cpu::render_with(prepared, InstructionSet::chosen()).expect("it is small")
+}
+
+/// The same with every pixel's samples traced.
+fn render_every_sample(prepared: &Prepared<Aos>) -> Picture {
+    let mut image = Picture::black(prepared.size).expect("it is small");
+    cpu::render_linear(prepared, InstructionSet::chosen(), |index, mean| {
+        let [red, green, blue] = mean.to_array().map(|channel| prepared.quantizer.quantize(channel));
+        image.set_pixel(index, cpu::Rgb { red, green, blue });
+    })
+    .expect("it fits");
+    image
+}
+
+fn row(what: &str, skipping: impl FnMut(), doing: impl FnMut()) {
+    let [with, without, ratio] = compare(ROUNDS, skipping, doing);
+    println!("{what:<60} {:>9.2} {:>9.2} {ratio:>7.2}", with * 1e3, without * 1e3);
+}
+
+/// Compares two ways to the same picture.
+fn pictures(what: &str, skipping: impl Fn() -> Picture, doing: impl Fn() -> Picture) {
+    assert!(tests::ppm(&skipping()) == tests::ppm(&doing()), "{what}: the pictures differ");
+    row(what, || drop(skipping()), || drop(doing()));
+}
+
+/// Compares a picture with the same one rendered after `spoil` has taken a shortcut away.
+fn without(what: &str, config: &str, scene: &str, spoil: fn(&mut Prepared<Aos>)) {
+    let (skipping, mut doing) = (prepared(config, scene), prepared(config, scene));
+    spoil(&mut doing);
+    pictures(what, || render(&skipping), || render(&doing));
+}
+
+/// Compares a scene with the same scene and something that is needed but never seen.
+fn beside_hidden(what: &str, scene: &str, hidden: &str) {
+    let (skipping, doing) = (prepared(COLORS, scene), prepared(COLORS, &format!("{scene}{hidden}")));
+    pictures(what, || render(&skipping), || render(&doing));
+}
+
+fn sky(what: &str, colors: &str, scene: &str) {
+    let prepared = prepared(colors, scene);
+    pictures(what, || render(&prepared), || render_every_sample(&prepared));
+}
+
+/// A ground with objects on the squares of a board, all matte.
+fn board(what: &str, objects: usize, width: u64) {
+    let options = Options { objects, arrangement: Arrangement::Grid, materials: [1.0, 0.0, 0.0], ..Options::default() };
+    let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
+    let new = || Prepared::<Aos>::new(&config, &generator::scene(&options), Scatter::Statement).expect("it is small");
+    let (skipping, mut doing) = (new(), new());
+    doing.search = Search::Plain;
+    pictures(what, || render(&skipping), || render(&doing));
+}
+
+fn gamma() {
+    let mut draws = Uniform::new(7);
+    let means: Vec<_> = (0..300_000).map(|_| draws.canonical()).collect();
+    let quantizer = Quantizer::new(2.2);
+    let sum = |byte: &dyn Fn(f64) -> u8| means.iter().map(|&mean| u64::from(byte(mean))).sum::<u64>();
+    let (table, power) = (|mean| quantizer.quantize(mean), |mean| quantize::quantize(mean, 2.2));
+    assert_eq!(sum(&table), sum(&power), "the bytes differ");
+    row(
+        "the power of the gamma correction, 100,000 pixels",
+        || _ = black_box(sum(&table)),
+        || _ = black_box(sum(&power)),
+    );
+}
+
+fn main() {
+    // `cargo test --benches` only wants to know that it starts.
+    if std::env::args().any(|argument| argument == "--test") {
+        return;
+    }
+    println!("{:<60} {:>9} {:>9} {:>7}", "milliseconds of user time, medians", "skipped", "done", "ratio");
+    sky("rays of pixels that no object reaches, large objects", COLORS, &format!("{MATTE}{BALLS}"));
+    sky("the same, a small object", COLORS, &format!("{MATTE}sphere: 2 1 0 .5 m\n"));
+    sky("the same, one background colour", ONE_COLOR, &format!("{MATTE}sphere: 2 1 0 .5 m\n"));
+    board("objects far from a ray, 7 objects", 7, 320);
+    board("objects far from a ray, 100 objects", 100, 160);
+    board("objects far from a ray, 1,000 objects", 1000, 80);
+    let forty: String = (0..40).map(|at| format!("sphere: {} 0 0 .4 m\n", f64::from(at - 20) / 4.0)).collect();
+    // What is inside a mirror is never seen.
+    beside_hidden(
+        "cylinders where there is none, 2 spheres",
+        &format!("{MIRROR}{BALLS}"),
+        "cylinder: 1.5 0 0 .1 0 .1 0 m\n",
+    );
+    beside_hidden(
+        "cylinders where there is none, 40 spheres",
+        &format!("{MIRROR}{forty}"),
+        "cylinder: 0 0 0 .1 0 .1 0 m\n",
+    );
+    without("random vectors where all is smooth", COLORS, &format!("{MIRROR}{BALLS}"), |prepared| {
+        prepared.vectors = prepared.scatter;
+    });
+    let one = format!("{COLORS}max_depth: 1\n");
+    without("random vectors with a depth of one", &one, &format!("{MATTE}{BALLS}"), |prepared| {
+        prepared.vectors = prepared.scatter;
+    });
+    without("an unused material that no filter bears, 40 spheres", COLORS, &format!("{MATTE}{forty}"), |prepared| {
+        prepared.search = Search::Plain;
+    });
+    gamma();
+}

@@ -1,0 +1,166 @@
+//! Arithmetic alone: the background, random numbers, bytes, and certified intersections.
+
+use std::hint::black_box;
+
+use cpu::background::Background;
+use cpu::cylinder::CylinderRecord;
+use cpu::quantize::Quantizer;
+use cpu::rng::{BlockUniform, Uniform};
+use cpu::simd::{self, Lanes, Simd};
+use cpu::sphere::SphereRecord;
+use cpu::{Config, InstructionSet, Ray, Vec3, certified};
+
+use super::{Kernel, Work, plain};
+
+pub const KERNELS: &[Kernel] = &[
+    Kernel { name: "background", new: background },
+    Kernel { name: "draws", new: draws },
+    Kernel { name: "skipped-draws", new: skipped_draws },
+    Kernel { name: "quantize", new: quantize },
+    Kernel { name: "quantize-interval", new: quantize_interval },
+    Kernel { name: "sphere", new: || spheres(SPHERE, certified::sphere::intersect) },
+    Kernel { name: "sphere-precise", new: || spheres(SPHERE, certified::sphere::resolve) },
+    Kernel { name: "sphere-exact", new: || spheres(Vec3::ONE, certified::sphere::resolve) },
+    Kernel { name: "cylinder", new: || cylinders(false, certified::cylinder::intersect) },
+    Kernel { name: "cylinder-precise", new: || cylinders(false, certified::cylinder::resolve) },
+    Kernel { name: "cylinder-exact", new: || cylinders(true, certified::cylinder::resolve) },
+];
+
+/// Work on this many at a turn.
+const COUNT: usize = 1024;
+
+/// Where a sphere of radius one is that most of [`rays`] meet.
+const SPHERE: Vec3 = Vec3::new(0.3, -0.2, 0.1);
+
+/// Rays from around (0, 0, -10) to around the origin.
+fn rays() -> Vec<Ray> {
+    let mut draws = Uniform::new(5);
+    let mut near = |middle: Vec3, size: f64| middle + Vec3::from([(); 3].map(|()| draws.draw(-size, size)));
+    let ray = |_| {
+        let origin = near(Vec3::new(0.0, 0.0, -10.0), 1.0);
+        Ray { origin, direction: near(Vec3::ZERO, 1.2) - origin }
+    };
+    (0..COUNT).map(ray).collect()
+}
+
+/// The background along many directions.
+struct Colors<'a> {
+    background: &'a Background,
+    directions: &'a [Vec<f64>; 3],
+    colors: &'a mut [Vec<f64>; 3],
+}
+
+impl simd::Kernel for Colors<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        let Self { background, directions: [x, y, z], colors: [red, green, blue] } = self;
+        let background = background.lanes::<S::F64>();
+        for at in (0..COUNT).step_by(S::F64::LANES) {
+            let load = Vec3::new(S::F64::load(&x[at..]), S::F64::load(&y[at..]), S::F64::load(&z[at..]));
+            let color = background.color(load);
+            color.x.store(&mut red[at..]);
+            color.y.store(&mut green[at..]);
+            color.z.store(&mut blue[at..]);
+        }
+    }
+}
+
+fn background() -> Box<dyn Work> {
+    let rays = rays();
+    let directions = [0, 1, 2].map(|axis| rays.iter().map(|ray| ray.direction.to_array()[axis]).collect::<Vec<_>>());
+    let (background, mut colors) = (Background::new(&Config::default()), [(); 3].map(|()| vec![0.0; COUNT]));
+    plain(COUNT, move || {
+        let work = Colors { background: &background, directions: &directions, colors: &mut colors };
+        InstructionSet::chosen().run(work);
+        black_box(&colors);
+    })
+}
+
+/// Draws in bulk.
+struct Draws<'a>(&'a mut BlockUniform, &'a mut [f64]);
+
+impl simd::Kernel for Draws<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.0.fill(self.1);
+    }
+}
+
+/// Draws passed over.
+struct Skip<'a>(&'a mut BlockUniform, u64);
+
+impl simd::Kernel for Skip<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.0.skip(self.1);
+    }
+}
+
+fn draws() -> Box<dyn Work> {
+    let (mut stream, mut place) = (BlockUniform::new(45), vec![0.0; 6240]);
+    plain(place.len(), move || {
+        InstructionSet::chosen().run(Draws(&mut stream, &mut place));
+        black_box(&place);
+    })
+}
+
+fn skipped_draws() -> Box<dyn Work> {
+    let mut stream = BlockUniform::new(45);
+    plain(6240, move || InstructionSet::chosen().run(Skip(black_box(&mut stream), 6240)))
+}
+
+fn means() -> Vec<f64> {
+    let mut draws = Uniform::new(7);
+    (0..COUNT).map(|_| draws.canonical()).collect()
+}
+
+fn quantize() -> Box<dyn Work> {
+    let (quantizer, means) = (Quantizer::new(2.2), means());
+    plain(COUNT, move || {
+        let sum: u64 = black_box(&means).iter().map(|&mean| u64::from(quantizer.quantize(mean))).sum();
+        black_box(sum);
+    })
+}
+
+fn quantize_interval() -> Box<dyn Work> {
+    let (quantizer, means) = (Quantizer::new(2.2), means());
+    plain(COUNT, move || {
+        let known = |mean: &&f64| quantizer.quantize_interval(**mean, **mean + 1e-6, 128).is_some();
+        black_box(black_box(&means).iter().filter(known).count());
+    })
+}
+
+/// Rays against a sphere of radius one. Rays that touch the one at (1, 1, 1) to the last bit take its place at that centre.
+fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> + 'static) -> Box<dyn Work> {
+    let sphere = SphereRecord::new(center, 1.0);
+    let tangent = |at: f64| Ray { origin: Vec3::new(0.0, 1.0, -at), direction: Vec3::new(0.0, 0.0, 1.0) };
+    let rays = if center == SPHERE { rays() } else { (0..COUNT).map(|at| tangent(at as f64)).collect() };
+    let hits = rays.iter().filter(|ray| intersect(&sphere, ray).is_some()).count();
+    assert!(hits > COUNT / 4, "{hits} hits");
+    plain(COUNT, move || {
+        black_box(black_box(&rays).iter().filter_map(|ray| intersect(&sphere, ray)).fold(0.0, f64::max));
+    })
+}
+
+/// Rays against a cylinder; through its rim to the last bit if wanted.
+fn cylinders(
+    through_rim: bool,
+    intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::cylinder::Part)> + 'static,
+) -> Box<dyn Work> {
+    let axis = if through_rim { Vec3::new(0.0, 4.0, 0.0) } else { Vec3::new(0.2, 1.5, 0.4) };
+    let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
+    let rim = |at: f64| Ray { origin: Vec3::new(0.0, 3.0 + at, -2.0 - at), direction: Vec3::new(0.0, -1.0, 1.0) };
+    let rays = if through_rim { (0..COUNT).map(|at| rim(at as f64)).collect() } else { rays() };
+    let hits = rays.iter().filter(|ray| intersect(&cylinder, &axis, ray).is_some()).count();
+    assert!(hits > COUNT / 4, "{hits} hits");
+    plain(COUNT, move || {
+        let lambdas = black_box(&rays).iter().filter_map(|ray| intersect(&cylinder, &axis, ray));
+        black_box(lambdas.fold(0.0, |most: f64, (lambda, _)| most.max(lambda)));
+    })
+}

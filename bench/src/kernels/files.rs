@@ -1,0 +1,53 @@
+//! Text in, hierarchy, text out.
+
+use std::hint::black_box;
+use std::io;
+
+use cpu::layout::{AosImage, AosObjects, Objects};
+use cpu::prepare::Extent;
+use cpu::search::Search;
+use cpu::{Config, Image, Rgb, Scene, Size};
+use tests::generator::{self, Options};
+
+use super::{Kernel, Work, plain};
+
+pub const KERNELS: &[Kernel] = &[
+    Kernel { name: "parse-config", new: parse_config },
+    Kernel { name: "parse-scene", new: parse_scene },
+    Kernel { name: "build-filter", new: || build(100) },
+    Kernel { name: "build-tree", new: || build(5000) },
+    Kernel { name: "write-ppm", new: write_ppm },
+];
+
+fn parse_config() -> Box<dyn Work> {
+    let text = tests::write::config(&Config::default());
+    plain(text.lines().count(), move || {
+        black_box(Config::parse(black_box(text.as_bytes())).expect("it is valid"));
+    })
+}
+
+fn parse_scene() -> Box<dyn Work> {
+    let text = tests::write::scene(&generator::scene(&Options { objects: 1000, ..Options::default() }));
+    plain(text.lines().count(), move || {
+        black_box(Scene::parse(black_box(text.as_bytes())).expect("it is valid"));
+    })
+}
+
+fn build(objects: usize) -> Box<dyn Work> {
+    let scene = generator::scene(&Options { objects, ..Options::default() });
+    let objects = AosObjects::build(&scene).expect("it fits");
+    let extent = Extent { reach: 100.0, moderate: true };
+    plain(objects.sphere_count() + objects.cylinder_count(), move || {
+        black_box(Search::new(black_box(&objects), &extent).expect("it fits"));
+    })
+}
+
+fn write_ppm() -> Box<dyn Work> {
+    let size = Size::new(256, 256).expect("it is small");
+    let mut image = AosImage::black(size).expect("it is small");
+    for index in 0..size.pixels() {
+        let [red, green, blue] = [index, index / 3, index / 7].map(|value| value as u8);
+        image.set_pixel(index, Rgb { red, green, blue });
+    }
+    plain(size.pixels(), move || cpu::ppm::write_ppm(black_box(&image), io::sink()).expect("a sink takes all"))
+}

@@ -1,0 +1,109 @@
+//! The stages of one span, each to be run alone: for benchmarks. [`super`] says what they do, and in which order.
+
+use crate::certified::Certified;
+use crate::layout::Aos;
+use crate::prepare::Prepared;
+use crate::simd::InstructionSet;
+
+use super::batch::{Batch, Draw};
+use super::sky::{Known, Look, Offsets};
+use super::span::{Candidates, Span, Spans};
+use super::walk::{Follow, Walk};
+use super::{ends, glass, primary};
+
+/// A span of a picture, and where its samples are on their way.
+#[derive(Debug)]
+pub struct Stages<'a> {
+    prepared: &'a Prepared<Aos, Certified>,
+    set: InstructionSet,
+    row: usize,
+    span: Span,
+    offsets: Offsets,
+    batch: Box<Batch>,
+    walk: Box<Walk>,
+    candidates: Candidates,
+}
+
+impl<'a> Stages<'a> {
+    /// The span of `row` that begins in or after `column`.
+    ///
+    /// # Panics
+    /// When there is none.
+    #[must_use]
+    pub fn new(prepared: &'a Prepared<Aos, Certified>, set: InstructionSet, row: usize, column: usize) -> Self {
+        let mut spans = Spans::of_row(prepared.size.width(), prepared.samples);
+        let span = spans.find(|span| span.first >= column).expect("the row is longer");
+        let mut stages = Self {
+            prepared,
+            set,
+            row,
+            span,
+            offsets: Offsets::new(prepared.ray_seed),
+            batch: Batch::new(),
+            walk: Walk::new(prepared),
+            candidates: Candidates::new(prepared).expect("a benchmark's scene fits"),
+        };
+        stages.cull();
+        stages
+    }
+
+    /// Samples of the span.
+    #[must_use]
+    pub const fn samples(&self) -> usize {
+        self.span.count
+    }
+
+    /// Samples that wait for the glass stage, and for the walk.
+    #[must_use]
+    pub const fn waiting(&self) -> (usize, usize) {
+        (self.batch.in_glass.len(), self.batch.waiting.len())
+    }
+
+    /// Finds the candidates of the row and of the span.
+    pub fn cull(&mut self) {
+        self.candidates.begin_row(self.prepared, self.row);
+        self.candidates.narrow(self.prepared, self.row, &self.span);
+    }
+
+    /// Looks for the bytes of the span's pixels without rays, as if no object reached it; says how many are known.
+    pub fn sky(&mut self) -> usize {
+        let (prepared, row) = (self.prepared, self.row);
+        let mut last = [0; 3];
+        let pixels = self.span.pixels(prepared.samples).into_iter().flatten();
+        pixels
+            .filter(|pixel| {
+                let (offsets, batch) = (&mut self.offsets, &mut *self.batch);
+                let look = Look { prepared, row, pixel, offsets, batch, last: &mut last };
+                matches!(self.set.run(look), Known::Bytes(_))
+            })
+            .count()
+    }
+
+    /// Draws the samples' places.
+    pub fn draw(&mut self) {
+        let (prepared, span, offsets) = (self.prepared, &self.span, self.offsets.stream());
+        self.set.run(Draw { prepared, span, offsets, batch: &mut self.batch });
+    }
+
+    /// Traces and shades the primary rays.
+    pub fn primary(&mut self) {
+        let (prepared, row, candidates) = (self.prepared, self.row, &self.candidates);
+        self.set.run(primary::Trace { prepared, row, candidates, batch: &mut self.batch });
+    }
+
+    /// Follows the samples in glass.
+    pub fn glass(&mut self) {
+        self.set.run(glass::Trace { prepared: self.prepared, batch: &mut self.batch });
+    }
+
+    /// Walks the waiting samples to their ends.
+    pub fn walk(&mut self) {
+        self.set.run(Follow { prepared: self.prepared, walk: &mut self.walk, batch: &self.batch });
+    }
+
+    /// Gives the ended paths their colours.
+    pub fn ends(&mut self) {
+        let Walk { queue, ended, .. } = &mut *self.walk;
+        self.set.run(ends::Color { prepared: self.prepared, queue, ended, batch: &mut self.batch });
+    }
+}

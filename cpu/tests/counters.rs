@@ -1,0 +1,199 @@
+//! What a scene does not need is not done: counted on a scene that does not need it, and on one that does.
+//!
+//! Counters belong to the thread, and a test has one of its own.
+
+use cpu::counters::{Counter, reset, snapshot};
+use cpu::{Aos, Config, InstructionSet, Prepared, Scatter, Scene};
+
+/// A small picture: 32 by 18 pixels, 16 samples each, seen from z = -10.
+const SMALL: &str = "image_width: 32\nsamples_per_pixel: 16\nfield_of_view: 45\n";
+const PIXELS: u64 = 32 * 18;
+const SAMPLES: u64 = 16 * PIXELS;
+
+/// Renders and says how the counters stand afterwards.
+fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
+    let config = Config::parse(format!("{SMALL}{config}").as_bytes()).expect("the configuration is valid");
+    let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
+    let prepared: Prepared<Aos> = Prepared::new(&config, &scene, Scatter::Statement).expect("it can be rendered");
+    reset();
+    cpu::render_with(&prepared, InstructionSet::chosen()).expect("it is small");
+    let counts = snapshot();
+    move |counter| counts.of(counter)
+}
+
+/// `count` spheres side by side, all in view.
+fn row_of_spheres(count: usize, material: &str) -> String {
+    (0..count).map(|at| format!("sphere: {} 0 0 .3 {material}\n", 6.0 * (at as f64 / count as f64 - 0.5))).collect()
+}
+
+const MATTE: &str = "matte: m .5 .5 .5\n";
+const MIRROR: &str = "metal: m 1 1 1 0\n";
+const GLASS: &str = "refractive: g 1.5\n";
+
+#[test]
+fn kinds_of_objects_that_are_not_there_are_not_asked() {
+    // Two of a kind, so that rays go from one to the other.
+    let (spheres, cylinders) =
+        ("sphere: -2 0 0 2 m\nsphere: 2 0 0 1.9 m\n", "cylinder: -2 0 0 2 0 3 0 m\ncylinder: 2 0 0 1.9 0 3 0 m\n");
+    let both = count("", &format!("{MATTE}{spheres}{cylinders}"));
+    assert!(both(Counter::SphereAsks) > 100 && both(Counter::CylinderAsks) > 100);
+    let no_cylinders = count("", &format!("{MATTE}{spheres}"));
+    assert!(no_cylinders(Counter::SphereAsks) > 100);
+    assert_eq!(no_cylinders(Counter::CylinderAsks), 0);
+    let no_spheres = count("", &format!("{MATTE}{cylinders}"));
+    assert!(no_spheres(Counter::CylinderAsks) > 100);
+    assert_eq!(no_spheres(Counter::SphereAsks), 0);
+}
+
+#[test]
+fn rays_are_followed_through_glass_only_where_there_is_glass() {
+    let glass = count("", &format!("{GLASS}sphere: 0 0 0 3 g\n"));
+    assert!(glass(Counter::GlassRays) > 100);
+    let matte = count("", &format!("{MATTE}sphere: 0 0 0 3 m\n"));
+    assert!(matte(Counter::Hits) > 100);
+    assert_eq!(matte(Counter::GlassRays), 0);
+}
+
+#[test]
+fn random_vectors_are_drawn_only_where_a_surface_spreads_light() {
+    let sphere = "sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n";
+    for mirror in ["metal: m 1 1 1 0\n", "refractive: m 1.5\n"] {
+        let smooth = count("", &format!("{mirror}{sphere}"));
+        assert!(smooth(Counter::Hits) > 100);
+        assert_eq!(smooth(Counter::MaterialDraws), 0, "{mirror}");
+    }
+    for rough in [MATTE, "metal: m 1 1 1 .01\n"] {
+        let spread = count("", &format!("{rough}{sphere}"));
+        assert!(spread(Counter::VectorsTaken) > 100);
+        assert!(spread(Counter::MaterialDraws) >= 3 * spread(Counter::VectorsTaken), "{rough}");
+    }
+}
+
+#[test]
+fn with_a_depth_of_one_no_ray_leaves_a_surface_and_no_vector_is_drawn() {
+    for material in [MATTE, "refractive: m 1.5\n"] {
+        let scene = format!("{material}sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n");
+        let one = count("max_depth: 1\n", &scene);
+        assert!(one(Counter::Hits) > 100);
+        let rays = |counted: &dyn Fn(Counter) -> u64| counted(Counter::WalkRays) + counted(Counter::GlassRays);
+        assert_eq!((rays(&one), one(Counter::MaterialDraws)), (0, 0), "{material}");
+        assert!(rays(&count("max_depth: 2\n", &scene)) > 100, "{material}");
+    }
+}
+
+#[test]
+fn the_last_surface_of_a_path_takes_its_vector_and_sends_no_ray() {
+    // Inside a mirror every ray meets a surface, so every path uses up its depth.
+    let closed = count("max_depth: 3\n", &format!("{MIRROR}sphere: 0 0 0 100 m\n"));
+    assert_eq!(closed(Counter::DepthReached), SAMPLES);
+    assert_eq!(closed(Counter::VectorsTaken), 3 * SAMPLES);
+    assert_eq!(closed(Counter::WalkRays), 2 * SAMPLES);
+    let open = count("max_depth: 3\n", &format!("{MIRROR}sphere: 0 0 0 3 m\n"));
+    assert!(open(Counter::VectorsTaken) > 100);
+    assert_eq!(open(Counter::DepthReached), 0, "rays leave a ball at once");
+    assert_eq!(open(Counter::WalkRays), open(Counter::VectorsTaken), "each vector has its ray");
+}
+
+#[test]
+fn unused_materials_cost_nothing() {
+    let scene = format!("{MATTE}metal: wild 1 1 1 1e300\n{}", row_of_spheres(20, "m"));
+    let unused = count("", &scene);
+    assert!(unused(Counter::WalkRays) > 20);
+    assert_eq!(unused(Counter::PlainAsks), 0, "the filter is trusted");
+    let used = count("", &format!("{scene}sphere: 0 -9 0 1 wild\n"));
+    assert_eq!(used(Counter::PlainAsks), 21 * used(Counter::WalkRays), "it is not, with so far a scatter");
+}
+
+#[test]
+fn pixels_that_no_object_reaches_are_known_without_rays() {
+    // Pixels so small that the gradient hardly changes within one, and no channel at 1, a byte's boundary.
+    let colors = "background_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
+    let view = &format!("image_width: 480\nsamples_per_pixel: 2\n{colors}");
+    let pixels = 480 * 270;
+    let corner = count(view, &format!("{MATTE}sphere: 3 1 0 .5 m\n"));
+    let known = corner(Counter::SkyPixels);
+    assert!(known > pixels / 2, "{known} of {pixels}");
+    assert!(corner(Counter::PrimaryRays) <= 2 * (pixels - known));
+    assert!(corner(Counter::RayDrawsSkipped) > 2 * known, "most without drawing their places");
+    assert_eq!(corner(Counter::RayDrawsSkipped) + corner(Counter::RayDraws), 4 * pixels);
+    let full = count(view, &format!("{MATTE}sphere: 0 0 0 100 m\n"));
+    assert_eq!((full(Counter::SkyPixels), full(Counter::PrimaryRays)), (0, 2 * pixels));
+    assert_eq!((full(Counter::RayDrawsSkipped), full(Counter::RayDraws)), (0, 4 * pixels));
+}
+
+#[test]
+fn with_equal_background_colours_no_place_is_drawn() {
+    // Pixels so large that a gradient's bytes differ within each.
+    let view = "image_width: 8\nfield_of_view: 90\n";
+    let equal = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
+    let one_color = count(&format!("{view}{equal}"), "");
+    assert_eq!(one_color(Counter::SkyPixels), 8 * 4);
+    assert_eq!((one_color(Counter::RayDraws), one_color(Counter::PrimaryRays)), (0, 0));
+    let gradient = count(view, "");
+    assert!(gradient(Counter::RayDraws) > 0 && gradient(Counter::PrimaryRays) > 0);
+    assert!(gradient(Counter::SkyPixels) < 8 * 4);
+}
+
+#[test]
+fn primary_rays_are_tested_against_objects_near_their_span_alone() {
+    let near = count("", &format!("{MATTE}{}", row_of_spheres(100, "m")));
+    let (left, all) = (near(Counter::SpanCandidates), near(Counter::SpanObjects));
+    assert!(near(Counter::PrimaryRays) > 100);
+    // A row of spheres fills one or two of 18 rows.
+    assert!(left > 0 && left < all / 5, "{left} of {all}");
+    assert!(near(Counter::PrimaryTests) < 100 * SAMPLES / 5);
+    // Concentric spheres reach wherever the largest does.
+    let concentric: String = (0..100).map(|at| format!("sphere: 0 0 0 {} m\n", 50 + at)).collect();
+    let everywhere = count("", &format!("{MATTE}{concentric}"));
+    assert_eq!(everywhere(Counter::SpanCandidates), everywhere(Counter::SpanObjects));
+    assert_eq!(everywhere(Counter::PrimaryTests), 100 * SAMPLES);
+}
+
+#[test]
+fn rays_ask_few_of_many_objects() {
+    // A handful, a filter, a tree; the last has nodes to visit.
+    for (objects, has_tree) in [(8, false), (60, false), (1000, true)] {
+        let text = format!("{MATTE}{}", row_of_spheres(objects, "m"));
+        let spared = count("", &text);
+        let (rays, asks) = (spared(Counter::WalkRays), spared(Counter::SphereAsks));
+        assert!(rays > 20 && asks < rays * objects as u64 / 4, "{asks} asked by {rays} rays of {objects} objects");
+        assert_eq!(spared(Counter::NodeVisits) > 0, has_tree);
+        assert_eq!(spared(Counter::PlainAsks), 0);
+        // A grain of dust too small for any filter: every ray asks every object.
+        let extreme = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
+        assert_eq!(extreme(Counter::SphereAsks), extreme(Counter::WalkRays) * (objects as u64 + 1));
+        assert_eq!(extreme(Counter::PlainAsks), extreme(Counter::SphereAsks));
+    }
+}
+
+#[test]
+fn samples_that_leave_at_once_are_walked_together() {
+    // Rays leave a mirroring ball at once: no guess is wrong. Inside of it each ray meets it again, and all are.
+    let lone = count("max_depth: 4\n", &format!("{MIRROR}sphere: 0 0 0 3 m\n"));
+    assert!(lone(Counter::WalkRays) > 100);
+    assert_eq!(lone(Counter::WrongGuesses), 0);
+    let closed = count("max_depth: 4\n", &format!("{MIRROR}sphere: 0 0 0 100 m\n"));
+    assert!(closed(Counter::WrongGuesses) >= closed(Counter::WalkRays) / 4);
+}
+
+#[test]
+fn means_become_bytes_without_a_power() {
+    let scene = format!("{MATTE}sphere: 0 0 0 100 m\nsphere: 0 0 0 3 m\n");
+    for gamma in ["gamma: 1\n", "gamma: 2.2\n"] {
+        assert_eq!(count(gamma, &scene)(Counter::Powers), 0, "no mean is at a boundary");
+    }
+    // Every boundary of so large a gamma underflows: nothing is certain but zero.
+    let bright = format!("{MATTE}sphere: 0 -300 0 290 m\n");
+    assert!(count("gamma: 1e300\n", &bright)(Counter::Powers) > PIXELS);
+}
+
+#[test]
+fn precise_intersections_are_for_rays_in_doubt() {
+    let ordinary = count("", &format!("{MATTE}sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n"));
+    assert!(ordinary(Counter::Hits) > 100);
+    assert!(ordinary(Counter::Fallbacks) * 50 < ordinary(Counter::Hits));
+    // A marble ten kilometres away, as large as the picture: its discriminant is lost in the distance's square.
+    let far = count("field_of_view: 1e-4\n", &format!("{MATTE}sphere: 0 0 9990 .01 m\n"));
+    assert!(far(Counter::Hits) > 100);
+    assert!(far(Counter::Fallbacks) > far(Counter::Hits) / 2, "{} fallbacks", far(Counter::Fallbacks));
+}
