@@ -128,4 +128,22 @@ mod tests {
             assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
         }
     }
+
+    #[test]
+    fn lanes_see_the_triples_that_follow_and_use_none_up() {
+        use crate::simd::Portable;
+        type V = <Portable as crate::simd::Simd>::F64;
+        let (mut lanes, mut single) = (Triples::new(Scatter::Statement, 3), Triples::new(Scatter::Statement, 3));
+        for round in 0..2 * TRIPLES {
+            lanes.prepare();
+            let mut seen = [0.0; V::LANES];
+            lanes.following::<V>().y.store(&mut seen);
+            let used = round % V::LANES;
+            lanes.skip(used);
+            for &y in &seen[..used] {
+                single.prepare();
+                assert_eq!(single.next().y, y);
+            }
+        }
+    }
 }

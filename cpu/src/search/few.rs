@@ -128,3 +128,83 @@ fn misses_cylinder<V: Real>(record: &CylinderRecord, ray: &Ray<V>, a: V, slack: 
 pub fn suits(objects: &impl Objects) -> bool {
     objects.sphere_count() + objects.cylinder_count() <= CAPACITY
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::{Certified, Textbook};
+    use crate::layout::AosObjects;
+    use crate::real::Real;
+    use crate::rng::Uniform;
+    use crate::scene::Scene;
+    use crate::simd::{InstructionSet, Kernel, Simd};
+    use crate::vec3::Vec3;
+
+    const SCENE: &str = "matte: m 1 1 1\nsphere: 0 -101 0 100 m\nsphere: 1 0 0 1 m\nsphere: -1 0.5 2 .25 m\n\
+                         cylinder: 0 0 -2 .5 1 2 .5 m\ncylinder: 3 1 1 .1 0 0 4 m\n";
+    const REACH: f64 = 201.0;
+
+    /// Which objects the first lane's ray, the same in all lanes, may meet.
+    struct Touched<'a> {
+        few: &'a Few,
+        objects: &'a AosObjects,
+        ray: Ray,
+    }
+
+    impl Kernel for Touched<'_> {
+        type Output = u32;
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> u32 {
+            let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
+            let mut touched = [0.0; 8];
+            self.few.touched(self.objects, &ray).store(&mut touched);
+            let lanes = &touched[..S::F64::LANES];
+            assert!(lanes.iter().all(|&lane| lane == lanes[0]), "{lanes:?}");
+            lanes[0] as u32
+        }
+    }
+
+    #[test]
+    fn what_a_ray_meets_it_touches_and_most_of_what_it_touches_it_meets() {
+        let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let few = Few::new(&objects, &Extent { reach: REACH, moderate: true }).expect("it fits");
+        let mut draws = Uniform::new(5);
+        let (mut touched_in_all, mut met_in_all) = (0, 0);
+        for number in 0..4000 {
+            let mut place = || Vec3::from([(); 3].map(|()| draws.draw(-3.0, 3.0)));
+            let (mut origin, mut direction) = (place(), place());
+            if number % 2 == 0 {
+                // From a surface, and every other time along it.
+                let sphere = objects.sphere(number / 2 % 3).record;
+                let normal = (origin - sphere.center).unit();
+                origin = sphere.center + normal * sphere.radius;
+                if number % 4 == 0 {
+                    direction = direction.perpendicular_to(normal) + normal * (draws.draw(-1.0, 1.0) * 1e-9);
+                }
+            }
+            let ray = Ray { origin, direction };
+            let mut met = 0;
+            for index in 0..objects.sphere_count() {
+                let record = objects.sphere(index).record;
+                let any = [Textbook::sphere(&record, &ray), Certified::sphere(&record, &ray)];
+                met |= u32::from(any.iter().any(Option::is_some)) << index;
+            }
+            for index in 0..objects.cylinder_count() {
+                let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
+                let any = [Textbook::cylinder(&record, &axis, &ray), Certified::cylinder(&record, &axis, &ray)];
+                met |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
+            }
+            for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+                let touched = set.run(Touched { few: &few, objects: &objects, ray });
+                assert_eq!(met & !touched, 0, "{}, {ray:?}: met {met:b}, touched {touched:b}", set.name());
+                touched_in_all += touched.count_ones();
+                met_in_all += met.count_ones();
+            }
+            let nearest = few.nearest::<_, Certified>(&objects, &ray);
+            assert_eq!(nearest, nearest_of::<_, Certified>(&objects, &ray, met));
+        }
+        assert!(met_in_all > 10_000 && touched_in_all < met_in_all * 3 / 2, "{touched_in_all} for {met_in_all}");
+    }
+}
