@@ -54,7 +54,7 @@ fn read() {
     let camera = Camera::new(&config, config.image_size().expect("it is small")).expect("it sees the scene");
     let build = || {
         let objects = AosObjects::build(&scene).expect("it fits");
-        let extent = Extent::new(&objects, &camera, &scene.materials_in_use());
+        let extent = Extent::new(&objects, &camera, &scene.materials_in_use().expect("they fit"));
         let search = Search::new(&objects, &extent).expect("it fits");
         assert!(matches!(search, Search::Tree(_)) && order_of(&objects, 0) < OBJECTS as u32);
         search

@@ -1,6 +1,6 @@
 //! What the benchmarks share.
 //!
-//! [`kernels`] are pieces of work small enough to be timed alone, or to have their instructions counted; [`time`] measures
+//! `kernels` are pieces of work small enough to be timed alone, or to have their instructions counted; [`time`] measures
 //! the time that this process computed, whatever else the machine does.
 
 #[cfg(feature = "kernels")]

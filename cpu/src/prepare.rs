@@ -64,7 +64,7 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
         let size = config.image_size()?;
         let camera = Camera::new(config, size)?;
         let objects = L::Objects::build(scene)?;
-        let materials = scene.materials_in_use();
+        let materials = scene.materials_in_use()?;
         let extent = Extent::new(&objects, &camera, &materials);
         let deterministic = scatter == Scatter::Deterministic;
         Ok(Self {

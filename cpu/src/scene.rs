@@ -178,11 +178,19 @@ fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> 
 
 impl Scene {
     /// The materials that objects are made of, each once.
-    #[must_use]
-    pub fn materials_in_use(&self) -> Vec<Material> {
-        let mut in_use = vec![false; self.materials.len()];
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn materials_in_use(&self) -> Result<Vec<Material>, Error> {
+        let out_of_memory = |_| Error::OutOfMemory { what: "the materials" };
+        let (mut in_use, mut materials) = (Vec::new(), Vec::new());
+        in_use.try_reserve_exact(self.materials.len()).map_err(out_of_memory)?;
+        materials.try_reserve_exact(self.materials.len()).map_err(out_of_memory)?;
+        in_use.resize(self.materials.len(), false);
         self.objects.iter().for_each(|object| in_use[object.material as usize] = true);
-        self.materials.iter().zip(in_use).filter_map(|(&material, in_use)| in_use.then_some(material)).collect()
+        let used = self.materials.iter().zip(in_use).filter(|&(_, in_use)| in_use);
+        materials.extend(used.map(|(&material, _)| material));
+        Ok(materials)
     }
 
     /// Reads a scene.

@@ -6,7 +6,7 @@ use crate::workshop::{PROGRAMS, Workshop};
 
 const NAMES: [&str; 3] = ["config.txt", "scene.txt", "d/out.ppm"];
 
-/// Materials and objects of both kinds, all of them behind the camera.
+/// Materials and objects of both kinds, in a long row.
 fn scene(count: usize) -> String {
     let mut scene = String::new();
     for index in 0..count {
@@ -20,8 +20,23 @@ fn scene(count: usize) -> String {
 
 #[test]
 fn with_too_little_memory_the_programs_say_so_and_never_die() {
-    let config = "image_width: 300\naspect_ratio: 1 1\nsamples_per_pixel: 1\n\
-                  camera_position: 0 0 -10\ncamera_target: 0 0 -20\n";
+    // Away from the objects, a picture of some size.
+    say_so_and_never_die(
+        "image_width: 300\naspect_ratio: 1 1\nsamples_per_pixel: 1\n\
+         camera_position: 0 0 -10\ncamera_target: 0 0 -20\n",
+    );
+}
+
+#[test]
+fn with_too_little_memory_for_all_that_is_in_view_the_programs_say_so_and_never_die() {
+    // Along the row of objects: every ray may meet all of them.
+    say_so_and_never_die(
+        "image_width: 4\naspect_ratio: 1 1\nsamples_per_pixel: 1\n\
+         camera_position: -100 3 2\ncamera_target: 0 3 2\nfield_of_view: 90\n",
+    );
+}
+
+fn say_so_and_never_die(config: &str) {
     let (empty, workshop) = (Workshop::new("image_width: 1\n", ""), Workshop::new(config, scene(10_000)));
     for program in PROGRAMS {
         // What the program needs for nothing at all: below it not even the loader can say what is wrong.

@@ -98,7 +98,7 @@ impl Arguments {
 impl Inspection {
     fn of(config: &Config, scene: &Scene) -> Result<Self, Failure> {
         let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
-        let extent = Extent::new(&prepared.objects, &prepared.camera, &scene.materials_in_use());
+        let extent = Extent::new(&prepared.objects, &prepared.camera, &scene.materials_in_use()?);
         let bounds = (0..scene.objects.len())
             .map(|id| Bounds::of_object(&prepared.objects, id, &extent))
             .reduce(|all, one| all.union(&one));
