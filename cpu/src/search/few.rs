@@ -19,7 +19,7 @@ use crate::sphere::SphereRecord;
 /// Most objects.
 pub const CAPACITY: usize = 8;
 
-/// The objects, of which there are at most [`CAPACITY`].
+/// A search over a handful of objects.
 #[derive(Clone, Debug)]
 pub struct Few {
     in_order: Vec<ObjectId>,
