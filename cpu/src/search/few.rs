@@ -18,7 +18,7 @@ use crate::sphere::SphereRecord;
 /// Most objects.
 pub const CAPACITY: usize = 8;
 
-/// The objects, of which there are at most [`CAPACITY`].
+/// The objects, of which there are at most `CAPACITY`.
 #[derive(Clone, Debug)]
 pub struct Few {
     in_order: Vec<ObjectId>,
