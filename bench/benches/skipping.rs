@@ -14,7 +14,7 @@ type Picture = <Aos as Layout>::Image;
 
 const ROUNDS: usize = 7;
 
-/// A gradient without a channel at 1, where the bytes of a sky cannot be known in advance.
+/// A gradient in all three channels.
 const COLORS: &str = "background_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
 const ONE_COLOR: &str = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
 const MATTE: &str = "matte: m .5 .6 .7\n";
@@ -105,6 +105,7 @@ fn main() {
     println!("{:<60} {:>9} {:>9} {:>7}", "milliseconds of user time, medians", "skipped", "done", "ratio");
     sky("rays of pixels that no object reaches, large objects", COLORS, &format!("{MATTE}{BALLS}"));
     sky("the same, a small object", COLORS, &format!("{MATTE}sphere: 2 1 0 .5 m\n"));
+    sky("the same, the default sky, whose blue is 1 throughout", "", &format!("{MATTE}sphere: 2 1 0 .5 m\n"));
     sky("the same, one background colour", ONE_COLOR, &format!("{MATTE}sphere: 2 1 0 .5 m\n"));
     board("objects far from a ray, 7 objects", 7, 320);
     board("objects far from a ray, 100 objects", 100, 160);

@@ -106,7 +106,7 @@ fn unused_materials_cost_nothing() {
 
 #[test]
 fn pixels_that_no_object_reaches_are_known_without_rays() {
-    // Pixels so small that the gradient hardly changes within one, and no channel at 1, a byte's boundary.
+    // Pixels so small that the gradient hardly changes within one.
     let colors = "background_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
     let view = &format!("image_width: 480\nsamples_per_pixel: 2\n{colors}");
     let pixels = 480 * 270;
@@ -116,6 +116,9 @@ fn pixels_that_no_object_reaches_are_known_without_rays() {
     assert!(corner(Counter::PrimaryRays) <= 2 * (pixels - known));
     assert!(corner(Counter::RayDrawsSkipped) > 2 * known, "most without drawing their places");
     assert_eq!(corner(Counter::RayDrawsSkipped) + corner(Counter::RayDraws), 4 * pixels);
+    // The default sky, whose blue is 1 at both ends.
+    let default = count("image_width: 480\nsamples_per_pixel: 2\n", &format!("{MATTE}sphere: 3 1 0 .5 m\n"));
+    assert!(default(Counter::SkyPixels) > pixels / 2, "{} of {pixels}", default(Counter::SkyPixels));
     let full = count(view, &format!("{MATTE}sphere: 0 0 0 100 m\n"));
     assert_eq!((full(Counter::SkyPixels), full(Counter::PrimaryRays)), (0, 2 * pixels));
     assert_eq!((full(Counter::RayDrawsSkipped), full(Counter::RayDraws)), (0, 4 * pixels));

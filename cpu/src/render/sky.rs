@@ -10,6 +10,10 @@
 //! `6 / |d|^2`. So the mean is known up to `R` once the means of `x` and `y` are, and up to half of
 //! `|g.dx| + |g.dy|` even without them. Where all means in that interval give the same byte, that is the pixel's byte,
 //! and its rays need not be traced, its places not even drawn. Elsewhere they are.
+//!
+//! A channel that is 1 at both ends, as the blue of the default sky, is at a byte's boundary, where no interval has one
+//! byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most `2^-54`, and
+//! the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are exact. Likewise 0.
 
 use super::batch::Batch;
 use super::span::Span;
@@ -86,6 +90,12 @@ impl Slope {
         (self.middle, (self.along[0].abs() + self.along[1].abs()) / 2.0 + self.rest)
     }
 
+    /// Whether `(s + 1) / 2`, as it is computed, is in `[0, 1]` all over the pixel.
+    fn is_slanted(&self) -> bool {
+        let (middle, radius) = self.anywhere();
+        middle.abs() + radius < 0.999
+    }
+
     /// `s` over samples with these mean offsets.
     fn at(&self, offset: [f64; 2]) -> (f64, f64) {
         (self.middle + offset[0] * self.along[0] + offset[1] * self.along[1], self.rest)
@@ -120,13 +130,14 @@ impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
     fn call<S: Simd>(self, _: S) -> Known {
         let Self { prepared, row, pixel, offsets, batch, last } = self;
         let slope = Slope::new(prepared, row, pixel.first);
-        if let Some(bytes) = bytes_within(prepared, slope.anywhere(), last) {
+        let is_slanted = slope.is_slanted();
+        if let Some(bytes) = bytes_within(prepared, slope.anywhere(), is_slanted, last) {
             offsets.pass_over(prepared.samples);
             return Known::Bytes(bytes);
         }
         batch.draw(prepared, pixel, offsets.stream());
         let means = [0, 1].map(|axis| sum(&batch.offset[axis][..pixel.count]) / pixel.count as f64);
-        bytes_within(prepared, slope.at(means), last).map_or(Known::Drawn, Known::Bytes)
+        bytes_within(prepared, slope.at(means), is_slanted, last).map_or(Known::Drawn, Known::Bytes)
     }
 }
 
@@ -143,17 +154,23 @@ fn sum(values: &[f64]) -> f64 {
     sums.iter().chain(rest).sum()
 }
 
-/// The bytes of a pixel whose mean of `s` is within `radius` of `middle`, if all such means give the same.
+/// The bytes of a pixel whose mean of `s` is within `radius` of `middle`, if all such means give the same; channels that
+/// are 0 or 1 at both ends are exact if the pixel [is slanted](Slope::is_slanted).
 #[inline(always)]
 fn bytes_within<L: Layout, P: Intersect>(
     prepared: &Prepared<L, P>,
     (middle, radius): (f64, f64),
+    is_slanted: bool,
     last: &mut [u8; 3],
 ) -> Option<[u8; 3]> {
     let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
     let rounding = rounding(prepared.samples);
     for channel in 0..3 {
         let difference = dark[channel] - light[channel];
+        if is_slanted && difference == 0.0 && (light[channel] == 1.0 || light[channel] == 0.0) {
+            last[channel] = prepared.quantizer.quantize(light[channel]);
+            continue;
+        }
         let mean = light[channel] + difference * ((middle + 1.0) / 2.0);
         let radius = difference.abs() * (radius / 2.0) + rounding;
         last[channel] = prepared.quantizer.quantize_interval(mean - radius, mean + radius, last[channel])?;
@@ -164,6 +181,7 @@ fn bytes_within<L: Layout, P: Intersect>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::background::Background;
     use crate::config::Config;
     use crate::layout::Aos;
     use crate::scatter::Scatter;
@@ -212,8 +230,28 @@ mod tests {
     }
 
     #[test]
+    fn a_channel_of_ones_is_one_in_every_sample() {
+        let background = Background { dark: Vec3::new(1.0, 0.0, 0.0), light: Vec3::new(1.0, 0.0, 1.0) };
+        let mut draws = crate::rng::Uniform::new(3);
+        for _ in 0..100_000 {
+            let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            if (direction.y / direction.length()).abs() < 0.999 {
+                let color = background.color(direction);
+                assert_eq!((color.x, color.y), (1.0, 0.0), "{direction:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_uniform_background_needs_no_ray() {
-        let prepared = prepared("image_width: 40\nbackground_dark_color: .3 .4 .5\nbackground_light_color: .3 .4 .5\n");
+        for color in [".3 .4 .5", "1 0 .5", "1 0 1"] {
+            no_ray_is_needed(color);
+        }
+    }
+
+    fn no_ray_is_needed(color: &str) {
+        let text = format!("image_width: 40\nbackground_dark_color: {color}\nbackground_light_color: {color}\n");
+        let prepared = prepared(&text);
         let mut batch = Batch::new();
         let mut offsets = Offsets::new(1);
         let mut last = [0; 3];
