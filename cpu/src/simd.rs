@@ -26,12 +26,16 @@ pub use portable::Portable;
 /// An instruction set, as a type that kernels are compiled for. A value of it is the proof that the machine has it:
 /// only [`InstructionSet::run`] makes one, after asking.
 pub trait Simd: Copy + 'static {
-    /// Lanes of `f64`, for work on many rays, where throughput counts.
+    /// Lanes of `f64`.
     type F64: Lanes;
-    /// Lanes of `f64`, for work on one ray, where latency counts.
-    type Narrow: Lanes;
     /// Lanes of `f32`, for filters.
     type F32: FilterLanes;
+    /// The instruction set for work on one ray after the other, where not how much is done at once counts but how soon
+    /// an answer is there.
+    type Prompt: Simd;
+
+    /// See [`Simd::Prompt`].
+    fn prompt(self) -> Self::Prompt;
 
     /// Runs `kernel`, compiled for this instruction set as a function of its own.
     fn run<K: Kernel>(self, kernel: K) -> K::Output;
@@ -139,11 +143,11 @@ impl InstructionSet {
             Self::Portable | Self::Sse2 => true,
             Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
             Self::Avx512 => {
-                is_x86_feature_detected!("avx512f")
+                Self::Avx2.is_available()
+                    && is_x86_feature_detected!("avx512f")
                     && is_x86_feature_detected!("avx512dq")
                     && is_x86_feature_detected!("avx512vl")
                     && is_x86_feature_detected!("avx512bw")
-                    && is_x86_feature_detected!("fma")
             }
         };
         #[cfg(not(target_arch = "x86_64"))]

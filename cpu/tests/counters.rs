@@ -2,6 +2,8 @@
 //!
 //! Counters belong to the thread, and a test has one of its own.
 
+#![cfg(feature = "counters")]
+
 use cpu::counters::{Counter, reset, snapshot};
 use cpu::{Aos, Config, InstructionSet, Prepared, Scatter, Scene};
 

@@ -43,7 +43,7 @@ impl Walk {
     fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, batch: &Batch) {
         let all_go_on = self.queue.fill(prepared, batch);
         match &prepared.search {
-            Search::Few(few) if all_go_on => leaps::follow::<S::Narrow, L, P>(prepared, few, self),
+            Search::Few(few) if all_go_on => leaps::follow::<S::F64, L, P>(prepared, few, self),
             _ => {
                 for at in 0..self.queue.count {
                     self.follow_one::<S, L, P>(prepared, at);

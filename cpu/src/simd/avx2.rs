@@ -26,8 +26,13 @@ impl Avx2 {
 
 impl Simd for Avx2 {
     type F64 = F64;
-    type Narrow = F64;
     type F32 = F32;
+    type Prompt = Self;
+
+    #[inline(always)]
+    fn prompt(self) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {

@@ -27,8 +27,15 @@ impl Avx512 {
 impl Simd for Avx512 {
     type F64 = F64;
     // Measured: for a handful of objects 256 bits answer sooner than 512 (docs/performance.md).
-    type Narrow = super::avx2::F64;
     type F32 = F32;
+    // Comparisons into mask registers take longer than those into vectors, also of single numbers.
+    type Prompt = super::avx2::Avx2;
+
+    #[inline(always)]
+    fn prompt(self) -> super::avx2::Avx2 {
+        // SAFETY: a machine is asked for AVX2 and FMA where it is asked for AVX-512 (`InstructionSet::is_available`).
+        unsafe { super::avx2::Avx2::new() }
+    }
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {

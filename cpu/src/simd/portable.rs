@@ -13,8 +13,13 @@ pub struct Portable;
 
 impl Simd for Portable {
     type F64 = F64x4;
-    type Narrow = F64x4;
     type F32 = F32x4;
+    type Prompt = Self;
+
+    #[inline(always)]
+    fn prompt(self) -> Self {
+        self
+    }
 
     #[inline(never)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
