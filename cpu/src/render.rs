@@ -223,7 +223,7 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
             simd.run(glass::Trace { prepared, batch });
         }
         if !batch.waiting.is_empty() {
-            simd.prompt().run(walk::Follow { prepared, walk: &mut self.walk, batch });
+            simd.run(walk::Follow { prepared, walk: &mut self.walk, batch });
             let Walk { queue, ended, .. } = &mut *self.walk;
             simd.run(ends::Color { prepared, queue, ended, batch });
         }
