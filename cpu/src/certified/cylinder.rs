@@ -241,7 +241,7 @@ fn magnitude<T: Real>(vector: Vec3<T>) -> T {
 #[must_use]
 pub fn resolve(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
     crate::counters::add(crate::counters::Counter::Fallbacks, 1);
-    match InstructionSet::best().run(Precisely { record, axis, ray }) {
+    match InstructionSet::fused().run(Precisely { record, axis, ray }) {
         Verdict::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
         Verdict::Doubtful => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
             .unwrap_or_else(|NotFinite| record.intersect(ray)),

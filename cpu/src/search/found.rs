@@ -91,7 +91,7 @@ fn resolve_sphere<O: Objects, P: Intersect>(
     dz: f64,
 ) -> Option<f64> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    P::sphere(&objects.sphere(index).record, &ray)
+    P::reconsider_sphere(&objects.sphere(index).record, &ray)
 }
 
 /// See [`resolve_sphere`].
@@ -109,7 +109,7 @@ fn resolve_cylinder<O: Objects, P: Intersect>(
     dz: f64,
 ) -> Option<(f64, Part)> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    P::cylinder(&objects.cylinder(index).record, &objects.axis(index), &ray)
+    P::reconsider_cylinder(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use std::arch::x86_64::*;
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 use crate::real::Real;
 
 /// AVX-512 F, DQ, BW and VL.
@@ -142,6 +143,14 @@ impl Real for F64 {
 impl Rounding for F64 {
     const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
     const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
+}
+
+impl Fused for F64 {
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_fmadd_pd(self.0, factor.0, term.0) })
+    }
 }
 
 impl Lanes for F64 {

@@ -5,6 +5,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
 use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 use crate::real::Real;
 
 /// The portable implementation.
@@ -110,6 +111,13 @@ impl Real for F64x4 {
 impl Rounding for F64x4 {
     const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
     const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
+}
+
+impl Fused for F64x4 {
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        Self(array::from_fn(|lane| self.0[lane].mul_add(factor.0[lane], term.0[lane])))
+    }
 }
 
 impl Lanes for F64x4 {

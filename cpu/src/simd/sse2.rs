@@ -8,6 +8,7 @@ use std::arch::x86_64::*;
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 use crate::real::Real;
 
 /// SSE2.
@@ -126,6 +127,19 @@ impl Real for F64 {
 impl Rounding for F64 {
     const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
     const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
+}
+
+impl Fused for F64 {
+    // The instruction set has none: a function, lane by lane.
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        let (mut values, mut factors, mut terms) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        self.store(&mut values);
+        factor.store(&mut factors);
+        term.store(&mut terms);
+        let both = [values[0].mul_add(factors[0], terms[0]), values[1].mul_add(factors[1], terms[1])];
+        Self::load(&both)
+    }
 }
 
 impl Lanes for F64 {
