@@ -145,7 +145,9 @@ impl<F: FilterLanes> BoxRay<F> {
         let mut reciprocal = near_origin;
         for axis in 0..3 {
             let rounded = origin[axis] as f32;
-            let (low, high) = (rounded.next_down(), rounded.next_up());
+            // A unit in the last place and more, without the branches of `next_up`.
+            let step = rounded.abs() * f32::EPSILON + f32::MIN_POSITIVE;
+            let (low, high) = (rounded - step, rounded + step);
             near_origin[axis] = F::splat(if down[axis] { low } else { high });
             far_origin[axis] = F::splat(if down[axis] { high } else { low });
             // The sign comes from `down`, so that it is right for both zeros.
@@ -220,7 +222,7 @@ impl Hierarchy {
             waiting -= 1;
             let (index, distance) = stack[waiting % STACK];
             // The nearest hit so far, rounded up; infinite at first.
-            let farthest = (found.lambda as f32).next_up();
+            let farthest = found.lambda as f32 * (1.0 + f32::EPSILON);
             if distance > farthest * SLACK {
                 continue;
             }
