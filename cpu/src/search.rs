@@ -60,7 +60,7 @@ impl Search {
         } else if few::suits(objects) {
             Self::Few(Few::new(objects, extent)?)
         } else if count <= filter::CAPACITY {
-            Self::Flat(Filter::new(objects)?)
+            Self::Flat(Filter::new(objects, extent)?)
         } else {
             Self::Tree(Hierarchy::new(objects, extent)?)
         })

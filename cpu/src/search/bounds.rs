@@ -34,6 +34,17 @@ impl Bounds {
         x * y + y * z + z * x
     }
 
+    /// How far the box is from a point; 0 from one inside.
+    #[must_use]
+    pub fn distance(&self, point: Vec3) -> f64 {
+        let point = point.to_array();
+        let outside = |axis: usize| {
+            let (low, high) = (f64::from(self.low[axis]), f64::from(self.high[axis]));
+            (low - point[axis]).max(point[axis] - high).max(0.0)
+        };
+        Vec3::from([0, 1, 2].map(outside)).length()
+    }
+
     /// Twice the middle of the box along an axis.
     #[must_use]
     pub fn twice_middle(&self, axis: usize) -> f32 {

@@ -40,6 +40,15 @@ impl Found {
         }
     }
 
+    /// Takes the object at `id` into account.
+    #[inline(always)]
+    pub fn ask<O: Objects, P: Intersect>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
+        match (id as usize).checked_sub(objects.sphere_count()) {
+            None => self.ask_sphere::<O, P>(objects, id as usize, ray),
+            Some(index) => self.ask_cylinder::<O, P>(objects, index, ray),
+        }
+    }
+
     /// Takes the sphere at `index` into account.
     #[inline(always)]
     pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
