@@ -5,6 +5,7 @@
 //! later object of two at the same lambda) does not depend on the order. A filter may let an object pass that the ray
 //! misses; it never stops one that the exact formulas would hit (docs/performance.md derives the margins).
 
+mod alone;
 mod bounds;
 mod build;
 mod few;

@@ -34,6 +34,22 @@ impl Bounds {
         x * y + y * z + z * x
     }
 
+    /// The box with more room on every side.
+    #[must_use]
+    pub fn enlarged(mut self, by: f32) -> Self {
+        for axis in 0..3 {
+            self.low[axis] = (self.low[axis] - by).next_down();
+            self.high[axis] = (self.high[axis] + by).next_up();
+        }
+        self
+    }
+
+    /// Whether the boxes have a point in common.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+    }
+
     /// How far the box is from a point; 0 from one inside.
     #[must_use]
     pub fn distance(&self, point: Vec3) -> f64 {

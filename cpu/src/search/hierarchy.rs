@@ -5,6 +5,7 @@
 //! product), and the origin is rounded towards the side that lets the ray pass. So a ray that meets a box, ahead and not
 //! farther than the nearest hit so far, has `near (1 - 5u) <= far (1 + 5u)`, which [`SLACK`] covers.
 
+use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
 use super::build::build;
 use super::ground::{Ground, is_avoided};
@@ -24,6 +25,9 @@ pub const WIDTH: usize = 16;
 
 /// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
 const STACK: usize = 512;
+
+/// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
+const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
 
 /// Factor on a far distance that covers all rounding.
 const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
@@ -94,6 +98,19 @@ impl Node {
         self.objects |= u32::from(child.as_object().is_some()) << lane;
     }
 
+    /// The children whose boxes overlap this one, as bits.
+    fn overlaps(&self, bounds: &Bounds) -> u32 {
+        let mut bits = 0;
+        for lane in 0..WIDTH {
+            let mut overlaps = true;
+            for axis in 0..3 {
+                overlaps &= (self.low[axis][lane] <= bounds.high[axis]) & (bounds.low[axis] <= self.high[axis][lane]);
+            }
+            bits |= u32::from(overlaps) << lane;
+        }
+        bits
+    }
+
     /// The children with their boxes.
     pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
         (0..WIDTH).filter(|&lane| self.low[0][lane] <= self.high[0][lane]).map(|lane| {
@@ -112,6 +129,7 @@ pub struct Hierarchy {
     nodes: Vec<Node>,
     /// It is not in the tree.
     ground: Ground,
+    alone: Alone,
     /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
     reach: f64,
 }
@@ -187,7 +205,38 @@ impl Hierarchy {
         let ground = Ground::of(objects);
         let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
         let nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
-        Ok(Self { nodes, ground, reach: 2.0 * extent.reach })
+        let mut tree = Self { nodes, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
+        if count <= MOST_ASKED_WHETHER_ALONE {
+            let alone = Alone::new(count, |id| {
+                ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent))
+            })?;
+            tree.alone = alone;
+        }
+        Ok(tree)
+    }
+
+    /// Whether an object of the tree other than `id` has a box that overlaps this one.
+    fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
+        let mut pending = [0; STACK];
+        let mut waiting = usize::from(!self.nodes.is_empty());
+        while waiting > 0 {
+            waiting -= 1;
+            let node = &self.nodes[pending[waiting] as usize];
+            let mut bits = node.overlaps(bounds);
+            while bits != 0 {
+                let child = node.child[bits.trailing_zeros() as usize];
+                bits &= bits - 1;
+                match child.as_object() {
+                    Some(other) if other == id => {}
+                    Some(_) => return true,
+                    None => {
+                        pending[waiting] = child.as_node();
+                        waiting += 1;
+                    }
+                }
+            }
+        }
+        false
     }
 
     /// Whether a ray from `origin` may use the tree.
@@ -214,6 +263,14 @@ impl Hierarchy {
         self.ground.ask::<O, P>(&mut found, objects, ray, a);
         if self.nodes.is_empty() {
             return found;
+        }
+        if self.alone.is::<O, P>(objects, from) {
+            let mut again = Found::NOTHING;
+            ask::<O, P>(&mut again, objects, from, ray, a, from);
+            if again.is_hit() {
+                found.offer(again.lambda, again.object, again.order, again.part);
+                return found;
+            }
         }
         let box_ray = BoxRay::<S::F32>::new(ray);
         stack[0] = (0, 0.0);
