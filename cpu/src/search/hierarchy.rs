@@ -207,9 +207,8 @@ impl Hierarchy {
         let nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
         let mut tree = Self { nodes, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
         if count <= MOST_ASKED_WHETHER_ALONE {
-            let alone = Alone::new(count, |id| {
-                ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent))
-            })?;
+            let alone =
+                Alone::new(count, |id| ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent)))?;
             tree.alone = alone;
         }
         Ok(tree)
