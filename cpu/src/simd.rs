@@ -72,8 +72,6 @@ pub trait Lanes: Fused<Mask: LaneMask> {
     /// # Panics
     /// When it is shorter.
     fn store(self, place: &mut [f64]);
-    /// The same lanes but the first, which is `first`.
-    fn with_first(self, first: f64) -> Self;
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.

@@ -54,3 +54,117 @@ fn difference_of_squares<T: Fused>(record: &SphereRecord<T>, origin: Vec3<T>) ->
         (first_rest + second_rest + third_rest) + ((xx_rest + yy_rest) + (zz_rest - rr_rest)) + (across + across);
     (difference + rest, sum + rr)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::Verdict;
+    use crate::certified::sphere::{self, resolve};
+    use crate::rng::Uniform;
+    use crate::simd::{InstructionSet, Kernel, LaneMask, Simd};
+
+    /// Rays that start `10^-4` to `10^2` above or below the surface of spheres of radius 1 to `10^7`.
+    fn cases(count: usize) -> Vec<(SphereRecord, Ray)> {
+        let mut draws = Uniform::new(11);
+        let mut cases = Vec::with_capacity(count);
+        for number in 0..count {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (center, up, direction) = (vector() * 100.0, vector().unit(), vector());
+            let radius = 10.0_f64.powf(draws.draw(0.0, 7.0));
+            let height = 10.0_f64.powf(draws.draw(-4.0, 2.0)) * if number % 3 == 0 { -1.0 } else { 1.0 };
+            let origin = center + up * (radius + height);
+            cases.push((SphereRecord::new(center, radius), Ray { origin, direction }));
+        }
+        cases
+    }
+
+    #[test]
+    fn what_is_certain_is_the_precise_answer() {
+        let (mut certain, mut worst) = (0, 0.0_f64);
+        for (record, ray) in cases(200_000) {
+            let lanes = judge(&record, &ray);
+            if lanes.certain {
+                let precise = resolve(&record, &ray).expect("the ray meets the sphere");
+                worst = worst.max(((lanes.lambda - precise) / precise).abs());
+                certain += 1;
+            }
+        }
+        assert!(certain > 80_000, "{certain}");
+        // (10.5 k + 4 sqrt(k) + 7) u by proof.
+        assert!(worst < 4.9e-12, "{worst:e}");
+    }
+
+    #[test]
+    fn most_rays_in_doubt_above_a_large_sphere_are_certain() {
+        let (mut doubtful, mut certain) = (0, 0);
+        for (record, ray) in cases(100_000) {
+            if sphere::judge(&record, &ray) == Verdict::Doubtful {
+                doubtful += 1;
+                certain += u32::from(judge(&record, &ray).certain);
+            }
+        }
+        assert!(doubtful > 10_000 && certain * 10 > doubtful * 8, "{certain} of {doubtful}");
+    }
+
+    #[test]
+    fn a_direction_out_of_scale_and_numbers_that_are_none_are_in_doubt() {
+        let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
+        let down = |length: f64| Ray { origin: Vec3::new(0.0, 1.0, 0.0), direction: Vec3::new(0.0, -length, 0.0) };
+        assert!(judge(&ground, &down(1.0)).certain);
+        for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
+            assert!(!judge(&ground, &down(length)).certain, "{length}");
+        }
+        // Away from the sphere, and from its surface.
+        assert!(!judge(&ground, &down(-1.0)).certain);
+        assert!(!judge(&ground, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
+    }
+
+    /// As many of `cases` as there are lanes, compared with each alone.
+    struct Together<'a>(&'a [(SphereRecord, Ray)]);
+
+    impl Kernel for Together<'_> {
+        type Output = usize;
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> usize {
+            use crate::simd::Lanes as _;
+            let cases = &self.0[..S::F64::LANES];
+            let mut values = [[0.0; 8]; 10];
+            for (lane, (record, ray)) in cases.iter().enumerate() {
+                let Ray { origin, direction } = ray;
+                let all = [record.center.to_array(), origin.to_array(), direction.to_array()].concat();
+                for (value, component) in values.iter_mut().zip(all.into_iter().chain([record.radius])) {
+                    value[lane] = component;
+                }
+            }
+            let at = |first: usize| {
+                Vec3::new(
+                    S::F64::load(&values[first]),
+                    S::F64::load(&values[first + 1]),
+                    S::F64::load(&values[first + 2]),
+                )
+            };
+            let record = SphereRecord::new(at(0), S::F64::load(&values[9]));
+            let lanes = judge(&record, &Ray { origin: at(3), direction: at(6) });
+            let mut lambdas = [0.0; 8];
+            lanes.lambda.store(&mut lambdas);
+            for (lane, (record, ray)) in cases.iter().enumerate() {
+                let alone = judge(record, ray);
+                assert_eq!(lanes.certain.bits() >> lane & 1 == 1, alone.certain);
+                assert!(!alone.certain || lambdas[lane].to_bits() == alone.lambda.to_bits());
+            }
+            S::F64::LANES
+        }
+    }
+
+    #[test]
+    fn lanes_are_as_each_alone_in_every_instruction_set() {
+        let cases = cases(4000);
+        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+            let mut at = 0;
+            while at + 8 <= cases.len() {
+                at += set.run(Together(&cases[at..]));
+            }
+        }
+    }
+}

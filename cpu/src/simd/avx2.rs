@@ -152,11 +152,6 @@ impl Lanes for F64 {
         // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
         unsafe { _mm256_storeu_pd(place.as_mut_ptr(), self.0) }
     }
-    #[inline(always)]
-    fn with_first(self, first: f64) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_blend_pd::<1>(self.0, _mm256_castpd128_pd256(_mm_set_sd(first))) })
-    }
 }
 
 impl FilterLanes for F32 {

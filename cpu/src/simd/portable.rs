@@ -131,10 +131,6 @@ impl Lanes for F64x4 {
     fn store(self, place: &mut [f64]) {
         place[..4].copy_from_slice(&self.0);
     }
-    #[inline(always)]
-    fn with_first(self, first: f64) -> Self {
-        Self([first, self.0[1], self.0[2], self.0[3]])
-    }
 }
 
 impl FilterLanes for F32x4 {
