@@ -24,6 +24,7 @@ pub mod certificate;
 pub mod cylinder;
 mod cylinder_exact;
 mod cylinder_lanes;
+mod cylinder_surfaces;
 pub mod double_double;
 pub mod dyadic;
 pub mod exact_sums;

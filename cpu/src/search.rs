@@ -14,6 +14,7 @@ mod found;
 mod ground;
 mod hierarchy;
 mod leaving;
+mod node;
 
 pub use bounds::Bounds;
 pub use few::{Few, nearest_of};
