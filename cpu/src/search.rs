@@ -68,6 +68,16 @@ impl Search {
         })
     }
 
+    /// Forgets which objects no other reaches into, so that rays inside them are searched for like all others: for measuring
+    /// what it gains to know.
+    pub fn forget_who_is_alone(&mut self) {
+        match self {
+            Self::Plain | Self::Few(_) => {}
+            Self::Flat(filter) => filter.forget_who_is_alone(),
+            Self::Tree(tree) => tree.forget_who_is_alone(),
+        }
+    }
+
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(

@@ -1,8 +1,8 @@
 //! Objects into which no other reaches.
 //!
 //! Spheres and cylinders are convex: a ray that starts on one and meets it again is inside in between. Where no other
-//! object reaches inside, none can be nearer, and none is asked. Matte surfaces, by the statement's random vectors in a
-//! cube, send many rays inward.
+//! object reaches inside, none can be nearer, and none is asked. Half of what rough metal scatters goes inward, and all
+//! that glass lets through.
 
 use super::{Bounds, ObjectId, room};
 use crate::certified::{Intersect, Precision};

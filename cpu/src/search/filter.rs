@@ -170,6 +170,11 @@ impl Filter {
         Ok(Self { middle, ground, sunk, spheres, cylinders, sphere_count: sphere_count as u32 })
     }
 
+    /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
+    pub fn forget_who_is_alone(&mut self) {
+        self.sunk = None;
+    }
+
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {

@@ -154,6 +154,11 @@ impl Hierarchy {
         origin.x.abs() <= self.reach && origin.y.abs() <= self.reach && origin.z.abs() <= self.reach
     }
 
+    /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
+    pub fn forget_who_is_alone(&mut self) {
+        self.alone = Alone::none();
+    }
+
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(
