@@ -97,7 +97,9 @@ impl Walk {
             ray.origin = surface.point;
             ray.direction = match surface.onward(finish, ray.direction) {
                 Onward::Scattered(base) => {
-                    ended.meet(surface.material);
+                    if !ended.meet(surface.material) {
+                        return ended.forget(at);
+                    }
                     triples.prepare();
                     finish.scattered(base, triples.next())
                 }
