@@ -187,16 +187,9 @@ impl Hierarchy {
             }
         }
         let box_ray = BoxRay::<S::F32>::new(ray);
-        stack[0] = (0, 0.0);
-        let mut waiting = 1;
-        while waiting > 0 {
-            waiting -= 1;
-            let (index, distance) = stack[waiting % STACK];
-            // The nearest hit so far, rounded up; infinite at first.
-            let farthest = found.lambda as f32 * (1.0 + f32::EPSILON);
-            if distance > farthest * SLACK {
-                continue;
-            }
+        let (mut index, mut waiting) = (0, 0);
+        loop {
+            let farthest = farthest(&found);
             add(Counter::NodeVisits, 1);
             let node = &self.nodes[index as usize];
             let mut distances = [0.0; WIDTH];
@@ -213,6 +206,11 @@ impl Hierarchy {
                 asked &= asked - 1;
                 ask::<O, P>(&mut found, objects, node.child[lane].as_id(), ray, a, from);
             }
+            if entered.is_power_of_two() {
+                // The only one goes past the stack.
+                index = node.child[entered.trailing_zeros() as usize % WIDTH].as_node();
+                continue;
+            }
             let first = waiting;
             while entered != 0 {
                 let lane = entered.trailing_zeros() as usize % WIDTH;
@@ -227,8 +225,18 @@ impl Hierarchy {
                 stack[place] = entry;
                 waiting += 1;
             }
+            loop {
+                if waiting == 0 {
+                    return found;
+                }
+                waiting -= 1;
+                let (next, distance) = stack[waiting % STACK];
+                if distance <= self::farthest(&found) * SLACK {
+                    index = next;
+                    break;
+                }
+            }
         }
-        found
     }
 
     /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
@@ -252,6 +260,12 @@ impl Hierarchy {
             }
         }
     }
+}
+
+/// The nearest hit so far, rounded up; infinite at first.
+#[inline(always)]
+fn farthest(found: &Found) -> f32 {
+    found.lambda as f32 * (1.0 + f32::EPSILON)
 }
 
 /// Asks an object, unless the ray leaves it.
