@@ -48,3 +48,33 @@ impl Alone {
 pub fn roomy_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
     Bounds::of_object(objects, id as usize, extent).enlarged((1e-9 * extent.reach) as f32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::{Certified, Textbook};
+    use crate::layout::AosObjects;
+    use crate::scene::Scene;
+
+    #[test]
+    fn what_no_other_overlaps_is_alone_a_cylinder_by_certified_points_only() {
+        let text = "matte: m 1 1 1\nsphere: 0 0 0 1 m\nsphere: 3 0 0 1 m\ncylinder: 0 9 0 1 0 1 0 m\n";
+        let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let alone = Alone::new(3, |id| id == 1).expect("it fits");
+        assert_eq!([0, 1, 2].map(|id| alone.is::<_, Certified>(&objects, id)), [true, false, true]);
+        assert_eq!([0, 1, 2].map(|id| alone.is::<_, Textbook>(&objects, id)), [true, false, false]);
+        assert!(!alone.is::<_, Certified>(&objects, crate::search::NOWHERE));
+        assert!(!Alone::none().is::<_, Certified>(&objects, 0));
+    }
+
+    #[test]
+    fn a_hundred_answers_keep_their_places() {
+        let scene = Scene::parse(&b"matte: m 1 1 1\n"[..]).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let alone = Alone::new(100, |id| id % 3 == 0).expect("it fits");
+        for id in 0..128 {
+            assert_eq!(alone.is::<_, Certified>(&objects, id), id < 100 && id % 3 != 0, "{id}");
+        }
+    }
+}

@@ -140,4 +140,26 @@ mod tests {
         assert_eq!((both.half_area(), Bounds::EMPTY.half_area()), (16.0, 0.0));
         assert_eq!(right.twice_middle(0), 5.0);
     }
+
+    #[test]
+    fn boxes_overlap_where_they_share_a_point() {
+        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        for axis in 0..3 {
+            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
+                let mut right = left;
+                (right.low[axis], right.high[axis]) = (from, from + 1.0);
+                assert_eq!((left.overlaps(&right), right.overlaps(&left)), (overlaps, overlaps), "{axis}: {from}");
+                assert!(left.overlaps(&right.enlarged(0.2)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_box_is_as_far_from_a_point_as_its_nearest_corner_edge_or_face() {
+        let unit = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        assert_eq!(unit.distance(Vec3::new(0.5, 0.2, 1.0)), 0.0);
+        assert_eq!(unit.distance(Vec3::new(0.5, 0.5, -2.0)), 2.0);
+        assert_eq!(unit.distance(Vec3::new(4.0, -4.0, 0.5)), 5.0);
+        assert_eq!(unit.distance(Vec3::new(3.0, 3.0, 2.0)), 3.0);
+    }
 }
