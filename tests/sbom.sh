@@ -17,10 +17,10 @@ folder=$(cd "$1" && pwd)
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 git archive HEAD | tar -x -C "$copy"
-# The commit's time instead of now.
+# The commit's time instead of now, and no name of a folder that is gone: one commit gives the same bytes every time.
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 cargo cyclonedx --manifest-path "$copy/Cargo.toml" --describe binaries --format json --spec-version 1.5 --quiet
 for program in cli/render-aos cli/render-soa lab/render-lab; do
-    cp "$copy/${program}_bin.cdx.json" "$folder/${program#*/}.cdx.json"
+    sed "s|$copy|/render|g" "$copy/${program}_bin.cdx.json" > "$folder/${program#*/}.cdx.json"
 done
