@@ -83,6 +83,15 @@ fn board(what: &str, objects: usize, width: u64) {
     pictures(what, || render(&skipping), || render(&doing));
 }
 
+/// A ground of rough metal, whose rays go inward as often as outward, and `objects` of glass above it.
+fn ground(what: &str, objects: u32) {
+    let row = (0..objects).map(|at| f64::from(at) - f64::from(objects) / 2.0);
+    let above: String = row.map(|x| format!("sphere: {} 1 {} .4 g\n", x % 5.0, (x / 5.0).floor())).collect();
+    let scene = format!("metal: m .9 .8 .7 4\nrefractive: g 1.5\nsphere: 0 -60 0 60 m\n{above}");
+    let config = format!("{COLORS}camera_position: 0 5 -10\n");
+    without(what, &config, &scene, |prepared| prepared.search.forget_who_is_alone());
+}
+
 fn gamma() {
     let mut draws = Uniform::new(7);
     let means: Vec<_> = (0..300_000).map(|_| draws.canonical()).collect();
@@ -110,6 +119,8 @@ fn main() {
     board("objects far from a ray, 7 objects", 7, 320);
     board("objects far from a ray, 100 objects", 100, 160);
     board("objects far from a ray, 1,000 objects", 1000, 80);
+    ground("objects outside a ray's own object, 30 over a ground", 30);
+    ground("objects outside a ray's own object, 300 over a ground", 300);
     let forty: String = (0..40).map(|at| format!("sphere: {} 0 0 .4 m\n", f64::from(at - 20) / 4.0)).collect();
     // What is inside a mirror is never seen.
     beside_hidden(

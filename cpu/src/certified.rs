@@ -1,14 +1,16 @@
 //! Intersections whose decisions are right and whose lambdas are accurate, at nearly the textbook's price.
 //!
 //! The textbook's formulas run first. A running certificate, a few multiplications, bounds what rounding may have
-//! done to them; where it holds, the textbook's bits are the answer. Where it does not, the same formulas and the
-//! same certificate run again in [double-double](double_double) arithmetic, and where even these are in doubt, every
-//! decision is taken in [exact](dyadic) arithmetic:
+//! done to them; where it holds, the textbook's bits are the answer. Where it does not, a sphere is asked by a formula
+//! in which the root that is short does not [cancel](sphere_compensated). Else, or where that is in doubt too, the
+//! textbook's formulas and their certificate run again in [double-double](double_double) arithmetic, and where even these
+//! are in doubt, every decision is taken in [exact](dyadic) arithmetic:
 //!
 //! | step | unit roundoff | taken by |
 //! |---|---|---|
 //! | textbook, f64 | 2^-53 | nearly all rays |
-//! | double-double | 2^-102 | rays that graze, start near a large surface, or meet a small or far object |
+//! | compensated, f64 | 2^-53 | rays that start near a large sphere |
+//! | double-double | 2^-102 | rays that graze, or meet a small or far object |
 //! | exact | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! What is true is decided by the numbers of the scene file, taken as exact: the sphere `|C - O - d lambda| = r`; the
@@ -22,10 +24,13 @@ pub mod certificate;
 pub mod cylinder;
 mod cylinder_exact;
 mod cylinder_lanes;
+mod cylinder_surfaces;
 pub mod double_double;
 pub mod dyadic;
+pub mod exact_sums;
 mod limbs;
 pub mod sphere;
+pub mod sphere_compensated;
 mod sphere_exact;
 
 pub use certificate::{Rounding, Verdict};
@@ -67,6 +72,16 @@ pub trait Intersect {
     #[inline(always)]
     fn judge_cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Verdict<Option<(f64, Part)>> {
         Verdict::Certain(Self::cylinder(record, axis, ray))
+    }
+
+    /// What [`Intersect::sphere`] says where [`Intersect::judge_sphere`] is in doubt.
+    fn reconsider_sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+        Self::sphere(record, ray)
+    }
+
+    /// What [`Intersect::cylinder`] says where [`Intersect::judge_cylinder`] is in doubt.
+    fn reconsider_cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+        Self::cylinder(record, axis, ray)
     }
 }
 
@@ -113,5 +128,15 @@ impl Intersect for Certified {
     #[inline(always)]
     fn judge_cylinder(record: &CylinderRecord, _: &Vec3, ray: &Ray) -> Verdict<Option<(f64, Part)>> {
         cylinder::judge(record, ray)
+    }
+
+    #[inline(always)]
+    fn reconsider_sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+        sphere::reconsider(record, ray)
+    }
+
+    #[inline(always)]
+    fn reconsider_cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+        cylinder::resolve(record, axis, ray)
     }
 }

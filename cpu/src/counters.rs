@@ -30,6 +30,8 @@ pub enum Counter {
     PlainAsks,
     /// Rays that met a surface.
     Hits,
+    /// Spheres that were in doubt and answered by the formula without cancellation.
+    Compensated,
     /// Intersections that were in doubt and repeated more precisely.
     Fallbacks,
     /// Draws of the samples' places.
@@ -50,13 +52,41 @@ pub enum Counter {
     DepthReached,
 }
 
+impl Counter {
+    /// All of them.
+    pub const ALL: [Self; 22] = [
+        Self::PrimaryRays,
+        Self::PrimaryTests,
+        Self::SpanObjects,
+        Self::SpanCandidates,
+        Self::GlassRays,
+        Self::WalkRays,
+        Self::WrongGuesses,
+        Self::NodeVisits,
+        Self::SphereAsks,
+        Self::CylinderAsks,
+        Self::PlainAsks,
+        Self::Hits,
+        Self::Compensated,
+        Self::Fallbacks,
+        Self::RayDraws,
+        Self::RayDrawsSkipped,
+        Self::MaterialDraws,
+        Self::VectorsTaken,
+        Self::SkyPixels,
+        Self::SkyTraced,
+        Self::Powers,
+        Self::DepthReached,
+    ];
+}
+
 #[cfg(feature = "counters")]
 mod counting {
     use std::cell::Cell;
 
     use super::Counter;
 
-    const COUNT: usize = Counter::DepthReached as usize + 1;
+    const COUNT: usize = Counter::ALL.len();
 
     thread_local! {
         static COUNTS: [Cell<u64>; COUNT] = const { [const { Cell::new(0) }; COUNT] };

@@ -74,7 +74,7 @@ pub fn render_into<L: Layout, P: Intersect>(
     after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
     let (candidates, sink) = (Candidates::new(prepared)?, Bytes { image, quantizer: &prepared.quantizer });
-    Ok(set.run(Picture { prepared, candidates, sink, after_row }))
+    set.run(Picture { prepared, candidates, sink, after_row })
 }
 
 /// Renders what was prepared and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
@@ -88,7 +88,7 @@ pub fn render_linear<L: Layout, P: Intersect>(
 ) -> Result<(), Error> {
     let candidates = Candidates::new(prepared)?;
     // Nobody stops this one.
-    let _ = set.run(Picture { prepared, candidates, sink: Means(pixel), after_row: |_| ControlFlow::Continue(()) });
+    let _ = set.run(Picture { prepared, candidates, sink: Means(pixel), after_row: |_| ControlFlow::Continue(()) })?;
     Ok(())
 }
 
@@ -144,10 +144,10 @@ struct Picture<'a, L: Layout, P, K, R> {
 }
 
 impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, K, R> {
-    type Output = ControlFlow<()>;
+    type Output = Result<ControlFlow<()>, Error>;
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) -> ControlFlow<()> {
+    fn call<S: Simd>(self, simd: S) -> Self::Output {
         let Self { prepared, candidates, sink, mut after_row } = self;
         let mut painter = Painter {
             prepared,
@@ -161,9 +161,12 @@ impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kerne
         };
         for row in 0..prepared.size.height() {
             painter.row(simd, row);
-            after_row(row + 1)?;
+            painter.walk.ended.check()?;
+            if after_row(row + 1).is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
         }
-        ControlFlow::Continue(())
+        Ok(ControlFlow::Continue(()))
     }
 }
 
@@ -223,7 +226,7 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
             simd.run(glass::Trace { prepared, batch });
         }
         if !batch.waiting.is_empty() {
-            simd.prompt().run(walk::Follow { prepared, walk: &mut self.walk, batch });
+            simd.run(walk::Follow { prepared, walk: &mut self.walk, batch });
             let Walk { queue, ended, .. } = &mut *self.walk;
             simd.run(ends::Color { prepared, queue, ended, batch });
         }

@@ -5,6 +5,7 @@
 //! later object of two at the same lambda) does not depend on the order. A filter may let an object pass that the ray
 //! misses; it never stops one that the exact formulas would hit (docs/performance.md derives the margins).
 
+mod alone;
 mod bounds;
 mod build;
 mod few;
@@ -13,6 +14,7 @@ mod found;
 mod ground;
 mod hierarchy;
 mod leaving;
+mod node;
 
 pub use bounds::Bounds;
 pub use few::{Few, nearest_of};
@@ -60,10 +62,20 @@ impl Search {
         } else if few::suits(objects) {
             Self::Few(Few::new(objects, extent)?)
         } else if count <= filter::CAPACITY {
-            Self::Flat(Filter::new(objects)?)
+            Self::Flat(Filter::new(objects, extent)?)
         } else {
             Self::Tree(Hierarchy::new(objects, extent)?)
         })
+    }
+
+    /// Forgets which objects no other reaches into, so that rays inside them are searched for like all others: for measuring
+    /// what it gains to know.
+    pub fn forget_who_is_alone(&mut self) {
+        match self {
+            Self::Plain | Self::Few(_) => {}
+            Self::Flat(filter) => filter.forget_who_is_alone(),
+            Self::Tree(tree) => tree.forget_who_is_alone(),
+        }
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
@@ -133,6 +145,7 @@ fn plain<O: Objects, P: Intersect>(objects: &O, ray: &Ray) -> Found {
 
 #[cfg(test)]
 mod tests {
+    use super::ground::Ground;
     use super::*;
     use crate::certified::{Certified, Textbook};
     use crate::layout::AosObjects;
@@ -255,6 +268,38 @@ mod tests {
         let search = search(&objects);
         assert!(matches!(search, Search::Tree(_)));
         agrees_with_plain(&search, &objects, 300);
+    }
+
+    /// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first `sunk` of
+    /// them; so far from each other that all are alone.
+    fn above_a_ground(count: usize, above: f64, sunk: usize) -> AosObjects {
+        let mut draws = Uniform::new(8);
+        let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
+        for index in 0..count {
+            let (x, z) = ((index % 10) as f64 - 4.5, (index / 10) as f64 - 4.5);
+            let radius = draws.draw(0.1, 0.45);
+            let y = if index < sunk { -0.4 } else { radius + above };
+            if index % 2 == 0 {
+                text += &format!("sphere: {x} {y} {z} {radius} m\n");
+            } else {
+                // Leaning, and inside the sphere that it replaces.
+                let (half_height, lean) = (radius / 2.0, radius / 4.0);
+                text += &format!("cylinder: {x} {y} {z} {half_height} {lean} {radius} 0 m\n");
+            }
+        }
+        let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+        AosObjects::build(&scene).expect("it fits")
+    }
+
+    #[test]
+    fn rays_inside_an_object_or_the_ground_meet_what_reaches_into_it() {
+        let extent = Extent { reach: 120.0, moderate: true };
+        for (above, sunk, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
+            let objects = above_a_ground(30, above, sunk);
+            assert_eq!(Ground::of(&objects).sunk(&objects, &extent).map(|sunk| sunk.len()), known);
+            agrees_with_plain(&search(&objects), &objects, 600);
+        }
+        agrees_with_plain(&search(&above_a_ground(100, 1e-3, 9)), &above_a_ground(100, 1e-3, 9), 300);
     }
 
     #[test]

@@ -19,7 +19,7 @@ mod sse2;
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 
 pub use portable::Portable;
 
@@ -58,7 +58,7 @@ pub trait LaneMask: Copy {
 }
 
 /// Lanes of `f64`.
-pub trait Lanes: Rounding<Mask: LaneMask> {
+pub trait Lanes: Fused<Mask: LaneMask> {
     /// Their number.
     const LANES: usize;
 
@@ -72,8 +72,6 @@ pub trait Lanes: Rounding<Mask: LaneMask> {
     /// # Panics
     /// When it is shorter.
     fn store(self, place: &mut [f64]);
-    /// The same lanes but the first, which is `first`.
-    fn with_first(self, first: f64) -> Self;
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.
@@ -159,6 +157,12 @@ impl InstructionSet {
     pub fn best() -> Self {
         let available = Self::ALL.into_iter().filter(|set| set.is_available());
         available.max().unwrap_or(Self::Portable)
+    }
+
+    /// The plainest with fused multiply-add in one instruction; the best where none has: for a few exact products.
+    #[must_use]
+    pub fn fused() -> Self {
+        if Self::Avx2.is_available() { Self::Avx2 } else { Self::best() }
     }
 
     /// What [`InstructionSet::VARIABLE`] names, where it is set to one that this machine has; else the best.

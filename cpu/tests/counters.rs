@@ -202,3 +202,27 @@ fn precise_intersections_are_for_rays_in_doubt() {
     assert!(far(Counter::Hits) > 100);
     assert!(far(Counter::Fallbacks) > far(Counter::Hits) / 2, "{} fallbacks", far(Counter::Fallbacks));
 }
+
+#[test]
+fn rays_that_start_near_a_large_sphere_seldom_need_double_double() {
+    let ground =
+        count("camera_position: 0 1 -10\n", &format!("{MATTE}sphere: 0 -10000 0 10000 m\nsphere: 0 1 0 1 m\n"));
+    assert!(ground(Counter::Compensated) > 1000);
+    assert!(ground(Counter::Fallbacks) * 20 < ground(Counter::Compensated));
+}
+
+#[test]
+fn rays_inside_an_object_that_nothing_reaches_into_ask_no_other() {
+    // A hundred objects are searched in a tree. In the second scene each is reached into by its neighbours.
+    let grid = |radius: f64| -> String {
+        let place = |at: u32| 0.4 * (f64::from(at) - 4.5);
+        (0..100).map(|at| format!("sphere: {} {} 0 {radius} m\n", place(at % 10), place(at / 10))).collect()
+    };
+    let visits = |radius: f64| {
+        let counts = count("max_depth: 20\n", &format!("{MATTE}{}", grid(radius)));
+        assert!(counts(Counter::Hits) > 1000);
+        counts(Counter::NodeVisits) as f64 / counts(Counter::WalkRays) as f64
+    };
+    let (alone, overlapping) = (visits(0.195), visits(0.205));
+    assert!(alone < 0.9 * overlapping, "{alone} and {overlapping} nodes a ray");
+}

@@ -156,10 +156,13 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     values[((values.len() - 1) as f64 * share).round() as usize]
 }
 
+/// Whether a ray is left to double-double arithmetic.
 fn is_doubtful(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
-            certified::sphere::judge(&SphereRecord::new(sphere.center, sphere.radius), &case.ray) == Verdict::Doubtful
+            let record = SphereRecord::new(sphere.center, sphere.radius);
+            certified::sphere::judge(&record, &case.ray) == Verdict::Doubtful
+                && !certified::sphere_compensated::judge(&record, &case.ray).certain
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);

@@ -19,6 +19,7 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "quantize", new: quantize },
     Kernel { name: "quantize-interval", new: quantize_interval },
     Kernel { name: "sphere", new: || spheres(SPHERE, certified::sphere::intersect) },
+    Kernel { name: "sphere-compensated", new: ground },
     Kernel { name: "sphere-precise", new: || spheres(SPHERE, certified::sphere::resolve) },
     Kernel { name: "sphere-exact", new: || spheres(Vec3::ONE, certified::sphere::resolve) },
     Kernel { name: "cylinder", new: || cylinders(false, certified::cylinder::intersect) },
@@ -145,6 +146,23 @@ fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> 
     assert!(hits > COUNT / 4, "{hits} hits");
     plain(COUNT, move || {
         black_box(black_box(&rays).iter().filter_map(|ray| intersect(&sphere, ray)).fold(0.0, f64::max));
+    })
+}
+
+/// Rays that are in doubt against a ground of radius 10,000, for they start one above it.
+fn ground() -> Box<dyn Work> {
+    let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
+    let mut draws = Uniform::new(5);
+    let down = |_| {
+        let [x, y, z] = [(); 3].map(|()| draws.draw(0.2, 1.0));
+        Ray { origin: Vec3::new(x, 1.0, z), direction: Vec3::new(x, -y, z) }
+    };
+    let rays: Vec<_> = (0..COUNT).map(down).collect();
+    let compensated = |ray: &&Ray| certified::sphere_compensated::judge(&ground, ray).certain;
+    assert_eq!(rays.iter().filter(compensated).count(), COUNT);
+    plain(COUNT, move || {
+        let lambdas = black_box(&rays).iter().filter_map(|ray| certified::sphere::reconsider(&ground, ray));
+        black_box(lambdas.fold(0.0, f64::max));
     })
 }
 

@@ -77,9 +77,9 @@ impl Limits {
 }
 
 /// Added where a product may underflow: 2^-600.
-const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
+pub(super) const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
 /// The largest `M` whose products cannot overflow: 2^1000.
-const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
+pub(super) const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
 /// The shortest direction's length squared whose relative error is not spoilt by underflow: 2^-300.
 const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
 /// The longest direction's length squared: 2^300.

@@ -3,15 +3,16 @@
 //! To the quadratic's certificate come margins for what the textbook decides afterwards: whether a point of the side
 //! is between the bases, whether a point of a base's plane is on the disc, whether a plane is met at all, and which
 //! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
-//! have the size of the cylinder's coordinates ([`extent`]).
+//! have the size of the cylinder's coordinates.
 
-use super::certificate::{Certificate, Limits, Outcome, Rounding, Verdict, in_scale};
+use super::certificate::{Limits, Rounding, Verdict, in_scale};
+use super::cylinder_surfaces::{Plane, Side};
 use super::double_double::DoubleDouble;
 use super::sphere::widened;
 use super::sphere_exact::NotFinite;
 use super::{cylinder_exact, cylinder_lanes};
-use crate::cylinder::{CylinderRecord, PARALLEL, Part};
-use crate::ray::{LAMBDA_MIN, Ray};
+use crate::cylinder::{CylinderRecord, Part};
+use crate::ray::Ray;
 use crate::real::Real;
 use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;
@@ -98,150 +99,13 @@ fn base<T: Rounding<Mask = bool>>(
     }
 }
 
-/// The endless cylinder's quadratic, and its certificate.
-pub(super) struct Side<T> {
-    pub certificate: Certificate<T>,
-    length_squared: T,
-    a: T,
-    pub h: T,
-    /// A line that misses the endless cylinder meets no base either.
-    pub discriminant: T,
-}
-
-/// Where a line crosses the endless cylinder: what is certain of it. Where none holds it is in doubt.
-#[derive(Clone, Copy)]
-pub(super) struct Crossing<T: Real> {
-    pub lambda: T,
-    /// Between the bases, and it counts.
-    pub hits: T::Mask,
-    /// At a lambda too small.
-    behind: T::Mask,
-    /// Beyond the upper base.
-    above: T::Mask,
-    /// Beyond the lower base.
-    below: T::Mask,
-}
-
-impl<T: Real> Crossing<T> {
-    /// The side is certainly not met there.
-    #[inline(always)]
-    pub fn fails(&self) -> T::Mask {
-        self.behind | self.above | self.below
-    }
-
-    /// Whether a line that enters the endless cylinder here and leaves it at `exit` certainly meets no part of the
-    /// cylinder: it has left already, or is beyond one base all the way.
-    #[inline(always)]
-    pub fn passes_by(&self, exit: &Self) -> T::Mask {
-        exit.behind | (self.above & exit.above) | (self.below & exit.below)
-    }
-}
-
-impl<T: Rounding> Side<T> {
-    #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
-        let length_squared = ray.direction.dot(ray.direction);
-        let (a, h, discriminant) = record.quadratic(&record.seen_from(ray.origin), ray.direction);
-        let r_c = ray.origin - record.center;
-        let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
-        Self { certificate, length_squared, a, h, discriminant }
-    }
-
-    /// Whether the side is met where the line crosses the endless cylinder.
-    #[inline(always)]
-    pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
-        // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
-        let condition = LIMITS.condition::<T>();
-        let steep_enough = self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition));
-        let crossing = self.certificate.root(self.a, numerator, root);
-        let along = record.along(ray, crossing.lambda);
-        let margin = margin(record, ray, crossing.lambda);
-        let accurate = steep_enough & crossing.hits;
-        let beyond = record.half_height + margin;
-        Crossing {
-            lambda: crossing.lambda,
-            hits: accurate & along.abs().less(record.half_height - margin),
-            behind: steep_enough & crossing.fails,
-            above: accurate & beyond.less(along),
-            below: accurate & beyond.less(-along),
-        }
-    }
-}
-
-/// A base's plane, and what is certain of it before it is met.
-pub(super) struct Plane<T: Real> {
-    center: Vec3<T>,
-    /// From the ray's origin to the plane along the axis.
-    to_plane: T,
-    /// The plane is certainly not met: it is parallel to the ray, behind it, or too near.
-    pub fails: T::Mask,
-    /// The ray is certainly not parallel to it.
-    steep: T::Mask,
-    /// Lambda can be computed to the accuracy asked for.
-    accurate: T::Mask,
-}
-
-impl<T: Rounding> Plane<T> {
-    /// The plane of the base around `center`.
-    #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Self {
-        let condition = LIMITS.condition::<T>();
-        let to_center = center - ray.origin;
-        let (to_plane, slope) = (to_center.dot(record.axis), ray.direction.dot(record.axis));
-        let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
-        let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
-        let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
-        let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
-        // Positive in front of the ray.
-        let distance = T::select(slope.less(T::of(0.0)), -to_plane, to_plane);
-        let size = extent(record) + magnitude(to_center);
-        let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-        let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));
-        let accurate = size.less(distance * T::of(4.0 * condition)) & reach.less(steepness * T::of(8.0 * condition));
-        Self { center, to_plane, fails: parallel | (steep & too_near), steep, accurate }
-    }
-
-    /// Whether the disc is met.
-    #[inline(always)]
-    pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
-        let (lambda, _) = record.plane(ray, self.to_plane);
-        let in_range = self.accurate & LIMITS.in_range(lambda);
-        let from_center = (ray.at(lambda) - self.center).length();
-        let margin = margin(record, ray, lambda);
-        let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
-        Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
-    }
-}
-
-/// The size of a cylinder's coordinates, and of itself. The same for all rays.
-#[inline(always)]
-#[must_use]
-pub fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
-    // Underflow in lengths, of which this is the measure, is far below 2^-300.
-    const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
-    magnitude(record.center) + record.radius + record.half_height + T::of(UNDERFLOW)
-}
-
-/// How far rounding may have moved the point at an accepted lambda.
-#[inline(always)]
-fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
-    let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
-    along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
-}
-
-/// A number not smaller than the vector's length, and at most 1.74 times as large.
-#[inline(always)]
-fn magnitude<T: Real>(vector: Vec3<T>) -> T {
-    vector.x.abs() + vector.y.abs() + vector.z.abs()
-}
-
 /// The answer of a ray that is in doubt, at the price of some thousand operations.
 #[cold]
 #[inline(never)]
 #[must_use]
 pub fn resolve(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
     crate::counters::add(crate::counters::Counter::Fallbacks, 1);
-    match InstructionSet::best().run(Precisely { record, axis, ray }) {
+    match InstructionSet::fused().run(Precisely { record, axis, ray }) {
         Verdict::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
         Verdict::Doubtful => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
             .unwrap_or_else(|NotFinite| record.intersect(ray)),
@@ -269,6 +133,7 @@ impl Kernel for Precisely<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cylinder::PARALLEL;
 
     fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
         Ray { origin: origin.into(), direction: direction.into() }

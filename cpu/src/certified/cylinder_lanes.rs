@@ -1,7 +1,7 @@
 //! Several rays or cylinders at once, without a branch; see [`super::cylinder`] for one.
 
 use super::certificate::Rounding;
-use super::cylinder::{Crossing, Plane, Side};
+use super::cylinder_surfaces::{Crossing, Plane, Side};
 use crate::cylinder::CylinderRecord;
 use crate::ray::Ray;
 use crate::real::Real;

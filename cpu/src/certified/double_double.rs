@@ -13,6 +13,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::certificate::Rounding;
+use super::exact_sums;
 use crate::real::Real;
 
 /// The number `high + low`. Comparisons need `low` to be at most half a unit in the last place of `high`, which all
@@ -25,13 +26,12 @@ pub struct DoubleDouble {
     pub low: f64,
 }
 
-/// `a + b` and its rounding error (Knuth).
+/// `a + b`, exactly.
 #[inline(always)]
 #[must_use]
 pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
-    let high = a + b;
-    let b_part = high - a;
-    DoubleDouble { high, low: (a - (high - b_part)) + (b - b_part) }
+    let (high, low) = exact_sums::two_sum(a, b);
+    DoubleDouble { high, low }
 }
 
 /// As [`two_sum`], for `|a| >= |b|` or `a = 0` (Dekker).
@@ -41,12 +41,12 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { high, low: b - (high - a) }
 }
 
-/// `a b` and its rounding error.
+/// `a b`, exactly.
 #[inline(always)]
 #[must_use]
 pub fn two_product(a: f64, b: f64) -> DoubleDouble {
-    let high = a * b;
-    DoubleDouble { high, low: a.mul_add(b, -high) }
+    let (high, low) = exact_sums::two_product(a, b);
+    DoubleDouble { high, low }
 }
 
 impl DoubleDouble {

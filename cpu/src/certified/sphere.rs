@@ -2,7 +2,8 @@
 
 use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale};
 use super::double_double::DoubleDouble;
-use super::sphere_exact;
+use super::{sphere_compensated, sphere_exact};
+use crate::counters::{Counter, add};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::simd::{InstructionSet, Kernel, Simd};
@@ -28,7 +29,7 @@ pub const LIMITS: Limits = Limits { noise: 32.0, condition: 12288.0 };
 pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     match judge(record, ray) {
         Verdict::Certain(answer) => answer,
-        Verdict::Doubtful => resolve(record, ray),
+        Verdict::Doubtful => reconsider(record, ray),
     }
 }
 
@@ -64,7 +65,7 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -
 pub struct Lanes<T: Real> {
     /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
     pub lambda: T,
-    /// Lanes whose answer is right. The others are for [`resolve`].
+    /// Lanes whose answer is right. The others are for [`reconsider`].
     pub certain: T::Mask,
 }
 
@@ -92,15 +93,43 @@ fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Cer
     Certificate::new(LIMITS, a, r_c.dot(r_c) + record.radius_squared)
 }
 
-/// The answer of a ray that is in doubt, at the price of some hundred operations.
+/// The answer of a ray that is in doubt.
+#[cold]
+#[inline(never)]
+#[must_use]
+pub fn reconsider(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+    let lanes = InstructionSet::fused().run(Compensated { record, ray });
+    if lanes.certain {
+        add(Counter::Compensated, 1);
+        return Some(lanes.lambda);
+    }
+    resolve(record, ray)
+}
+
+/// The answer in double-double or exact arithmetic, at the price of some hundred operations.
 #[cold]
 #[inline(never)]
 #[must_use]
 pub fn resolve(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-    crate::counters::add(crate::counters::Counter::Fallbacks, 1);
-    match InstructionSet::best().run(Precisely { record, ray }) {
+    add(Counter::Fallbacks, 1);
+    match InstructionSet::fused().run(Precisely { record, ray }) {
         Verdict::Certain(answer) => answer.map(|lambda| lambda.high),
         Verdict::Doubtful => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
+    }
+}
+
+/// [`sphere_compensated::judge`].
+struct Compensated<'a> {
+    record: &'a SphereRecord,
+    ray: &'a Ray,
+}
+
+impl Kernel for Compensated<'_> {
+    type Output = Lanes<f64>;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Lanes<f64> {
+        sphere_compensated::judge(self.record, self.ray)
     }
 }
 

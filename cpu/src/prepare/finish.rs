@@ -1,7 +1,7 @@
 //! A material ready to scatter: constants hoisted, the convention's arithmetic settled.
 
 use crate::material::Material;
-use crate::scatter::Scatter;
+use crate::scatter::{self, Scatter};
 use crate::vec3::Vec3;
 
 /// How a surface scatters.
@@ -48,6 +48,14 @@ impl Finish {
             Scatter::Published | Scatter::Deterministic => (extent, -0.0),
         };
         Self { kind, scale, shift, index, inverse_index: 1.0 / index, reflectance: material.reflectance() }
+    }
+
+    /// The direction of a ray scattered around `base` with the stream's next triple.
+    #[inline(always)]
+    #[must_use]
+    pub fn scattered(&self, base: Vec3, triple: Vec3) -> Vec3 {
+        let vector = self.vector(triple);
+        if self.kind == Kind::Matte { scatter::matte(base, vector) } else { base + vector }
     }
 
     /// The random vector that the stream's next triple stands for.

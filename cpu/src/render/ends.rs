@@ -5,6 +5,7 @@ use super::queue::Queue;
 use super::shade::{load, store};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
+use crate::error::Error;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::scene::MaterialId;
@@ -21,33 +22,63 @@ pub struct Ended {
     pub direction: Vectors,
     /// Where each path's materials begin in `met`, or [`BLACK`].
     begin: [u32; CAPACITY + SLACK],
-    /// Materials met after the one that the path stands on in the queue, path after path.
+    /// Materials met after the one that the path stands on in the queue, path after path; room behind the last.
     met: Vec<MaterialId>,
+    /// How many these are.
+    count: usize,
+    /// There was no room for one of them: colours are of no meaning.
+    is_incomplete: bool,
 }
 
 impl Ended {
     /// No path yet.
     pub fn new() -> Self {
-        let met = Vec::with_capacity(8 * CAPACITY);
-        Self { direction: Vectors::ZERO, begin: [0; CAPACITY + SLACK], met }
+        let begin = [0; CAPACITY + SLACK];
+        Self { direction: Vectors::ZERO, begin, met: vec![0; 8 * CAPACITY], count: 0, is_incomplete: false }
+    }
+
+    /// Whether all that paths met could be kept.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`]: a path between mirrors may meet as many surfaces as `max_depth` says.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.is_incomplete { Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }) } else { Ok(()) }
     }
 
     /// Begins path `at`; those before it are done.
     #[inline(always)]
     pub fn begin(&mut self, at: usize) {
-        self.begin[at] = self.met.len() as u32;
+        self.begin[at] = self.count as u32;
     }
 
-    /// The present path has met a material that attenuates.
+    /// The present path has met a material that attenuates. Says whether it could be kept; see [`Ended::check`].
     #[inline(always)]
-    pub fn meet(&mut self, material: MaterialId) {
-        self.met.push(material);
+    pub fn meet(&mut self, material: MaterialId) -> bool {
+        if self.count == self.met.len() && !self.grow() {
+            return false;
+        }
+        self.met[self.count] = material;
+        self.count += 1;
+        true
+    }
+
+    /// Makes room for as many materials again, and says whether there was any. A place must fit `begin`.
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self) -> bool {
+        let more = self.met.len();
+        let fits = more < (BLACK / 2) as usize && self.met.try_reserve_exact(more).is_ok();
+        if fits {
+            self.met.resize(2 * more, 0);
+        }
+        self.is_incomplete |= !fits;
+        fits
     }
 
     /// Path `at`, the present one, has used up its depth: it is black.
     #[inline(always)]
     pub fn forget(&mut self, at: usize) {
-        self.met.truncate(self.begin[at] as usize);
+        self.count = self.begin[at] as usize;
         self.begin[at] = BLACK;
         add(Counter::DepthReached, 1);
     }
@@ -63,7 +94,7 @@ impl Ended {
     #[inline(always)]
     pub fn leave_several<V: Lanes>(&mut self, at: usize, directions: Vec3<V>) {
         store(directions, &mut self.direction, at);
-        let begin = self.met.len() as u32;
+        let begin = self.count as u32;
         self.begin[at..at + V::LANES].fill(begin);
     }
 }
@@ -92,7 +123,7 @@ fn color<S: Simd, L: Layout, P: Intersect>(Color { prepared, queue, ended, batch
         let color = background.color(load::<S::F64>(&ended.direction, at));
         store(color, &mut ended.direction, at);
     }
-    let mut end = ended.met.len();
+    let mut end = ended.count;
     for at in (0..queue.count).rev() {
         let begin = ended.begin[at];
         if begin == BLACK {
@@ -108,7 +139,7 @@ fn color<S: Simd, L: Layout, P: Intersect>(Color { prepared, queue, ended, batch
         end = begin;
         batch.color.set(batch.waiting[at] as usize, color);
     }
-    ended.met.clear();
+    ended.count = 0;
 }
 
 #[cfg(test)]
@@ -134,10 +165,10 @@ mod tests {
             queue.count = 3;
             queue.material[..3].copy_from_slice(&[0, 0, 1]);
             ended.begin(0);
-            ended.meet(1);
+            assert!(ended.meet(1));
             ended.leave(0, direction);
             ended.begin(1);
-            ended.meet(0);
+            assert!(ended.meet(0));
             ended.forget(1);
             ended.begin(2);
             ended.leave(2, direction);
@@ -146,7 +177,19 @@ mod tests {
             assert_eq!(batch.color.get(5), expected);
             assert_eq!(batch.color.get(3), Vec3::ZERO, "a path without an end keeps the black it had");
             assert_eq!(batch.color.get(2), background.attenuate(reflectance(1)));
-            assert_eq!(ended.met.len(), 0, "they are forgotten");
+            assert_eq!(ended.count, 0, "they are forgotten");
         }
+    }
+
+    #[test]
+    fn a_path_longer_than_the_room_for_it_makes_more() {
+        let mut ended = Ended::new();
+        let room = ended.met.len();
+        ended.begin(0);
+        for at in 0..3 * room {
+            assert!(ended.meet(at as MaterialId));
+        }
+        assert_eq!((ended.count, ended.met[room], ended.check().is_ok()), (3 * room, room as MaterialId, true));
+        assert!(ended.met.len() >= 3 * room);
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::certified::certificate::in_scale;
 use crate::certified::{self, Intersect, Precision};
+use crate::counters::{Counter, add};
 use crate::cylinder::{CylinderRecord, CylinderView, Part};
 use crate::ray::Ray;
 use crate::search::ObjectId;
@@ -72,12 +73,19 @@ impl<V: Lanes> Hits<V> {
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                let mut lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
-                let doubtful = (!(lanes.certain & in_scale(a))).bits() & valid;
-                if doubtful != 0 {
-                    lanes.lambda = resolve_spheres(record, ray, lanes.lambda, doubtful);
+                let lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
+                let certain = lanes.certain & in_scale(a);
+                let mut lambda = lanes.lambda;
+                if (!certain).bits() & valid != 0 {
+                    let compensated = certified::sphere_compensated::judge(&record.lanes(), ray);
+                    lambda = V::select(certain, lambda, compensated.lambda);
+                    let doubtful = (!(certain | compensated.certain)).bits() & valid;
+                    add(Counter::Compensated, u64::from(((!certain).bits() & valid & !doubtful).count_ones()));
+                    if doubtful != 0 {
+                        lambda = resolve_spheres(record, ray, lambda, doubtful);
+                    }
                 }
-                self.offer(id, lanes.lambda, lanes.lambda.less(V::of(f64::INFINITY)), V::of(0.0), valid);
+                self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), V::of(0.0), valid);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
 //! each taking its random vectors from one stream.
 //!
-//! With few objects it goes [several samples at a time](super::leaps); here is the way of one ray after the other.
+//! With few objects the samples that leave at once are passed over [together](super::leaps).
 
 use super::batch::Batch;
 use super::ends::Ended;
@@ -10,12 +10,19 @@ use super::queue::Queue;
 use super::vectors::Triples;
 use crate::certified::Intersect;
 use crate::layout::Layout;
-use crate::prepare::{Kind, Prepared};
+use crate::prepare::Prepared;
 use crate::ray::Ray;
-use crate::scatter;
-use crate::search::{Search, Stack};
+use crate::search::{Found, Search, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::surface::{Onward, Surface};
+
+/// What became of the next samples with their first rays.
+pub struct Start {
+    /// As many are at their ends.
+    pub done: usize,
+    /// The ray of the one after them and what it meets, if that has been asked.
+    pub next: Option<(Ray, Found)>,
+}
 
 /// Walks paths; holds the stream and what waits for its background.
 #[derive(Debug)]
@@ -42,55 +49,69 @@ impl Walk {
     #[inline(always)]
     fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, batch: &Batch) {
         let all_go_on = self.queue.fill(prepared, batch);
-        match &prepared.search {
-            Search::Few(few) if all_go_on => leaps::follow::<S::F64, L, P>(prepared, few, self),
-            _ => {
-                for at in 0..self.queue.count {
-                    self.follow_one::<S, L, P>(prepared, at);
-                }
+        let mut at = 0;
+        while at < self.queue.count {
+            self.triples.prepare();
+            let start = match &prepared.search {
+                Search::Few(few) if all_go_on => leaps::leap::<S::F64, L, P>(prepared, few, self, at),
+                _ => self.start::<S, L, P>(prepared, at),
+            };
+            at += start.done;
+            if let Some((ray, found)) = start.next {
+                self.go_on::<S, L, P>(prepared, at, ray, found);
+                at += 1;
             }
         }
     }
 
-    /// Follows the queue's sample `at`.
+    /// The first ray of the queue's sample `at`, which may be allowed none.
     #[inline(always)]
-    fn follow_one<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, at: usize) {
+    fn start<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, at: usize) -> Start {
         let Self { triples, queue, ended, stack } = self;
         ended.begin(at);
-        let mut ray = Ray { origin: queue.point.get(at), direction: queue.base.get(at) };
-        let mut from = queue.object[at];
-        let mut material = queue.material[at];
-        let mut rays = queue.rays[at];
-        loop {
-            let finish = &prepared.finishes[material as usize];
-            triples.prepare();
-            let vector = finish.vector(triples.next());
-            let base = ray.direction;
-            ray.direction = if finish.kind == Kind::Matte { scatter::matte(base, vector) } else { base + vector };
-            // On through refractive surfaces to the next one that scatters.
-            loop {
-                if rays == 0 {
-                    return ended.forget(at);
-                }
-                rays -= 1;
-                let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, stack);
-                if !found.is_hit() {
-                    return ended.leave(at, ray.direction);
-                }
-                let surface = Surface::new(&prepared.objects, &ray, &found);
-                from = found.object;
-                ray.origin = surface.point;
-                match surface.onward(&prepared.finishes[surface.material as usize], ray.direction) {
-                    Onward::Scattered(base) => {
-                        ray.direction = base;
-                        material = surface.material;
-                        break;
-                    }
-                    Onward::Through(direction) => ray.direction = direction,
-                }
-            }
-            ended.meet(material);
+        let finish = &prepared.finishes[queue.material[at] as usize];
+        let ray = Ray { origin: queue.point.get(at), direction: finish.scattered(queue.base.get(at), triples.next()) };
+        if queue.rays[at] == 0 {
+            ended.forget(at);
+            return Start { done: 1, next: None };
         }
+        let search = &prepared.search;
+        let found = search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, queue.object[at], stack);
+        Start { done: 0, next: Some((ray, found)) }
+    }
+
+    /// Follows the queue's sample `at` from what its first ray meets to its end.
+    #[inline(always)]
+    fn go_on<S: Simd, L: Layout, P: Intersect>(
+        &mut self,
+        prepared: &Prepared<L, P>,
+        at: usize,
+        mut ray: Ray,
+        mut found: Found,
+    ) {
+        let Self { triples, queue, ended, stack } = self;
+        let mut rays = queue.rays[at];
+        while found.is_hit() {
+            let surface = Surface::new(&prepared.objects, &ray, &found);
+            let finish = &prepared.finishes[surface.material as usize];
+            ray.origin = surface.point;
+            ray.direction = match surface.onward(finish, ray.direction) {
+                Onward::Scattered(base) => {
+                    if !ended.meet(surface.material) {
+                        return ended.forget(at);
+                    }
+                    triples.prepare();
+                    finish.scattered(base, triples.next())
+                }
+                Onward::Through(direction) => direction,
+            };
+            rays -= 1;
+            if rays == 0 {
+                return ended.forget(at);
+            }
+            found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, found.object, stack);
+        }
+        ended.leave(at, ray.direction);
     }
 }
 
@@ -105,7 +126,20 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
     type Output = ();
 
     #[inline(always)]
+    fn call<S: Simd>(self, simd: S) {
+        simd.prompt().run(Promptly(self));
+    }
+}
+
+/// The same, with the instruction set for work on one ray after the other.
+struct Promptly<'a, L: Layout, P>(Follow<'a, L, P>);
+
+impl<L: Layout, P: Intersect> Kernel for Promptly<'_, L, P> {
+    type Output = ();
+
+    #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        self.walk.follow::<S, L, P>(self.prepared, self.batch);
+        let Self(Follow { prepared, walk, batch }) = self;
+        walk.follow::<S, L, P>(prepared, batch);
     }
 }

@@ -34,6 +34,33 @@ impl Bounds {
         x * y + y * z + z * x
     }
 
+    /// The box with more room on every side.
+    #[must_use]
+    pub fn enlarged(mut self, by: f32) -> Self {
+        for axis in 0..3 {
+            self.low[axis] = (self.low[axis] - by).next_down();
+            self.high[axis] = (self.high[axis] + by).next_up();
+        }
+        self
+    }
+
+    /// Whether the boxes have a point in common.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+    }
+
+    /// How far the box is from a point; 0 from one inside.
+    #[must_use]
+    pub fn distance(&self, point: Vec3) -> f64 {
+        let point = point.to_array();
+        let outside = |axis: usize| {
+            let (low, high) = (f64::from(self.low[axis]), f64::from(self.high[axis]));
+            (low - point[axis]).max(point[axis] - high).max(0.0)
+        };
+        Vec3::from([0, 1, 2].map(outside)).length()
+    }
+
     /// Twice the middle of the box along an axis.
     #[must_use]
     pub fn twice_middle(&self, axis: usize) -> f32 {
@@ -112,5 +139,27 @@ mod tests {
         assert_eq!(Bounds::EMPTY.union(&left), left);
         assert_eq!((both.half_area(), Bounds::EMPTY.half_area()), (16.0, 0.0));
         assert_eq!(right.twice_middle(0), 5.0);
+    }
+
+    #[test]
+    fn boxes_overlap_where_they_share_a_point() {
+        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        for axis in 0..3 {
+            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
+                let mut right = left;
+                (right.low[axis], right.high[axis]) = (from, from + 1.0);
+                assert_eq!((left.overlaps(&right), right.overlaps(&left)), (overlaps, overlaps), "{axis}: {from}");
+                assert!(left.overlaps(&right.enlarged(0.2)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_box_is_as_far_from_a_point_as_its_nearest_corner_edge_or_face() {
+        let unit = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        assert_eq!(unit.distance(Vec3::new(0.5, 0.2, 1.0)), 0.0);
+        assert_eq!(unit.distance(Vec3::new(0.5, 0.5, -2.0)), 2.0);
+        assert_eq!(unit.distance(Vec3::new(4.0, -4.0, 0.5)), 5.0);
+        assert_eq!(unit.distance(Vec3::new(3.0, 3.0, 2.0)), 3.0);
     }
 }

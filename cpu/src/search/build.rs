@@ -3,7 +3,7 @@
 
 use super::ObjectId;
 use super::bounds::Bounds;
-use super::hierarchy::{Child, Node, WIDTH};
+use super::node::{Child, Node, WIDTH};
 use crate::error::Error;
 
 /// Bins along the axis of a split.

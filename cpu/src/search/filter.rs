@@ -6,6 +6,7 @@ use super::{Found, NOWHERE, ObjectId};
 use crate::certified::Intersect;
 use crate::error::Error;
 use crate::layout::Objects;
+use crate::prepare::Extent;
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::simd::{FilterLanes, Simd};
 use crate::vec3::Vec3;
@@ -60,6 +61,8 @@ impl Tubes {
 pub struct Filter {
     middle: Vec3,
     ground: Ground,
+    /// See [`Ground::sunk`].
+    sunk: Option<Vec<ObjectId>>,
     spheres: Vec<Balls>,
     cylinders: Vec<(Balls, Tubes)>,
     sphere_count: u32,
@@ -142,7 +145,7 @@ impl Filter {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new(objects: &impl Objects) -> Result<Self, Error> {
+    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = (objects.sphere_count(), objects.cylinder_count());
         let ground = Ground::of(objects);
         let middle = middle(objects, ground);
@@ -163,7 +166,13 @@ impl Filter {
             tubes.z[lane] = cylinder.axis.z as f32;
             tubes.minus_radius_squared[lane] = -outer(cylinder.radius_squared, SIDE_MARGIN);
         }
-        Ok(Self { middle, ground, spheres, cylinders, sphere_count: sphere_count as u32 })
+        let sunk = ground.sunk(objects, extent);
+        Ok(Self { middle, ground, sunk, spheres, cylinders, sphere_count: sphere_count as u32 })
+    }
+
+    /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
+    pub fn forget_who_is_alone(&mut self) {
+        self.sunk = None;
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
@@ -171,6 +180,17 @@ impl Filter {
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
         let mut found = Found::NOTHING;
         let a = ray.direction.dot(ray.direction);
+        if self.ground.is(from)
+            && let Some(sunk) = &self.sunk
+        {
+            self.ground.ask::<O, P>(&mut found, objects, ray, a);
+            if found.is_hit() {
+                for &id in sunk {
+                    found.ask::<O, P>(objects, id, ray);
+                }
+                return found;
+            }
+        }
         let filter_ray = FilterRay::<S::F32>::new(ray, self.middle, a);
         let mut spheres = 0_u64;
         for (number, balls) in self.spheres.iter().enumerate() {
@@ -202,6 +222,7 @@ impl Filter {
             }
         }
         if let Some(ground) = self.ground.id()
+            && !(self.sunk.is_some() && from == ground)
             && !is_avoided(objects, ground as usize, ray, a)
         {
             spheres |= 1 << ground;

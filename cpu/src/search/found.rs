@@ -40,6 +40,15 @@ impl Found {
         }
     }
 
+    /// Takes the object at `id` into account.
+    #[inline(always)]
+    pub fn ask<O: Objects, P: Intersect>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
+        match (id as usize).checked_sub(objects.sphere_count()) {
+            None => self.ask_sphere::<O, P>(objects, id as usize, ray),
+            Some(index) => self.ask_cylinder::<O, P>(objects, index, ray),
+        }
+    }
+
     /// Takes the sphere at `index` into account.
     #[inline(always)]
     pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
@@ -91,7 +100,7 @@ fn resolve_sphere<O: Objects, P: Intersect>(
     dz: f64,
 ) -> Option<f64> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    P::sphere(&objects.sphere(index).record, &ray)
+    P::reconsider_sphere(&objects.sphere(index).record, &ray)
 }
 
 /// See [`resolve_sphere`].
@@ -109,7 +118,7 @@ fn resolve_cylinder<O: Objects, P: Intersect>(
     dz: f64,
 ) -> Option<(f64, Part)> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    P::cylinder(&objects.cylinder(index).record, &objects.axis(index), &ray)
+    P::reconsider_cylinder(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }
 
 #[cfg(test)]

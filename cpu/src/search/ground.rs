@@ -1,13 +1,17 @@
 //! A sphere much larger than all else, which nearly every ray would have to ask: it is asked apart.
 
 use super::leaving::{leaves_sphere, misses};
-use super::{Found, ObjectId};
+use super::{Bounds, Found, ObjectId};
 use crate::certified::Intersect;
 use crate::layout::Objects;
+use crate::prepare::Extent;
 use crate::ray::Ray;
 
 /// A sphere at least this many times as large as everything else is asked apart.
 const RATIO: f64 = 8.0;
+
+/// Most objects that reach into the ground for it to pay to ask each of them.
+const MOST_SUNK: usize = 4;
 
 /// The sphere that is asked apart, if there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +46,29 @@ impl Ground {
     #[must_use]
     pub fn is(self, id: ObjectId) -> bool {
         self.0 == Some(id)
+    }
+
+    /// The objects that reach into it, but for what rounding may do to points of its surface: a ray from that surface that
+    /// meets it again stays inside in between, for it is convex, and can meet no other. `None` when there are more than
+    /// [`MOST_SUNK`], or no ground.
+    #[must_use]
+    pub fn sunk(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
+        let ground = self.0?;
+        let record = objects.sphere(ground as usize).record;
+        // A textbook's root moves a point off the surface by some 26 units in the last place of (q + r^2) / r.
+        let squares = 12.0 * extent.reach * extent.reach;
+        let slack = 1e-9 * extent.reach + 64.0 * f64::EPSILON * squares / record.radius;
+        let count = objects.sphere_count() + objects.cylinder_count();
+        let mut sunk = Vec::new();
+        for id in (0..count as ObjectId).filter(|&id| !self.is(id)) {
+            if Bounds::of_object(objects, id as usize, extent).distance(record.center) <= record.radius + slack {
+                if sunk.len() == MOST_SUNK {
+                    return None;
+                }
+                sunk.push(id);
+            }
+        }
+        Some(sunk)
     }
 
     /// Takes it into account, unless the ray certainly does not meet it. `a` is `direction.direction`.

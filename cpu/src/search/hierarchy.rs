@@ -5,10 +5,12 @@
 //! product), and the origin is rounded towards the side that lets the ray pass. So a ray that meets a box, ahead and not
 //! farther than the nearest hit so far, has `near (1 - 5u) <= far (1 + 5u)`, which [`SLACK`] covers.
 
+use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
 use super::build::build;
 use super::ground::{Ground, is_avoided};
 use super::leaving::leaves_cylinder;
+use super::node::{Child, Node, WIDTH};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -19,11 +21,11 @@ use crate::ray::Ray;
 use crate::simd::{FilterLanes, Simd};
 use crate::vec3::Vec3;
 
-/// Children of a node; every instruction set's lanes divide it.
-pub const WIDTH: usize = 16;
-
 /// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
 const STACK: usize = 512;
+
+/// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
+const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
 
 /// Factor on a far distance that covers all rounding.
 const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
@@ -31,87 +33,13 @@ const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
 /// Largest magnitude of a reciprocal: keeps a product with zero from being no number.
 const LARGEST_RECIPROCAL: f32 = 1e30;
 
-/// What a lane of a node leads to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Child(u32);
-
-impl Child {
-    const OBJECT: u32 = 1 << 31;
-
-    /// The object at `id`.
-    pub const fn object(id: ObjectId) -> Self {
-        Self(id | Self::OBJECT)
-    }
-
-    /// The node at `index`.
-    pub const fn node(index: u32) -> Self {
-        Self(index)
-    }
-
-    /// The object, if it leads to one.
-    pub const fn as_object(self) -> Option<ObjectId> {
-        if self.0 & Self::OBJECT == 0 { None } else { Some(self.0 & !Self::OBJECT) }
-    }
-
-    /// The object that it leads to.
-    const fn as_id(self) -> ObjectId {
-        self.0 & !Self::OBJECT
-    }
-
-    /// The node, if it leads to one.
-    pub const fn as_node(self) -> u32 {
-        self.0
-    }
-}
-
-/// The boxes of up to 16 children, and what they lead to.
-#[derive(Clone, Debug)]
-#[repr(C, align(64))]
-pub struct Node {
-    low: [[f32; WIDTH]; 3],
-    high: [[f32; WIDTH]; 3],
-    child: [Child; WIDTH],
-    /// Lanes that lead to objects, as bits.
-    objects: u32,
-}
-
-impl Node {
-    /// No children: boxes that no ray meets.
-    pub const EMPTY: Self = Self {
-        low: [[f32::INFINITY; WIDTH]; 3],
-        high: [[f32::NEG_INFINITY; WIDTH]; 3],
-        child: [Child::node(0); WIDTH],
-        objects: 0,
-    };
-
-    /// Makes a child of a lane.
-    pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
-        for axis in 0..3 {
-            self.low[axis][lane] = bounds.low[axis];
-            self.high[axis][lane] = bounds.high[axis];
-        }
-        self.child[lane] = child;
-        self.objects |= u32::from(child.as_object().is_some()) << lane;
-    }
-
-    /// The children with their boxes.
-    pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
-        (0..WIDTH).filter(|&lane| self.low[0][lane] <= self.high[0][lane]).map(|lane| {
-            let bounds = Bounds {
-                low: std::array::from_fn(|axis| self.low[axis][lane]),
-                high: std::array::from_fn(|axis| self.high[axis][lane]),
-            };
-            (bounds, self.child[lane])
-        })
-    }
-}
-
 /// The tree over all objects of a scene.
 #[derive(Debug)]
 pub struct Hierarchy {
     nodes: Vec<Node>,
     /// It is not in the tree.
     ground: Ground,
+    alone: Alone,
     /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
     reach: f64,
 }
@@ -145,7 +73,9 @@ impl<F: FilterLanes> BoxRay<F> {
         let mut reciprocal = near_origin;
         for axis in 0..3 {
             let rounded = origin[axis] as f32;
-            let (low, high) = (rounded.next_down(), rounded.next_up());
+            // A unit in the last place and more, without the branches of `next_up`.
+            let step = rounded.abs() * f32::EPSILON + f32::MIN_POSITIVE;
+            let (low, high) = (rounded - step, rounded + step);
             near_origin[axis] = F::splat(if down[axis] { low } else { high });
             far_origin[axis] = F::splat(if down[axis] { high } else { low });
             // The sign comes from `down`, so that it is right for both zeros.
@@ -185,13 +115,48 @@ impl Hierarchy {
         let ground = Ground::of(objects);
         let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
         let nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
-        Ok(Self { nodes, ground, reach: 2.0 * extent.reach })
+        let mut tree = Self { nodes, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
+        if count <= MOST_ASKED_WHETHER_ALONE {
+            let alone =
+                Alone::new(count, |id| ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent)))?;
+            tree.alone = alone;
+        }
+        Ok(tree)
+    }
+
+    /// Whether an object of the tree other than `id` has a box that overlaps this one.
+    fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
+        let mut pending = [0; STACK];
+        let mut waiting = usize::from(!self.nodes.is_empty());
+        while waiting > 0 {
+            waiting -= 1;
+            let node = &self.nodes[pending[waiting] as usize];
+            let mut bits = node.overlaps(bounds);
+            while bits != 0 {
+                let child = node.child[bits.trailing_zeros() as usize];
+                bits &= bits - 1;
+                match child.as_object() {
+                    Some(other) if other == id => {}
+                    Some(_) => return true,
+                    None => {
+                        pending[waiting] = child.as_node();
+                        waiting += 1;
+                    }
+                }
+            }
+        }
+        false
     }
 
     /// Whether a ray from `origin` may use the tree.
     #[inline(always)]
     pub fn covers(&self, origin: Vec3) -> bool {
         origin.x.abs() <= self.reach && origin.y.abs() <= self.reach && origin.z.abs() <= self.reach
+    }
+
+    /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
+    pub fn forget_who_is_alone(&mut self) {
+        self.alone = Alone::none();
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
@@ -213,17 +178,18 @@ impl Hierarchy {
         if self.nodes.is_empty() {
             return found;
         }
-        let box_ray = BoxRay::<S::F32>::new(ray);
-        stack[0] = (0, 0.0);
-        let mut waiting = 1;
-        while waiting > 0 {
-            waiting -= 1;
-            let (index, distance) = stack[waiting % STACK];
-            // The nearest hit so far, rounded up; infinite at first.
-            let farthest = (found.lambda as f32).next_up();
-            if distance > farthest * SLACK {
-                continue;
+        if self.alone.is::<O, P>(objects, from) {
+            let mut again = Found::NOTHING;
+            ask::<O, P>(&mut again, objects, from, ray, a, from);
+            if again.is_hit() {
+                found.offer(again.lambda, again.object, again.order, again.part);
+                return found;
             }
+        }
+        let box_ray = BoxRay::<S::F32>::new(ray);
+        let (mut index, mut waiting) = (0, 0);
+        loop {
+            let farthest = farthest(&found);
             add(Counter::NodeVisits, 1);
             let node = &self.nodes[index as usize];
             let mut distances = [0.0; WIDTH];
@@ -240,6 +206,11 @@ impl Hierarchy {
                 asked &= asked - 1;
                 ask::<O, P>(&mut found, objects, node.child[lane].as_id(), ray, a, from);
             }
+            if entered.is_power_of_two() {
+                // The only one goes past the stack.
+                index = node.child[entered.trailing_zeros() as usize % WIDTH].as_node();
+                continue;
+            }
             let first = waiting;
             while entered != 0 {
                 let lane = entered.trailing_zeros() as usize % WIDTH;
@@ -254,8 +225,18 @@ impl Hierarchy {
                 stack[place] = entry;
                 waiting += 1;
             }
+            loop {
+                if waiting == 0 {
+                    return found;
+                }
+                waiting -= 1;
+                let (next, distance) = stack[waiting % STACK];
+                if distance <= self::farthest(&found) * SLACK {
+                    index = next;
+                    break;
+                }
+            }
         }
-        found
     }
 
     /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
@@ -279,6 +260,12 @@ impl Hierarchy {
             }
         }
     }
+}
+
+/// The nearest hit so far, rounded up; infinite at first.
+#[inline(always)]
+fn farthest(found: &Found) -> f32 {
+    found.lambda as f32 * (1.0 + f32::EPSILON)
 }
 
 /// Asks an object, unless the ray leaves it.

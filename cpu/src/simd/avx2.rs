@@ -8,6 +8,7 @@ use std::arch::x86_64::*;
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 use crate::real::Real;
 
 /// AVX2 and FMA.
@@ -128,6 +129,14 @@ impl Rounding for F64 {
     const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
 }
 
+impl Fused for F64 {
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_fmadd_pd(self.0, factor.0, term.0) })
+    }
+}
+
 impl Lanes for F64 {
     const LANES: usize = 4;
 
@@ -142,11 +151,6 @@ impl Lanes for F64 {
         let place = &mut place[..Self::LANES];
         // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
         unsafe { _mm256_storeu_pd(place.as_mut_ptr(), self.0) }
-    }
-    #[inline(always)]
-    fn with_first(self, first: f64) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_blend_pd::<1>(self.0, _mm256_castpd128_pd256(_mm_set_sd(first))) })
     }
 }
 

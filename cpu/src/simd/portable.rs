@@ -5,6 +5,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
 use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 use crate::real::Real;
 
 /// The portable implementation.
@@ -112,6 +113,13 @@ impl Rounding for F64x4 {
     const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
 }
 
+impl Fused for F64x4 {
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        Self(array::from_fn(|lane| self.0[lane].mul_add(factor.0[lane], term.0[lane])))
+    }
+}
+
 impl Lanes for F64x4 {
     const LANES: usize = 4;
 
@@ -122,10 +130,6 @@ impl Lanes for F64x4 {
     #[inline(always)]
     fn store(self, place: &mut [f64]) {
         place[..4].copy_from_slice(&self.0);
-    }
-    #[inline(always)]
-    fn with_first(self, first: f64) -> Self {
-        Self([first, self.0[1], self.0[2], self.0[3]])
     }
 }
 

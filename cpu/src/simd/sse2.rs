@@ -8,6 +8,7 @@ use std::arch::x86_64::*;
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
+use crate::certified::exact_sums::Fused;
 use crate::real::Real;
 
 /// SSE2.
@@ -128,6 +129,19 @@ impl Rounding for F64 {
     const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
 }
 
+impl Fused for F64 {
+    // The instruction set has none: a function, lane by lane.
+    #[inline(always)]
+    fn fused(self, factor: Self, term: Self) -> Self {
+        let (mut values, mut factors, mut terms) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        self.store(&mut values);
+        factor.store(&mut factors);
+        term.store(&mut terms);
+        let both = [values[0].mul_add(factors[0], terms[0]), values[1].mul_add(factors[1], terms[1])];
+        Self::load(&both)
+    }
+}
+
 impl Lanes for F64 {
     const LANES: usize = 2;
 
@@ -142,11 +156,6 @@ impl Lanes for F64 {
         let place = &mut place[..Self::LANES];
         // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
         unsafe { _mm_storeu_pd(place.as_mut_ptr(), self.0) }
-    }
-    #[inline(always)]
-    fn with_first(self, first: f64) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm_move_sd(self.0, _mm_set_sd(first)) })
     }
 }
 

@@ -1,0 +1,22 @@
+//! `counted CONFIG SCENE`: renders and prints what was done for it (`cargo run --release -p cpu --features counters
+//! --example counted CONFIG SCENE`).
+
+use std::path::Path;
+
+use cpu::counters::{self, Counter};
+use cpu::{Aos, Config, Error, InstructionSet, Prepared, Scatter, Scene};
+
+fn main() -> Result<(), Error> {
+    let names: Vec<_> = std::env::args_os().skip(1).collect();
+    let [config, scene] = &names[..] else {
+        return Err(Error::ArgumentCount(names.len()));
+    };
+    let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
+    let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
+    cpu::render_with(&prepared, InstructionSet::chosen())?;
+    let counts = counters::snapshot();
+    for counter in Counter::ALL {
+        println!("{:14} {counter:?}", counts.of(counter));
+    }
+    Ok(())
+}

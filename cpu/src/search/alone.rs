@@ -1,0 +1,80 @@
+//! Objects into which no other reaches.
+//!
+//! Spheres and cylinders are convex: a ray that starts on one and meets it again is inside in between. Where no other
+//! object reaches inside, none can be nearer, and none is asked. Half of what rough metal scatters goes inward, and all
+//! that glass lets through.
+
+use super::{Bounds, ObjectId, room};
+use crate::certified::{Intersect, Precision};
+use crate::error::Error;
+use crate::layout::Objects;
+use crate::prepare::Extent;
+
+/// Which objects are alone, a bit each.
+#[derive(Clone, Debug)]
+pub struct Alone(Vec<u64>);
+
+impl Alone {
+    /// The objects whose box no other's overlaps, as `overlapped` says, but for one that is asked apart anyway.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(count: usize, mut overlapped: impl FnMut(ObjectId) -> bool) -> Result<Self, Error> {
+        let mut words = room(count.div_ceil(64))?;
+        words.resize(count.div_ceil(64), 0);
+        for id in 0..count {
+            words[id / 64] |= u64::from(!overlapped(id as ObjectId)) << (id % 64);
+        }
+        Ok(Self(words))
+    }
+
+    /// Nothing is known to be alone.
+    pub const fn none() -> Self {
+        Self(Vec::new())
+    }
+
+    /// Whether a ray that starts on `id` and meets it again certainly meets nothing before that but what is asked apart.
+    #[inline(always)]
+    #[must_use]
+    pub fn is<O: Objects, P: Intersect>(&self, objects: &O, id: ObjectId) -> bool {
+        // A textbook's point may be far off the side of a cylinder, for a ray along the axis.
+        let accurate = P::PRECISION == Precision::Certified || (id as usize) < objects.sphere_count();
+        accurate && self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
+    }
+}
+
+/// The box of an object, with room for how far rounding may move the points of its surface.
+#[must_use]
+pub fn roomy_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
+    Bounds::of_object(objects, id as usize, extent).enlarged((1e-9 * extent.reach) as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::{Certified, Textbook};
+    use crate::layout::AosObjects;
+    use crate::scene::Scene;
+
+    #[test]
+    fn what_no_other_overlaps_is_alone_a_cylinder_by_certified_points_only() {
+        let text = "matte: m 1 1 1\nsphere: 0 0 0 1 m\nsphere: 3 0 0 1 m\ncylinder: 0 9 0 1 0 1 0 m\n";
+        let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let alone = Alone::new(3, |id| id == 1).expect("it fits");
+        assert_eq!([0, 1, 2].map(|id| alone.is::<_, Certified>(&objects, id)), [true, false, true]);
+        assert_eq!([0, 1, 2].map(|id| alone.is::<_, Textbook>(&objects, id)), [true, false, false]);
+        assert!(!alone.is::<_, Certified>(&objects, crate::search::NOWHERE));
+        assert!(!Alone::none().is::<_, Certified>(&objects, 0));
+    }
+
+    #[test]
+    fn a_hundred_answers_keep_their_places() {
+        let scene = Scene::parse(&b"matte: m 1 1 1\n"[..]).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let alone = Alone::new(100, |id| id % 3 == 0).expect("it fits");
+        for id in 0..128 {
+            assert_eq!(alone.is::<_, Certified>(&objects, id), id < 100 && id % 3 != 0, "{id}");
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! A node of the tree: the boxes of 16 children, and what each leads to.
+
+use super::ObjectId;
+use super::bounds::Bounds;
+
+/// Children of a node; every instruction set's lanes divide it.
+pub const WIDTH: usize = 16;
+
+/// What a lane of a node leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Child(u32);
+
+impl Child {
+    /// Set where it leads to an object.
+    pub const OBJECT: u32 = 1 << 31;
+
+    /// The object at `id`.
+    pub const fn object(id: ObjectId) -> Self {
+        Self(id | Self::OBJECT)
+    }
+
+    /// The node at `index`.
+    pub const fn node(index: u32) -> Self {
+        Self(index)
+    }
+
+    /// The object, if it leads to one.
+    pub const fn as_object(self) -> Option<ObjectId> {
+        if self.0 & Self::OBJECT == 0 { None } else { Some(self.0 & !Self::OBJECT) }
+    }
+
+    /// The object that it leads to.
+    pub const fn as_id(self) -> ObjectId {
+        self.0 & !Self::OBJECT
+    }
+
+    /// The node, if it leads to one.
+    pub const fn as_node(self) -> u32 {
+        self.0
+    }
+}
+
+/// The boxes of up to 16 children, and what they lead to.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct Node {
+    /// Their lowest corners, by axis.
+    pub low: [[f32; WIDTH]; 3],
+    /// Their highest corners, by axis.
+    pub high: [[f32; WIDTH]; 3],
+    /// What they lead to.
+    pub child: [Child; WIDTH],
+    /// Lanes that lead to objects, as bits.
+    pub objects: u32,
+}
+
+impl Node {
+    /// No children: boxes that no ray meets.
+    pub const EMPTY: Self = Self {
+        low: [[f32::INFINITY; WIDTH]; 3],
+        high: [[f32::NEG_INFINITY; WIDTH]; 3],
+        child: [Child::node(0); WIDTH],
+        objects: 0,
+    };
+
+    /// Makes a child of a lane.
+    pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
+        for axis in 0..3 {
+            self.low[axis][lane] = bounds.low[axis];
+            self.high[axis][lane] = bounds.high[axis];
+        }
+        self.child[lane] = child;
+        self.objects |= u32::from(child.as_object().is_some()) << lane;
+    }
+
+    /// The children whose boxes overlap this one, as bits.
+    pub fn overlaps(&self, bounds: &Bounds) -> u32 {
+        let mut bits = 0;
+        for lane in 0..WIDTH {
+            let mut overlaps = true;
+            for axis in 0..3 {
+                overlaps &= (self.low[axis][lane] <= bounds.high[axis]) & (bounds.low[axis] <= self.high[axis][lane]);
+            }
+            bits |= u32::from(overlaps) << lane;
+        }
+        bits
+    }
+
+    /// The children with their boxes.
+    pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
+        (0..WIDTH).filter(|&lane| self.low[0][lane] <= self.high[0][lane]).map(|lane| {
+            let bounds = Bounds {
+                low: std::array::from_fn(|axis| self.low[axis][lane]),
+                high: std::array::from_fn(|axis| self.high[axis][lane]),
+            };
+            (bounds, self.child[lane])
+        })
+    }
+}
