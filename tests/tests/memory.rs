@@ -104,10 +104,11 @@ fn preparation<L: Layout>(count: usize) {
     assert!(refused("search", 1, || Search::new(&objects, &extent).map(drop)) >= 1);
 }
 
-/// A whole rendering. What it takes whatever the scene is, some blocks of its own, is not refused.
-fn rendering<L: Layout>() {
-    const LEAST: usize = 300_000;
+/// More than any block that a rendering takes whatever the scene is; those are not refused.
+const LEAST: usize = 300_000;
 
+/// A whole rendering.
+fn rendering<L: Layout>() {
     let (config, scene) = (config(), scene(80_000));
     let prepare = || Prepared::<L>::new(&config, &scene, Scatter::Statement);
     let preparing = refused("preparation", LEAST, || prepare().map(drop));
@@ -123,11 +124,14 @@ fn rendering<L: Layout>() {
 }
 
 /// A ray between mirrors, which meets as many surfaces as it may.
-fn reference_between_mirrors() {
-    let config = Config { image_width: 1, aspect_ratio: [1, 1], samples_per_pixel: 1, max_depth: 10_000, ..config() };
+fn between_mirrors() {
+    let config = Config { image_width: 1, samples_per_pixel: 1, max_depth: 500_000, ..config() };
     let scene = Scene::parse(&b"metal: m 1 1 1 0\nsphere: 0 0 0 20 m\n"[..]).expect("the scene is valid");
-    let render = || cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, _| ());
-    assert!(refused("reference", 100_000, render) >= 2);
+    let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("there is enough memory");
+    let render = || cpu::render_with(&prepared, InstructionSet::chosen()).map(drop);
+    assert!(refused("path", LEAST, render) >= 3);
+    let reference = || cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, _| ());
+    assert!(refused("path of the reference", LEAST, reference) >= 3);
 }
 
 // One test: another beside it would have its requests refused.
@@ -152,5 +156,5 @@ fn each_request_that_grows_with_the_input_may_be_refused() {
     }
     rendering::<Aos>();
     rendering::<Soa>();
-    reference_between_mirrors();
+    between_mirrors();
 }
