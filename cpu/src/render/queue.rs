@@ -72,8 +72,9 @@ impl Queue {
     }
 }
 
+/// The material of the object at `object`.
 #[inline(always)]
-fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
+pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
     match (object as usize).checked_sub(objects.sphere_count()) {
         None => objects.sphere(object as usize).material,
         Some(index) => objects.cylinder(index).material,

@@ -6,11 +6,12 @@
 use super::batch::Batch;
 use super::ends::Ended;
 use super::leaps;
-use super::queue::Queue;
+use super::queue::{Queue, material_of};
 use super::vectors::Triples;
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
-use crate::prepare::Prepared;
+use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
 use crate::search::{Found, Search, Stack};
 use crate::simd::{Kernel, Simd};
@@ -69,12 +70,13 @@ impl Walk {
     fn start<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, at: usize) -> Start {
         let Self { triples, queue, ended, stack } = self;
         ended.begin(at);
-        let finish = &prepared.finishes[queue.material[at] as usize];
-        let ray = Ray { origin: queue.point.get(at), direction: finish.scattered(queue.base.get(at), triples.next()) };
+        let triple = triples.next();
         if queue.rays[at] == 0 {
             ended.forget(at);
             return Start { done: 1, next: None };
         }
+        let finish = &prepared.finishes[queue.material[at] as usize];
+        let ray = Ray { origin: queue.point.get(at), direction: finish.scattered(queue.base.get(at), triple) };
         let search = &prepared.search;
         let found = search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, queue.object[at], stack);
         Start { done: 0, next: Some((ray, found)) }
@@ -92,6 +94,17 @@ impl Walk {
         let Self { triples, queue, ended, stack } = self;
         let mut rays = queue.rays[at];
         while found.is_hit() {
+            rays -= 1;
+            if rays == 0 {
+                // The last surface takes its vector all the same.
+                add(Counter::Hits, 1);
+                let material = material_of(&prepared.objects, found.object);
+                if prepared.finishes[material as usize].kind != Kind::Refractive {
+                    triples.prepare();
+                    triples.skip(1);
+                }
+                return ended.forget(at);
+            }
             let surface = Surface::new(&prepared.objects, &ray, &found);
             let finish = &prepared.finishes[surface.material as usize];
             ray.origin = surface.point;
@@ -105,10 +118,6 @@ impl Walk {
                 }
                 Onward::Through(direction) => direction,
             };
-            rays -= 1;
-            if rays == 0 {
-                return ended.forget(at);
-            }
             found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, found.object, stack);
         }
         ended.leave(at, ray.direction);
