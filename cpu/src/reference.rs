@@ -55,7 +55,7 @@ pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatt
 /// bytes, to `pixel` with its index.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture.
+/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
 pub fn render_linear(
     config: &Config,
     scene: &Scene,
@@ -68,7 +68,7 @@ pub fn render_linear(
 /// As [`render_linear`], with the intersections of `P`.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture.
+/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
 pub fn render_linear_with<P: Intersect>(
     config: &Config,
     scene: &Scene,
@@ -90,7 +90,7 @@ pub struct Counts {
 /// [`render_linear`], and the rays and hits that the picture takes.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture.
+/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
 pub fn render_counted<P: Intersect>(
     config: &Config,
     scene: &Scene,
@@ -121,7 +121,7 @@ pub fn render_counted<P: Intersect>(
                     y = offsets.draw(-0.5, 0.5);
                 }
                 let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
-                sum = sum + path.color(camera.position, target - camera.position, config.max_depth);
+                sum = sum + path.color(camera.position, target - camera.position, config.max_depth)?;
             }
             pixel(row * size.width() + column, sum / samples as f64);
         }
@@ -142,7 +142,10 @@ struct Path<'a, P> {
 
 impl<P: Intersect> Path<'_, P> {
     /// The colour that arrives along a ray: the recursion of SPEC.md, unrolled so that no depth overflows the stack.
-    fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Vec3 {
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`]: a ray between mirrors meets as many surfaces as it may, and that may be 2^64.
+    fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
         let mut reflectances = std::mem::take(&mut self.reflectances);
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {
@@ -155,6 +158,7 @@ impl<P: Intersect> Path<'_, P> {
             let front = direction.dot(nearest.outward) < 0.0;
             let normal = if front { nearest.outward } else { -nearest.outward };
             let (reflectance, scattered) = self.scatter(material, direction, normal, front);
+            reflectances.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the surfaces that a ray meets" })?;
             reflectances.push(reflectance);
             (origin, direction) = (nearest.point, scattered);
         }
@@ -163,7 +167,7 @@ impl<P: Intersect> Path<'_, P> {
             color = color.attenuate(reflectance);
         }
         self.reflectances = reflectances;
-        color
+        Ok(color)
     }
 
     /// The nearest hit over all objects, in the order of the file, and what is hit.

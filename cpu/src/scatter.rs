@@ -129,6 +129,24 @@ mod tests {
     }
 
     #[test]
+    fn a_published_vector_is_the_first_draw_in_the_ball_made_as_long_as_asked_for() {
+        let (mut vectors, mut draws) = (ScatterVectors::new(Scatter::Published, 13), Uniform::new(13));
+        let mut rejected = 0;
+        for _ in 0..1000 {
+            let expected = loop {
+                let [x, y, z] = [(); 3].map(|()| draws.draw(-1.0, 1.0));
+                let squared: f64 = x * x + y * y + z * z;
+                if squared <= 1.0 {
+                    break Vec3::new(x, y, z) / squared.sqrt() * 2.0;
+                }
+                rejected += 1;
+            };
+            assert_eq!(vectors.next(2.0), expected);
+        }
+        assert!(rejected > 0, "the cube is larger than the ball");
+    }
+
+    #[test]
     fn deterministic_vectors_are_null() {
         assert_eq!(ScatterVectors::new(Scatter::Deterministic, 1).next(3.0), Vec3::ZERO);
     }

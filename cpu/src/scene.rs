@@ -257,6 +257,30 @@ mod tests {
     }
 
     #[test]
+    fn a_metal_may_be_without_diffusion() {
+        let scene = parse("metal: m 0 .5 1 0").expect("nought is allowed");
+        assert_eq!(scene.materials, [Material::Metal { reflectance: Vec3::new(0.0, 0.5, 1.0), diffusion: 0.0 }]);
+    }
+
+    #[test]
+    fn materials_in_use_are_those_of_objects_each_once() {
+        let scene = parse(&format!("{MATERIALS}sphere: 0 0 0 1 ref99\nsphere: 0 0 0 1 mat1\nsphere: 0 0 0 2 ref99\n"));
+        let scene = scene.expect("the text is valid");
+        let in_use = scene.materials_in_use().expect("two materials fit");
+        assert_eq!(in_use, [scene.materials[0], scene.materials[2]]);
+    }
+
+    #[test]
+    fn a_file_is_read_as_its_text_is() {
+        let path = std::env::temp_dir().join(format!("render-scene-{}", std::process::id()));
+        let text = format!("{MATERIALS}sphere: 0 0 0 1 mat1\n");
+        std::fs::write(&path, &text).expect("the temporary folder is writable");
+        let scene = Scene::read(&path);
+        std::fs::remove_file(&path).expect("it is there");
+        assert_eq!(scene.expect("the text is valid"), parse(&text).expect("the text is valid"));
+    }
+
+    #[test]
     fn an_empty_scene_is_a_scene() {
         assert_eq!(parse("").ok(), Some(Scene::default()));
         assert_eq!(parse(" \t \r\n\n").ok(), Some(Scene::default()));

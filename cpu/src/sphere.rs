@@ -152,6 +152,7 @@ mod tests {
     #[test]
     fn from_inside_or_the_surface_the_larger_root_counts() {
         assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])), Some(1.0));
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 0.5])), Some(2.0));
         assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -1.0], [0.0, 0.0, 1.0])), Some(2.0));
         assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -1.000_488_281_25], [0.0, 0.0, 1.0])), Some(2.000_488_281_25));
     }

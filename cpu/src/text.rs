@@ -159,8 +159,11 @@ mod tests {
 
     #[test]
     fn an_endless_line_is_refused_within_bounded_memory() {
-        let error = for_each_line::<io::Error>(BufReader::new(io::repeat(0)), |_| Ok(())).unwrap_err();
+        let mut input = BufReader::new(io::repeat(0).take(u64::MAX));
+        let error = for_each_line::<io::Error>(&mut input, |_| Ok(())).unwrap_err();
         assert_eq!(error.to_string(), "line 1 is longer than 1048576 bytes");
+        let read = u64::MAX - input.get_ref().limit();
+        assert!(read <= (MAX_LINE_BYTES + 2 + input.capacity()) as u64, "{read} bytes were read");
     }
 
     #[test]

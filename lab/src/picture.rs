@@ -143,6 +143,10 @@ fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     if announced > bytes.len().saturating_mul(DEFLATE_GROWTH) {
         return Err(format!("a PNG that announces {announced} bytes of pixels and cannot hold them"));
     }
+    // png 0.18.1 panics over one.
+    if reader.info().palette.as_ref().is_some_and(|palette| palette.len() % 3 != 0) {
+        return Err("a PNG whose palette ends within a colour".to_owned());
+    }
     let length = reader.output_buffer_size().ok_or("too large a PNG")?;
     let mut buffer = with_room(length)?;
     buffer.resize(length, 0);
@@ -275,6 +279,25 @@ mod tests {
         png[29..33].copy_from_slice(&checksum);
         let message = Picture::parse(&png).expect_err("it cannot hold them");
         assert!(message.contains("announces") || message.contains("imit"), "{message}");
+    }
+
+    #[test]
+    fn a_palette_that_ends_within_a_colour_is_refused() {
+        let png = |palette: &[u8]| {
+            let mut bytes = Vec::new();
+            let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+            encoder.set_color(png::ColorType::Indexed);
+            encoder.set_depth(png::BitDepth::Eight);
+            encoder.set_palette(palette.to_vec());
+            let mut writer = encoder.write_header().expect("memory takes all bytes");
+            writer.write_image_data(&[0]).expect("memory takes all bytes");
+            writer.finish().expect("memory takes all bytes");
+            Picture::parse(&bytes)
+        };
+        assert_eq!(png(&[1, 2, 3, 4, 5, 6]).map(|picture| picture.pixels), Ok(vec![[1, 2, 3]]));
+        for length in [4, 5, 13] {
+            assert_eq!(png(&vec![0; length]), Err("a PNG whose palette ends within a colour".to_owned()));
+        }
     }
 
     /// The checksum of a PNG's chunk, bit by bit.

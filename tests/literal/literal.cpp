@@ -1,8 +1,9 @@
 // The definition line by line, as one would write it down: brute force, recursion, nothing hoisted by hand. A yardstick
-// for times, and a second opinion on bytes. It takes valid files and checks nothing.
+// for times, and a second opinion on bytes. It takes valid files and checks nothing. With `published` behind the names,
+// surfaces scatter as in the published images: a vector of length one, by rejection.
 //
 //     g++ -std=c++20 -O3 -ffp-contract=off tests/literal/literal.cpp -o literal
-//     ./literal CONFIG SCENE OUT.ppm
+//     ./literal CONFIG SCENE OUT.ppm [published]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,8 +31,13 @@ struct hit { double lambda; vec point, normal; bool front; int material; };
 struct config { int width=1920, aw=16, ah=9, samples=20, depth=5; double gamma=2.2, fov=90; vec P{0,0,-10}, D{}, N{0,1,0}, dark{.25,.5,1}, light{1,1,1}; unsigned long long mseed=13, rseed=19; };
 struct renderer {
   config c; std::vector<material> materials; std::vector<object> objects;
-  std::mt19937_64 mrng, rrng;
+  std::mt19937_64 mrng, rrng; bool published = false;
   double draw(std::mt19937_64& g, double lo, double hi) { std::uniform_real_distribution<double> d(lo, hi); return d(g); }
+  vec cube(double extent) { vec s{}; s.x = draw(mrng,-extent,extent); s.y = draw(mrng,-extent,extent); s.z = draw(mrng,-extent,extent); return s; }
+  vec scattered(double extent) {
+    if (!published) return cube(extent);
+    for (;;) { vec s = cube(1); double squared = dot(s, s); if (squared > 1e-160 && squared <= 1) return s / std::sqrt(squared) * extent; }
+  }
   void offer(hit& best, bool& found, vec o, vec d, double lambda, vec normal, vec point, int m) {
     if (found && lambda > best.lambda) return;
     bool front = dot(d, normal) < 0;
@@ -85,15 +91,13 @@ struct renderer {
     const material& m = materials[best.material];
     vec n = best.normal;
     if (m.kind == 0) {
-      vec s{}; s.x = draw(mrng,-1,1); s.y = draw(mrng,-1,1); s.z = draw(mrng,-1,1);
-      vec r = n + s;
+      vec r = n + scattered(1);
       if (std::abs(r.x) < 1e-8 && std::abs(r.y) < 1e-8 && std::abs(r.z) < 1e-8) r = n;
       return m.reflectance * color(best.point, r, depth - 1);
     }
     if (m.kind == 1) {
       vec r = unit(d - n * (2 * dot(d, n)));
-      vec p{}; p.x = draw(mrng,-m.extra,m.extra); p.y = draw(mrng,-m.extra,m.extra); p.z = draw(mrng,-m.extra,m.extra);
-      return m.reflectance * color(best.point, r + p, depth - 1);
+      return m.reflectance * color(best.point, r + scattered(m.extra), depth - 1);
     }
     vec u = unit(d); double cs = std::min(-dot(u, n), 1.0), sn = std::sqrt(1 - cs*cs);
     double ratio = best.front ? 1 / m.extra : m.extra; vec r;
@@ -128,6 +132,7 @@ int main(int argc, char** argv) {
       in >> name; o.material = names[name]; r.objects.push_back(o);
     }
   }
+  r.published = argc > 4 && std::string(argv[4]) == "published";
   r.mrng.seed(c.mseed); r.rrng.seed(c.rseed);
   int W = c.width, H = std::max(1, (int)std::floor(W / ((double)c.aw / c.ah)));
   vec vf = c.P - c.D; double hp = 2 * std::tan(c.fov * M_PI / 180 / 2) * length(vf), wp = hp * ((double)W / H);

@@ -115,16 +115,22 @@ extern "C" fn stop(number: c_int) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::os::unix::process::ExitStatusExt;
+    use std::path::PathBuf;
+    use std::process::{Command, ExitStatus};
+
+    /// A file that a test may lose, under a name of its own.
+    fn file(name: &str) -> PathBuf {
+        let path = std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
+        std::fs::write(&path, "text").expect("the temporary folder is writable");
+        path
+    }
 
     #[test]
     fn the_last_file_that_is_remembered_is_removed_and_no_other() {
         // A slot of its own: other tests write files, and what they remember is not to be removed.
         let slot = Slot(AtomicPtr::new(ptr::null_mut()));
-        let path = |name| std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
-        let [first, second, third] = ["first", "second", "third"].map(path);
-        for path in [&first, &second, &third] {
-            std::fs::write(path, "text").expect("the temporary folder is writable");
-        }
+        let [first, second, third] = ["first", "second", "third"].map(file);
         slot.remove();
         slot.remember(&first);
         slot.remember(&second);
@@ -138,5 +144,70 @@ mod tests {
         for path in [first, third] {
             std::fs::remove_file(path).expect("it is there");
         }
+    }
+
+    /// What a child of the tests below does with the file and the signal that its environment names.
+    #[test]
+    #[ignore = "ends its process: other tests start it"]
+    fn a_signal_meets_the_process() {
+        let variable = |name| std::env::var(name).expect("another test started this one");
+        let number: c_int = variable("RENDER_STOP_SIGNAL").parse().expect("it is a number");
+        let before = variable("RENDER_STOP_BEFORE");
+        // Set, not taken as it is: whoever runs the tests under nohup hands on an ignored signal.
+        // SAFETY: neither runs any code of this process.
+        unsafe { signal(number, if before == "ignored" { IGNORE } else { DEFAULT }) };
+        remove_temporary_when_stopped();
+        remember(Path::new(&variable("RENDER_STOP_FILE")));
+        if before == "forgotten" {
+            forget();
+        }
+        // SAFETY: whatever handles the signal may run now.
+        assert_eq!(unsafe { raise(number) }, 0);
+        println!("it goes on");
+    }
+
+    /// How a process ended that was writing `file` when the signal came.
+    fn met(number: c_int, before: &str, file: &Path) -> ExitStatus {
+        let output = Command::new(std::env::current_exe().expect("this process has a program"))
+            .args(["--exact", "--ignored", "--nocapture", "output::stop::tests::a_signal_meets_the_process"])
+            .env("RENDER_STOP_SIGNAL", number.to_string())
+            .env("RENDER_STOP_BEFORE", before)
+            .env("RENDER_STOP_FILE", file)
+            .output()
+            .expect("the program runs");
+        let went_on = String::from_utf8_lossy(&output.stdout).contains("it goes on");
+        assert_eq!(went_on, output.status.success(), "{output:?}");
+        output.status
+    }
+
+    #[test]
+    fn a_process_that_is_asked_to_stop_ends_by_the_signal_and_takes_its_file_along() {
+        for number in STOPS.into_iter().chain(LIMITS.map(|[processor_time, _]| processor_time)) {
+            let file = file(&format!("asked-{number}"));
+            assert_eq!(met(number, "", &file).signal(), Some(number));
+            assert!(!file.exists(), "signal {number}");
+        }
+    }
+
+    #[test]
+    fn a_file_that_has_its_place_stays() {
+        let file = file("forgotten");
+        assert_eq!(met(STOPS[3], "forgotten", &file).signal(), Some(STOPS[3]));
+        std::fs::remove_file(file).expect("it is there");
+    }
+
+    #[test]
+    fn signals_that_were_ignored_stay_ignored() {
+        let file = file("ignored");
+        assert!(met(STOPS[0], "ignored", &file).success());
+        std::fs::remove_file(file).expect("it is there");
+    }
+
+    #[cfg(any(target_os = "linux", target_os = "macos"))]
+    #[test]
+    fn the_limit_on_file_sizes_ends_no_process() {
+        let file = file("size");
+        assert!(met(LIMITS.expect("it has limits")[1], "", &file).success());
+        std::fs::remove_file(file).expect("it is there");
     }
 }

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# What the programs are made of: a bill of materials (CycloneDX 1.5, JSON) for each of render-aos, render-soa and
+# render-lab, of the commit that is checked out.
+#
+#   tests/sbom.sh FOLDER
+#
+# Needs cargo install --locked cargo-cyclonedx. Nothing of it becomes a part of the project.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+[ $# -eq 1 ] || { sed -n '2,7p' "$0" >&2; exit 2; }
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
+[ -z "$(git status --porcelain --untracked-files=no)" ] || { echo "tests/sbom.sh: there are changes that no commit has" >&2; exit 1; }
+
+# The tool writes beside every Cargo.toml.
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+git archive HEAD | tar -x -C "$copy"
+# The commit's time instead of now, and no name of a folder that is gone: one commit gives the same bytes every time.
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
+export SOURCE_DATE_EPOCH
+cargo cyclonedx --manifest-path "$copy/Cargo.toml" --describe binaries --format json --spec-version 1.5 --quiet
+for program in cli/render-aos cli/render-soa lab/render-lab; do
+    sed "s|$copy|/render|g" "$copy/${program}_bin.cdx.json" > "$folder/${program#*/}.cdx.json"
+done

@@ -1,0 +1,160 @@
+//! Everything that grows with the input can be refused: an allocator refuses the requests of an action one after the
+//! other, and each time the action must say so. A request that nobody expects to be refused ends the process.
+//!
+//! `cli/tests/faults/memory.rs` does the same from outside, where only the largest moment of a whole program counts.
+
+// An allocator cannot be written without it.
+#![allow(unsafe_code)]
+
+use std::alloc::{GlobalAlloc, Layout as Request, System};
+use std::fmt::Write;
+use std::io;
+use std::ops::ControlFlow;
+use std::ptr;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use cpu::layout::Objects;
+use cpu::prepare::Extent;
+use cpu::search::Search;
+use cpu::{Aos, Camera, Config, Error, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Size, Soa};
+
+#[global_allocator]
+static REFUSING: Refusing = Refusing { least: AtomicUsize::new(usize::MAX), left: AtomicUsize::new(0) };
+
+/// The system's allocator, but for one request.
+struct Refusing {
+    /// Requests for fewer bytes do not count.
+    least: AtomicUsize,
+    /// Requests until the one that is refused.
+    left: AtomicUsize,
+}
+
+impl Refusing {
+    fn refuses(&self, bytes: usize) -> bool {
+        // It wraps after the one that is refused, and none is for a long time.
+        bytes >= self.least.load(Ordering::Relaxed) && self.left.fetch_sub(1, Ordering::Relaxed) == 0
+    }
+}
+
+// SAFETY: whatever is not refused is the system's; refusing is allowed, and nothing here allocates or panics.
+unsafe impl GlobalAlloc for Refusing {
+    unsafe fn alloc(&self, request: Request) -> *mut u8 {
+        // SAFETY: the caller promises what the system's allocator asks for.
+        if self.refuses(request.size()) { ptr::null_mut() } else { unsafe { System.alloc(request) } }
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, request: Request) {
+        // SAFETY: as above, and all blocks are the system's.
+        unsafe { System.dealloc(block, request) }
+    }
+
+    unsafe fn realloc(&self, block: *mut u8, request: Request, bytes: usize) -> *mut u8 {
+        // SAFETY: as above.
+        if self.refuses(bytes) { ptr::null_mut() } else { unsafe { System.realloc(block, request, bytes) } }
+    }
+}
+
+/// Does `action` with its first request for `least` bytes or more refused, then its second, and so on until it asks for
+/// no more; gives how many it was.
+fn refused(what: &str, least: usize, action: impl Fn() -> Result<(), Error>) -> usize {
+    for number in 0.. {
+        REFUSING.left.store(number, Ordering::Relaxed);
+        REFUSING.least.store(least, Ordering::Relaxed);
+        let result = action();
+        REFUSING.least.store(usize::MAX, Ordering::Relaxed);
+        let was_refused = REFUSING.left.load(Ordering::Relaxed) > number;
+        match result {
+            Ok(()) if !was_refused => return number,
+            Err(Error::OutOfMemory { .. }) if was_refused => {}
+            Err(Error::Input(error)) if was_refused && error.kind() == io::ErrorKind::OutOfMemory => {}
+            other => panic!("{what}, request {number}: {other:?}"),
+        }
+    }
+    unreachable!("there is always one number more")
+}
+
+/// `count` materials, and as many spheres and cylinders.
+fn text(count: usize) -> String {
+    let mut text = String::new();
+    for index in 0..count {
+        let (x, z) = (index % 100, index / 100);
+        writeln!(text, "matte: m{index} .5 .5 .5").expect("a string takes all text");
+        writeln!(text, "sphere: {x} 1 {z} .3 m{index}").expect("a string takes all text");
+        writeln!(text, "cylinder: {x} 5 {z} .3 0 1 .1 m{index}").expect("a string takes all text");
+    }
+    text
+}
+
+fn scene(count: usize) -> Scene {
+    Scene::parse(text(count).as_bytes()).expect("the scene is valid")
+}
+
+fn config() -> Config {
+    Config { image_width: 4, aspect_ratio: [1, 1], samples_per_pixel: 1, ..Config::default() }
+}
+
+/// What comes before any ray, in a layout, for a scene of `count` objects of each kind.
+fn preparation<L: Layout>(count: usize) {
+    let (config, scene) = (config(), scene(count));
+    let camera = config.image_size().and_then(|size| Camera::new(&config, size)).expect("there is a picture");
+    let objects = L::Objects::build(&scene).expect("there is enough memory");
+    let extent = Extent::new(&objects, &camera, &scene.materials);
+    assert!(extent.moderate, "there is something to prepare");
+    assert!(refused("objects", 1, || L::Objects::build(&scene).map(drop)) >= 2);
+    assert!(refused("search", 1, || Search::new(&objects, &extent).map(drop)) >= 1);
+}
+
+/// More than any block that a rendering takes whatever the scene is; those are not refused.
+const LEAST: usize = 300_000;
+
+/// A whole rendering.
+fn rendering<L: Layout>() {
+    let (config, scene) = (config(), scene(80_000));
+    let prepare = || Prepared::<L>::new(&config, &scene, Scatter::Statement);
+    let preparing = refused("preparation", LEAST, || prepare().map(drop));
+    assert!(preparing >= 5, "only {preparing}");
+    let prepared = prepare().expect("there is enough memory");
+    let set = InstructionSet::chosen();
+    let rendering = refused("rendering", LEAST, || {
+        let mut image = L::Image::black(prepared.size)?;
+        cpu::render_into(&prepared, set, &mut image, |_| ControlFlow::Break(())).map(drop)
+    });
+    assert!(rendering >= 3, "only {rendering}");
+    assert!(refused("means", LEAST, || cpu::render_linear(&prepared, set, |_, _| ())) >= 3);
+}
+
+/// A ray between mirrors, which meets as many surfaces as it may.
+fn between_mirrors() {
+    let config = Config { image_width: 1, samples_per_pixel: 1, max_depth: 500_000, ..config() };
+    let scene = Scene::parse(&b"metal: m 1 1 1 0\nsphere: 0 0 0 20 m\n"[..]).expect("the scene is valid");
+    let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("there is enough memory");
+    let render = || cpu::render_with(&prepared, InstructionSet::chosen()).map(drop);
+    assert!(refused("path", LEAST, render) >= 3);
+    let reference = || cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, _| ());
+    assert!(refused("path of the reference", LEAST, reference) >= 3);
+}
+
+// One test: another beside it would have its requests refused.
+#[test]
+fn each_request_that_grows_with_the_input_may_be_refused() {
+    let config = "image_width: 4\ngamma: 2\n".as_bytes();
+    assert_eq!(refused("configuration", 1, || Config::parse(config).map(drop)), 1, "the line");
+
+    let lines = text(5);
+    assert!(refused("scene", 1, || Scene::parse(lines.as_bytes()).map(drop)) >= 1 + 5 + 3, "line, names, lists");
+    let scene = scene(5);
+    assert_eq!(refused("materials", 1, || scene.materials_in_use().map(drop)), 2);
+
+    let size = Size::new(20, 10).expect("it is small");
+    assert_eq!(refused("pixels together", 1, || <Aos as Layout>::Image::black(size).map(drop)), 1);
+    assert_eq!(refused("pixels apart", 1, || <Soa as Layout>::Image::black(size).map(drop)), 3);
+
+    // Few, a filter's worth, and a tree's.
+    for count in [1, 20, 200] {
+        preparation::<Aos>(count);
+        preparation::<Soa>(count);
+    }
+    rendering::<Aos>();
+    rendering::<Soa>();
+    between_mirrors();
+}
