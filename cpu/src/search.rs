@@ -299,7 +299,13 @@ mod tests {
             assert_eq!(Ground::of(&objects).sunk(&objects, &extent).map(|sunk| sunk.len()), known);
             agrees_with_plain(&search(&objects), &objects, 600);
         }
-        agrees_with_plain(&search(&above_a_ground(100, 1e-3, 9)), &above_a_ground(100, 1e-3, 9), 300);
+        for count in [30, 100] {
+            let objects = above_a_ground(count, 1e-3, 9);
+            let mut search = search(&objects);
+            agrees_with_plain(&search, &objects, 300);
+            search.forget_who_is_alone();
+            agrees_with_plain(&search, &objects, 300);
+        }
     }
 
     #[test]
