@@ -27,6 +27,9 @@ const STACK: usize = 512;
 /// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
 const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
 
+/// Most nodes visited for such an answer, so that no scene makes it long.
+const MOST_VISITS: usize = 64;
+
 /// Factor on a far distance that covers all rounding.
 const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
 
@@ -124,11 +127,14 @@ impl Hierarchy {
         Ok(tree)
     }
 
-    /// Whether an object of the tree other than `id` has a box that overlaps this one.
+    /// Whether an object of the tree other than `id` has a box that overlaps this one; true when it takes long to say.
     fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
-        let mut pending = [0; STACK];
+        let mut pending = [0; MOST_VISITS];
         let mut waiting = usize::from(!self.nodes.is_empty());
-        while waiting > 0 {
+        for _ in 0..MOST_VISITS {
+            if waiting == 0 {
+                return false;
+            }
             waiting -= 1;
             let node = &self.nodes[pending[waiting] as usize];
             let mut bits = node.overlaps(bounds);
@@ -138,6 +144,7 @@ impl Hierarchy {
                 match child.as_object() {
                     Some(other) if other == id => {}
                     Some(_) => return true,
+                    None if waiting == MOST_VISITS => return true,
                     None => {
                         pending[waiting] = child.as_node();
                         waiting += 1;
@@ -145,7 +152,7 @@ impl Hierarchy {
                 }
             }
         }
-        false
+        true
     }
 
     /// Whether a ray from `origin` may use the tree.
