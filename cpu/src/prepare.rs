@@ -4,7 +4,7 @@ mod extent;
 mod finish;
 
 pub use extent::Extent;
-pub use finish::{Finish, Kind};
+pub use finish::{Finish, Kind, Spread};
 
 use std::marker::PhantomData;
 

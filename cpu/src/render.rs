@@ -14,6 +14,7 @@ mod leaps;
 mod pixels;
 mod primary;
 mod queue;
+mod sample_set;
 mod shade;
 mod sky;
 mod span;
@@ -221,12 +222,13 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
     /// A span whose samples have been drawn.
     fn trace<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
         let (prepared, batch) = (self.prepared, &mut *self.batch);
-        simd.run(primary::Trace { prepared, row, candidates: &self.candidates, batch });
+        let queue = &mut self.walk.queue;
+        simd.run(primary::Trace { prepared, row, candidates: &self.candidates, batch, queue });
         if !batch.in_glass.is_empty() {
-            simd.run(glass::Trace { prepared, batch });
+            simd.run(glass::Trace { prepared, batch, queue });
         }
-        if !batch.waiting.is_empty() {
-            simd.run(walk::Follow { prepared, walk: &mut self.walk, batch });
+        if queue.count > 0 {
+            simd.run(walk::Follow { prepared, walk: &mut self.walk });
             let Walk { queue, ended, .. } = &mut *self.walk;
             simd.run(ends::Color { prepared, queue, ended, batch });
         }

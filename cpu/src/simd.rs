@@ -72,6 +72,10 @@ pub trait Lanes: Fused<Mask: LaneMask> {
     /// # Panics
     /// When it is shorter.
     fn store(self, place: &mut [f64]);
+    /// The lanes that `bits` selects, in order, as the first lanes; those behind them are of no meaning.
+    fn compress(self, bits: u32) -> Self;
+    /// These lanes, but in those that `bits` selects the first ones of `packed`, in order.
+    fn expand(self, bits: u32, packed: Self) -> Self;
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.

@@ -117,7 +117,13 @@ impl<T: Real<Mask = bool>> Vec3<T> {
     #[inline(always)]
     #[must_use]
     pub fn is_negligible(self) -> bool {
-        let limit = T::of(NEGLIGIBLE);
+        self.is_within(T::of(NEGLIGIBLE))
+    }
+
+    /// Whether every component is smaller than `limit` in magnitude.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_within(self, limit: T) -> bool {
         self.x.abs().less(limit) && self.y.abs().less(limit) && self.z.abs().less(limit)
     }
 }

@@ -6,10 +6,11 @@ use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
-use crate::search::{ObjectId, Stack};
+use crate::search::Stack;
 use crate::simd::{Kernel, Simd};
 use crate::vec3::Vec3;
 
+use super::sample_set::SampleSet;
 use super::span::Span;
 
 /// Most samples of a batch.
@@ -68,6 +69,15 @@ impl<L: Layout, P: Intersect> Kernel for Draw<'_, L, P> {
     }
 }
 
+/// A sample in glass.
+#[derive(Clone, Copy, Debug)]
+pub struct InGlass {
+    /// Its number in the span.
+    pub sample: u32,
+    /// Its place in the queue.
+    pub place: u32,
+}
+
 /// The samples of a span.
 #[derive(Clone, Debug)]
 pub struct Batch {
@@ -77,20 +87,11 @@ pub struct Batch {
     pub column: Values,
     /// Places in their pixels, to the right and down.
     pub offset: [Values; 2],
-    /// Where each sample's ray last met a surface.
-    pub point: Vectors,
-    /// What is known of the ray's way on before a random vector is added: a matte surface's normal, a metal one's mirror
-    /// direction; the whole direction at a refractive one.
-    pub base: Vectors,
-    /// The object met there.
-    pub object: [ObjectId; CAPACITY + SLACK],
-    /// Refractive surfaces passed before it.
-    pub passed: [u64; CAPACITY + SLACK],
+    /// Samples that are in the [queue](super::queue::Queue), in the same order.
+    pub queued: SampleSet,
     /// Samples whose ray has just met a refractive surface.
-    pub in_glass: Vec<u32>,
-    /// Samples that wait for a random vector, in order.
-    pub waiting: Vec<u32>,
-    /// Colours of the samples, linear.
+    pub in_glass: Vec<InGlass>,
+    /// Colours of the samples, linear; those of samples in the queue are not known yet.
     pub color: Vectors,
     /// Room for the search.
     pub stack: Stack,
@@ -104,12 +105,8 @@ impl Batch {
             count: 0,
             column: [0.0; CAPACITY + SLACK],
             offset: [[0.0; CAPACITY + SLACK]; 2],
-            point: Vectors::ZERO,
-            base: Vectors::ZERO,
-            object: [0; CAPACITY + SLACK],
-            passed: [0; CAPACITY + SLACK],
+            queued: SampleSet::EMPTY,
             in_glass: Vec::with_capacity(CAPACITY),
-            waiting: Vec::with_capacity(CAPACITY),
             color: Vectors::ZERO,
             stack: Stack::EMPTY,
             draws: [0.0; 2 * CAPACITY],

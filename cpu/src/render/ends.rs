@@ -1,6 +1,6 @@
 //! Where paths leave the scene: the background, several at once, attenuated by all that the paths have met.
 
-use super::batch::{Batch, CAPACITY, SLACK, Vectors};
+use super::batch::{Batch, CAPACITY, Vectors};
 use super::queue::Queue;
 use super::shade::{load, store};
 use crate::certified::Intersect;
@@ -12,29 +12,37 @@ use crate::scene::MaterialId;
 use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
-/// Instead of where a path's materials begin: it has used up its depth and is black.
-const BLACK: u32 = u32::MAX;
-
 /// The ends of the queue's paths, by place in the queue.
 #[derive(Debug)]
 pub struct Ended {
     /// The last direction of each path.
     pub direction: Vectors,
-    /// Where each path's materials begin in `met`, or [`BLACK`].
-    begin: [u32; CAPACITY + SLACK],
-    /// Materials met after the one that the path stands on in the queue, path after path; room behind the last.
-    met: Vec<MaterialId>,
+    /// What paths met after the surface that they stand on in the queue, path after path; room behind the last.
+    met: Vec<Met>,
     /// How many these are.
     count: usize,
+    /// How many they were when the present path began.
+    begin: usize,
     /// There was no room for one of them: colours are of no meaning.
     is_incomplete: bool,
+}
+
+/// A surface that attenuates, met by a path.
+#[derive(Clone, Copy, Debug)]
+struct Met {
+    path: u32,
+    material: MaterialId,
+}
+
+impl Met {
+    const NOTHING: Self = Self { path: 0, material: 0 };
 }
 
 impl Ended {
     /// No path yet.
     pub fn new() -> Self {
-        let begin = [0; CAPACITY + SLACK];
-        Self { direction: Vectors::ZERO, begin, met: vec![0; 8 * CAPACITY], count: 0, is_incomplete: false }
+        let met = vec![Met::NOTHING; 8 * CAPACITY];
+        Self { direction: Vectors::ZERO, met, count: 0, begin: 0, is_incomplete: false }
     }
 
     /// Whether all that paths met could be kept.
@@ -45,41 +53,43 @@ impl Ended {
         if self.is_incomplete { Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }) } else { Ok(()) }
     }
 
-    /// Begins path `at`; those before it are done.
+    /// A path begins; those before it are done.
     #[inline(always)]
-    pub fn begin(&mut self, at: usize) {
-        self.begin[at] = self.count as u32;
+    pub const fn begin(&mut self) {
+        self.begin = self.count;
     }
 
-    /// The present path has met a material that attenuates. Says whether it could be kept; see [`Ended::check`].
+    /// Path `at`, the present one, has met a material that attenuates. Says whether it could be kept; see
+    /// [`Ended::check`].
     #[inline(always)]
-    pub fn meet(&mut self, material: MaterialId) -> bool {
+    pub fn meet(&mut self, at: usize, material: MaterialId) -> bool {
         if self.count == self.met.len() && !self.grow() {
             return false;
         }
-        self.met[self.count] = material;
+        self.met[self.count] = Met { path: at as u32, material };
         self.count += 1;
         true
     }
 
-    /// Makes room for as many materials again, and says whether there was any. A place must fit `begin`.
+    /// Makes room for as many materials again, and says whether there was any.
     #[cold]
     #[inline(never)]
     fn grow(&mut self) -> bool {
         let more = self.met.len();
-        let fits = more < (BLACK / 2) as usize && self.met.try_reserve_exact(more).is_ok();
+        let fits = self.met.try_reserve_exact(more).is_ok();
         if fits {
-            self.met.resize(2 * more, 0);
+            self.met.resize(2 * more, Met::NOTHING);
         }
         self.is_incomplete |= !fits;
         fits
     }
 
-    /// Path `at`, the present one, has used up its depth: it is black.
+    /// Path `at`, the present one, has used up its depth: nothing comes back along it.
     #[inline(always)]
-    pub fn forget(&mut self, at: usize) {
-        self.count = self.begin[at] as usize;
-        self.begin[at] = BLACK;
+    pub fn forget(&mut self, at: usize, queue: &mut Queue) {
+        self.count = self.begin;
+        self.direction.set(at, Vec3::ONE);
+        queue.reflectance.set(at, Vec3::ZERO);
         add(Counter::DepthReached, 1);
     }
 
@@ -94,8 +104,7 @@ impl Ended {
     #[inline(always)]
     pub fn leave_several<V: Lanes>(&mut self, at: usize, directions: Vec3<V>) {
         store(directions, &mut self.direction, at);
-        let begin = self.count as u32;
-        self.begin[at..at + V::LANES].fill(begin);
+        self.begin();
     }
 }
 
@@ -119,27 +128,27 @@ impl<L: Layout, P: Intersect> Kernel for Color<'_, L, P> {
 #[inline(always)]
 fn color<S: Simd, L: Layout, P: Intersect>(Color { prepared, queue, ended, batch }: Color<'_, L, P>) {
     let background = prepared.background.lanes::<S::F64>();
+    let colors = &mut ended.direction;
     for at in (0..queue.count).step_by(S::F64::LANES) {
-        let color = background.color(load::<S::F64>(&ended.direction, at));
-        store(color, &mut ended.direction, at);
+        let color = background.color(load::<S::F64>(colors, at));
+        store(color, colors, at);
     }
-    let mut end = ended.count;
-    for at in (0..queue.count).rev() {
-        let begin = ended.begin[at];
-        if begin == BLACK {
-            continue;
-        }
-        let begin = begin as usize;
-        let mut color = ended.direction.get(at);
-        // From the last surface back to the first, in the order in which the recursion returns.
-        for &material in ended.met[begin..end].iter().rev() {
-            color = color.attenuate(prepared.finishes[material as usize].reflectance);
-        }
-        color = color.attenuate(prepared.finishes[queue.material[at] as usize].reflectance);
-        end = begin;
-        batch.color.set(batch.waiting[at] as usize, color);
+    // From the last surface back to the first, in the order in which the recursion returns; all paths in one loop, for no
+    // processor guesses how long each is.
+    for &Met { path, material } in ended.met[..ended.count].iter().rev() {
+        let reflectance = prepared.finishes[material as usize].reflectance;
+        colors.set(path as usize, colors.get(path as usize).attenuate(reflectance));
     }
     ended.count = 0;
+    let mut from = 0;
+    for at in (0..batch.count).step_by(S::F64::LANES) {
+        let bits = batch.queued.bits(at, S::F64::LANES);
+        let color = load::<S::F64>(colors, from).attenuate(load(&queue.reflectance, from));
+        let before = load::<S::F64>(&batch.color, at);
+        let (x, y) = (before.x.expand(bits, color.x), before.y.expand(bits, color.y));
+        store(Vec3::new(x, y, before.z.expand(bits, color.z)), &mut batch.color, at);
+        from += bits.count_ones() as usize;
+    }
 }
 
 #[cfg(test)]
@@ -161,22 +170,30 @@ mod tests {
         let background = prepared.background.color(direction);
         for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
             let (mut queue, mut ended, mut batch) = (Queue::new(), Ended::new(), Batch::new());
-            batch.waiting.extend([5, 3, 2]);
+            batch.count = 11;
+            for sample in 0..batch.count {
+                batch.color.set(sample, Vec3::splat(sample as f64));
+            }
+            (2..=3).for_each(|sample| batch.queued.add(sample, 1));
+            batch.queued.add(9, 1);
             queue.count = 3;
-            queue.material[..3].copy_from_slice(&[0, 0, 1]);
-            ended.begin(0);
-            assert!(ended.meet(1));
+            (0..3).for_each(|at| queue.reflectance.set(at, reflectance(at / 2)));
+            ended.begin();
+            assert!(ended.meet(0, 1) && ended.meet(0, 0));
             ended.leave(0, direction);
-            ended.begin(1);
-            assert!(ended.meet(0));
-            ended.forget(1);
-            ended.begin(2);
+            ended.begin();
+            assert!(ended.meet(1, 0));
+            ended.forget(1, &mut queue);
+            ended.begin();
             ended.leave(2, direction);
             set.run(Color { prepared: &prepared, queue: &queue, ended: &mut ended, batch: &mut batch });
-            let expected = background.attenuate(reflectance(1)).attenuate(reflectance(0));
-            assert_eq!(batch.color.get(5), expected);
-            assert_eq!(batch.color.get(3), Vec3::ZERO, "a path without an end keeps the black it had");
-            assert_eq!(batch.color.get(2), background.attenuate(reflectance(1)));
+            let expected = background.attenuate(reflectance(0)).attenuate(reflectance(1)).attenuate(reflectance(0));
+            assert_eq!(batch.color.get(2), expected);
+            assert_eq!(batch.color.get(3), Vec3::ZERO, "a path without an end is black");
+            assert_eq!(batch.color.get(9), background.attenuate(reflectance(1)));
+            for sample in [0, 1, 4, 5, 6, 7, 8, 10] {
+                assert_eq!(batch.color.get(sample), Vec3::splat(sample as f64), "it was not in the queue");
+            }
             assert_eq!(ended.count, 0, "they are forgotten");
         }
     }
@@ -185,11 +202,12 @@ mod tests {
     fn a_path_longer_than_the_room_for_it_makes_more() {
         let mut ended = Ended::new();
         let room = ended.met.len();
-        ended.begin(0);
-        for at in 0..3 * room {
-            assert!(ended.meet(at as MaterialId));
+        ended.begin();
+        for number in 0..3 * room {
+            assert!(ended.meet(1, number as MaterialId));
         }
-        assert_eq!((ended.count, ended.met[room], ended.check().is_ok()), (3 * room, room as MaterialId, true));
+        let material = ended.met[room].material;
+        assert_eq!((ended.count, material, ended.check().is_ok()), (3 * room, room as MaterialId, true));
         assert!(ended.met.len() >= 3 * room);
     }
 }

@@ -1,8 +1,10 @@
 //! Rays through refractive surfaces, which need no random number: followed ahead up to the first surface that does.
 
-use super::batch::Batch;
+use super::batch::{Batch, InGlass};
 use super::hits::{Hits, MOST_LANES};
 use super::primary::valid_lanes;
+use super::queue::{Queue, Standing};
+use super::sample_set::SampleSet;
 use super::shade::shade;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -15,9 +17,11 @@ use crate::surface::{Onward, Surface};
 use crate::vec3::Vec3;
 
 /// Follows the samples in glass until each meets a surface that scatters, leaves the scene, or has used up its depth.
+/// Those that leave or have used it up are no longer in the queue.
 pub struct Trace<'a, L: Layout, P> {
     pub prepared: &'a Prepared<L, P>,
     pub batch: &'a mut Batch,
+    pub queue: &'a mut Queue,
 }
 
 impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
@@ -25,40 +29,54 @@ impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        let Self { prepared, batch } = self;
+        let Self { prepared, batch, queue } = self;
         let mut in_glass = std::mem::take(&mut batch.in_glass);
+        let mut gone = SampleSet::EMPTY;
         match &prepared.search {
             Search::Few(few) => {
                 // All samples go from one surface to the next together.
-                let mut passed = 1;
-                while passed < prepared.max_depth && !in_glass.is_empty() {
-                    step_all::<S, L, P>(prepared, few, batch, &mut in_glass, passed);
-                    passed += 1;
+                let mut rays = prepared.max_depth - 1;
+                while rays > 0 && !in_glass.is_empty() {
+                    rays -= 1;
+                    step_all::<S, L, P>(prepared, few, (batch, queue), &mut in_glass, &mut gone, rays);
+                }
+                for &sample in &in_glass {
+                    leave(batch, &mut gone, sample, Vec3::ZERO);
                 }
             }
             // Not a closure: it would be compiled without the instruction set.
             _ => {
                 for &sample in &in_glass {
-                    follow::<S, L, P>(prepared, batch, sample as usize);
+                    follow::<S, L, P>(prepared, batch, queue, &mut gone, sample);
                 }
             }
         }
+        if !gone.is_empty() {
+            queue.take_out::<S::F64>(&gone);
+        }
         in_glass.clear();
         batch.in_glass = in_glass;
-        // Two or more runs in order; the stable sort finds and merges them.
-        batch.waiting.sort();
     }
 }
 
+/// A sample that does not come to a surface that scatters has its colour.
+#[inline(always)]
+fn leave(batch: &mut Batch, gone: &mut SampleSet, InGlass { sample, place }: InGlass, color: Vec3) {
+    batch.color.set(sample as usize, color);
+    batch.queued.remove(sample as usize);
+    gone.add(place as usize, 1);
+}
+
 /// Takes every sample to the next surface, as many at once as there are lanes; those that stay in glass remain in the
-/// list.
+/// list. After that surface each may send `rays` rays.
 #[inline(always)]
 fn step_all<S: Simd, L: Layout, P: Intersect>(
     prepared: &Prepared<L, P>,
     few: &Few,
-    batch: &mut Batch,
-    in_glass: &mut Vec<u32>,
-    passed: u64,
+    (batch, queue): (&mut Batch, &mut Queue),
+    in_glass: &mut Vec<InGlass>,
+    gone: &mut SampleSet,
+    rays: u64,
 ) {
     let background = prepared.background.lanes::<S::F64>();
     let count = in_glass.len();
@@ -66,12 +84,13 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
     let mut staying = 0;
     for from in (0..count).step_by(S::F64::LANES) {
         let lanes = S::F64::LANES.min(count - from);
-        let mut samples = [in_glass[from] as usize; MOST_LANES];
+        let mut samples = [in_glass[from]; MOST_LANES];
         let mut values = [[0.0; MOST_LANES]; 6];
         for lane in 0..S::F64::LANES {
             // Lanes that no sample fills repeat the first one.
-            samples[lane] = in_glass[if lane < lanes { from + lane } else { from }] as usize;
-            let (point, base) = (batch.point.get(samples[lane]), batch.base.get(samples[lane]));
+            samples[lane] = in_glass[if lane < lanes { from + lane } else { from }];
+            let place = samples[lane].place as usize;
+            let (point, base) = (queue.point.get(place), queue.base.get(place));
             for (value, component) in values.iter_mut().zip([point.x, point.y, point.z, base.x, base.y, base.z]) {
                 value[lane] = component;
             }
@@ -85,21 +104,16 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
         let hits = nearest::<_, _, P>(&prepared.objects, few.in_order(), &ray, valid);
         let color = spread(background.color(ray.direction));
         let shaded = shade(prepared, &ray, &hits);
-        let (point, base) = (spread(shaded.point), spread(shaded.base));
+        let standing = shaded.standing.lane_by_lane();
         for (lane, &sample) in samples.iter().enumerate().take(lanes) {
             if hits.bits >> lane & 1 == 0 {
-                batch.color.set(sample, get(&color, lane));
+                leave(batch, gone, sample, get(&color, lane));
                 continue;
             }
-            batch.point.set(sample, get(&point, lane));
-            batch.base.set(sample, get(&base, lane));
-            batch.object[sample] = shaded.object[lane];
-            batch.passed[sample] = passed;
+            queue.set_from(sample.place as usize, &standing, lane, rays);
             if shaded.glass >> lane & 1 == 1 {
-                in_glass[staying] = sample as u32;
+                in_glass[staying] = sample;
                 staying += 1;
-            } else {
-                batch.waiting.push(sample as u32);
             }
         }
     }
@@ -150,29 +164,31 @@ fn get([x, y, z]: &[[f64; MOST_LANES]; 3], lane: usize) -> Vec3 {
 
 /// Follows one sample, where the search is for one ray at a time.
 #[inline(always)]
-fn follow<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, batch: &mut Batch, sample: usize) {
-    let mut ray = Ray { origin: batch.point.get(sample), direction: batch.base.get(sample) };
-    let mut from = batch.object[sample];
+fn follow<S: Simd, L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
+    batch: &mut Batch,
+    queue: &mut Queue,
+    gone: &mut SampleSet,
+    sample: InGlass,
+) {
+    let place = sample.place as usize;
+    let mut ray = Ray { origin: queue.point.get(place), direction: queue.base.get(place) };
+    let mut from = queue.object[place] as ObjectId;
     for passed in 1..prepared.max_depth {
         let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, &mut batch.stack);
         if !found.is_hit() {
-            batch.color.set(sample, prepared.background.color(ray.direction));
-            return;
+            return leave(batch, gone, sample, prepared.background.color(ray.direction));
         }
         let surface = Surface::new(&prepared.objects, &ray, &found);
+        let finish = &prepared.finishes[surface.material as usize];
         from = found.object;
-        let base = match surface.onward(&prepared.finishes[surface.material as usize], ray.direction) {
-            Onward::Scattered(base) => base,
-            Onward::Through(direction) => {
-                ray = Ray { origin: surface.point, direction };
-                continue;
+        match surface.onward(finish, ray.direction) {
+            Onward::Through(direction) => ray = Ray { origin: surface.point, direction },
+            Onward::Scattered(base) => {
+                let standing = Standing::new(surface.point, base, f64::from(from), finish);
+                return queue.set(place, &standing, prepared.max_depth - 1 - passed);
             }
-        };
-        batch.point.set(sample, surface.point);
-        batch.base.set(sample, base);
-        batch.object[sample] = from;
-        batch.passed[sample] = passed;
-        batch.waiting.push(sample as u32);
-        return;
+        }
     }
+    leave(batch, gone, sample, Vec3::ZERO);
 }

@@ -16,7 +16,7 @@ use crate::prepare::Prepared;
 use crate::ray::Ray;
 use crate::search::{Few, nearest_of};
 use crate::simd::{LaneMask, Lanes};
-use crate::vec3::{NEGLIGIBLE, Vec3};
+use crate::vec3::NEGLIGIBLE;
 
 /// Most lanes.
 const MOST: usize = 8;
@@ -54,13 +54,12 @@ pub fn leap<V: Lanes, L: Layout, P: Intersect>(
 #[inline(always)]
 fn lanes<V: Lanes>(queue: &Queue, first: usize, triples: &Triples) -> Ray<V> {
     let (base, triple) = (load::<V>(&queue.base, first), triples.following::<V>());
-    let (scale, shift) = (V::load(&queue.scale[first..]), V::load(&queue.shift[first..]));
-    let vector = Vec3::new(triple.x * scale + shift, triple.y * scale + shift, triple.z * scale + shift);
-    let mut direction = base + vector;
+    let spread = queue.spread::<V>(first);
+    let mut direction = base + spread.vector(triple);
     // Components that are negligible are short together.
     let short = direction.dot(direction).less(V::of(4.0 * NEGLIGIBLE * NEGLIGIBLE));
     if short.bits() != 0 {
-        let limit = V::load(&queue.negligible[first..]);
+        let limit = spread.negligible;
         let negligible = direction.x.abs().less(limit) & direction.y.abs().less(limit) & direction.z.abs().less(limit);
         direction = select(negligible, base, direction);
     }

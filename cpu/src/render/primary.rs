@@ -1,7 +1,9 @@
 //! Primary rays, several at once: drawn, intersected with the span's candidates, shaded.
 
-use super::batch::Batch;
+use super::batch::{Batch, InGlass};
 use super::hits::{Hits, for_each_lane};
+use super::queue::Queue;
+use super::sample_set::SampleSet;
 use super::shade::{shade, store};
 use super::span::{Candidate, Candidates};
 use crate::certified::Intersect;
@@ -12,13 +14,13 @@ use crate::ray::Ray;
 use crate::real::Real;
 use crate::simd::{Kernel, Lanes, Simd};
 
-/// Traces the batch's primary rays: the samples that meet nothing have their colour, the others their point, base and
-/// object.
+/// Traces the batch's primary rays: the samples that meet nothing have their colour, the others stand in the queue.
 pub struct Trace<'a, L: Layout, P> {
     pub prepared: &'a Prepared<L, P>,
     pub row: usize,
     pub candidates: &'a Candidates,
     pub batch: &'a mut Batch,
+    pub queue: &'a mut Queue,
 }
 
 impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
@@ -26,22 +28,18 @@ impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        trace::<S, L, P>(self.prepared, self.row, self.candidates, self.batch);
+        trace::<S, L, P>(self);
     }
 }
 
 #[inline(always)]
-fn trace<S: Simd, L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
-    row: usize,
-    candidates: &Candidates,
-    batch: &mut Batch,
-) {
+fn trace<S: Simd, L: Layout, P: Intersect>(Trace { prepared, row, candidates, batch, queue }: Trace<'_, L, P>) {
     let camera = prepared.camera.lanes::<S::F64>();
     let background = prepared.background.lanes::<S::F64>();
     let row = S::F64::of(row as f64);
     batch.in_glass.clear();
-    batch.waiting.clear();
+    batch.queued = SampleSet::EMPTY;
+    queue.clear();
     add(Counter::PrimaryRays, batch.count as u64);
     add(Counter::PrimaryTests, (batch.count * candidates.span.len()) as u64);
     for at in (0..batch.count).step_by(S::F64::LANES) {
@@ -54,20 +52,13 @@ fn trace<S: Simd, L: Layout, P: Intersect>(
         }
         if hits.bits != 0 {
             let shaded = shade(prepared, &ray, &hits);
-            store(shaded.point, &mut batch.point, at);
-            store(shaded.base, &mut batch.base, at);
-            for_each_lane(hits.bits, |lane| {
-                let sample = at + lane;
-                batch.object[sample] = shaded.object[lane];
-                batch.passed[sample] = 0;
-                // Black, until the way on is known to reach the background.
-                batch.color.set(sample, crate::Vec3::ZERO);
-                if shaded.glass >> lane & 1 == 1 {
-                    batch.in_glass.push(sample as u32);
-                } else {
-                    batch.waiting.push(sample as u32);
-                }
+            for_each_lane(shaded.glass, |lane| {
+                let before = hits.bits & ((1 << lane) - 1);
+                let place = queue.count as u32 + before.count_ones();
+                batch.in_glass.push(InGlass { sample: (at + lane) as u32, place });
             });
+            batch.queued.add(at, hits.bits);
+            queue.push(&shaded.standing, hits.bits, prepared.max_depth - 1);
         }
     }
 }

@@ -1,11 +1,12 @@
 //! What a surface does to rays that have just met it, several at once.
 
-use super::hits::{Hits, MOST_LANES, for_each_lane};
+use super::hits::{Hits, MOST_LANES};
+use super::queue::Standing;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::{Layout, Objects};
-use crate::prepare::{Kind, Prepared};
+use crate::prepare::{Finish, Kind, Prepared};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::scatter;
@@ -13,12 +14,9 @@ use crate::search::ObjectId;
 use crate::simd::{LaneMask, Lanes};
 use crate::vec3::Vec3;
 
-/// The points met, and where the surfaces send light before a random vector is added (see
-/// [`Batch::base`](super::batch::Batch::base)); the object and its material's kind of each lane that meets something.
+/// Lanes on the surfaces that they have met; of no meaning in the others.
 pub struct Shaded<V> {
-    pub point: Vec3<V>,
-    pub base: Vec3<V>,
-    pub object: [ObjectId; MOST_LANES],
+    pub standing: Standing<V>,
     /// Lanes whose surface is refractive, as bits.
     pub glass: u32,
 }
@@ -29,8 +27,8 @@ pub fn shade<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ray: 
     let objects = &prepared.objects;
     let mut numbers = [0.0; MOST_LANES];
     hits.object.store(&mut numbers);
-    let mut shaded =
-        Shaded { point: ray.at(hits.lambda), base: Vec3::splat(V::of(0.0)), object: [0; MOST_LANES], glass: 0 };
+    let point = ray.at(hits.lambda);
+    let mut shaded = Shaded { standing: Standing::new(point, point, hits.object, &Finish::BLACK), glass: 0 };
     add(Counter::Hits, u64::from(hits.bits.count_ones()));
     let mut left = hits.bits;
     while left != 0 {
@@ -43,12 +41,12 @@ pub fn shade<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ray: 
         let (outward, material) = match (object as usize).checked_sub(objects.sphere_count()) {
             None => {
                 let sphere = objects.sphere(object as usize);
-                (sphere.record.lanes::<V>().outward(shaded.point), sphere.material)
+                (sphere.record.lanes::<V>().outward(point), sphere.material)
             }
             Some(index) => {
                 let cylinder = objects.cylinder(index);
                 let record = cylinder.record.lanes::<V>();
-                let side = record.outward(Part::Side, shaded.point);
+                let side = record.outward(Part::Side, point);
                 let is_side = hits.part.less(V::of(0.5));
                 let is_top = hits.part.less(V::of(1.5));
                 let base = select(is_top, record.outward(Part::Top, side), record.outward(Part::Bottom, side));
@@ -67,8 +65,7 @@ pub fn shade<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ray: 
                 scatter::refract(ray.direction, normal, ratio)
             }
         };
-        shaded.base = select(same, base, shaded.base);
-        for_each_lane(same_bits, |lane| shaded.object[lane] = object);
+        shaded.standing = Standing::new(point, base, hits.object, finish).where_else(same, &shaded.standing);
     }
     shaded
 }

@@ -56,7 +56,7 @@ impl<'a> Stages<'a> {
     /// Samples that wait for the glass stage, and for the walk.
     #[must_use]
     pub const fn waiting(&self) -> (usize, usize) {
-        (self.batch.in_glass.len(), self.batch.waiting.len())
+        (self.batch.in_glass.len(), self.walk.queue.count)
     }
 
     /// Finds the candidates of the row and of the span.
@@ -88,17 +88,19 @@ impl<'a> Stages<'a> {
     /// Traces and shades the primary rays.
     pub fn primary(&mut self) {
         let (prepared, row, candidates) = (self.prepared, self.row, &self.candidates);
-        self.set.run(primary::Trace { prepared, row, candidates, batch: &mut self.batch });
+        let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
+        self.set.run(primary::Trace { prepared, row, candidates, batch, queue });
     }
 
     /// Follows the samples in glass.
     pub fn glass(&mut self) {
-        self.set.run(glass::Trace { prepared: self.prepared, batch: &mut self.batch });
+        let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
+        self.set.run(glass::Trace { prepared: self.prepared, batch, queue });
     }
 
     /// Walks the waiting samples to their ends.
     pub fn walk(&mut self) {
-        self.set.run(Follow { prepared: self.prepared, walk: &mut self.walk, batch: &self.batch });
+        self.set.run(Follow { prepared: self.prepared, walk: &mut self.walk });
     }
 
     /// Gives the ended paths their colours.

@@ -3,7 +3,6 @@
 //!
 //! With few objects the samples that leave at once are passed over [together](super::leaps).
 
-use super::batch::Batch;
 use super::ends::Ended;
 use super::leaps;
 use super::queue::{Queue, material_of};
@@ -13,7 +12,7 @@ use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
-use crate::search::{Found, Search, Stack};
+use crate::search::{Found, ObjectId, Search, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::surface::{Onward, Surface};
 
@@ -48,8 +47,8 @@ impl Walk {
 
     /// Follows every waiting sample to its end.
     #[inline(always)]
-    fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, batch: &Batch) {
-        let all_go_on = self.queue.fill(prepared, batch);
+    fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>) {
+        let all_go_on = self.queue.fewest_rays > 0;
         let mut at = 0;
         while at < self.queue.count {
             self.triples.prepare();
@@ -69,16 +68,14 @@ impl Walk {
     #[inline(always)]
     fn start<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, at: usize) -> Start {
         let Self { triples, queue, ended, stack } = self;
-        ended.begin(at);
+        ended.begin();
         let triple = triples.next();
         if queue.rays[at] == 0 {
-            ended.forget(at);
+            ended.forget(at, queue);
             return Start { done: 1, next: None };
         }
-        let finish = &prepared.finishes[queue.material[at] as usize];
-        let ray = Ray { origin: queue.point.get(at), direction: finish.scattered(queue.base.get(at), triple) };
-        let search = &prepared.search;
-        let found = search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, queue.object[at], stack);
+        let (ray, from) = (queue.ray(at, triple), queue.object[at] as ObjectId);
+        let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, stack);
         Start { done: 0, next: Some((ray, found)) }
     }
 
@@ -103,18 +100,18 @@ impl Walk {
                     triples.prepare();
                     triples.skip(1);
                 }
-                return ended.forget(at);
+                return ended.forget(at, queue);
             }
             let surface = Surface::new(&prepared.objects, &ray, &found);
             let finish = &prepared.finishes[surface.material as usize];
             ray.origin = surface.point;
             ray.direction = match surface.onward(finish, ray.direction) {
                 Onward::Scattered(base) => {
-                    if !ended.meet(surface.material) {
-                        return ended.forget(at);
+                    if !ended.meet(at, surface.material) {
+                        return ended.forget(at, queue);
                     }
                     triples.prepare();
-                    finish.scattered(base, triples.next())
+                    finish.spread.around(base, triples.next())
                 }
                 Onward::Through(direction) => direction,
             };
@@ -128,7 +125,6 @@ impl Walk {
 pub struct Follow<'a, L: Layout, P> {
     pub prepared: &'a Prepared<L, P>,
     pub walk: &'a mut Walk,
-    pub batch: &'a Batch,
 }
 
 impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
@@ -148,7 +144,7 @@ impl<L: Layout, P: Intersect> Kernel for Promptly<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        let Self(Follow { prepared, walk, batch }) = self;
-        walk.follow::<S, L, P>(prepared, batch);
+        let Self(Follow { prepared, walk }) = self;
+        walk.follow::<S, L, P>(prepared);
     }
 }

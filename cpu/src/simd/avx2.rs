@@ -152,6 +152,63 @@ impl Lanes for F64 {
         // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
         unsafe { _mm256_storeu_pd(place.as_mut_ptr(), self.0) }
     }
+    #[inline(always)]
+    fn compress(self, bits: u32) -> Self {
+        self.permuted(&COMPRESSED[bits as usize % 16])
+    }
+    #[inline(always)]
+    fn expand(self, bits: u32, packed: Self) -> Self {
+        let Halves(selected) = &SELECTED[bits as usize % 16];
+        // SAFETY: the table's entries have 256 bits, aligned to as many. See the module's head.
+        let mask = unsafe { _mm256_load_pd(selected.as_ptr().cast()) };
+        Self::select(Mask(mask), packed.permuted(&EXPANDED[bits as usize % 16]), self)
+    }
+}
+
+impl F64 {
+    /// The halves of the lanes that `order` names.
+    #[inline(always)]
+    fn permuted(self, Halves(order): &Halves) -> Self {
+        // SAFETY: the table's entries have 256 bits, aligned to as many. See the module's head.
+        let order = unsafe { _mm256_load_si256(order.as_ptr().cast()) };
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order)) })
+    }
+}
+
+/// A number for each half of four lanes: the set has no permutation of whole lanes by a variable.
+#[repr(align(32))]
+struct Halves([u32; 8]);
+
+/// By the bits that select lanes: the selected ones in order.
+static COMPRESSED: [Halves; 16] = tables().0;
+/// By the bits that select lanes: in each selected one its place among them.
+static EXPANDED: [Halves; 16] = tables().1;
+/// By the bits that select lanes: all ones in these.
+static SELECTED: [Halves; 16] = tables().2;
+
+const fn tables() -> ([Halves; 16], [Halves; 16], [Halves; 16]) {
+    let (mut compressed, mut expanded, mut selected) =
+        ([const { Halves([0; 8]) }; 16], [const { Halves([0; 8]) }; 16], [const { Halves([0; 8]) }; 16]);
+    let mut bits = 0;
+    while bits < 16 {
+        let (mut lane, mut count) = (0, 0);
+        while lane < 4 {
+            if bits >> lane & 1 == 1 {
+                let mut half = 0;
+                while half < 2 {
+                    compressed[bits].0[2 * count + half] = (2 * lane + half) as u32;
+                    expanded[bits].0[2 * lane + half] = (2 * count + half) as u32;
+                    selected[bits].0[2 * lane + half] = u32::MAX;
+                    half += 1;
+                }
+                count += 1;
+            }
+            lane += 1;
+        }
+        bits += 1;
+    }
+    (compressed, expanded, selected)
 }
 
 impl FilterLanes for F32 {

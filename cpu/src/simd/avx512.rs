@@ -168,6 +168,16 @@ impl Lanes for F64 {
         // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
         unsafe { _mm512_storeu_pd(place.as_mut_ptr(), self.0) }
     }
+    #[inline(always)]
+    fn compress(self, bits: u32) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_maskz_compress_pd(bits as __mmask8, self.0) })
+    }
+    #[inline(always)]
+    fn expand(self, bits: u32, packed: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_mask_expand_pd(self.0, bits as __mmask8, packed.0) })
+    }
 }
 
 impl FilterLanes for F32 {

@@ -131,6 +131,26 @@ impl Lanes for F64x4 {
     fn store(self, place: &mut [f64]) {
         place[..4].copy_from_slice(&self.0);
     }
+    #[inline(always)]
+    fn compress(self, bits: u32) -> Self {
+        let (mut packed, mut count) = (self.0, 0);
+        for lane in 0..4 {
+            packed[count] = self.0[lane];
+            count += (bits >> lane & 1) as usize;
+        }
+        Self(packed)
+    }
+    #[inline(always)]
+    fn expand(mut self, bits: u32, packed: Self) -> Self {
+        let mut count = 0;
+        for lane in 0..4 {
+            if bits >> lane & 1 == 1 {
+                self.0[lane] = packed.0[count];
+                count += 1;
+            }
+        }
+        self
+    }
 }
 
 impl FilterLanes for F32x4 {

@@ -157,6 +157,22 @@ impl Lanes for F64 {
         // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
         unsafe { _mm_storeu_pd(place.as_mut_ptr(), self.0) }
     }
+    #[inline(always)]
+    fn compress(self, bits: u32) -> Self {
+        // SAFETY: see the module's head.
+        if bits == 2 { Self(unsafe { _mm_unpackhi_pd(self.0, self.0) }) } else { self }
+    }
+    #[inline(always)]
+    fn expand(self, bits: u32, packed: Self) -> Self {
+        match bits {
+            0 => self,
+            // SAFETY: see the module's head.
+            1 => Self(unsafe { _mm_move_sd(self.0, packed.0) }),
+            // SAFETY: as above.
+            2 => Self(unsafe { _mm_unpacklo_pd(self.0, packed.0) }),
+            _ => packed,
+        }
+    }
 }
 
 impl FilterLanes for F32 {
