@@ -20,6 +20,7 @@ mod sky;
 mod span;
 #[cfg(feature = "bench")]
 pub mod stages;
+mod standing;
 mod vectors;
 mod walk;
 

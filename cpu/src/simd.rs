@@ -9,6 +9,8 @@
 #![allow(unsafe_code)]
 
 mod portable;
+#[cfg(test)]
+mod tests;
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;

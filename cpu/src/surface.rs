@@ -6,7 +6,7 @@ use crate::prepare::{Finish, Kind};
 use crate::ray::{Hit, Ray};
 use crate::scatter;
 use crate::scene::MaterialId;
-use crate::search::Found;
+use crate::search::{Found, ObjectId};
 use crate::vec3::Vec3;
 
 /// A point of a surface.
@@ -60,5 +60,14 @@ impl Surface {
                 Onward::Through(scatter::refract(direction, hit.normal, ratio))
             }
         }
+    }
+}
+
+/// The material of the object at `object`.
+#[inline(always)]
+pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
+    match (object as usize).checked_sub(objects.sphere_count()) {
+        None => objects.sphere(object as usize).material,
+        Some(index) => objects.cylinder(index).material,
     }
 }

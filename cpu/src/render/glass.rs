@@ -3,9 +3,10 @@
 use super::batch::{Batch, InGlass};
 use super::hits::{Hits, MOST_LANES};
 use super::primary::valid_lanes;
-use super::queue::{Queue, Standing};
+use super::queue::Queue;
 use super::sample_set::SampleSet;
 use super::shade::shade;
+use super::standing::Standing;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::{Layout, Objects};

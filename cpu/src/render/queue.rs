@@ -4,80 +4,13 @@
 //! have their places among them and are taken out where they leave the scene.
 
 use super::batch::{CAPACITY, SLACK, Values, Vectors};
-use super::hits::MOST_LANES;
 use super::primary::valid_lanes;
 use super::sample_set::SampleSet;
-use super::shade::select;
-use crate::layout::Objects;
-use crate::prepare::{Finish, Spread};
+use super::standing::{LaneByLane, NUMBERS, Standing};
+use crate::prepare::Spread;
 use crate::ray::Ray;
-use crate::real::Real;
-use crate::scene::MaterialId;
-use crate::search::ObjectId;
 use crate::simd::Lanes;
 use crate::vec3::Vec3;
-
-/// Numbers that the queue keeps of a sample, besides its rays.
-const NUMBERS: usize = 13;
-
-/// A sample on a surface, or a lane of them.
-#[derive(Clone, Copy, Debug)]
-pub struct Standing<T = f64> {
-    /// Where.
-    pub point: Vec3<T>,
-    /// What is known of the way on before a random vector is added: a matte surface's normal, a metal one's mirror
-    /// direction; the whole direction at a refractive one.
-    pub base: Vec3<T>,
-    /// How its way on is scattered around `base`.
-    pub spread: Spread<T>,
-    /// What the colour of the way on is multiplied by.
-    pub reflectance: Vec3<T>,
-    /// The [object](crate::search::ObjectId) that it stands on, a whole number.
-    pub object: T,
-}
-
-impl<T: Real> Standing<T> {
-    /// On a surface with this finish.
-    #[inline(always)]
-    pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, finish: &Finish) -> Self {
-        Self { point, base, spread: finish.spread.lanes(), reflectance: finish.reflectance.map(T::of), object }
-    }
-
-    /// These where `mask` holds, `others` elsewhere: but for point and object, which are the same in both.
-    #[inline(always)]
-    pub fn where_else(&self, mask: T::Mask, others: &Self) -> Self {
-        let (these, those) = (&self.spread, &others.spread);
-        let spread = Spread {
-            scale: T::select(mask, these.scale, those.scale),
-            shift: T::select(mask, these.shift, those.shift),
-            negligible: T::select(mask, these.negligible, those.negligible),
-        };
-        let reflectance = select(mask, self.reflectance, others.reflectance);
-        Self { base: select(mask, self.base, others.base), spread, reflectance, ..*self }
-    }
-
-    /// The numbers, in the order of [`Queue::arrays`].
-    #[inline(always)]
-    fn numbers(&self) -> [T; NUMBERS] {
-        let Self { point: p, base: b, spread: s, reflectance: r, object } = *self;
-        [p.x, p.y, p.z, b.x, b.y, b.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object]
-    }
-}
-
-/// The numbers of samples in lanes, lane by lane.
-pub struct LaneByLane([[f64; MOST_LANES]; NUMBERS]);
-
-impl<V: Lanes> Standing<V> {
-    /// The numbers lane by lane.
-    #[inline(always)]
-    pub fn lane_by_lane(&self) -> LaneByLane {
-        let mut apart = [[0.0; MOST_LANES]; NUMBERS];
-        for (place, lanes) in apart.iter_mut().zip(self.numbers()) {
-            lanes.store(place);
-        }
-        LaneByLane(apart)
-    }
-}
 
 /// Waiting samples in order. What lies behind the last is of no meaning.
 #[derive(Debug)]
@@ -115,6 +48,7 @@ impl Queue {
         }
     }
 
+    /// The arrays of [`Standing::numbers`].
     #[inline(always)]
     const fn arrays(&mut self) -> [&mut Values; NUMBERS] {
         let Self { point: p, base: b, reflectance: r, .. } = self;
@@ -206,11 +140,66 @@ impl Queue {
     }
 }
 
-/// The material of the object at `object`.
-#[inline(always)]
-pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
-    match (object as usize).checked_sub(objects.sphere_count()) {
-        None => objects.sphere(object as usize).material,
-        Some(index) => objects.cylinder(index).material,
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::Material;
+    use crate::prepare::Finish;
+    use crate::real::Real;
+    use crate::scatter::Scatter;
+    use crate::simd::{InstructionSet, Kernel, Simd};
+
+    /// A sample that can be told from others, in lanes numbered from 0 or alone.
+    fn numbered<T: Real>(number: T) -> Standing<T> {
+        let finish = Finish::new(&Material::Matte { reflectance: Vec3::new(0.1, 0.2, 0.3) }, Scatter::Statement);
+        let tenth = number * T::of(0.1);
+        Standing::new(Vec3::new(number, tenth, -number), Vec3::new(tenth, number, tenth), number, &finish)
+    }
+
+    /// Puts every third of a number of samples into a queue, replaces two of them and takes out every other.
+    struct Fill;
+
+    impl Kernel for Fill {
+        type Output = Queue;
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> Queue {
+            let mut queue = Queue::new();
+            let each: [f64; 16] = std::array::from_fn(|lane| lane as f64);
+            for at in (0..240).step_by(S::F64::LANES) {
+                let numbers = S::F64::of(at as f64) + S::F64::load(&each);
+                let bits = (0..S::F64::LANES).map(|lane| u32::from((at + lane) % 3 == 0) << lane).sum();
+                queue.push(&numbered(numbers), bits, 9);
+            }
+            queue.set(10, &numbered(1000.0), 5);
+            queue.set_from(12, &numbered(S::F64::load(&each) + S::F64::of(2000.0)).lane_by_lane(), 1, 7);
+            let mut gone = SampleSet::EMPTY;
+            (1..queue.count).step_by(2).for_each(|place| gone.add(place, 1));
+            queue.take_out::<S::F64>(&gone);
+            queue
+        }
+    }
+
+    #[test]
+    fn selected_lanes_stand_side_by_side_and_what_is_taken_out_leaves_no_gap() {
+        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+            let mut queue = set.run(Fill);
+            assert_eq!((queue.count, queue.fewest_rays), (40, 5), "{}", set.name());
+            for place in 0..queue.count {
+                let (number, rays) = match place {
+                    5 => (1000.0, 5),
+                    6 => (2001.0, 7),
+                    _ => (6.0 * place as f64, 9),
+                };
+                let found = queue.arrays().map(|array| array[place]);
+                assert_eq!(found, numbered(number).numbers(), "{}, {place}", set.name());
+                assert_eq!(queue.rays[place], rays);
+            }
+            let triple = Vec3::new(0.5, 0.25, 0.75);
+            let ray = Ray { origin: numbered(6.0).point, direction: numbered(6.0).base + triple * 2.0 - Vec3::ONE };
+            assert_eq!(queue.ray(1, triple), ray);
+            queue.clear();
+            assert_eq!((queue.count, queue.fewest_rays), (0, u64::MAX));
+        }
     }
 }

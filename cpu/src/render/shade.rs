@@ -1,7 +1,7 @@
 //! What a surface does to rays that have just met it, several at once.
 
 use super::hits::{Hits, MOST_LANES};
-use super::queue::Standing;
+use super::standing::Standing;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::cylinder::Part;

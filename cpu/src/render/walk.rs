@@ -5,7 +5,7 @@
 
 use super::ends::Ended;
 use super::leaps;
-use super::queue::{Queue, material_of};
+use super::queue::Queue;
 use super::vectors::Triples;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -14,7 +14,7 @@ use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
 use crate::search::{Found, ObjectId, Search, Stack};
 use crate::simd::{Kernel, Simd};
-use crate::surface::{Onward, Surface};
+use crate::surface::{Onward, Surface, material_of};
 
 /// What became of the next samples with their first rays.
 pub struct Start {

@@ -1,0 +1,137 @@
+//! Every operation of every instruction set, lane by lane against the plain one.
+
+use super::*;
+use crate::real::Real;
+
+/// Numbers on which instruction sets could differ.
+const AWKWARD: [f64; 12] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.5,
+    1.0 / 3.0,
+    f64::MIN_POSITIVE,
+    -5e-324,
+    f64::MAX,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NAN,
+    1.0 + f64::EPSILON,
+];
+
+/// `numbers` from the one at `first` on, over and over.
+fn some<T: Copy>(numbers: &[T], first: usize) -> [T; 16] {
+    std::array::from_fn(|lane| numbers[(first + lane) % numbers.len()])
+}
+
+/// The bits; of what is not a number none are promised.
+fn bits(number: f64) -> Option<u64> {
+    (!number.is_nan()).then(|| number.to_bits())
+}
+
+/// Tries what a set does with `f64` lanes.
+struct Doubles;
+
+impl Kernel for Doubles {
+    type Output = usize;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> usize {
+        for first in 0..AWKWARD.len() {
+            for second in 0..AWKWARD.len() {
+                let (left, right) = (some(&AWKWARD, first), some(&AWKWARD, second));
+                let (x, y) = (S::F64::load(&left), S::F64::load(&right));
+                same(x + y, |lane| left[lane] + right[lane]);
+                same(x - y, |lane| left[lane] - right[lane]);
+                same(x * y, |lane| left[lane] * right[lane]);
+                same(x / y, |lane| left[lane] / right[lane]);
+                same(-x, |lane| -left[lane]);
+                same(x.abs(), |lane| left[lane].abs());
+                same(x.sqrt(), |lane| left[lane].sqrt());
+                same(x.fused(y, x), |lane| left[lane].mul_add(right[lane], left[lane]));
+                same(S::F64::of(right[0]), |_| right[0]);
+                let (less, less_equal) = (x.less(y), x.less_equal(y));
+                let expected = |test: fn(&f64, &f64) -> bool| -> u32 {
+                    (0..S::F64::LANES).map(|lane| u32::from(test(&left[lane], &right[lane])) << lane).sum()
+                };
+                assert_eq!((less.bits(), less_equal.bits()), (expected(f64::lt), expected(f64::le)));
+                let outside = (!(less | less_equal)).bits();
+                assert_eq!(outside, !less_equal.bits() & ((1 << S::F64::LANES) - 1));
+                assert_eq!((less & less_equal).bits(), less.bits());
+                let picked = less.bits();
+                same(S::F64::select(less, x, y), |lane| if picked >> lane & 1 == 1 { left[lane] } else { right[lane] });
+            }
+        }
+        for bits in 0..1_u32 << S::F64::LANES {
+            let (these, packed) = (some(&AWKWARD[..9], 0), some(&AWKWARD[2..9], 3));
+            let selected: Vec<usize> = (0..S::F64::LANES).filter(|lane| bits >> lane & 1 == 1).collect();
+            let mut place = [7.0; 16];
+            S::F64::load(&these).compress(bits).store(&mut place);
+            for (at, &lane) in selected.iter().enumerate() {
+                assert_eq!(place[at].to_bits(), these[lane].to_bits(), "{bits:b}");
+            }
+            assert!(place[S::F64::LANES..].iter().all(|&number| number == 7.0), "stored beyond the lanes");
+            same(S::F64::load(&these).expand(bits, S::F64::load(&packed)), |lane| {
+                selected.iter().position(|&other| other == lane).map_or(these[lane], |at| packed[at])
+            });
+        }
+        S::F64::LANES
+    }
+}
+
+/// Every lane holds what `expected` says.
+#[inline(always)]
+fn same<V: Lanes>(lanes: V, expected: impl Fn(usize) -> f64) {
+    let mut found = [0.0; 16];
+    lanes.store(&mut found);
+    for (lane, &number) in found.iter().enumerate().take(V::LANES) {
+        assert_eq!(bits(number), bits(expected(lane)), "lane {lane}: {number:e} for {:e}", expected(lane));
+    }
+}
+
+/// Tries what a set does with `f32` lanes.
+struct Singles;
+
+impl Kernel for Singles {
+    type Output = usize;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> usize {
+        let awkward = AWKWARD.map(|number| number as f32);
+        for first in 0..awkward.len() {
+            for second in 0..awkward.len() {
+                let (left, right) = (some(&awkward, first), some(&awkward, second));
+                let (x, y) = (S::F32::load(&left), S::F32::load(&right));
+                let bits = |number: f32| (!number.is_nan()).then(|| number.to_bits());
+                let stored = |lanes: S::F32| {
+                    let mut place = [0.0; 16];
+                    lanes.store(&mut place);
+                    place
+                };
+                let results = [x + y, x - y, x * y, x.min(y), x.max(y), S::F32::splat(right[0])].map(stored);
+                let (fused, met) = (stored(x.mul_add(y, x)), x.less_equal(y));
+                for lane in 0..S::F32::LANES {
+                    let (l, r) = (left[lane], right[lane]);
+                    let (least, most) = (if l < r { l } else { r }, if l > r { l } else { r });
+                    let expected = [l + r, l - r, l * r, least, most, right[0]];
+                    assert_eq!(results.map(|lanes| bits(lanes[lane])), expected.map(bits), "{l:e}, {r:e}");
+                    let allowed = [l.mul_add(r, l), l * r + l].map(bits);
+                    assert!(allowed.contains(&bits(fused[lane])), "{l:e} {r:e} + {l:e} is not {:e}", fused[lane]);
+                    assert_eq!(met >> lane & 1 == 1, l <= r, "{l:e}, {r:e}");
+                }
+                assert_eq!(met >> S::F32::LANES, 0);
+            }
+        }
+        S::F32::LANES
+    }
+}
+
+#[test]
+fn every_set_does_in_each_lane_what_is_done_alone() {
+    let lanes = |set: InstructionSet| (set.run(Doubles), set.run(Singles));
+    for (set, expected) in InstructionSet::ALL.into_iter().zip([(4, 4), (2, 4), (4, 8), (8, 16)]) {
+        if set.is_available() {
+            assert_eq!(lanes(set), expected, "{}", set.name());
+        }
+    }
+}
