@@ -111,10 +111,12 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
                 leave(batch, gone, sample, get(&color, lane));
                 continue;
             }
-            queue.set_from(sample.place as usize, &standing, lane, rays);
             if shaded.glass >> lane & 1 == 1 {
+                queue.pass_on(sample.place as usize, &standing, lane);
                 in_glass[staying] = sample;
                 staying += 1;
+            } else {
+                queue.set_from(sample.place as usize, &standing, lane, rays);
             }
         }
     }

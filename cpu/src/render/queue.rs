@@ -107,6 +107,14 @@ impl Queue {
         self.fewest_rays = self.fewest_rays.min(rays);
     }
 
+    /// Moves the sample at `at`, which is in glass, to another point, from where it goes another way.
+    #[inline(always)]
+    pub fn pass_on(&mut self, at: usize, LaneByLane(numbers): &LaneByLane, lane: usize) {
+        let [x, y, z, dx, dy, dz, ..] = numbers;
+        self.point.set(at, Vec3::new(x[lane], y[lane], z[lane]));
+        self.base.set(at, Vec3::new(dx[lane], dy[lane], dz[lane]));
+    }
+
     /// Takes out the samples at the places in `gone`.
     #[inline(always)]
     pub fn take_out<V: Lanes>(&mut self, gone: &SampleSet) {
