@@ -96,7 +96,7 @@ impl Plan {
 
     /// The longest that one picture of the literal renderer may be expected to take.
     const fn patience(&self) -> f64 {
-        if self.quick { 0.7 } else { 20.0 }
+        if self.quick { 0.7 } else { 10.0 }
     }
 
     fn values(&self, parameter: &str) -> Vec<u64> {
@@ -159,7 +159,7 @@ impl Plan {
     fn error(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         let (config, scene) = self.scene(name)?;
         let config = Config { image_width: self.width(), ..config };
-        let samples: Vec<u64> = (0..=if self.quick { 6 } else { 10 }).map(|power| 1 << power).collect();
+        let samples: Vec<u64> = (0..=if self.quick { 6 } else { 9 }).map(|power| 1 << power).collect();
         // Sixty-four times the samples of the finest picture: an eighth of its error.
         let reference = 64 * samples.iter().max().copied().unwrap_or(1);
         results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference, interrupt)?);
