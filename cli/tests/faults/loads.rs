@@ -60,8 +60,10 @@ fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
             std::thread::sleep(Duration::from_millis(300));
             let ended = child.try_wait().expect("it is ours");
             assert!(ended.is_none(), "{samples} samples, depth {depth}: {ended:?}");
+            // What the path has met so far is kept, 8 bytes a surface, and some millions of them fit into the time waited;
+            // what it may meet is not asked for ahead.
             let peak = peak(&child);
-            assert!(peak < 50_000, "{peak} kB for one pixel");
+            assert!(peak < 300_000, "{peak} kB for one pixel");
             send(&child, Signal::SIGINT);
             assert_eq!(signal_of(child.wait().expect("it ends")), Some(Signal::SIGINT));
             assert_eq!(workshop.outputs(), ["out.ppm"]);
