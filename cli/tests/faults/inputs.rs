@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::Write;
 use std::os::unix::fs::symlink;
 
-use crate::workshop::{PROGRAMS, Workshop, assert_refused};
+use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused};
 
 const SMALL: &str = "image_width: 8\nsamples_per_pixel: 1\n";
 
@@ -63,8 +63,7 @@ fn a_fifo_is_read_to_its_end() {
     let expected = workshop.render();
     nix::unistd::mkfifo(&workshop.path("fifo"), nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
-        let mut child =
-            workshop.command_with(program, ["fifo", "scene.txt", "d/out.ppm"]).spawn().expect("the program runs");
+        let mut child = Running::start(&mut workshop.command_with(program, ["fifo", "scene.txt", "d/out.ppm"]));
         // In two pieces, the first of which ends within a line.
         let mut fifo = OpenOptions::new().write(true).open(workshop.path("fifo")).expect("the program reads");
         fifo.write_all(&SMALL.as_bytes()[..5]).expect("the program reads");

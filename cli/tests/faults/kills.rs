@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use cpu::rng::Uniform;
 use nix::sys::signal::Signal;
 
-use crate::workshop::{PROGRAMS, Workshop, send, signal_of, wait_until};
+use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of, wait_until};
 
 /// A picture of nothing but background, of which the writing takes a good part of the time.
 const CONFIG: &str = "image_width: 500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
@@ -32,7 +32,7 @@ fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
         tries += 1;
         assert!(tries < 100 * KILLS, "only {kills} of {tries} met it alive");
         fs::write(&out, "old").expect("the folder is writable");
-        let mut child = workshop.command(program).stdout(Stdio::null()).spawn().expect("the program runs");
+        let mut child = Running::start(workshop.command(program).stdout(Stdio::null()));
         std::thread::sleep(whole.mul_f64(moments.canonical()));
         send(&child, signal);
         let status = child.wait().expect("it ends");
@@ -88,7 +88,7 @@ fn every_request_to_stop_in_the_middle_of_writing_removes_the_half_picture() {
     for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT, Signal::SIGXCPU] {
         for program in PROGRAMS {
             fs::write(&out, "old").expect("the folder is writable");
-            let mut child = workshop.command(program).spawn().expect("the program runs");
+            let mut child = Running::start(&mut workshop.command(program));
             let is_half = |name: &String| {
                 fs::metadata(workshop.path("d").join(name)).is_ok_and(|metadata| metadata.len() > 1 << 16)
             };
@@ -111,7 +111,7 @@ fn a_signal_that_is_ignored_stays_ignored() {
     let mut shell = std::process::Command::new("bash");
     // As under nohup.
     shell.args(["-c", "trap '' HUP; exec \"$@\"", "ignoring", PROGRAMS[0], "config.txt", "scene.txt", "d/out.ppm"]);
-    let mut child = shell.current_dir(workshop.path("")).spawn().expect("the program runs");
+    let mut child = Running::start(shell.current_dir(workshop.path("")));
     wait_until("a half picture", || workshop.outputs().iter().any(|name| name.starts_with('.')));
     send(&child, Signal::SIGHUP);
     assert!(child.wait().expect("it ends").success());
@@ -124,8 +124,7 @@ fn a_program_that_waits_for_its_input_can_be_stopped() {
     let fifo = workshop.path("never");
     nix::unistd::mkfifo(&fifo, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
-        let mut child =
-            workshop.command_with(program, ["never", "scene.txt", "d/out.ppm"]).spawn().expect("the program runs");
+        let mut child = Running::start(&mut workshop.command_with(program, ["never", "scene.txt", "d/out.ppm"]));
         std::thread::sleep(Duration::from_millis(50));
         assert!(child.try_wait().expect("it is ours").is_none(), "nobody wrote and it ended");
         send(&child, Signal::SIGTERM);

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use nix::sys::signal::Signal;
 
-use crate::workshop::{PROGRAMS, Workshop, assert_refused, send, signal_of};
+use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused, send, signal_of};
 
 /// `count` spheres in a cube, and their material.
 fn spheres(count: usize) -> String {
@@ -56,7 +56,7 @@ fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
         let workshop = Workshop::new(config, scene);
         fs::write(workshop.path("d/out.ppm"), "old").expect("the folder is writable");
         for program in PROGRAMS {
-            let mut child = workshop.command(program).spawn().expect("the program runs");
+            let mut child = Running::start(&mut workshop.command(program));
             std::thread::sleep(Duration::from_millis(300));
             let ended = child.try_wait().expect("it is ours");
             assert!(ended.is_none(), "{samples} samples, depth {depth}: {ended:?}");

@@ -1,6 +1,7 @@
 //! A folder with the files of a call, and processes that are watched.
 
 use std::fs;
+use std::ops::{Deref, DerefMut};
 use std::os::unix::process::ExitStatusExt;
 use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
@@ -63,6 +64,37 @@ impl Workshop {
         let picture = fs::read(self.path("d/out.ppm")).expect("it was written");
         fs::remove_file(self.path("d/out.ppm")).expect("it is ours");
         picture
+    }
+}
+
+/// A process that does not outlive its test, however that ends.
+pub struct Running(Child);
+
+impl Running {
+    pub fn start(command: &mut Command) -> Self {
+        Self(command.spawn().expect("the program runs"))
+    }
+}
+
+impl Deref for Running {
+    type Target = Child;
+
+    fn deref(&self) -> &Child {
+        &self.0
+    }
+}
+
+impl DerefMut for Running {
+    fn deref_mut(&mut self) -> &mut Child {
+        &mut self.0
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // One that has ended already does not mind.
+        let _ = self.0.kill();
+        let _ = self.0.wait();
     }
 }
 
