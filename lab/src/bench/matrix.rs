@@ -159,7 +159,7 @@ impl Plan {
     fn error(&self, name: &str, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         let (config, scene) = self.scene(name)?;
         let config = Config { image_width: self.width(), ..config };
-        let samples: Vec<u64> = (0..=if self.quick { 6 } else { 9 }).map(|power| 1 << power).collect();
+        let samples: Vec<u64> = (0..=if self.quick { 6 } else { 8 }).map(|power| 1 << power).collect();
         // Sixty-four times the samples of the finest picture: an eighth of its error.
         let reference = 64 * samples.iter().max().copied().unwrap_or(1);
         results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference, interrupt)?);
