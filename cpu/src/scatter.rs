@@ -2,7 +2,7 @@
 
 use crate::real::Real;
 use crate::rng::Uniform;
-use crate::vec3::Vec3;
+use crate::vec3::{NEGLIGIBLE, Vec3};
 
 /// Where the random vectors come from: the two conventions of SPEC.md, and none at all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,8 +57,16 @@ impl ScatterVectors {
 #[inline(always)]
 #[must_use]
 pub fn matte<T: Real<Mask = bool>>(normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> {
-    let direction = normal + vector;
-    if direction.is_negligible() { normal } else { direction }
+    around(normal, vector, T::of(NEGLIGIBLE))
+}
+
+/// The sum of a direction and a random vector; the direction alone where every component of the sum is smaller than
+/// `negligible` in magnitude.
+#[inline(always)]
+#[must_use]
+pub fn around<T: Real<Mask = bool>>(base: Vec3<T>, vector: Vec3<T>, negligible: T) -> Vec3<T> {
+    let direction = base + vector;
+    if direction.is_within(negligible) { base } else { direction }
 }
 
 /// The mirror image of `direction` in a surface.

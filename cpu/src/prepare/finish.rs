@@ -2,7 +2,7 @@
 
 use crate::material::Material;
 use crate::real::Real;
-use crate::scatter::Scatter;
+use crate::scatter::{self, Scatter};
 use crate::vec3::{NEGLIGIBLE, Vec3};
 
 /// How a surface scatters.
@@ -57,8 +57,7 @@ impl Spread {
     #[inline(always)]
     #[must_use]
     pub fn around(&self, base: Vec3, triple: Vec3) -> Vec3 {
-        let direction = base + self.vector(triple);
-        if direction.is_within(self.negligible) { base } else { direction }
+        scatter::around(base, self.vector(triple), self.negligible)
     }
 
     /// The same in every lane.
@@ -101,7 +100,6 @@ impl Finish {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scatter;
 
     #[test]
     fn vectors_have_the_conventions_arithmetic() {
