@@ -23,10 +23,16 @@ pub trait Real:
     fn less_equal(self, other: Self) -> Self::Mask;
     /// `yes` where `mask` holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The number, negated where `other` is negative; either where `other` is a zero.
+    #[inline(always)]
+    #[must_use]
+    fn flipped_by(self, other: Self) -> Self {
+        Self::select(other.less(Self::of(0.0)), -self, self)
+    }
 }
 
 macro_rules! scalar {
-    ($type:ty) => {
+    ($type:ty, $sign:expr) => {
         impl Real for $type {
             type Mask = bool;
 
@@ -54,12 +60,17 @@ macro_rules! scalar {
             fn select(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }
+            // Of a selection the compiler would make a branch.
+            #[inline(always)]
+            fn flipped_by(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits() ^ (other.to_bits() & $sign))
+            }
         }
     };
 }
 
-scalar!(f64);
-scalar!(f32);
+scalar!(f64, 1 << 63);
+scalar!(f32, 1 << 31);
 
 #[cfg(test)]
 mod tests {
@@ -73,6 +84,9 @@ mod tests {
         assert!(T::of(2.0).less_equal(T::of(2.0)) && !T::of(f64::NAN).less_equal(T::of(2.0)));
         assert_eq!(T::select(true, T::of(1.0), T::of(2.0)), T::of(1.0));
         assert_eq!(T::select(false, T::of(1.0), T::of(2.0)), T::of(2.0));
+        for (number, other, flipped) in [(2.0, 3.0, 2.0), (2.0, -3.0, -2.0), (-2.0, -0.5, 2.0), (-2.0, 1e-9, -2.0)] {
+            assert_eq!(T::of(number).flipped_by(T::of(other)), T::of(flipped), "{number} by {other}");
+        }
     }
 
     #[test]

@@ -71,29 +71,39 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>)
     if entry.passes_by(&exit) {
         return Verdict::Certain(None);
     }
-    let (top, bottom) = ((record.top, Part::Top), (record.bottom, Part::Bottom));
-    let [facing, other] = if ray.direction.dot(record.axis).less(T::of(0.0)) { [top, bottom] } else { [bottom, top] };
+    // Which base faces the ray cannot be guessed, so its centre is computed, by the formula of `record.top` and
+    // `record.bottom`: a selection would become a branch.
+    let slope = ray.direction.dot(record.axis);
+    let along = record.axis * record.half_height.flipped_by(slope);
+    let (facing, other) = (record.center - along, record.center + along);
+    let part = |is_top: bool| if is_top { Part::Top } else { Part::Bottom };
+    let down = slope.less(T::of(0.0));
     match base(record, ray, facing) {
         Verdict::Certain(None) if exit.hits => Verdict::Certain(Some((exit.lambda, Part::Side))),
-        Verdict::Certain(None) => base(record, ray, other),
-        found => found,
+        Verdict::Certain(None) => with(base(record, ray, other), part(!down)),
+        found => with(found, part(down)),
     }
 }
 
-/// One base alone.
+/// The part that is met, if any.
 #[inline(always)]
-fn base<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-    (center, part): (Vec3<T>, Part),
-) -> Verdict<Option<(T, Part)>> {
+fn with<T>(verdict: Verdict<Option<T>>, part: Part) -> Verdict<Option<(T, Part)>> {
+    match verdict {
+        Verdict::Certain(lambda) => Verdict::Certain(lambda.map(|lambda| (lambda, part))),
+        Verdict::Doubtful => Verdict::Doubtful,
+    }
+}
+
+/// The base around `center` alone.
+#[inline(always)]
+fn base<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Verdict<Option<T>> {
     let plane = Plane::new(record, ray, center);
     if plane.fails {
         return Verdict::Certain(None);
     }
     let disc = plane.disc(record, ray);
     match (disc.hits, disc.fails) {
-        (true, _) => Verdict::Certain(Some((disc.lambda, part))),
+        (true, _) => Verdict::Certain(Some(disc.lambda)),
         (_, true) => Verdict::Certain(None),
         _ => Verdict::Doubtful,
     }

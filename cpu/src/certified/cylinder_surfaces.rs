@@ -102,7 +102,7 @@ impl<T: Rounding> Plane<T> {
         let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
         let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
         // Positive in front of the ray.
-        let distance = T::select(slope.less(T::of(0.0)), -to_plane, to_plane);
+        let distance = to_plane.flipped_by(slope);
         let size = extent(record) + magnitude(to_center);
         let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
         let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));

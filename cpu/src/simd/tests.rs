@@ -60,6 +60,7 @@ impl Kernel for Doubles {
                 assert_eq!((less & less_equal).bits(), less.bits());
                 let picked = less.bits();
                 same(S::F64::select(less, x, y), |lane| if picked >> lane & 1 == 1 { left[lane] } else { right[lane] });
+                same(x.flipped_by(y), |lane| if right[lane] < 0.0 { -left[lane] } else { left[lane] });
             }
         }
         for bits in 0..1_u32 << S::F64::LANES {
