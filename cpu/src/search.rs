@@ -10,15 +10,18 @@ mod bounds;
 mod build;
 mod few;
 mod filter;
+mod find;
 mod found;
 mod ground;
 mod hierarchy;
 mod leaving;
 mod node;
+mod side_by_side;
 
 pub use bounds::Bounds;
 pub use few::{Few, nearest_of};
 pub use filter::Filter;
+pub use find::{Find, Plain};
 pub use found::Found;
 pub use hierarchy::{Hierarchy, Stack};
 
@@ -87,13 +90,11 @@ impl Search {
         from: ObjectId,
         stack: &mut Stack,
     ) -> Found {
-        add(Counter::WalkRays, 1);
         match self {
-            Self::Plain => plain::<O, P>(objects, ray),
-            Self::Few(few) => few.nearest::<O, P>(objects, ray),
-            Self::Flat(filter) => filter.nearest::<S, O, P>(objects, ray, from),
-            Self::Tree(tree) if tree.covers(ray.origin) => tree.nearest::<S, O, P>(objects, ray, from, stack),
-            Self::Tree(_) => plain::<O, P>(objects, ray),
+            Self::Plain => Plain.find::<S, O, P>(objects, ray, from, stack),
+            Self::Few(search) => search.find::<S, O, P>(objects, ray, from, stack),
+            Self::Flat(search) => search.find::<S, O, P>(objects, ray, from, stack),
+            Self::Tree(search) => search.find::<S, O, P>(objects, ray, from, stack),
         }
     }
 }

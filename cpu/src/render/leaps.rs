@@ -8,7 +8,7 @@
 use super::queue::Queue;
 use super::shade::{load, select};
 use super::vectors::Triples;
-use super::walk::{Start, Walk};
+use super::walk::{First, Start, Walk};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
@@ -47,7 +47,7 @@ pub fn leap<V: Lanes, L: Layout, P: Intersect>(
     touched.store(&mut touched_by);
     let ray = Ray { origin: queue.point.get(at + done), direction: ended.direction.get(at + done) };
     let found = nearest_of::<_, P>(&prepared.objects, &ray, touched_by[done % MOST] as u32);
-    Start { done, next: Some((ray, found)) }
+    Start { done, next: Some(First { ray, found: Some(found) }) }
 }
 
 /// The first rays of the samples from `first` on.

@@ -12,7 +12,7 @@ use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::{Kind, Prepared};
 use crate::ray::Ray;
-use crate::search::{Found, ObjectId, Search, Stack};
+use crate::search::{Find, Found, ObjectId, Plain, Search, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::surface::{Onward, Surface, material_of};
 
@@ -20,8 +20,15 @@ use crate::surface::{Onward, Surface, material_of};
 pub struct Start {
     /// As many are at their ends.
     pub done: usize,
-    /// The ray of the one after them and what it meets, if that has been asked.
-    pub next: Option<(Ray, Found)>,
+    /// The ray of the one after them, if that has been asked.
+    pub next: Option<First>,
+}
+
+/// The first ray of a sample.
+pub struct First {
+    pub ray: Ray,
+    /// What it meets, if that is known.
+    pub found: Option<Found>,
 }
 
 /// Walks paths; holds the stream and what waits for its background.
@@ -47,18 +54,18 @@ impl Walk {
 
     /// Follows every waiting sample to its end.
     #[inline(always)]
-    fn follow<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>) {
+    fn follow<S: Simd, L: Layout, P: Intersect, F: Find>(&mut self, prepared: &Prepared<L, P>, search: &F) {
         let all_go_on = self.queue.fewest_rays > 0;
         let mut at = 0;
         while at < self.queue.count {
             self.triples.prepare();
-            let start = match &prepared.search {
-                Search::Few(few) if all_go_on => leaps::leap::<S::F64, L, P>(prepared, few, self, at),
-                _ => self.start::<S, L, P>(prepared, at),
+            let start = match search.as_few() {
+                Some(few) if all_go_on => leaps::leap::<S::F64, L, P>(prepared, few, self, at),
+                _ => self.start(at),
             };
             at += start.done;
-            if let Some((ray, found)) = start.next {
-                self.go_on::<S, L, P>(prepared, at, ray, found);
+            if let Some(first) = start.next {
+                self.go_on::<S, L, P, F>(prepared, search, at, first);
                 at += 1;
             }
         }
@@ -66,31 +73,37 @@ impl Walk {
 
     /// The first ray of the queue's sample `at`, which may be allowed none.
     #[inline(always)]
-    fn start<S: Simd, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, at: usize) -> Start {
-        let Self { triples, queue, ended, stack } = self;
+    fn start(&mut self, at: usize) -> Start {
+        let Self { triples, queue, ended, .. } = self;
         ended.begin();
         let triple = triples.next();
         if queue.rays[at] == 0 {
             ended.forget(at, queue);
             return Start { done: 1, next: None };
         }
-        let (ray, from) = (queue.ray(at, triple), queue.object[at] as ObjectId);
-        let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, stack);
-        Start { done: 0, next: Some((ray, found)) }
+        Start { done: 0, next: Some(First { ray: queue.ray(at, triple), found: None }) }
     }
 
-    /// Follows the queue's sample `at` from what its first ray meets to its end.
+    /// Follows the queue's sample `at` from its first ray to its end.
     #[inline(always)]
-    fn go_on<S: Simd, L: Layout, P: Intersect>(
+    fn go_on<S: Simd, L: Layout, P: Intersect, F: Find>(
         &mut self,
         prepared: &Prepared<L, P>,
+        search: &F,
         at: usize,
-        mut ray: Ray,
-        mut found: Found,
+        First { mut ray, found: mut known }: First,
     ) {
         let Self { triples, queue, ended, stack } = self;
-        let mut rays = queue.rays[at];
-        while found.is_hit() {
+        let (mut rays, mut from) = (queue.rays[at], queue.object[at] as ObjectId);
+        loop {
+            // The search stands here once: its code is long.
+            let found = match known.take() {
+                Some(found) => found,
+                None => search.find::<S, L::Objects, P>(&prepared.objects, &ray, from, stack),
+            };
+            if !found.is_hit() {
+                return ended.leave(at, ray.direction);
+            }
             rays -= 1;
             if rays == 0 {
                 // The last surface takes its vector all the same.
@@ -115,9 +128,8 @@ impl Walk {
                 }
                 Onward::Through(direction) => direction,
             };
-            found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, found.object, stack);
+            from = found.object;
         }
-        ended.leave(at, ray.direction);
     }
 }
 
@@ -132,19 +144,26 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
-        simd.prompt().run(Promptly(self));
+        // Each kind of search has a walk of its own, compiled apart.
+        let simd = simd.prompt();
+        match &self.prepared.search {
+            Search::Plain => simd.run(Promptly(self, &Plain)),
+            Search::Few(search) => simd.run(Promptly(self, search)),
+            Search::Flat(search) => simd.run(Promptly(self, search)),
+            Search::Tree(search) => simd.run(Promptly(self, search)),
+        }
     }
 }
 
 /// The same, with the instruction set for work on one ray after the other.
-struct Promptly<'a, L: Layout, P>(Follow<'a, L, P>);
+struct Promptly<'a, L: Layout, P, F>(Follow<'a, L, P>, &'a F);
 
-impl<L: Layout, P: Intersect> Kernel for Promptly<'_, L, P> {
+impl<L: Layout, P: Intersect, F: Find> Kernel for Promptly<'_, L, P, F> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        let Self(Follow { prepared, walk }) = self;
-        walk.follow::<S, L, P>(prepared);
+        let Self(Follow { prepared, walk }, search) = self;
+        walk.follow::<S, L, P, F>(prepared, search);
     }
 }

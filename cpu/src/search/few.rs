@@ -1,10 +1,12 @@
-//! A search for scenes of a handful of objects: several rays at once, each against every object, in double precision.
+//! A search for scenes of a handful of objects, in double precision: several rays at once against one object after the
+//! other, or one ray against several objects at once.
 //!
 //! It says which objects a ray may meet, and so which rays certainly leave the scene; the exact formulas are for the
 //! others. Its quadratics are theirs, to the bit, and its margins cover what rounding may do to them
 //! (docs/performance.md).
 
 use super::leaving::{crosses_slab, leaves_side, leaves_sphere, misses};
+use super::side_by_side::SideBySide;
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::cylinder::CylinderRecord;
@@ -19,10 +21,14 @@ use crate::sphere::SphereRecord;
 /// Most objects.
 pub const CAPACITY: usize = 8;
 
+/// Fewest objects of which those that one ray may meet are found side by side: fewer fill too few lanes.
+const FEWEST_SIDE_BY_SIDE: usize = 4;
+
 /// A search over a handful of objects.
 #[derive(Clone, Debug)]
 pub struct Few {
     in_order: Vec<ObjectId>,
+    side_by_side: Option<Box<SideBySide>>,
     /// How far rounding may move a point of the scene, many times over.
     slack: f64,
 }
@@ -33,7 +39,9 @@ impl Few {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        Ok(Self { in_order: super::in_order(objects)?, slack: extent.reach * (8192.0 * f64::EPSILON) })
+        let in_order = super::in_order(objects)?;
+        let side_by_side = (in_order.len() >= FEWEST_SIDE_BY_SIDE).then(|| Box::new(SideBySide::new(objects)));
+        Ok(Self { in_order, side_by_side, slack: extent.reach * (8192.0 * f64::EPSILON) })
     }
 
     /// The objects in the order of the file.
@@ -44,7 +52,10 @@ impl Few {
 
     /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
-    pub fn nearest<O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
+    pub fn nearest<V: Lanes, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
+        if let Some(side_by_side) = &self.side_by_side {
+            return nearest_of::<O, P>(objects, ray, side_by_side.touched::<V>(ray, self.slack));
+        }
         let a = ray.direction.dot(ray.direction);
         let mut found = Found::NOTHING;
         for index in 0..objects.sphere_count() {
@@ -67,12 +78,12 @@ impl Few {
         let mut touched = V::of(0.0);
         let mut weight = 1.0;
         for index in 0..objects.sphere_count() {
-            let missed = misses_sphere(&objects.sphere(index).record, ray, a);
+            let missed = misses_sphere(&objects.sphere(index).record.lanes(), ray, a);
             touched = touched + V::select(missed, V::of(0.0), V::of(weight));
             weight += weight;
         }
         for index in 0..objects.cylinder_count() {
-            let missed = misses_cylinder(&objects.cylinder(index).record, ray, a, self.slack);
+            let missed = misses_cylinder(&objects.cylinder(index).record.lanes(), ray, a, self.slack);
             touched = touched + V::select(missed, V::of(0.0), V::of(weight));
             weight += weight;
         }
@@ -100,17 +111,16 @@ pub fn nearest_of<O: Objects, P: Intersect>(objects: &O, ray: &Ray, touched: u32
 
 /// Whether rays certainly do not meet the sphere. `a` is `direction.direction`.
 #[inline(always)]
-fn misses_sphere<V: Real>(record: &SphereRecord, ray: &Ray<V>, a: V) -> V::Mask {
-    let view = record.lanes::<V>().seen_from(ray.origin);
+pub fn misses_sphere<V: Real>(record: &SphereRecord<V>, ray: &Ray<V>, a: V) -> V::Mask {
+    let view = record.seen_from(ray.origin);
     let (h, discriminant) = view.quadratic(ray.direction, a);
-    let size = view.c.abs() + V::of(2.0 * record.radius_squared);
+    let size = view.c.abs() + V::of(2.0) * record.radius_squared;
     misses(discriminant, a * size) | leaves_sphere(a, h, view.c, size)
 }
 
 /// Whether rays certainly do not meet the cylinder.
 #[inline(always)]
-fn misses_cylinder<V: Real>(record: &CylinderRecord, ray: &Ray<V>, a: V, slack: f64) -> V::Mask {
-    let lanes = record.lanes::<V>();
+pub fn misses_cylinder<V: Real>(lanes: &CylinderRecord<V>, ray: &Ray<V>, a: V, slack: f64) -> V::Mask {
     let view = lanes.seen_from(ray.origin);
     let (side_a, h, discriminant) = lanes.quadratic(&view, ray.direction);
     // The whole distance bounds what cancellation may have left of the perpendicular parts.
@@ -120,7 +130,7 @@ fn misses_cylinder<V: Real>(record: &CylinderRecord, ray: &Ray<V>, a: V, slack: 
     let slope = ray.direction.dot(lanes.axis);
     misses(discriminant, a * size)
         | leaves_side(side_a, h, view.c, size)
-        | !crosses_slab(along, slope, V::of(record.half_height + slack))
+        | !crosses_slab(along, slope, lanes.half_height + V::of(slack))
 }
 
 /// Whether a scene of this many objects is searched like this.
@@ -144,7 +154,7 @@ mod tests {
                          cylinder: 0 0 -2 .5 1 2 .5 m\ncylinder: 3 1 1 .1 0 0 4 m\n";
     const REACH: f64 = 201.0;
 
-    /// Which objects the first lane's ray, the same in all lanes, may meet.
+    /// Which objects the first lane's ray, the same in all lanes, may meet, and which it meets first.
     struct Touched<'a> {
         few: &'a Few,
         objects: &'a AosObjects,
@@ -152,16 +162,19 @@ mod tests {
     }
 
     impl Kernel for Touched<'_> {
-        type Output = u32;
+        type Output = (u32, Found);
 
         #[inline(always)]
-        fn call<S: Simd>(self, _: S) -> u32 {
+        fn call<S: Simd>(self, _: S) -> (u32, Found) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
             let mut touched = [0.0; 8];
             self.few.touched(self.objects, &ray).store(&mut touched);
             let lanes = &touched[..S::F64::LANES];
             assert!(lanes.iter().all(|&lane| lane == lanes[0]), "{lanes:?}");
-            lanes[0] as u32
+            if let Some(side_by_side) = &self.few.side_by_side {
+                assert_eq!(side_by_side.touched::<S::F64>(&self.ray, self.few.slack), lanes[0] as u32);
+            }
+            (lanes[0] as u32, self.few.nearest::<S::F64, _, Certified>(self.objects, &self.ray))
         }
     }
 
@@ -170,6 +183,8 @@ mod tests {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
         let few = Few::new(&objects, &Extent { reach: REACH, moderate: true }).expect("it fits");
+        let one_by_one = Few { side_by_side: None, ..few.clone() };
+        assert!(few.side_by_side.is_some());
         let mut draws = Uniform::new(5);
         let (mut touched_in_all, mut met_in_all) = (0, 0);
         for number in 0..4000 {
@@ -197,13 +212,14 @@ mod tests {
                 met |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
             }
             for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-                let touched = set.run(Touched { few: &few, objects: &objects, ray });
+                let (touched, nearest) = set.run(Touched { few: &few, objects: &objects, ray });
                 assert_eq!(met & !touched, 0, "{}, {ray:?}: met {met:b}, touched {touched:b}", set.name());
+                let alone = set.run(Touched { few: &one_by_one, objects: &objects, ray });
+                assert_eq!((touched, nearest), alone, "{}, {ray:?}", set.name());
+                assert_eq!(nearest, nearest_of::<_, Certified>(&objects, &ray, met), "{}, {ray:?}", set.name());
                 touched_in_all += touched.count_ones();
                 met_in_all += met.count_ones();
             }
-            let nearest = few.nearest::<_, Certified>(&objects, &ray);
-            assert_eq!(nearest, nearest_of::<_, Certified>(&objects, &ray, met));
         }
         assert!(met_in_all > 10_000 && touched_in_all < met_in_all * 3 / 2, "{touched_in_all} for {met_in_all}");
     }
