@@ -90,6 +90,7 @@ impl Search {
         from: ObjectId,
         stack: &mut Stack,
     ) -> Found {
+        add(Counter::WalkRays, 1);
         match self {
             Self::Plain => Plain.find::<S, O, P>(objects, ray, from, stack),
             Self::Few(search) => search.find::<S, O, P>(objects, ray, from, stack),

@@ -20,7 +20,7 @@ use crate::surface::{Onward, Surface, material_of};
 pub struct Start {
     /// As many are at their ends.
     pub done: usize,
-    /// The ray of the one after them, if that has been asked.
+    /// The first ray of the one after them, unless that is at its end too.
     pub next: Option<First>,
 }
 
@@ -71,7 +71,7 @@ impl Walk {
         }
     }
 
-    /// The first ray of the queue's sample `at`, which may be allowed none.
+    /// Begins the queue's sample `at`, which may be allowed no ray.
     #[inline(always)]
     fn start(&mut self, at: usize) -> Start {
         let Self { triples, queue, ended, .. } = self;
@@ -99,7 +99,10 @@ impl Walk {
             // The search stands here once: its code is long.
             let found = match known.take() {
                 Some(found) => found,
-                None => search.find::<S, L::Objects, P>(&prepared.objects, &ray, from, stack),
+                None => {
+                    add(Counter::WalkRays, 1);
+                    search.find::<S, L::Objects, P>(&prepared.objects, &ray, from, stack)
+                }
             };
             if !found.is_hit() {
                 return ended.leave(at, ray.direction);

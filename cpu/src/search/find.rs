@@ -2,14 +2,13 @@
 
 use super::{Few, Filter, Found, Hierarchy, ObjectId, Stack, plain};
 use crate::certified::Intersect;
-use crate::counters::{Counter, add};
 use crate::layout::Objects;
 use crate::ray::Ray;
 use crate::simd::Simd;
 
 /// A kind of search.
 pub trait Find {
-    /// The nearest object that a ray from the surface of `from` meets.
+    /// The nearest object that a ray from the surface of `from` meets. Who asks counts the ray.
     fn find<S: Simd, O: Objects, P: Intersect>(
         &self,
         objects: &O,
@@ -32,7 +31,6 @@ pub struct Plain;
 impl Find for Plain {
     #[inline(always)]
     fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, _: ObjectId, _: &mut Stack) -> Found {
-        add(Counter::WalkRays, 1);
         plain::<O, P>(objects, ray)
     }
 }
@@ -40,7 +38,6 @@ impl Find for Plain {
 impl Find for Few {
     #[inline(always)]
     fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, _: ObjectId, _: &mut Stack) -> Found {
-        add(Counter::WalkRays, 1);
         self.nearest::<S::F64, O, P>(objects, ray)
     }
 
@@ -53,7 +50,6 @@ impl Find for Few {
 impl Find for Filter {
     #[inline(always)]
     fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, from: ObjectId, _: &mut Stack) -> Found {
-        add(Counter::WalkRays, 1);
         self.nearest::<S, O, P>(objects, ray, from)
     }
 }
@@ -67,7 +63,6 @@ impl Find for Hierarchy {
         from: ObjectId,
         stack: &mut Stack,
     ) -> Found {
-        add(Counter::WalkRays, 1);
         if self.covers(ray.origin) {
             self.nearest::<S, O, P>(objects, ray, from, stack)
         } else {
