@@ -31,6 +31,21 @@ pub trait Real:
     }
 }
 
+/// Arithmetic for filters, whose margins cover a rounding more or less.
+pub trait MulAdd: Real {
+    /// `self * factor + term`, rounded once or twice.
+    #[must_use]
+    fn times_plus(self, factor: Self, term: Self) -> Self;
+}
+
+impl MulAdd for f64 {
+    // Not every machine has an instruction for both, and the function in its place is slow.
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+}
+
 macro_rules! scalar {
     ($type:ty, $sign:expr) => {
         impl Real for $type {

@@ -10,13 +10,14 @@ mod bounds;
 mod build;
 mod few;
 mod filter;
+mod filter_ray;
 mod find;
 mod found;
 mod ground;
 mod hierarchy;
-mod leaving;
 mod node;
 mod side_by_side;
+mod touch;
 
 pub use bounds::Bounds;
 pub use few::{Few, nearest_of};

@@ -22,6 +22,7 @@ mod sse2;
 use std::ops::{Add, Mul, Sub};
 
 use crate::certified::exact_sums::Fused;
+use crate::real::MulAdd;
 
 pub use portable::Portable;
 
@@ -60,7 +61,7 @@ pub trait LaneMask: Copy {
 }
 
 /// Lanes of `f64`.
-pub trait Lanes: Fused<Mask: LaneMask> {
+pub trait Lanes: Fused<Mask: LaneMask> + MulAdd {
     /// Their number.
     const LANES: usize;
 
@@ -99,6 +100,10 @@ pub trait FilterLanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Outp
     fn store(self, place: &mut [f32]);
     /// `self * factor + term`, rounded once or twice.
     fn mul_add(self, factor: Self, term: Self) -> Self;
+    /// `term - self * factor`, rounded once or twice.
+    fn negative_mul_add(self, factor: Self, term: Self) -> Self;
+    /// The lanes whose sign is minus, as bits.
+    fn signs(self) -> u32;
     /// The smaller; `other` when either is not a number.
     fn min(self, other: Self) -> Self;
     /// The larger; `other` when either is not a number.

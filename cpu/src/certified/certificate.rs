@@ -137,9 +137,15 @@ impl<T: Rounding> Certificate<T> {
         let least = (self.size * T::of(share) + T::of(UNDERFLOW)) + numerator * numerator * T::of(4.0 * share);
         let accurate = least.less(root * numerator);
         let finite = self.size.less(T::of(OVERFLOW));
+        let hits = accurate & finite & self.limits.in_range(lambda);
+        Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
+    }
+
+    /// Whether the root `numerator / a` certainly is too small to count: for less than the [root](Self::root) itself.
+    #[inline(always)]
+    pub fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
         // Lowered by more than the relative error of `a`.
         let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
-        let fails = self.noise.less((a * least - numerator) * root);
-        Outcome { lambda, hits: accurate & finite & self.limits.in_range(lambda), fails }
+        self.noise.less((a * least - numerator) * root)
     }
 }

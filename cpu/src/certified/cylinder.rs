@@ -48,7 +48,8 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 ///
 /// The cylinder is convex: the line meets its surface where it enters and where it leaves, and nowhere else. So no base
 /// is nearer than the side where that is entered, none but the base that faces the ray is nearer than where the side is
-/// left, and the other base counts only where nothing else does.
+/// left, and the other base counts only where nothing else does. From within, and from the surface inward, the side where it
+/// is left mostly decides alone.
 #[inline(always)]
 #[must_use]
 pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
@@ -60,11 +61,18 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>)
         return Verdict::Certain(None);
     }
     let root = side.discriminant.sqrt();
-    let entry = side.crossing(record, ray, -side.h - root, root);
+    let (near, far) = (-side.h - root, -side.h + root);
+    if side.is_behind(near, root) {
+        let exit = side.crossing(record, ray, far, root);
+        if exit.straight {
+            return Verdict::Certain(Some((exit.lambda, Part::Side)));
+        }
+    }
+    let entry = side.crossing(record, ray, near, root);
     if entry.hits {
         return Verdict::Certain(Some((entry.lambda, Part::Side)));
     }
-    let exit = side.crossing(record, ray, -side.h + root, root);
+    let exit = side.crossing(record, ray, far, root);
     if !(entry.fails() && (exit.hits || exit.fails())) {
         return Verdict::Doubtful;
     }
@@ -165,6 +173,10 @@ mod tests {
             (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(Part::Top)),
             (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(Part::Bottom)),
             (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(Part::Top)),
+            // In the endless cylinder: above the base it is met first, and within it the side.
+            (ray([0.0, 3.0, 0.0], [1.0, -1.5, 0.0]), Some(Part::Top)),
+            (ray([0.0, -3.0, 0.0], [1.0, 1.5, 0.0]), Some(Part::Bottom)),
+            (ray([0.0, 1.9, 0.0], [1.0, -1.5, 0.0]), Some(Part::Side)),
             (ray([1.1, 5.0, 0.0], [0.0, -1.0, 0.1]), None),
             (ray([0.0, 2.1, -3.0], [0.0, 0.1, 1.0]), None),
             (ray([0.0, 0.0, 3.0], [0.0, 0.1, 1.0]), None),

@@ -26,6 +26,8 @@ pub struct SideLanes<T: Real> {
     exit: Crossing<T>,
     /// Lanes that certainly meet no part of the cylinder.
     nothing: T::Mask,
+    /// Lanes that certainly meet the side where they leave it.
+    through: T::Mask,
     /// Lanes whose answer needs the bases.
     pub open: T::Mask,
 }
@@ -48,20 +50,21 @@ impl<T: Rounding> SideLanes<T> {
         let entry = side.crossing(record, ray, -side.h - root, root);
         let exit = side.crossing(record, ray, -side.h + root, root);
         let nothing = side.certificate.misses(side.discriminant) | (entry.fails() & entry.passes_by(&exit));
-        Self { entry, exit, nothing, open: !(nothing | entry.hits) }
+        let through = entry.behind & exit.straight & !nothing;
+        Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
     }
 
     /// The answer where no lane is [open](Self::open).
     #[inline(always)]
     #[must_use]
     pub fn without_bases(&self) -> Lanes<T> {
-        let nowhere = T::of(f64::INFINITY);
         let none = T::of(1.0).less(T::of(0.0));
+        let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
         Lanes {
-            lambda: T::select(self.nothing, nowhere, self.entry.lambda),
+            lambda: T::select(self.nothing, T::of(f64::INFINITY), lambda),
             top: none,
             bottom: none,
-            certain: self.nothing | self.entry.hits,
+            certain: self.nothing | self.entry.hits | self.through,
         }
     }
 
@@ -69,12 +72,12 @@ impl<T: Rounding> SideLanes<T> {
     #[inline(always)]
     #[must_use]
     pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
-        let Self { entry, exit, nothing, open } = *self;
+        let Self { entry, exit, nothing, through, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
         let facing = Plane::new(record, ray, center(record, down)).disc(record, ray);
         let other = Plane::new(record, ray, center(record, !down)).disc(record, ray);
         let by_facing = open & facing.hits;
-        let by_exit = open & !facing.hits & exit.hits;
+        let by_exit = through | (open & !facing.hits & exit.hits);
         let by_other = open & !facing.hits & !exit.hits & other.hits;
         let mut lambda = T::select(by_other, other.lambda, T::of(f64::INFINITY));
         lambda = T::select(by_exit, exit.lambda, lambda);

@@ -15,6 +15,8 @@ pub(super) struct Side<T> {
     pub h: T,
     /// A line that misses the endless cylinder meets no base either.
     pub discriminant: T,
+    /// How far the ray's origin is along the axis from the plane halfway between the bases.
+    along: T,
 }
 
 /// Where a line crosses the endless cylinder: what is certain of it. Where none holds it is in doubt.
@@ -23,8 +25,10 @@ pub(super) struct Crossing<T: Real> {
     pub lambda: T,
     /// Between the bases, and it counts.
     pub hits: T::Mask,
+    /// So is the whole way there from the ray's origin, which so crosses no base's plane.
+    pub straight: T::Mask,
     /// At a lambda too small.
-    behind: T::Mask,
+    pub behind: T::Mask,
     /// Beyond the upper base.
     above: T::Mask,
     /// Beyond the lower base.
@@ -53,23 +57,36 @@ impl<T: Rounding> Side<T> {
         let (a, h, discriminant) = record.quadratic(&record.seen_from(ray.origin), ray.direction);
         let r_c = ray.origin - record.center;
         let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
-        Self { certificate, length_squared, a, h, discriminant }
+        Self { certificate, length_squared, a, h, discriminant, along: r_c.dot(record.axis) }
+    }
+
+    /// Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
+    #[inline(always)]
+    fn is_steep_enough(&self) -> T::Mask {
+        let condition = LIMITS.condition::<T>();
+        self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition))
+    }
+
+    /// Whether the line certainly crosses the endless cylinder there at a lambda too small.
+    #[inline(always)]
+    pub fn is_behind(&self, numerator: T, root: T) -> T::Mask {
+        self.is_steep_enough() & self.certificate.is_too_small(self.a, numerator, root)
     }
 
     /// Whether the side is met where the line crosses the endless cylinder.
     #[inline(always)]
     pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
-        // Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
-        let condition = LIMITS.condition::<T>();
-        let steep_enough = self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition));
+        let steep_enough = self.is_steep_enough();
         let crossing = self.certificate.root(self.a, numerator, root);
         let along = record.along(ray, crossing.lambda);
         let margin = margin(record, ray, crossing.lambda);
         let accurate = steep_enough & crossing.hits;
-        let beyond = record.half_height + margin;
+        let (within, beyond) = (record.half_height - margin, record.half_height + margin);
+        let hits = accurate & along.abs().less(within);
         Crossing {
             lambda: crossing.lambda,
-            hits: accurate & along.abs().less(record.half_height - margin),
+            hits,
+            straight: hits & self.along.abs().less(within),
             behind: steep_enough & crossing.fails,
             above: accurate & beyond.less(along),
             below: accurate & beyond.less(-along),

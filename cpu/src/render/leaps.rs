@@ -31,7 +31,7 @@ pub fn leap<V: Lanes, L: Layout, P: Intersect>(
 ) -> Start {
     let Walk { triples, queue, ended, .. } = walk;
     let rays = lanes::<V>(queue, at, triples);
-    let touched = few.touched(&prepared.objects, &rays);
+    let touched = few.touched(&rays);
     ended.leave_several(at, rays.direction);
     let tried = V::LANES.min(queue.count - at);
     let stops = V::of(0.0).less(touched).bits() | u32::MAX << tried;

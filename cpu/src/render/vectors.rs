@@ -1,10 +1,11 @@
-//! The stream of random triples that all materials share, made in bulk.
+//! The stream of random triples that all materials share, made in bulk: with the widest instruction set, whatever their
+//! taker is compiled for.
 
 use super::batch::SLACK;
 use crate::counters::{Counter, add};
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
-use crate::simd::Lanes;
+use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
 /// Triples made at a time.
@@ -36,9 +37,9 @@ impl Triples {
 
     /// Makes triples unless there are [`RESERVE`].
     #[inline(always)]
-    pub fn prepare(&mut self) {
+    pub fn prepare<S: Simd>(&mut self, simd: S) {
         if self.next > PLACES - RESERVE {
-            self.make();
+            simd.run(Make(self));
         }
     }
 
@@ -93,6 +94,18 @@ impl Triples {
     }
 }
 
+/// Makes the next triples.
+struct Make<'a>(&'a mut Triples);
+
+impl Kernel for Make<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.0.make();
+    }
+}
+
 /// See [`crate::scatter::ScatterVectors`]: the same rejection, from a stream in bulk.
 #[inline(always)]
 fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
@@ -112,36 +125,36 @@ fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
 mod tests {
     use super::*;
     use crate::scatter::ScatterVectors;
+    use crate::simd::Portable;
 
     #[test]
     fn triples_in_bulk_are_the_ones_drawn_singly() {
         for convention in [Scatter::Published, Scatter::Deterministic] {
             let (mut bulk, mut single) = (Triples::new(convention, 3), ScatterVectors::new(convention, 3));
             for _ in 0..3 * TRIPLES {
-                bulk.prepare();
+                bulk.prepare(Portable);
                 assert_eq!(bulk.next(), single.next(1.0));
             }
         }
         let (mut bulk, mut single) = (Triples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
         for _ in 0..3 * TRIPLES {
-            bulk.prepare();
+            bulk.prepare(Portable);
             assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
         }
     }
 
     #[test]
     fn lanes_see_the_triples_that_follow_and_use_none_up() {
-        use crate::simd::Portable;
-        type V = <Portable as crate::simd::Simd>::F64;
+        type V = <Portable as Simd>::F64;
         let (mut lanes, mut single) = (Triples::new(Scatter::Statement, 3), Triples::new(Scatter::Statement, 3));
         for round in 0..2 * TRIPLES {
-            lanes.prepare();
+            lanes.prepare(Portable);
             let mut seen = [0.0; V::LANES];
             lanes.following::<V>().y.store(&mut seen);
             let used = round % V::LANES;
             lanes.skip(used);
             for &y in &seen[..used] {
-                single.prepare();
+                single.prepare(Portable);
                 assert_eq!(single.next().y, y);
             }
         }

@@ -52,20 +52,25 @@ impl Walk {
         })
     }
 
-    /// Follows every waiting sample to its end.
+    /// Follows every waiting sample to its end; `wide` is for what is done in bulk.
     #[inline(always)]
-    fn follow<S: Simd, L: Layout, P: Intersect, F: Find>(&mut self, prepared: &Prepared<L, P>, search: &F) {
+    fn follow<S: Simd, W: Simd, L: Layout, P: Intersect, F: Find>(
+        &mut self,
+        prepared: &Prepared<L, P>,
+        search: &F,
+        wide: W,
+    ) {
         let all_go_on = self.queue.fewest_rays > 0;
         let mut at = 0;
         while at < self.queue.count {
-            self.triples.prepare();
+            self.triples.prepare(wide);
             let start = match search.as_few() {
                 Some(few) if all_go_on => leaps::leap::<S::F64, L, P>(prepared, few, self, at),
                 _ => self.start(at),
             };
             at += start.done;
             if let Some(first) = start.next {
-                self.go_on::<S, L, P, F>(prepared, search, at, first);
+                self.go_on::<S, W, L, P, F>(prepared, search, wide, at, first);
                 at += 1;
             }
         }
@@ -86,10 +91,11 @@ impl Walk {
 
     /// Follows the queue's sample `at` from its first ray to its end.
     #[inline(always)]
-    fn go_on<S: Simd, L: Layout, P: Intersect, F: Find>(
+    fn go_on<S: Simd, W: Simd, L: Layout, P: Intersect, F: Find>(
         &mut self,
         prepared: &Prepared<L, P>,
         search: &F,
+        wide: W,
         at: usize,
         First { mut ray, found: mut known }: First,
     ) {
@@ -113,7 +119,7 @@ impl Walk {
                 add(Counter::Hits, 1);
                 let material = material_of(&prepared.objects, found.object);
                 if prepared.finishes[material as usize].kind != Kind::Refractive {
-                    triples.prepare();
+                    triples.prepare(wide);
                     triples.skip(1);
                 }
                 return ended.forget(at, queue);
@@ -126,7 +132,7 @@ impl Walk {
                     if !ended.meet(at, surface.material) {
                         return ended.forget(at, queue);
                     }
-                    triples.prepare();
+                    triples.prepare(wide);
                     finish.spread.around(base, triples.next())
                 }
                 Onward::Through(direction) => direction,
@@ -148,25 +154,29 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
         // Each kind of search has a walk of its own, compiled apart.
-        let simd = simd.prompt();
+        let (prompt, wide) = (simd.prompt(), simd);
         match &self.prepared.search {
-            Search::Plain => simd.run(Promptly(self, &Plain)),
-            Search::Few(search) => simd.run(Promptly(self, search)),
-            Search::Flat(search) => simd.run(Promptly(self, search)),
-            Search::Tree(search) => simd.run(Promptly(self, search)),
+            Search::Plain => prompt.run(Promptly { follow: self, search: &Plain, wide }),
+            Search::Few(search) => prompt.run(Promptly { follow: self, search, wide }),
+            Search::Flat(search) => prompt.run(Promptly { follow: self, search, wide }),
+            Search::Tree(search) => prompt.run(Promptly { follow: self, search, wide }),
         }
     }
 }
 
 /// The same, with the instruction set for work on one ray after the other.
-struct Promptly<'a, L: Layout, P, F>(Follow<'a, L, P>, &'a F);
+struct Promptly<'a, L: Layout, P, F, W> {
+    follow: Follow<'a, L, P>,
+    search: &'a F,
+    wide: W,
+}
 
-impl<L: Layout, P: Intersect, F: Find> Kernel for Promptly<'_, L, P, F> {
+impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for Promptly<'_, L, P, F, W> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        let Self(Follow { prepared, walk }, search) = self;
-        walk.follow::<S, L, P, F>(prepared, search);
+        let Self { follow: Follow { prepared, walk }, search, wide } = self;
+        walk.follow::<S, W, L, P, F>(prepared, search, wide);
     }
 }

@@ -1,22 +1,18 @@
-//! A search for scenes of a handful of objects, in double precision: several rays at once against one object after the
-//! other, or one ray against several objects at once.
+//! A search for scenes of a handful of objects: every object is filtered in double precision, by several rays at once or,
+//! for one ray, several objects at once.
 //!
-//! It says which objects a ray may meet, and so which rays certainly leave the scene; the exact formulas are for the
-//! others. Its quadratics are theirs, to the bit, and its margins cover what rounding may do to them
-//! (docs/performance.md).
+//! The [filter](super::touch) says which objects a ray may meet, and so which rays certainly leave the scene; the exact
+//! formulas are for the others.
 
-use super::leaving::{crosses_slab, leaves_side, leaves_sphere, misses};
 use super::side_by_side::SideBySide;
+use super::touch::{CylinderTarget, SphereTarget, Touch};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
-use crate::cylinder::CylinderRecord;
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
-use crate::real::Real;
 use crate::simd::Lanes;
-use crate::sphere::SphereRecord;
 
 /// Most objects.
 pub const CAPACITY: usize = 8;
@@ -28,9 +24,8 @@ const FEWEST_SIDE_BY_SIDE: usize = 4;
 #[derive(Clone, Debug)]
 pub struct Few {
     in_order: Vec<ObjectId>,
-    side_by_side: Option<Box<SideBySide>>,
-    /// How far rounding may move a point of the scene, many times over.
-    slack: f64,
+    side_by_side: Box<SideBySide>,
+    reach: f64,
 }
 
 impl Few {
@@ -39,9 +34,8 @@ impl Few {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let in_order = super::in_order(objects)?;
-        let side_by_side = (in_order.len() >= FEWEST_SIDE_BY_SIDE).then(|| Box::new(SideBySide::new(objects)));
-        Ok(Self { in_order, side_by_side, slack: extent.reach * (8192.0 * f64::EPSILON) })
+        let side_by_side = Box::new(SideBySide::new(objects, extent.reach));
+        Ok(Self { in_order: super::in_order(objects)?, side_by_side, reach: extent.reach })
     }
 
     /// The objects in the order of the file.
@@ -53,18 +47,17 @@ impl Few {
     /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
     pub fn nearest<V: Lanes, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
-        if let Some(side_by_side) = &self.side_by_side {
-            return nearest_of::<O, P>(objects, ray, side_by_side.touched::<V>(ray, self.slack));
+        if self.in_order.len() >= FEWEST_SIDE_BY_SIDE {
+            return nearest_of::<O, P>(objects, ray, self.side_by_side.touched_by_one::<V>(ray));
         }
-        let a = ray.direction.dot(ray.direction);
-        let mut found = Found::NOTHING;
+        let (touch, mut found) = (Touch::new(*ray), Found::NOTHING);
         for index in 0..objects.sphere_count() {
-            if !misses_sphere(&objects.sphere(index).record, ray, a) {
+            if touch.sphere(&SphereTarget::new(&objects.sphere(index).record)) {
                 found.ask_sphere::<O, P>(objects, index, ray);
             }
         }
         for index in 0..objects.cylinder_count() {
-            if !misses_cylinder(&objects.cylinder(index).record, ray, a, self.slack) {
+            if touch.cylinder(&CylinderTarget::new(&objects.cylinder(index).record, self.reach)) {
                 found.ask_cylinder::<O, P>(objects, index, ray);
             }
         }
@@ -73,21 +66,8 @@ impl Few {
 
     /// The objects that each ray, which starts within the scene's reach, may meet: the sum of 2^[id](ObjectId).
     #[inline(always)]
-    pub fn touched<V: Lanes, O: Objects>(&self, objects: &O, ray: &Ray<V>) -> V {
-        let a = ray.direction.dot(ray.direction);
-        let mut touched = V::of(0.0);
-        let mut weight = 1.0;
-        for index in 0..objects.sphere_count() {
-            let missed = misses_sphere(&objects.sphere(index).record.lanes(), ray, a);
-            touched = touched + V::select(missed, V::of(0.0), V::of(weight));
-            weight += weight;
-        }
-        for index in 0..objects.cylinder_count() {
-            let missed = misses_cylinder(&objects.cylinder(index).record.lanes(), ray, a, self.slack);
-            touched = touched + V::select(missed, V::of(0.0), V::of(weight));
-            weight += weight;
-        }
-        touched
+    pub fn touched<V: Lanes>(&self, ray: &Ray<V>) -> V {
+        self.side_by_side.touched_by_each(ray)
     }
 }
 
@@ -95,42 +75,24 @@ impl Few {
 #[inline(always)]
 pub fn nearest_of<O: Objects, P: Intersect>(objects: &O, ray: &Ray, touched: u32) -> Found {
     let mut found = Found::NOTHING;
-    // Object by object, so that the processor can guess which it will be before it knows the bits.
-    for index in 0..objects.sphere_count() {
-        if touched >> index & 1 == 1 {
-            found.ask_sphere::<O, P>(objects, index, ray);
+    // Object by object, so that the processor can guess which it will be before it knows the bits; but nothing for a kind
+    // that is not touched at all.
+    let spheres = (1 << objects.sphere_count()) - 1;
+    if touched & spheres != 0 {
+        for index in 0..objects.sphere_count() {
+            if touched >> index & 1 == 1 {
+                found.ask_sphere::<O, P>(objects, index, ray);
+            }
         }
     }
-    for index in 0..objects.cylinder_count() {
-        if touched >> (objects.sphere_count() + index) & 1 == 1 {
-            found.ask_cylinder::<O, P>(objects, index, ray);
+    if touched & !spheres != 0 {
+        for index in 0..objects.cylinder_count() {
+            if touched >> (objects.sphere_count() + index) & 1 == 1 {
+                found.ask_cylinder::<O, P>(objects, index, ray);
+            }
         }
     }
     found
-}
-
-/// Whether rays certainly do not meet the sphere. `a` is `direction.direction`.
-#[inline(always)]
-pub fn misses_sphere<V: Real>(record: &SphereRecord<V>, ray: &Ray<V>, a: V) -> V::Mask {
-    let view = record.seen_from(ray.origin);
-    let (h, discriminant) = view.quadratic(ray.direction, a);
-    let size = view.c.abs() + V::of(2.0) * record.radius_squared;
-    misses(discriminant, a * size) | leaves_sphere(a, h, view.c, size)
-}
-
-/// Whether rays certainly do not meet the cylinder.
-#[inline(always)]
-pub fn misses_cylinder<V: Real>(lanes: &CylinderRecord<V>, ray: &Ray<V>, a: V, slack: f64) -> V::Mask {
-    let view = lanes.seen_from(ray.origin);
-    let (side_a, h, discriminant) = lanes.quadratic(&view, ray.direction);
-    // The whole distance bounds what cancellation may have left of the perpendicular parts.
-    let from_center = ray.origin - lanes.center;
-    let size = from_center.dot(from_center) + lanes.radius_squared;
-    let along = from_center.dot(lanes.axis);
-    let slope = ray.direction.dot(lanes.axis);
-    misses(discriminant, a * size)
-        | leaves_side(side_a, h, view.c, size)
-        | !crosses_slab(along, slope, lanes.half_height + V::of(slack))
 }
 
 /// Whether a scene of this many objects is searched like this.
@@ -168,12 +130,10 @@ mod tests {
         fn call<S: Simd>(self, _: S) -> (u32, Found) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
             let mut touched = [0.0; 8];
-            self.few.touched(self.objects, &ray).store(&mut touched);
+            self.few.touched(&ray).store(&mut touched);
             let lanes = &touched[..S::F64::LANES];
             assert!(lanes.iter().all(|&lane| lane == lanes[0]), "{lanes:?}");
-            if let Some(side_by_side) = &self.few.side_by_side {
-                assert_eq!(side_by_side.touched::<S::F64>(&self.ray, self.few.slack), lanes[0] as u32);
-            }
+            assert_eq!(self.few.side_by_side.touched_by_one::<S::F64>(&self.ray), lanes[0] as u32);
             (lanes[0] as u32, self.few.nearest::<S::F64, _, Certified>(self.objects, &self.ray))
         }
     }
@@ -183,8 +143,8 @@ mod tests {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
         let few = Few::new(&objects, &Extent { reach: REACH, moderate: true }).expect("it fits");
-        let one_by_one = Few { side_by_side: None, ..few.clone() };
-        assert!(few.side_by_side.is_some());
+        // As few as make it ask one object after the other, of all.
+        let one_by_one = Few { in_order: few.in_order[..1].to_vec(), ..few.clone() };
         let mut draws = Uniform::new(5);
         let (mut touched_in_all, mut met_in_all) = (0, 0);
         for number in 0..4000 {

@@ -1,11 +1,10 @@
 //! A sphere much larger than all else, which nearly every ray would have to ask: it is asked apart.
 
-use super::leaving::{leaves_sphere, misses};
+use super::touch::{SphereTarget, Touch};
 use super::{Bounds, Found, ObjectId};
 use crate::certified::Intersect;
 use crate::layout::Objects;
 use crate::prepare::Extent;
-use crate::ray::Ray;
 
 /// A sphere at least this many times as large as everything else is asked apart.
 const RATIO: f64 = 8.0;
@@ -71,25 +70,15 @@ impl Ground {
         Some(sunk)
     }
 
-    /// Takes it into account, unless the ray certainly does not meet it. `a` is `direction.direction`.
+    /// Takes it into account, unless the ray certainly does not meet it.
     #[inline(always)]
-    pub fn ask<O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, ray: &Ray, a: f64) {
+    pub fn ask<O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
         if let Some(id) = self.0
-            && !is_avoided(objects, id as usize, ray, a)
+            && touch.sphere(&SphereTarget::new(&objects.sphere(id as usize).record))
         {
-            found.ask_sphere::<O, P>(objects, id as usize, ray);
+            found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
         }
     }
-}
-
-/// Whether the ray certainly does not meet the sphere at `index`: it misses it, or leaves it.
-#[inline(always)]
-pub fn is_avoided<O: Objects>(objects: &O, index: usize, ray: &Ray, a: f64) -> bool {
-    let sphere = objects.sphere(index).record;
-    let view = sphere.seen_from(ray.origin);
-    let (h, discriminant) = view.quadratic(ray.direction, a);
-    let size = view.c.abs() + 2.0 * sphere.radius_squared;
-    misses(discriminant, a * size) | leaves_sphere(a, h, view.c, size)
 }
 
 #[cfg(test)]

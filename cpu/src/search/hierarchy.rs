@@ -8,9 +8,9 @@
 use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
 use super::build::build;
-use super::ground::{Ground, is_avoided};
-use super::leaving::leaves_cylinder;
+use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
+use super::touch::{CylinderTarget, SphereTarget, Touch};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -181,13 +181,14 @@ impl Hierarchy {
         if a <= 0.0 || a.is_nan() {
             return found;
         }
-        self.ground.ask::<O, P>(&mut found, objects, ray, a);
+        let touch = Touch::new(*ray);
+        self.ground.ask::<O, P>(&mut found, objects, &touch);
         if self.nodes.is_empty() {
             return found;
         }
         if self.alone.is::<O, P>(objects, from) {
             let mut again = Found::NOTHING;
-            ask::<O, P>(&mut again, objects, from, ray, a, from);
+            self.ask::<O, P>(&mut again, objects, from, &touch, from);
             if again.is_hit() {
                 found.offer(again.lambda, again.object, again.order, again.part);
                 return found;
@@ -211,7 +212,7 @@ impl Hierarchy {
             while asked != 0 {
                 let lane = asked.trailing_zeros() as usize % WIDTH;
                 asked &= asked - 1;
-                ask::<O, P>(&mut found, objects, node.child[lane].as_id(), ray, a, from);
+                self.ask::<O, P>(&mut found, objects, node.child[lane].as_id(), &touch, from);
             }
             if entered.is_power_of_two() {
                 // The only one goes past the stack.
@@ -246,6 +247,30 @@ impl Hierarchy {
         }
     }
 
+    /// Asks an object, unless the filter stops the ray: of cylinders, that is worth trying for the one that it leaves.
+    #[inline(always)]
+    fn ask<O: Objects, P: Intersect>(
+        &self,
+        found: &mut Found,
+        objects: &O,
+        id: ObjectId,
+        touch: &Touch<f64>,
+        from: ObjectId,
+    ) {
+        match (id as usize).checked_sub(objects.sphere_count()) {
+            None => {
+                if touch.sphere(&SphereTarget::new(&objects.sphere(id as usize).record)) {
+                    found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
+                }
+            }
+            Some(index) => {
+                if id != from || touch.cylinder(&CylinderTarget::new(&objects.cylinder(index).record, self.reach)) {
+                    found.ask_cylinder::<O, P>(objects, index, &touch.ray);
+                }
+            }
+        }
+    }
+
     /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
     /// out.
     pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
@@ -273,26 +298,4 @@ impl Hierarchy {
 #[inline(always)]
 fn farthest(found: &Found) -> f32 {
     found.lambda as f32 * (1.0 + f32::EPSILON)
-}
-
-/// Asks an object, unless the ray leaves it.
-#[inline(always)]
-fn ask<O: Objects, P: Intersect>(found: &mut Found, objects: &O, id: ObjectId, ray: &Ray, a: f64, from: ObjectId) {
-    match (id as usize).checked_sub(objects.sphere_count()) {
-        None => {
-            // Most spheres whose boxes are met are missed.
-            if !is_avoided(objects, id as usize, ray, a) {
-                found.ask_sphere::<O, P>(objects, id as usize, ray);
-            }
-        }
-        Some(index) => {
-            if id == from {
-                let cylinder = objects.cylinder(index).record;
-                if leaves_cylinder(&cylinder, &cylinder.seen_from(ray.origin), ray.direction, ray.origin) {
-                    return;
-                }
-            }
-            found.ask_cylinder::<O, P>(objects, index, ray);
-        }
-    }
 }

@@ -1,11 +1,10 @@
-//! A handful of objects side by side: which of them one ray may meet, an object a lane.
+//! A handful of objects for the [filter](super::touch): many rays against one after the other, or one ray against several
+//! at once, an object a lane.
 
-use super::few::{misses_cylinder, misses_sphere};
-use crate::cylinder::CylinderRecord;
+use super::touch::{CylinderTarget, SphereTarget, Touch};
 use crate::layout::Objects;
 use crate::ray::Ray;
 use crate::simd::{LaneMask, Lanes};
-use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
 /// Places for objects of a kind; every instruction set's lanes divide it.
@@ -18,50 +17,102 @@ type Row = [f64; PLACES];
 #[derive(Clone, Debug)]
 pub struct SideBySide {
     sphere_count: usize,
-    spheres: SphereRecord<Row>,
+    spheres: SphereTarget<Row>,
     cylinder_count: usize,
-    cylinders: CylinderRecord<Row>,
+    cylinders: CylinderTarget<Row>,
 }
 
 impl SideBySide {
-    /// The objects, of each kind at most [`PLACES`].
-    pub fn new(objects: &impl Objects) -> Self {
+    /// The objects, of each kind at most [`PLACES`], of a scene of this reach.
+    pub fn new(objects: &impl Objects, reach: f64) -> Self {
         let sphere_count = objects.sphere_count();
-        let sphere = |index| objects.sphere(index).record;
-        let spheres = SphereRecord {
+        let sphere = |index| SphereTarget::new(&objects.sphere(index).record);
+        let spheres = SphereTarget {
             center: rows(sphere_count, |index| sphere(index).center),
-            radius: row(sphere_count, |index| sphere(index).radius),
             radius_squared: row(sphere_count, |index| sphere(index).radius_squared),
         };
         let cylinder_count = objects.cylinder_count();
-        let cylinder = |index| objects.cylinder(index).record;
-        let cylinders = CylinderRecord {
+        let cylinder = |index| CylinderTarget::new(&objects.cylinder(index).record, reach);
+        let cylinders = CylinderTarget {
             center: rows(cylinder_count, |index| cylinder(index).center),
             axis: rows(cylinder_count, |index| cylinder(index).axis),
-            top: rows(cylinder_count, |index| cylinder(index).top),
-            bottom: rows(cylinder_count, |index| cylinder(index).bottom),
-            radius: row(cylinder_count, |index| cylinder(index).radius),
             radius_squared: row(cylinder_count, |index| cylinder(index).radius_squared),
             half_height: row(cylinder_count, |index| cylinder(index).half_height),
         };
         Self { sphere_count, spheres, cylinder_count, cylinders }
     }
 
-    /// The objects that a ray, which starts within the scene's reach, may meet: a bit each by its
-    /// [id](super::ObjectId). `slack` is how far rounding may move a point.
+    /// The objects that one ray may meet: a bit each by its [id](super::ObjectId).
     #[inline(always)]
-    pub fn touched<V: Lanes>(&self, ray: &Ray, slack: f64) -> u32 {
-        let ray = Ray { origin: ray.origin.map(V::of), direction: ray.direction.map(V::of) };
-        let a = ray.direction.dot(ray.direction);
+    pub fn touched_by_one<V: Lanes>(&self, ray: &Ray) -> u32 {
+        let touch = Touch::new(Ray { origin: ray.origin.map(V::of), direction: ray.direction.map(V::of) });
         let (mut spheres, mut cylinders) = (0, 0);
         for at in (0..self.sphere_count).step_by(V::LANES) {
-            spheres |= (!misses_sphere(&sphere_lanes::<V>(&self.spheres, at), &ray, a)).bits() << at;
+            spheres |= touch.sphere(&self.spheres.lanes::<V>(at)).bits() << at;
         }
         for at in (0..self.cylinder_count).step_by(V::LANES) {
-            cylinders |= (!misses_cylinder(&cylinder_lanes::<V>(&self.cylinders, at), &ray, a, slack)).bits() << at;
+            cylinders |= touch.cylinder(&self.cylinders.lanes::<V>(at)).bits() << at;
         }
         let first = |count: usize| (1_u32 << count) - 1;
         (spheres & first(self.sphere_count)) | (cylinders & first(self.cylinder_count)) << self.sphere_count
+    }
+
+    /// The objects that each of several rays may meet: the sum of 2^[id](super::ObjectId).
+    #[inline(always)]
+    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> V {
+        let touch = Touch::new(*ray);
+        let mut touched = V::of(0.0);
+        let mut weight = 1.0;
+        for at in 0..self.sphere_count.min(PLACES) {
+            let touches = touch.sphere(&self.spheres.one::<V>(at));
+            touched = touched + V::select(touches, V::of(weight), V::of(0.0));
+            weight += weight;
+        }
+        for at in 0..self.cylinder_count.min(PLACES) {
+            let touches = touch.cylinder(&self.cylinders.one::<V>(at));
+            touched = touched + V::select(touches, V::of(weight), V::of(0.0));
+            weight += weight;
+        }
+        touched
+    }
+}
+
+// No closures here: they would be compiled without the instruction set.
+impl SphereTarget<Row> {
+    /// The spheres from `at` on, a lane each.
+    #[inline(always)]
+    fn lanes<V: Lanes>(&self, at: usize) -> SphereTarget<V> {
+        SphereTarget { center: vector_lanes(&self.center, at), radius_squared: V::load(&self.radius_squared[at..]) }
+    }
+
+    /// The sphere at `at` in every lane.
+    #[inline(always)]
+    fn one<V: Lanes>(&self, at: usize) -> SphereTarget<V> {
+        SphereTarget { center: one_vector(&self.center, at), radius_squared: V::of(self.radius_squared[at]) }
+    }
+}
+
+impl CylinderTarget<Row> {
+    /// The cylinders from `at` on, a lane each.
+    #[inline(always)]
+    fn lanes<V: Lanes>(&self, at: usize) -> CylinderTarget<V> {
+        CylinderTarget {
+            center: vector_lanes(&self.center, at),
+            axis: vector_lanes(&self.axis, at),
+            radius_squared: V::load(&self.radius_squared[at..]),
+            half_height: V::load(&self.half_height[at..]),
+        }
+    }
+
+    /// The cylinder at `at` in every lane.
+    #[inline(always)]
+    fn one<V: Lanes>(&self, at: usize) -> CylinderTarget<V> {
+        CylinderTarget {
+            center: one_vector(&self.center, at),
+            axis: one_vector(&self.axis, at),
+            radius_squared: V::of(self.radius_squared[at]),
+            half_height: V::of(self.half_height[at]),
+        }
     }
 }
 
@@ -85,26 +136,8 @@ fn vector_lanes<V: Lanes>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
     Vec3::new(V::load(&x[at..]), V::load(&y[at..]), V::load(&z[at..]))
 }
 
-/// The spheres from `at` on, a lane each.
+/// The vector at `at` in every lane.
 #[inline(always)]
-fn sphere_lanes<V: Lanes>(rows: &SphereRecord<Row>, at: usize) -> SphereRecord<V> {
-    SphereRecord {
-        center: vector_lanes(&rows.center, at),
-        radius: V::load(&rows.radius[at..]),
-        radius_squared: V::load(&rows.radius_squared[at..]),
-    }
-}
-
-/// The cylinders from `at` on, a lane each.
-#[inline(always)]
-fn cylinder_lanes<V: Lanes>(rows: &CylinderRecord<Row>, at: usize) -> CylinderRecord<V> {
-    CylinderRecord {
-        center: vector_lanes(&rows.center, at),
-        axis: vector_lanes(&rows.axis, at),
-        top: vector_lanes(&rows.top, at),
-        bottom: vector_lanes(&rows.bottom, at),
-        radius: V::load(&rows.radius[at..]),
-        radius_squared: V::load(&rows.radius_squared[at..]),
-        half_height: V::load(&rows.half_height[at..]),
-    }
+fn one_vector<V: Lanes>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
+    Vec3::new(V::of(x[at]), V::of(y[at]), V::of(z[at]))
 }

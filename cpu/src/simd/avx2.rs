@@ -9,7 +9,7 @@ use std::arch::x86_64::*;
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
 use crate::certified::exact_sums::Fused;
-use crate::real::Real;
+use crate::real::{MulAdd, Real};
 
 /// AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]
@@ -137,6 +137,13 @@ impl Fused for F64 {
     }
 }
 
+impl MulAdd for F64 {
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self.fused(factor, term)
+    }
+}
+
 impl Lanes for F64 {
     const LANES: usize = 4;
 
@@ -235,6 +242,16 @@ impl FilterLanes for F32 {
     fn mul_add(self, factor: Self, term: Self) -> Self {
         // SAFETY: see the module's head.
         Self(unsafe { _mm256_fmadd_ps(self.0, factor.0, term.0) })
+    }
+    #[inline(always)]
+    fn negative_mul_add(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm256_fnmadd_ps(self.0, factor.0, term.0) })
+    }
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { _mm256_movemask_ps(self.0) as u32 }
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

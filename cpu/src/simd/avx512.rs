@@ -9,7 +9,7 @@ use std::arch::x86_64::*;
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
 use crate::certified::exact_sums::Fused;
-use crate::real::Real;
+use crate::real::{MulAdd, Real};
 
 /// AVX-512 F, DQ, BW and VL.
 #[derive(Clone, Copy, Debug)]
@@ -153,6 +153,13 @@ impl Fused for F64 {
     }
 }
 
+impl MulAdd for F64 {
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self.fused(factor, term)
+    }
+}
+
 impl Lanes for F64 {
     const LANES: usize = 8;
 
@@ -204,6 +211,16 @@ impl FilterLanes for F32 {
     fn mul_add(self, factor: Self, term: Self) -> Self {
         // SAFETY: see the module's head.
         Self(unsafe { _mm512_fmadd_ps(self.0, factor.0, term.0) })
+    }
+    #[inline(always)]
+    fn negative_mul_add(self, factor: Self, term: Self) -> Self {
+        // SAFETY: see the module's head.
+        Self(unsafe { _mm512_fnmadd_ps(self.0, factor.0, term.0) })
+    }
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        // SAFETY: see the module's head.
+        unsafe { u32::from(_mm512_movepi32_mask(_mm512_castps_si512(self.0))) }
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

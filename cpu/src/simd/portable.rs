@@ -6,7 +6,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
 use crate::certified::Rounding;
 use crate::certified::exact_sums::Fused;
-use crate::real::Real;
+use crate::real::{MulAdd, Real};
 
 /// The portable implementation.
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +120,13 @@ impl Fused for F64x4 {
     }
 }
 
+impl MulAdd for F64x4 {
+    #[inline(always)]
+    fn times_plus(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
+}
+
 impl Lanes for F64x4 {
     const LANES: usize = 4;
 
@@ -171,6 +178,14 @@ impl FilterLanes for F32x4 {
     #[inline(always)]
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self * factor + term
+    }
+    #[inline(always)]
+    fn negative_mul_add(self, factor: Self, term: Self) -> Self {
+        term - self * factor
+    }
+    #[inline(always)]
+    fn signs(self) -> u32 {
+        (0..Self::LANES).map(|lane| u32::from(self.0[lane].is_sign_negative()) << lane).sum()
     }
     #[inline(always)]
     fn min(self, other: Self) -> Self {

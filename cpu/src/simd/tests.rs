@@ -50,6 +50,11 @@ impl Kernel for Doubles {
                 same(x.sqrt(), |lane| left[lane].sqrt());
                 same(x.fused(y, x), |lane| left[lane].mul_add(right[lane], left[lane]));
                 same(S::F64::of(right[0]), |_| right[0]);
+                let mut loosely = [0.0; 16];
+                x.times_plus(y, x).store(&mut loosely);
+                for (&found, (l, r)) in loosely.iter().zip(left.into_iter().zip(right)).take(S::F64::LANES) {
+                    assert!([l.mul_add(r, l), l * r + l].map(bits).contains(&bits(found)), "{l:e} {r:e}: {found:e}");
+                }
                 let (less, less_equal) = (x.less(y), x.less_equal(y));
                 let expected = |test: fn(&f64, &f64) -> bool| -> u32 {
                     (0..S::F64::LANES).map(|lane| u32::from(test(&left[lane], &right[lane])) << lane).sum()
@@ -111,6 +116,7 @@ impl Kernel for Singles {
                 };
                 let results = [x + y, x - y, x * y, x.min(y), x.max(y), S::F32::splat(right[0])].map(stored);
                 let (fused, met) = (stored(x.mul_add(y, x)), x.less_equal(y));
+                let (negative, signs) = (stored(x.negative_mul_add(y, x)), x.signs());
                 for lane in 0..S::F32::LANES {
                     let (l, r) = (left[lane], right[lane]);
                     let (least, most) = (if l < r { l } else { r }, if l > r { l } else { r });
@@ -118,9 +124,13 @@ impl Kernel for Singles {
                     assert_eq!(results.map(|lanes| bits(lanes[lane])), expected.map(bits), "{l:e}, {r:e}");
                     let allowed = [l.mul_add(r, l), l * r + l].map(bits);
                     assert!(allowed.contains(&bits(fused[lane])), "{l:e} {r:e} + {l:e} is not {:e}", fused[lane]);
+                    let allowed = [(-l).mul_add(r, l), l - l * r].map(bits);
+                    let found = negative[lane];
+                    assert!(allowed.contains(&bits(found)), "{l:e} - {l:e} {r:e} is not {found:e}");
+                    assert!(l.is_nan() || signs >> lane & 1 == u32::from(l.is_sign_negative()), "{l:e}");
                     assert_eq!(met >> lane & 1 == 1, l <= r, "{l:e}, {r:e}");
                 }
-                assert_eq!(met >> S::F32::LANES, 0);
+                assert_eq!((met | signs) >> S::F32::LANES.min(31), 0);
             }
         }
         S::F32::LANES

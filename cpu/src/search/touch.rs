@@ -1,0 +1,211 @@
+//! Which spheres and cylinders rays may meet, in double precision: the filter in front of the exact formulas.
+//!
+//! A ray has no hit with a shape whose quadratic `f(lambda) = a lambda^2 - 2 h lambda + c` has no root that counts: the line
+//! misses, or the ray has come out before; most rays start on a surface and go outward. The quadratics are those of
+//! [`crate::sphere`] and [`crate::cylinder`], multiplied out to be short and rounded as it comes. The margin covers that, and
+//! what rounding may do to the exact formulas (docs/performance.md); where the filter stops nothing, these decide.
+
+use crate::cylinder::CylinderRecord;
+use crate::ray::{LAMBDA_MIN, Ray};
+use crate::real::MulAdd;
+use crate::sphere::SphereRecord;
+use crate::vec3::Vec3;
+
+/// How much of a quadratic's terms the margin is: a thousand roundings.
+const MARGIN: f64 = 512.0 * f64::EPSILON;
+
+/// By its part of the scene's reach, how far rounding may move a point of the scene, many times over.
+const SLACK: f64 = 8192.0 * f64::EPSILON;
+
+/// What the filter knows of a sphere; a number, lanes, or an array of each.
+#[derive(Clone, Copy, Debug)]
+pub struct SphereTarget<T = f64> {
+    pub center: Vec3<T>,
+    pub radius_squared: T,
+}
+
+/// What the filter knows of a cylinder.
+#[derive(Clone, Copy, Debug)]
+pub struct CylinderTarget<T = f64> {
+    pub center: Vec3<T>,
+    /// Of length one.
+    pub axis: Vec3<T>,
+    pub radius_squared: T,
+    /// Half the distance of its bases, rounding included.
+    pub half_height: T,
+}
+
+impl SphereTarget {
+    /// The sphere.
+    #[inline(always)]
+    pub fn new(record: &SphereRecord) -> Self {
+        Self { center: record.center, radius_squared: record.radius_squared }
+    }
+}
+
+impl CylinderTarget {
+    /// The cylinder, in a scene of this [reach](crate::prepare::Extent::reach).
+    #[inline(always)]
+    pub fn new(record: &CylinderRecord, reach: f64) -> Self {
+        let CylinderRecord { center, axis, radius_squared, half_height, .. } = *record;
+        Self { center, axis, radius_squared, half_height: half_height + reach * SLACK }
+    }
+}
+
+/// One ray or a lane of them, which start within the scene's reach, as targets see them.
+#[derive(Clone, Copy, Debug)]
+pub struct Touch<T> {
+    pub ray: Ray<T>,
+    /// `direction.direction`.
+    a: T,
+    /// The margin's part of `a`.
+    margin: T,
+}
+
+/// A quadratic.
+struct Quadratic<T> {
+    a: T,
+    h: T,
+    c: T,
+    /// What the terms of `c` amount to.
+    size: T,
+}
+
+impl<T: MulAdd> Touch<T> {
+    /// The ray.
+    #[inline(always)]
+    pub fn new(ray: Ray<T>) -> Self {
+        let a = dot(ray.direction, ray.direction);
+        Self { ray, a, margin: a * T::of(MARGIN) }
+    }
+
+    /// Whether it may meet the sphere.
+    #[inline(always)]
+    pub fn sphere(&self, target: &SphereTarget<T>) -> T::Mask {
+        let to_center = target.center - self.ray.origin;
+        let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
+        let (c, size) = (q - target.radius_squared, q + target.radius_squared);
+        !self.passes_by(&Quadratic { a: self.a, h, c, size })
+    }
+
+    /// Whether it may meet the cylinder.
+    #[inline(always)]
+    pub fn cylinder(&self, target: &CylinderTarget<T>) -> T::Mask {
+        let to_center = target.center - self.ray.origin;
+        let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
+        let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
+        let across = Quadratic {
+            a: (-slope).times_plus(slope, self.a),
+            h: (-slope).times_plus(along, h),
+            c: (-along).times_plus(along, q - target.radius_squared),
+            size: q + target.radius_squared,
+        };
+        // Seen in the direction in which the ray advances: how far the first point that counts is past the middle.
+        let past_middle = slope.abs().times_plus(T::of(LAMBDA_MIN), -along.flipped_by(slope));
+        !(self.passes_by(&across) | target.half_height.less(past_middle))
+    }
+
+    /// Whether the ray certainly has no root that counts.
+    #[inline(always)]
+    fn passes_by(&self, &Quadratic { a, h, c, size }: &Quadratic<T>) -> T::Mask {
+        let most_discriminant = h.times_plus(h, size.times_plus(self.margin, -(a * c)));
+        // f at the smallest lambda that counts; where h is negative it rises from there on.
+        let least_at_first = a.times_plus(T::of(LAMBDA_MIN * LAMBDA_MIN), size.times_plus(T::of(-MARGIN), c));
+        let least_at_first = h.times_plus(T::of(-2.0 * LAMBDA_MIN), least_at_first);
+        let zero = T::of(0.0);
+        most_discriminant.less(zero) | (h.less(zero) & zero.less(least_at_first))
+    }
+}
+
+#[inline(always)]
+fn dot<T: MulAdd>(left: Vec3<T>, right: Vec3<T>) -> T {
+    left.z.times_plus(right.z, left.y.times_plus(right.y, left.x * right.x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified;
+    use crate::rng::Uniform;
+
+    fn may_meet_sphere(record: &SphereRecord, ray: &Ray) -> bool {
+        Touch::new(*ray).sphere(&SphereTarget::new(record))
+    }
+
+    fn may_meet_cylinder(record: &CylinderRecord, ray: &Ray) -> bool {
+        Touch::new(*ray).cylinder(&CylinderTarget::new(record, 10.0))
+    }
+
+    #[test]
+    fn a_ray_that_goes_outward_leaves_and_one_that_goes_inward_does_not() {
+        let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
+        let may_meet = |direction: [f64; 3]| {
+            may_meet_sphere(&sphere, &Ray { origin: Vec3::new(0.0, 1.0, 0.0), direction: direction.into() })
+        };
+        assert!(!may_meet([0.3, 1.0, 0.0]) && !may_meet([1.0, 1e-9, 0.0]));
+        assert!(may_meet([0.3, -1.0, 0.0]) && may_meet([1.0, -1e-9, 0.0]));
+    }
+
+    #[test]
+    fn a_line_beside_the_shape_is_stopped_and_one_that_touches_it_is_not() {
+        let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
+        let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
+        for (x, may_meet) in [(0.5, true), (1.0, true), (1.0 + 1e-15, true), (1.0 + 1e-9, false), (-1.5, false)] {
+            let ray = Ray { origin: Vec3::new(x, 0.0, -3.0), direction: Vec3::new(0.0, 0.0, 2.0) };
+            assert_eq!(may_meet_sphere(&sphere, &ray), may_meet, "{x}");
+            assert_eq!(may_meet_cylinder(&cylinder, &ray), may_meet, "{x}");
+        }
+    }
+
+    #[test]
+    fn a_cylinder_is_left_by_its_side_and_by_its_bases() {
+        let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
+        let leaves = |origin: [f64; 3], direction: [f64; 3]| {
+            !may_meet_cylinder(&cylinder, &Ray { origin: origin.into(), direction: direction.into() })
+        };
+        assert!(leaves([1.0, 0.0, 0.0], [1.0, 0.5, 0.0]));
+        assert!(leaves([0.5, 2.0, 0.0], [0.1, 1.0, 0.0]));
+        assert!(leaves([0.5, -2.0, 0.0], [0.1, -1.0, 0.0]));
+        assert!(!leaves([1.0, 0.0, 0.0], [-1.0, 0.5, 0.0]));
+        assert!(!leaves([0.5, 2.0, 0.0], [0.1, -1.0, 0.0]));
+        assert!(!leaves([0.5, -2.0, 0.0], [0.1, 1.0, 0.0]));
+    }
+
+    #[test]
+    fn what_is_stopped_is_never_met() {
+        let mut draws = Uniform::new(21);
+        let mut stopped = [0; 2];
+        let mut met = [0; 2];
+        for _ in 0..20_000 {
+            let size = 10.0_f64.powf(draws.draw(-3.0, 6.0));
+            let mut vector = |reach: f64| Vec3::from([(); 3].map(|()| draws.draw(-reach, reach)));
+            let (center, normal, axis, aside) = (vector(1e3), vector(1.0).unit(), vector(3.0), vector(1.0));
+            let sphere = SphereRecord::new(center, size);
+            let cylinder = CylinderRecord::new(center, size, axis * size);
+            // Grazing directions, where the test is hardest.
+            let tilt = draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-12.0, 0.0));
+            let from = |normal: Vec3| Ray {
+                origin: center + normal * size,
+                direction: aside.perpendicular_to(normal) + normal * tilt,
+            };
+            let reach = center.length() + 4.0 * size;
+            let side = normal.perpendicular_to(cylinder.axis).unit();
+            let (on_sphere, on_side) = (from(normal), from(side));
+            let maybe = [
+                Touch::new(on_sphere).sphere(&SphereTarget::new(&sphere)),
+                Touch::new(on_side).cylinder(&CylinderTarget::new(&cylinder, reach)),
+            ];
+            let hits = [
+                sphere.intersect(&on_sphere).is_some() || certified::sphere::intersect(&sphere, &on_sphere).is_some(),
+                cylinder.intersect(&on_side).is_some()
+                    || certified::cylinder::intersect(&cylinder, &(axis * size), &on_side).is_some(),
+            ];
+            for kind in 0..2 {
+                assert!(maybe[kind] || !hits[kind], "{kind}: {sphere:?}, {cylinder:?}, {on_sphere:?}, {on_side:?}");
+                stopped[kind] += u32::from(!maybe[kind]);
+                met[kind] += u32::from(hits[kind]);
+            }
+        }
+        assert!(stopped.iter().chain(&met).all(|&count| count > 4000), "{stopped:?} stopped, {met:?} met");
+    }
+}
