@@ -28,6 +28,8 @@ pub enum Counter {
     CylinderAsks,
     /// Objects asked without any filter, in scenes of extreme magnitudes.
     PlainAsks,
+    /// Rays from the ground that did not go the way that was expected.
+    Unexpected,
     /// Rays that met a surface.
     Hits,
     /// Spheres that were in doubt and answered by the formula without cancellation.
@@ -54,7 +56,7 @@ pub enum Counter {
 
 impl Counter {
     /// All of them.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::PrimaryRays,
         Self::PrimaryTests,
         Self::SpanObjects,
@@ -66,6 +68,7 @@ impl Counter {
         Self::SphereAsks,
         Self::CylinderAsks,
         Self::PlainAsks,
+        Self::Unexpected,
         Self::Hits,
         Self::Compensated,
         Self::Fallbacks,

@@ -22,7 +22,7 @@ mod touch;
 pub use bounds::Bounds;
 pub use few::{Few, nearest_of};
 pub use filter::Filter;
-pub use find::{Find, Plain};
+pub use find::{Find, Origin, Plain};
 pub use found::Found;
 pub use hierarchy::{Hierarchy, Stack};
 
@@ -93,10 +93,10 @@ impl Search {
     ) -> Found {
         add(Counter::WalkRays, 1);
         match self {
-            Self::Plain => Plain.find::<S, O, P>(objects, ray, from, stack),
-            Self::Few(search) => search.find::<S, O, P>(objects, ray, from, stack),
-            Self::Flat(search) => search.find::<S, O, P>(objects, ray, from, stack),
-            Self::Tree(search) => search.find::<S, O, P>(objects, ray, from, stack),
+            Self::Plain => Plain.find::<S, O, P>(objects, ray, Plain.origin(objects, ray, from), stack),
+            Self::Few(search) => search.find::<S, O, P>(objects, ray, search.origin(objects, ray, from), stack),
+            Self::Flat(search) => search.find::<S, O, P>(objects, ray, search.origin(objects, ray, from), stack),
+            Self::Tree(search) => search.find::<S, O, P>(objects, ray, search.origin(objects, ray, from), stack),
         }
     }
 }

@@ -226,3 +226,19 @@ fn rays_inside_an_object_that_nothing_reaches_into_ask_no_other() {
     let (alone, overlapping) = (visits(0.195), visits(0.205));
     assert!(alone < 0.9 * overlapping, "{alone} and {overlapping} nodes a ray");
 }
+
+#[test]
+fn which_way_a_ray_leaves_the_ground_is_nearly_always_told_right() {
+    // Wide enough for the filter, and a ground that sends rays into itself.
+    for ground in ["metal: ground .9 .9 .9 1.5\n", "matte: ground .9 .9 .9\n", GLASS] {
+        let name = if ground == GLASS { "g" } else { "ground" };
+        let text = format!("{MATTE}{ground}sphere: 0 -101 0 100 {name}\n{}", row_of_spheres(30, "m"));
+        let counts = count("samples_per_pixel: 64\n", &text);
+        assert!(counts(Counter::WalkRays) > 10_000, "{ground}");
+        assert!(
+            counts(Counter::Unexpected) * 1000 < counts(Counter::WalkRays),
+            "{ground}: {}",
+            counts(Counter::Unexpected)
+        );
+    }
+}

@@ -100,14 +100,15 @@ impl Walk {
         First { mut ray, found: mut known }: First,
     ) {
         let Self { triples, queue, ended, stack } = self;
-        let (mut rays, mut from) = (queue.rays[at], queue.object[at] as ObjectId);
+        let mut rays = queue.rays[at];
+        let mut origin = search.origin(&prepared.objects, &ray, queue.object[at] as ObjectId);
         loop {
             // The search stands here once: its code is long.
             let found = match known.take() {
                 Some(found) => found,
                 None => {
                     add(Counter::WalkRays, 1);
-                    search.find::<S, L::Objects, P>(&prepared.objects, &ray, from, stack)
+                    search.find::<S, L::Objects, P>(&prepared.objects, &ray, origin, stack)
                 }
             };
             if !found.is_hit() {
@@ -126,18 +127,22 @@ impl Walk {
             }
             let surface = Surface::new(&prepared.objects, &ray, &found);
             let finish = &prepared.finishes[surface.material as usize];
-            ray.origin = surface.point;
-            ray.direction = match surface.onward(finish, ray.direction) {
+            match surface.onward(finish, ray.direction) {
                 Onward::Scattered(base) => {
                     if !ended.meet(at, surface.material) {
                         return ended.forget(at, queue);
                     }
                     triples.prepare(wide);
-                    finish.spread.around(base, triples.next())
+                    let triple = triples.next();
+                    let vector = finish.spread.vector(triple);
+                    origin = search.next_origin(&prepared.objects, &ray, &found, finish, vector);
+                    ray = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
                 }
-                Onward::Through(direction) => direction,
-            };
-            from = found.object;
+                Onward::Through(direction) => {
+                    ray = Ray { origin: surface.point, direction };
+                    origin = search.origin(&prepared.objects, &ray, found.object);
+                }
+            }
         }
     }
 }

@@ -3,8 +3,9 @@
 use super::filter_ray::{BLOCK, Balls, FilterRay, Tubes};
 use super::ground::Ground;
 use super::touch::{CylinderTarget, SphereTarget, Touch};
-use super::{Found, NOWHERE, ObjectId};
+use super::{Found, NOWHERE, ObjectId, Origin, plain};
 use crate::certified::Intersect;
+use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -68,22 +69,39 @@ impl Filter {
         self.sunk = None;
     }
 
-    /// The nearest object that a ray from the surface of `from` meets.
+    /// The sphere that is asked apart.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, from: ObjectId) -> Found {
+    #[must_use]
+    pub const fn ground(&self) -> Ground {
+        self.ground
+    }
+
+    /// The nearest object that a ray meets.
+    #[inline(always)]
+    pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, origin: Origin) -> Found {
         let mut found = Found::NOTHING;
         let touch = Touch::new(*ray);
-        if self.ground.is(from)
+        if self.ground.is(origin.object)
             && let Some(sunk) = &self.sunk
         {
-            self.ground.ask::<O, P>(&mut found, objects, &touch);
-            if found.is_hit() {
+            // The branch that the processor cannot guess is on what is expected, which is known early; whether it is as
+            // expected it guesses right.
+            let Ray { origin: o, direction: d } = *ray;
+            if origin.goes_in {
+                self.ground.ask::<O, P>(&mut found, objects, &touch);
+                if !found.is_hit() {
+                    return unexpected::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+                }
                 for &id in sunk {
                     found.ask::<O, P>(objects, id, ray);
                 }
                 return found;
             }
+            if self.ground.may_be_met(objects, &touch) {
+                return unexpected::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+            }
         }
+        let from = origin.object;
         let (mut spheres, mut cylinders) = self.may_meet::<S>(ray);
         // The object that the ray starts on passes every filter; mostly the ray leaves it.
         if from < self.sphere_count {
@@ -98,7 +116,7 @@ impl Filter {
         }
         if let Some(ground) = self.ground.id()
             && !(self.sunk.is_some() && from == ground)
-            && touch.sphere(&SphereTarget::new(&objects.sphere(ground as usize).record))
+            && self.ground.may_be_met(objects, &touch)
         {
             spheres |= 1 << ground;
         }
@@ -137,6 +155,15 @@ impl Filter {
         }
         (spheres & self.sphere_lanes, cylinders & self.cylinder_lanes)
     }
+}
+
+/// The answer for a ray that goes another way than expected: by asking every object. It takes the ray by components, which stay
+/// in registers, where a reference would keep every ray in memory.
+#[cold]
+#[inline(never)]
+fn unexpected<O: Objects, P: Intersect>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> Found {
+    add(Counter::Unexpected, 1);
+    plain::<O, P>(objects, &Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) })
 }
 
 /// As many blocks as `count` objects take.

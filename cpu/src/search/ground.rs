@@ -4,7 +4,9 @@ use super::touch::{SphereTarget, Touch};
 use super::{Bounds, Found, ObjectId};
 use crate::certified::Intersect;
 use crate::layout::Objects;
-use crate::prepare::Extent;
+use crate::prepare::{Extent, Finish, Kind};
+use crate::ray::Ray;
+use crate::vec3::Vec3;
 
 /// A sphere at least this many times as large as everything else is asked apart.
 const RATIO: f64 = 8.0;
@@ -70,11 +72,54 @@ impl Ground {
         Some(sunk)
     }
 
+    /// Whether a ray from its surface goes into it; false where there is none.
+    #[inline(always)]
+    pub fn is_entered_by<O: Objects>(self, objects: &O, ray: &Ray) -> bool {
+        self.0.is_some_and(|id| ray.direction.dot(ray.origin - objects.sphere(id as usize).record.center) < 0.0)
+    }
+
+    /// Whether the ray goes into it that its surface, with this finish and a random vector, makes of one that meets it at `lambda`:
+    /// nearly always right, and early. The ray itself is known only when a point, a normal, a mirror image and its length have
+    /// been computed one after the other, and nobody can guess which way it goes.
+    ///
+    /// With `w` from the centre to the point, a mirror image of length one has the product `-d.w / |d|` with `w`, a normal
+    /// `|w|` or its opposite; and a product with `w = (O - C) + lambda d` needs only lambda of what the search has found.
+    #[inline(always)]
+    pub fn will_be_entered<O: Objects>(
+        self,
+        objects: &O,
+        ray: &Ray,
+        lambda: f64,
+        finish: &Finish,
+        vector: Vec3,
+    ) -> bool {
+        let Some(id) = self.0 else {
+            return false;
+        };
+        let record = objects.sphere(id as usize).record;
+        let (direction, from_center) = (ray.direction, ray.origin - record.center);
+        let squared = direction.dot(direction);
+        let of_direction = direction.dot(from_center) + lambda * squared;
+        let of_vector = vector.dot(from_center) + lambda * vector.dot(direction);
+        let of_base = match finish.kind {
+            Kind::Matte => record.radius.copysign(-of_direction),
+            // Single precision is enough for a guess, and sooner there.
+            _ => -of_direction * f64::from(1.0 / (squared as f32).sqrt()),
+        };
+        of_base + of_vector < 0.0
+    }
+
+    /// Whether the ray may meet it; false where there is none.
+    #[inline(always)]
+    pub fn may_be_met<O: Objects>(self, objects: &O, touch: &Touch<f64>) -> bool {
+        self.0.is_some_and(|id| touch.sphere(&SphereTarget::new(&objects.sphere(id as usize).record)))
+    }
+
     /// Takes it into account, unless the ray certainly does not meet it.
     #[inline(always)]
     pub fn ask<O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
         if let Some(id) = self.0
-            && touch.sphere(&SphereTarget::new(&objects.sphere(id as usize).record))
+            && self.may_be_met(objects, touch)
         {
             found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
         }
@@ -84,8 +129,12 @@ impl Ground {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certified::Certified;
     use crate::layout::AosObjects;
+    use crate::rng::Uniform;
+    use crate::scatter::Scatter;
     use crate::scene::Scene;
+    use crate::surface::{Onward, Surface};
 
     fn ground_of(objects: &str) -> Option<ObjectId> {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{objects}").as_bytes()).expect("the scene is valid");
@@ -99,5 +148,40 @@ mod tests {
         assert_eq!(ground_of("sphere: 0 -9 0 8 m\ncylinder: 0 0 0 .1 0 3 0 m\n"), None, "the cylinder is long");
         assert_eq!(ground_of("cylinder: 0 0 0 .1 0 3 0 m\n"), None, "there is no sphere");
         assert_eq!(ground_of("sphere: 0 0 0 1 m\n"), Some(0), "alone it is larger than all else");
+    }
+
+    #[test]
+    fn where_a_scattered_ray_goes_is_told_before_it_is_known() {
+        let text = "matte: m 1 1 1\nmetal: s 1 1 1 0.4\nmetal: r 1 1 1 2.5\n\
+                    sphere: 0 -50 0 50 m\nsphere: 0 0 0 1 m\nsphere: 0 2 0 1 m\n";
+        let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("it fits");
+        let (ground, record) = (Ground::of(&objects), objects.sphere(0).record);
+        let mut draws = Uniform::new(12);
+        let mut counts = [[0; 2]; 3];
+        for number in 0..30_000 {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            // From above, and from within.
+            let origin =
+                if number % 2 == 0 { Vec3::new(0.0, 5.0, 0.0) + vector() } else { vector() * 20.0 + record.center };
+            let ray = Ray { origin, direction: vector() * 3.0 };
+            let triple = vector().map(|component| (component + 1.0) / 2.0);
+            let mut found = Found::NOTHING;
+            found.ask_sphere::<_, Certified>(&objects, 0, &ray);
+            if !found.is_hit() {
+                continue;
+            }
+            let material = number % 3;
+            let finish = Finish::new(&scene.materials[material], Scatter::Statement);
+            let surface = Surface::new(&objects, &ray, &found);
+            let Onward::Scattered(base) = surface.onward(&finish, ray.direction) else { unreachable!() };
+            let next = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
+            let told = ground.will_be_entered(&objects, &ray, found.lambda, &finish, finish.spread.vector(triple));
+            if next.direction.dot(surface.outward).abs() > 1e-5 {
+                assert_eq!(told, ground.is_entered_by(&objects, &next), "{ray:?}, {finish:?}");
+            }
+            counts[material][usize::from(told)] += 1;
+        }
+        assert!(counts.as_flattened().iter().all(|&count| count > 1500), "{counts:?}");
     }
 }
