@@ -43,6 +43,7 @@ pub const NOWHERE: ObjectId = ObjectId::MAX;
 
 /// How the nearest object is found; chosen once for a scene.
 #[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Search {
     /// Every object is asked: for scenes whose magnitudes no filter bears.
     Plain,

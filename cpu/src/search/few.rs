@@ -24,7 +24,7 @@ const FEWEST_SIDE_BY_SIDE: usize = 4;
 #[derive(Clone, Debug)]
 pub struct Few {
     in_order: Vec<ObjectId>,
-    side_by_side: Box<SideBySide>,
+    side_by_side: SideBySide,
     reach: f64,
 }
 
@@ -34,7 +34,7 @@ impl Few {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let side_by_side = Box::new(SideBySide::new(objects, extent.reach));
+        let side_by_side = SideBySide::new(objects, extent.reach);
         Ok(Self { in_order: super::in_order(objects)?, side_by_side, reach: extent.reach })
     }
 
