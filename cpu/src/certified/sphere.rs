@@ -47,15 +47,15 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -
         return Verdict::Certain(None);
     }
     let root = discriminant.sqrt();
-    let is_inside = certificate.is_too_small(a, h - root, root);
-    if !is_inside {
+    let near_fails = certificate.is_too_small(a, h - root, root);
+    if !near_fails {
         let near = certificate.root(a, h - root, root);
         if near.hits {
             return Verdict::Certain(Some(near.lambda));
         }
     }
     let far = certificate.root(a, h + root, root);
-    match (is_inside && far.hits, far.fails) {
+    match (near_fails && far.hits, far.fails) {
         (true, _) => Verdict::Certain(Some(far.lambda)),
         // The larger root too near: the smaller too.
         (_, true) => Verdict::Certain(None),

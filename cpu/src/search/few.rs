@@ -5,7 +5,7 @@
 //! formulas are for the others.
 
 use super::side_by_side::SideBySide;
-use super::touch::{CylinderTarget, SphereTarget, Touch};
+use super::touch::Touch;
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::error::Error;
@@ -52,12 +52,12 @@ impl Few {
         }
         let (touch, mut found) = (Touch::new(*ray), Found::NOTHING);
         for index in 0..objects.sphere_count() {
-            if touch.sphere(&SphereTarget::new(&objects.sphere(index).record)) {
+            if touch.sphere_at(objects, index) {
                 found.ask_sphere::<O, P>(objects, index, ray);
             }
         }
         for index in 0..objects.cylinder_count() {
-            if touch.cylinder(&CylinderTarget::new(&objects.cylinder(index).record, self.reach)) {
+            if touch.cylinder_at(objects, index, self.reach) {
                 found.ask_cylinder::<O, P>(objects, index, ray);
             }
         }

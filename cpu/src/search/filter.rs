@@ -2,7 +2,7 @@
 
 use super::filter_ray::{BLOCK, Balls, FilterRay, Tubes};
 use super::ground::Ground;
-use super::touch::{CylinderTarget, SphereTarget, Touch};
+use super::touch::Touch;
 use super::{Found, NOWHERE, ObjectId, Origin, plain};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -105,12 +105,12 @@ impl Filter {
         let (mut spheres, mut cylinders) = self.may_meet::<S>(ray);
         // The object that the ray starts on passes every filter; mostly the ray leaves it.
         if from < self.sphere_count {
-            if !self.ground.is(from) && !touch.sphere(&SphereTarget::new(&objects.sphere(from as usize).record)) {
+            if !self.ground.is(from) && !touch.sphere_at(objects, from as usize) {
                 spheres &= !(1 << from);
             }
         } else if from != NOWHERE {
             let index = from - self.sphere_count;
-            if !touch.cylinder(&CylinderTarget::new(&objects.cylinder(index as usize).record, self.reach)) {
+            if !touch.cylinder_at(objects, index as usize, self.reach) {
                 cylinders &= !(1 << index);
             }
         }

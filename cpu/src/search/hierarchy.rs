@@ -10,7 +10,7 @@ use super::bounds::Bounds;
 use super::build::build;
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
-use super::touch::{CylinderTarget, SphereTarget, Touch};
+use super::touch::Touch;
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -259,12 +259,12 @@ impl Hierarchy {
     ) {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
-                if touch.sphere(&SphereTarget::new(&objects.sphere(id as usize).record)) {
+                if touch.sphere_at(objects, id as usize) {
                     found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
                 }
             }
             Some(index) => {
-                if id != from || touch.cylinder(&CylinderTarget::new(&objects.cylinder(index).record, self.reach)) {
+                if id != from || touch.cylinder_at(objects, index, self.reach) {
                     found.ask_cylinder::<O, P>(objects, index, &touch.ray);
                 }
             }

@@ -37,6 +37,7 @@ impl SideBySide {
             center: rows(cylinder_count, |index| cylinder(index).center),
             axis: rows(cylinder_count, |index| cylinder(index).axis),
             radius_squared: row(cylinder_count, |index| cylinder(index).radius_squared),
+            squares: row(cylinder_count, |index| cylinder(index).squares),
             half_height: row(cylinder_count, |index| cylinder(index).half_height),
         };
         Self { sphere_count, spheres, cylinder_count, cylinders }
@@ -100,6 +101,7 @@ impl CylinderTarget<Row> {
             center: vector_lanes(&self.center, at),
             axis: vector_lanes(&self.axis, at),
             radius_squared: V::load(&self.radius_squared[at..]),
+            squares: V::load(&self.squares[at..]),
             half_height: V::load(&self.half_height[at..]),
         }
     }
@@ -111,6 +113,7 @@ impl CylinderTarget<Row> {
             center: one_vector(&self.center, at),
             axis: one_vector(&self.axis, at),
             radius_squared: V::of(self.radius_squared[at]),
+            squares: V::of(self.squares[at]),
             half_height: V::of(self.half_height[at]),
         }
     }

@@ -6,6 +6,7 @@
 //! what rounding may do to the exact formulas (docs/performance.md); where the filter stops nothing, these decide.
 
 use crate::cylinder::CylinderRecord;
+use crate::layout::Objects;
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::real::MulAdd;
 use crate::sphere::SphereRecord;
@@ -31,6 +32,8 @@ pub struct CylinderTarget<T = f64> {
     /// Of length one.
     pub axis: Vec3<T>,
     pub radius_squared: T,
+    /// The squares of its radius and of half its height: no point of it is farther from the centre than their root.
+    pub squares: T,
     /// Half the distance of its bases, rounding included.
     pub half_height: T,
 }
@@ -48,7 +51,8 @@ impl CylinderTarget {
     #[inline(always)]
     pub fn new(record: &CylinderRecord, reach: f64) -> Self {
         let CylinderRecord { center, axis, radius_squared, half_height, .. } = *record;
-        Self { center, axis, radius_squared, half_height: half_height + reach * SLACK }
+        let squares = radius_squared + half_height * half_height;
+        Self { center, axis, radius_squared, squares, half_height: half_height + reach * SLACK }
     }
 }
 
@@ -69,6 +73,20 @@ struct Quadratic<T> {
     c: T,
     /// What the terms of `c` amount to.
     size: T,
+}
+
+impl Touch<f64> {
+    /// Whether the ray may meet the sphere at `index`.
+    #[inline(always)]
+    pub fn sphere_at<O: Objects>(&self, objects: &O, index: usize) -> bool {
+        self.sphere(&SphereTarget::new(&objects.sphere(index).record))
+    }
+
+    /// Whether the ray may meet the cylinder at `index` among the cylinders, in a scene of this reach.
+    #[inline(always)]
+    pub fn cylinder_at<O: Objects>(&self, objects: &O, index: usize, reach: f64) -> bool {
+        self.cylinder(&CylinderTarget::new(&objects.cylinder(index).record, reach))
+    }
 }
 
 impl<T: MulAdd> Touch<T> {
@@ -98,7 +116,8 @@ impl<T: MulAdd> Touch<T> {
             a: (-slope).times_plus(slope, self.a),
             h: (-slope).times_plus(along, h),
             c: (-along).times_plus(along, q - target.radius_squared),
-            size: q + target.radius_squared,
+            // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
+            size: q + target.squares,
         };
         // Seen in the direction in which the ray advances: how far the first point that counts is past the middle.
         let past_middle = slope.abs().times_plus(T::of(LAMBDA_MIN), -along.flipped_by(slope));
