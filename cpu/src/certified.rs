@@ -68,6 +68,12 @@ pub trait Intersect {
         Verdict::Certain(Self::sphere(record, ray))
     }
 
+    /// The same, with what [`Intersect::reconsider_sphere`] tries first: worth its code where rays are often in doubt.
+    #[inline(always)]
+    fn judge_large_sphere(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
+        Self::judge_sphere(record, ray)
+    }
+
     /// What [`Intersect::cylinder`] says, unless that takes more than the textbook's formulas.
     #[inline(always)]
     fn judge_cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Verdict<Option<(f64, Part)>> {
@@ -123,6 +129,11 @@ impl Intersect for Certified {
     #[inline(always)]
     fn judge_sphere(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
         sphere::judge(record, ray)
+    }
+
+    #[inline(always)]
+    fn judge_large_sphere(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
+        sphere::judge_large(record, ray)
     }
 
     #[inline(always)]

@@ -63,6 +63,23 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -
     }
 }
 
+/// [`judge`], and where that is in doubt [`sphere_compensated::judge`]: what [`reconsider`] tries first.
+#[inline(always)]
+#[must_use]
+pub fn judge_large(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
+    match judge(record, ray) {
+        Verdict::Doubtful => {
+            let lanes = sphere_compensated::judge(record, ray);
+            if !lanes.certain {
+                return Verdict::Doubtful;
+            }
+            add(Counter::Compensated, 1);
+            Verdict::Certain(Some(lanes.lambda))
+        }
+        certain @ Verdict::Certain(_) => certain,
+    }
+}
+
 /// The answers of several rays or spheres at once.
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes<T: Real> {

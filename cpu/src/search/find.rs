@@ -100,7 +100,7 @@ impl Find for Hierarchy {
         origin: Origin,
         stack: &mut Stack,
     ) -> Found {
-        if self.covers(ray.origin) {
+        if self.covers(ray) {
             self.nearest::<S, O, P>(objects, ray, origin.object, stack)
         } else {
             plain::<O, P>(objects, ray)

@@ -6,6 +6,7 @@ use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::Objects;
 use crate::ray::Ray;
+use crate::simd::Simd;
 use crate::vec3::Vec3;
 
 /// The nearest hit among the objects asked so far.
@@ -52,9 +53,28 @@ impl Found {
     /// Takes the sphere at `index` into account.
     #[inline(always)]
     pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let verdict = P::judge_sphere(&objects.sphere(index).record, ray);
+        self.take_sphere::<O, P>(objects, index, ray, verdict);
+    }
+
+    /// The same, for a sphere so large that rays near it are often in doubt.
+    #[inline(always)]
+    pub fn ask_large_sphere<S: Simd, O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let record = objects.sphere(index).record;
+        let verdict = if S::FUSES { P::judge_large_sphere(&record, ray) } else { P::judge_sphere(&record, ray) };
+        self.take_sphere::<O, P>(objects, index, ray, verdict);
+    }
+
+    #[inline(always)]
+    fn take_sphere<O: Objects, P: Intersect>(
+        &mut self,
+        objects: &O,
+        index: usize,
+        ray: &Ray,
+        verdict: Verdict<Option<f64>>,
+    ) {
         add(Counter::SphereAsks, 1);
-        let sphere = objects.sphere(index);
-        let lambda = match P::judge_sphere(&sphere.record, ray) {
+        let lambda = match verdict {
             Verdict::Certain(lambda) => lambda,
             Verdict::Doubtful => {
                 let Ray { origin: o, direction: d } = *ray;
@@ -62,7 +82,7 @@ impl Found {
             }
         };
         if let Some(lambda) = lambda {
-            self.offer(lambda, index as ObjectId, sphere.order, Part::Side);
+            self.offer(lambda, index as ObjectId, objects.sphere(index).order, Part::Side);
         }
     }
 

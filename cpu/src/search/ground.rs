@@ -6,6 +6,7 @@ use crate::certified::Intersect;
 use crate::layout::Objects;
 use crate::prepare::{Extent, Finish, Kind};
 use crate::ray::Ray;
+use crate::simd::Simd;
 use crate::vec3::Vec3;
 
 /// A sphere at least this many times as large as everything else is asked apart.
@@ -122,6 +123,16 @@ impl Ground {
             && self.may_be_met(objects, touch)
         {
             found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
+        }
+    }
+
+    /// The same, where the closer look that large spheres often take is no call, if the machine is good at it.
+    #[inline(always)]
+    pub fn ask_closely<S: Simd, O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
+        if let Some(id) = self.0
+            && self.may_be_met(objects, touch)
+        {
+            found.ask_large_sphere::<S, O, P>(objects, id as usize, &touch.ray);
         }
     }
 }

@@ -1,9 +1,11 @@
 //! A tree of boxes, 16 children a node, for scenes of many objects.
 //!
-//! A node's boxes are tested at once, in single precision. With `u = 2^-24` each distance `(plane - origin) / direction`
-//! carries a relative error below `5 u` (the rounding of the direction, of the difference, of the reciprocal and of the
-//! product), and the origin is rounded towards the side that lets the ray pass. So a ray that meets a box, ahead and not
-//! farther than the nearest hit so far, has `near (1 - 5u) <= far (1 + 5u)`, which [`SLACK`] covers.
+//! A node's boxes are tested at once, in single precision: along each axis a plane at `p` is at the distance `p r - o r`,
+//! with the reciprocal `r` of the direction and the origin `o`. Of its error, with `u = 2^-24`, `2 u` of the distance come
+//! from `r`, and as much and `u |o r|` from the product and the sum, fused or not, since `p r` is `o r` and the distance.
+//! The origin is moved by `8 u |o|` towards the side that lets the ray pass, which covers what is relative to it: its own
+//! rounding, that of the sum and of `o r`, and that of `p r`. So a ray that meets a box, ahead and not farther than the
+//! nearest hit so far, has `near (1 - 5u) <= far (1 + 5u)`, which [`SLACK`] covers.
 
 use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
@@ -19,7 +21,6 @@ use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
 use crate::simd::{FilterLanes, Simd};
-use crate::vec3::Vec3;
 
 /// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
 const STACK: usize = 512;
@@ -33,8 +34,15 @@ const MOST_VISITS: usize = 64;
 /// Factor on a far distance that covers all rounding.
 const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
 
-/// Largest magnitude of a reciprocal: keeps a product with zero from being no number.
-const LARGEST_RECIPROCAL: f32 = 1e30;
+/// Largest magnitude of a reciprocal: no coordinate of a moderate scene overflows with it.
+const LARGEST_RECIPROCAL: f32 = 1e28;
+
+/// The least that an origin is moved: with the largest reciprocal it is farther than any plane across another axis, for
+/// a direction that is not shorter than [`SHORTEST`].
+const LEAST_STEP: f32 = 1e-10;
+
+/// Length squared of the shortest direction that the tree is used for.
+const SHORTEST: f64 = 1e-14;
 
 /// The tree over all objects of a scene.
 #[derive(Debug)]
@@ -58,34 +66,37 @@ impl Stack {
 
 /// A ray as the boxes see it.
 struct BoxRay<F> {
-    /// The origin, rounded so that near planes are not farther, and far planes not nearer, than they are.
+    /// Of its direction.
+    reciprocal: [F; 3],
+    /// Minus the origin times the reciprocal: moved so that near planes are not farther, and far planes not nearer, than
+    /// they are.
     near_origin: [F; 3],
     far_origin: [F; 3],
-    reciprocal: [F; 3],
-    /// Whether the ray goes down an axis: the high planes are then the near ones.
-    down: [bool; 3],
+    /// Which [corner](Node::corners) is the near one along each axis.
+    near: [usize; 3],
 }
 
 impl<F: FilterLanes> BoxRay<F> {
+    // Without a branch on where the ray goes, which no processor could guess.
     #[inline(always)]
     fn new(ray: &Ray) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-        let down = direction.map(|component| component < 0.0);
-        let mut near_origin = [F::splat(0.0); 3];
-        let mut far_origin = near_origin;
-        let mut reciprocal = near_origin;
+        let mut box_ray = Self {
+            reciprocal: [F::splat(0.0); 3],
+            near_origin: [F::splat(0.0); 3],
+            far_origin: [F::splat(0.0); 3],
+            near: [0; 3],
+        };
         for axis in 0..3 {
-            let rounded = origin[axis] as f32;
-            // A unit in the last place and more, without the branches of `next_up`.
-            let step = rounded.abs() * f32::EPSILON + f32::MIN_POSITIVE;
-            let (low, high) = (rounded - step, rounded + step);
-            near_origin[axis] = F::splat(if down[axis] { low } else { high });
-            far_origin[axis] = F::splat(if down[axis] { high } else { low });
-            // The sign comes from `down`, so that it is right for both zeros.
-            let inverse = (1.0 / (direction[axis] as f32).abs()).min(LARGEST_RECIPROCAL);
-            reciprocal[axis] = F::splat(if down[axis] { -inverse } else { inverse });
+            let (origin, direction) = (origin[axis] as f32, direction[axis] as f32);
+            let reciprocal = (1.0 / direction).clamp(-LARGEST_RECIPROCAL, LARGEST_RECIPROCAL);
+            let step = (origin.abs() * (4.0 * f32::EPSILON) + LEAST_STEP).copysign(direction);
+            box_ray.reciprocal[axis] = F::splat(reciprocal);
+            box_ray.near_origin[axis] = F::splat(-((origin + step) * reciprocal));
+            box_ray.far_origin[axis] = F::splat(-((origin - step) * reciprocal));
+            box_ray.near[axis] = usize::from(direction.is_sign_negative());
         }
-        Self { near_origin, far_origin, reciprocal, down }
+        box_ray
     }
 
     /// Distances to the boxes of a node, and which the ray meets within `farthest`.
@@ -94,12 +105,9 @@ impl<F: FilterLanes> BoxRay<F> {
         let mut near = F::splat(0.0);
         let mut far = farthest;
         for axis in 0..3 {
-            let (near_planes, far_planes) =
-                if self.down[axis] { (&node.high, &node.low) } else { (&node.low, &node.high) };
-            let enter = (F::load(&near_planes[axis][at..]) - self.near_origin[axis]) * self.reciprocal[axis];
-            let leave = (F::load(&far_planes[axis][at..]) - self.far_origin[axis]) * self.reciprocal[axis];
-            near = enter.max(near);
-            far = leave.min(far);
+            let (enter, leave) = (&node.corners[self.near[axis]][axis], &node.corners[1 - self.near[axis]][axis]);
+            near = F::load(&enter[at..]).mul_add(self.reciprocal[axis], self.near_origin[axis]).max(near);
+            far = F::load(&leave[at..]).mul_add(self.reciprocal[axis], self.far_origin[axis]).min(far);
         }
         (near, near.less_equal(far * F::splat(SLACK)))
     }
@@ -155,10 +163,11 @@ impl Hierarchy {
         true
     }
 
-    /// Whether a ray from `origin` may use the tree.
+    /// Whether the ray may use the tree.
     #[inline(always)]
-    pub fn covers(&self, origin: Vec3) -> bool {
-        origin.x.abs() <= self.reach && origin.y.abs() <= self.reach && origin.z.abs() <= self.reach
+    pub fn covers(&self, &Ray { origin, direction }: &Ray) -> bool {
+        let is_near = origin.x.abs() <= self.reach && origin.y.abs() <= self.reach && origin.z.abs() <= self.reach;
+        is_near && direction.dot(direction) >= SHORTEST
     }
 
     /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
@@ -166,7 +175,7 @@ impl Hierarchy {
         self.alone = Alone::none();
     }
 
-    /// The nearest object that a ray from the surface of `from` meets.
+    /// The nearest object that a ray from the surface of `from` meets, which [may use](Hierarchy::covers) the tree.
     #[inline(always)]
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(
         &self,
@@ -176,13 +185,8 @@ impl Hierarchy {
         Stack(stack): &mut Stack,
     ) -> Found {
         let mut found = Found::NOTHING;
-        let a = ray.direction.dot(ray.direction);
-        // A direction of no length, or of no number, has no distances; every object that it could meet is none.
-        if a <= 0.0 || a.is_nan() {
-            return found;
-        }
         let touch = Touch::new(*ray);
-        self.ground.ask::<O, P>(&mut found, objects, &touch);
+        self.ground.ask_closely::<S, O, P>(&mut found, objects, &touch);
         if self.nodes.is_empty() {
             return found;
         }
@@ -247,7 +251,7 @@ impl Hierarchy {
         }
     }
 
-    /// Asks an object, unless the filter stops the ray: of cylinders, that is worth trying for the one that it leaves.
+    /// Asks an object, unless the filter stops the ray: that is worth trying for the one that it leaves.
     #[inline(always)]
     fn ask<O: Objects, P: Intersect>(
         &self,
@@ -259,7 +263,7 @@ impl Hierarchy {
     ) {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
-                if touch.sphere_at(objects, id as usize) {
+                if id != from || touch.sphere_at(objects, id as usize) {
                     found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
                 }
             }

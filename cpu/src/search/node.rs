@@ -44,10 +44,8 @@ impl Child {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Node {
-    /// Their lowest corners, by axis.
-    pub low: [[f32; WIDTH]; 3],
-    /// Their highest corners, by axis.
-    pub high: [[f32; WIDTH]; 3],
+    /// Their lowest corners and their highest, by axis.
+    pub corners: [[[f32; WIDTH]; 3]; 2],
     /// What they lead to.
     pub child: [Child; WIDTH],
     /// Lanes that lead to objects, as bits.
@@ -57,8 +55,7 @@ pub struct Node {
 impl Node {
     /// No children: boxes that no ray meets.
     pub const EMPTY: Self = Self {
-        low: [[f32::INFINITY; WIDTH]; 3],
-        high: [[f32::NEG_INFINITY; WIDTH]; 3],
+        corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
         child: [Child::node(0); WIDTH],
         objects: 0,
     };
@@ -66,8 +63,8 @@ impl Node {
     /// Makes a child of a lane.
     pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
         for axis in 0..3 {
-            self.low[axis][lane] = bounds.low[axis];
-            self.high[axis][lane] = bounds.high[axis];
+            self.corners[0][axis][lane] = bounds.low[axis];
+            self.corners[1][axis][lane] = bounds.high[axis];
         }
         self.child[lane] = child;
         self.objects |= u32::from(child.as_object().is_some()) << lane;
@@ -75,11 +72,11 @@ impl Node {
 
     /// The children whose boxes overlap this one, as bits.
     pub fn overlaps(&self, bounds: &Bounds) -> u32 {
-        let mut bits = 0;
+        let ([low, high], mut bits) = (&self.corners, 0);
         for lane in 0..WIDTH {
             let mut overlaps = true;
             for axis in 0..3 {
-                overlaps &= (self.low[axis][lane] <= bounds.high[axis]) & (bounds.low[axis] <= self.high[axis][lane]);
+                overlaps &= (low[axis][lane] <= bounds.high[axis]) & (bounds.low[axis] <= high[axis][lane]);
             }
             bits |= u32::from(overlaps) << lane;
         }
@@ -88,10 +85,11 @@ impl Node {
 
     /// The children with their boxes.
     pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
-        (0..WIDTH).filter(|&lane| self.low[0][lane] <= self.high[0][lane]).map(|lane| {
+        let [low, high] = &self.corners;
+        (0..WIDTH).filter(|&lane| low[0][lane] <= high[0][lane]).map(|lane| {
             let bounds = Bounds {
-                low: std::array::from_fn(|axis| self.low[axis][lane]),
-                high: std::array::from_fn(|axis| self.high[axis][lane]),
+                low: std::array::from_fn(|axis| low[axis][lane]),
+                high: std::array::from_fn(|axis| high[axis][lane]),
             };
             (bounds, self.child[lane])
         })
