@@ -33,15 +33,18 @@ pub trait Simd: Copy + 'static {
     type F64: Lanes;
     /// Lanes of `f32`, for filters.
     type F32: FilterLanes;
-    /// The instruction set for work on one ray after the other, where not how much is done at once counts but how soon
-    /// an answer is there.
-    type Prompt: Simd;
-
-    /// See [`Simd::Prompt`].
-    fn prompt(self) -> Self::Prompt;
+    /// Whether a product and a sum that are rounded together are one instruction, not the call of a function.
+    const FUSES: bool;
 
     /// Runs `kernel`, compiled for this instruction set as a function of its own.
     fn run<K: Kernel>(self, kernel: K) -> K::Output;
+
+    /// The same for work on one ray after the other, where not how much is done at once counts but how soon an answer is
+    /// there: perhaps compiled for another instruction set.
+    #[inline(always)]
+    fn run_promptly<K: Kernel>(self, kernel: K) -> K::Output {
+        self.run(kernel)
+    }
 }
 
 /// Work that is compiled once for each instruction set.
@@ -122,13 +125,15 @@ pub enum InstructionSet {
     Sse2,
     /// 256 bits with fused multiply-add.
     Avx2,
-    /// 512 bits.
+    /// 512 bits, but 256 for work on one ray after the other.
     Avx512,
+    /// 512 bits throughout, for machines on which comparisons into mask registers are quick.
+    Avx512Throughout,
 }
 
 impl InstructionSet {
     /// All of them, whether this machine has them or not.
-    pub const ALL: [Self; 4] = [Self::Portable, Self::Sse2, Self::Avx2, Self::Avx512];
+    pub const ALL: [Self; 5] = [Self::Portable, Self::Sse2, Self::Avx2, Self::Avx512, Self::Avx512Throughout];
 
     /// The environment variable that forces one of them, by [`InstructionSet::name`].
     pub const VARIABLE: &'static str = "RENDER_INSTRUCTION_SET";
@@ -141,6 +146,7 @@ impl InstructionSet {
             Self::Sse2 => "sse2",
             Self::Avx2 => "avx2",
             Self::Avx512 => "avx512",
+            Self::Avx512Throughout => "avx512-throughout",
         }
     }
 
@@ -151,7 +157,7 @@ impl InstructionSet {
         return match self {
             Self::Portable | Self::Sse2 => true,
             Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
-            Self::Avx512 => {
+            Self::Avx512 | Self::Avx512Throughout => {
                 Self::Avx2.is_available()
                     && is_x86_feature_detected!("avx512f")
                     && is_x86_feature_detected!("avx512dq")
@@ -163,11 +169,11 @@ impl InstructionSet {
         return matches!(self, Self::Portable);
     }
 
-    /// The widest that this machine has.
+    /// The fastest that this machine has.
     #[must_use]
     pub fn best() -> Self {
         let available = Self::ALL.into_iter().filter(|set| set.is_available());
-        available.max().unwrap_or(Self::Portable)
+        available.filter(|&set| set != Self::Avx512Throughout || has_quick_masks()).max().unwrap_or(Self::Portable)
     }
 
     /// The plainest with fused multiply-add in one instruction; the best where none has: for a few exact products.
@@ -198,10 +204,25 @@ impl InstructionSet {
             Self::Avx2 => unsafe { avx2::Avx2::new() }.run(kernel),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: as above.
-            Self::Avx512 => unsafe { avx512::Avx512::new() }.run(kernel),
+            Self::Avx512 => unsafe { avx512::Avx512::new(false) }.run(kernel),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Self::Avx512Throughout => unsafe { avx512::Avx512::new(true) }.run(kernel),
             _ => Portable.run(kernel),
         }
     }
+}
+
+/// Whether comparisons into mask registers take no longer than those into vectors: on AMD's machines they do not, by
+/// measurement (docs/performance.md).
+fn has_quick_masks() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    {
+        let std::arch::x86_64::CpuidResult { ebx, ecx, edx, .. } = std::arch::x86_64::__cpuid(0);
+        [ebx, edx, ecx].map(u32::to_le_bytes).concat() == b"AuthenticAMD"
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    false
 }
 
 /// Implements arithmetic operators of a one-field lane type through functions of `std::arch`.

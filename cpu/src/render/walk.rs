@@ -1,7 +1,7 @@
 //! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
 //! each taking its random vectors from one stream.
 //!
-//! With few objects the samples that leave at once are passed over [together](super::leaps).
+//! With two or three objects the samples that leave at once are passed over [together](super::leaps).
 
 use super::ends::Ended;
 use super::leaps;
@@ -64,7 +64,7 @@ impl Walk {
         let mut at = 0;
         while at < self.queue.count {
             self.triples.prepare(wide);
-            let start = match search.as_few() {
+            let start = match search.for_leaps() {
                 Some(few) if all_go_on => leaps::leap::<S::F64, L, P>(prepared, few, self, at),
                 _ => self.start(at),
             };
@@ -159,12 +159,11 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
         // Each kind of search has a walk of its own, compiled apart.
-        let (prompt, wide) = (simd.prompt(), simd);
         match &self.prepared.search {
-            Search::Plain => prompt.run(Promptly { follow: self, search: &Plain, wide }),
-            Search::Few(search) => prompt.run(Promptly { follow: self, search, wide }),
-            Search::Flat(search) => prompt.run(Promptly { follow: self, search, wide }),
-            Search::Tree(search) => prompt.run(Promptly { follow: self, search, wide }),
+            Search::Plain => simd.run_promptly(Promptly { follow: self, search: &Plain, wide: simd }),
+            Search::Few(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
+            Search::Flat(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
+            Search::Tree(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
         }
     }
 }

@@ -44,10 +44,17 @@ impl Few {
         &self.in_order
     }
 
+    /// Whether one ray asks several objects at once; otherwise several rays ask one.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_side_by_side(&self) -> bool {
+        self.in_order.len() >= FEWEST_SIDE_BY_SIDE
+    }
+
     /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
     pub fn nearest<V: Lanes, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
-        if self.in_order.len() >= FEWEST_SIDE_BY_SIDE {
+        if self.is_side_by_side() {
             return nearest_of::<O, P>(objects, ray, self.side_by_side.touched_by_one::<V>(ray));
         }
         let (touch, mut found) = (Touch::new(*ray), Found::NOTHING);

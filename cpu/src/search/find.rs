@@ -41,9 +41,9 @@ pub trait Find {
         Origin { object: found.object, goes_in: false }
     }
 
-    /// The search for a handful of objects, if it is this.
+    /// The search, where it is for so few objects that [leaps](crate::render) pay.
     #[inline(always)]
-    fn as_few(&self) -> Option<&Few> {
+    fn for_leaps(&self) -> Option<&Few> {
         None
     }
 }
@@ -66,8 +66,8 @@ impl Find for Few {
     }
 
     #[inline(always)]
-    fn as_few(&self) -> Option<&Few> {
-        Some(self)
+    fn for_leaps(&self) -> Option<&Few> {
+        (!self.is_side_by_side()).then_some(self)
     }
 }
 

@@ -6,6 +6,7 @@
 
 use std::arch::x86_64::*;
 
+use super::avx2::Avx2;
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
 use crate::certified::exact_sums::Fused;
@@ -13,30 +14,25 @@ use crate::real::{MulAdd, Real};
 
 /// AVX-512 F, DQ, BW and VL.
 #[derive(Clone, Copy, Debug)]
-pub struct Avx512(());
+pub struct Avx512 {
+    /// Also for work on one ray after the other.
+    throughout: bool,
+}
 
 impl Avx512 {
     /// The proof that the machine has it.
     ///
     /// # Safety
     /// It must have.
-    pub const unsafe fn new() -> Self {
-        Self(())
+    pub const unsafe fn new(throughout: bool) -> Self {
+        Self { throughout }
     }
 }
 
 impl Simd for Avx512 {
     type F64 = F64;
-    // Measured: for a handful of objects 256 bits answer sooner than 512 (docs/performance.md).
     type F32 = F32;
-    // Comparisons into mask registers take longer than those into vectors, also of single numbers.
-    type Prompt = super::avx2::Avx2;
-
-    #[inline(always)]
-    fn prompt(self) -> super::avx2::Avx2 {
-        // SAFETY: a machine is asked for AVX2 and FMA where it is asked for AVX-512 (`InstructionSet::is_available`).
-        unsafe { super::avx2::Avx2::new() }
-    }
+    const FUSES: bool = true;
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
@@ -47,6 +43,17 @@ impl Simd for Avx512 {
         }
         // SAFETY: `self` is the proof that the machine has these features.
         unsafe { compiled(self, kernel) }
+    }
+
+    #[inline(always)]
+    fn run_promptly<K: Kernel>(self, kernel: K) -> K::Output {
+        if self.throughout {
+            return self.run(kernel);
+        }
+        // Comparisons into mask registers, which the compiler uses for single numbers too, may take longer than those
+        // into vectors.
+        // SAFETY: a machine is asked for AVX2 and FMA where it is asked for AVX-512 (`InstructionSet::is_available`).
+        unsafe { Avx2::new() }.run(kernel)
     }
 }
 

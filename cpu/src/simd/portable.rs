@@ -15,12 +15,7 @@ pub struct Portable;
 impl Simd for Portable {
     type F64 = F64x4;
     type F32 = F32x4;
-    type Prompt = Self;
-
-    #[inline(always)]
-    fn prompt(self) -> Self {
-        self
-    }
+    const FUSES: bool = false;
 
     #[inline(never)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {

@@ -28,12 +28,7 @@ impl Sse2 {
 impl Simd for Sse2 {
     type F64 = F64;
     type F32 = F32;
-    type Prompt = Self;
-
-    #[inline(always)]
-    fn prompt(self) -> Self {
-        self
-    }
+    const FUSES: bool = false;
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
