@@ -7,55 +7,57 @@ use crate::ray::Ray;
 use crate::simd::{LaneMask, Lanes};
 use crate::vec3::Vec3;
 
-/// Places for objects of a kind; every instruction set's lanes divide it.
+/// Places for objects; every instruction set's lanes divide it.
 const PLACES: usize = super::few::CAPACITY;
 
-/// A number of each object of a kind.
+/// A number of each object.
 type Row = [f64; PLACES];
 
-/// The objects, a place each; places that are left over repeat the first one.
+/// The objects by their [ids](super::ObjectId), a place each; places that are left over repeat the first one. A sphere stands
+/// among them as a cylinder without an axis, and of any height: for the filter it is one.
 #[derive(Clone, Debug)]
 pub struct SideBySide {
     sphere_count: usize,
-    spheres: SphereTarget<Row>,
-    cylinder_count: usize,
-    cylinders: CylinderTarget<Row>,
+    count: usize,
+    targets: CylinderTarget<Row>,
 }
 
 impl SideBySide {
-    /// The objects, of each kind at most [`PLACES`], of a scene of this reach.
+    /// The objects, of which those beyond [`PLACES`] are left out, of a scene of this reach.
     pub fn new(objects: &impl Objects, reach: f64) -> Self {
-        let sphere_count = objects.sphere_count();
-        let sphere = |index| SphereTarget::new(&objects.sphere(index).record);
-        let spheres = SphereTarget {
-            center: rows(sphere_count, |index| sphere(index).center),
-            radius_squared: row(sphere_count, |index| sphere(index).radius_squared),
+        let sphere_count = objects.sphere_count().min(PLACES);
+        let count = (objects.sphere_count() + objects.cylinder_count()).min(PLACES);
+        let target = |id| {
+            if id < sphere_count {
+                SphereTarget::new(&objects.sphere(id).record).as_cylinder()
+            } else {
+                CylinderTarget::new(&objects.cylinder(id - sphere_count).record, reach)
+            }
         };
-        let cylinder_count = objects.cylinder_count();
-        let cylinder = |index| CylinderTarget::new(&objects.cylinder(index).record, reach);
-        let cylinders = CylinderTarget {
-            center: rows(cylinder_count, |index| cylinder(index).center),
-            axis: rows(cylinder_count, |index| cylinder(index).axis),
-            radius_squared: row(cylinder_count, |index| cylinder(index).radius_squared),
-            squares: row(cylinder_count, |index| cylinder(index).squares),
-            half_height: row(cylinder_count, |index| cylinder(index).half_height),
+        let targets = CylinderTarget {
+            center: rows(count, |id| target(id).center),
+            axis: rows(count, |id| target(id).axis),
+            radius_squared: row(count, |id| target(id).radius_squared),
+            squares: row(count, |id| target(id).squares),
+            half_height: row(count, |id| target(id).half_height),
         };
-        Self { sphere_count, spheres, cylinder_count, cylinders }
+        Self { sphere_count, count, targets }
     }
 
-    /// The objects that one ray may meet: a bit each by its [id](super::ObjectId).
+    /// The objects that one ray may meet: a bit each.
     #[inline(always)]
     pub fn touched_by_one<V: Lanes>(&self, ray: &Ray) -> u32 {
         let touch = Touch::new(Ray { origin: ray.origin.map(V::of), direction: ray.direction.map(V::of) });
-        let (mut spheres, mut cylinders) = (0, 0);
-        for at in (0..self.sphere_count).step_by(V::LANES) {
-            spheres |= touch.sphere(&self.spheres.lanes::<V>(at)).bits() << at;
+        let mut touched = 0;
+        // Lanes that hold spheres only, and then the others.
+        let alike = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
+        for at in (0..alike).step_by(V::LANES) {
+            touched |= touch.sphere(&self.targets.spheres::<V>(at)).bits() << at;
         }
-        for at in (0..self.cylinder_count).step_by(V::LANES) {
-            cylinders |= touch.cylinder(&self.cylinders.lanes::<V>(at)).bits() << at;
+        for at in (alike..self.count).step_by(V::LANES) {
+            touched |= touch.cylinder(&self.targets.lanes::<V>(at)).bits() << at;
         }
-        let first = |count: usize| (1_u32 << count) - 1;
-        (spheres & first(self.sphere_count)) | (cylinders & first(self.cylinder_count)) << self.sphere_count
+        touched & ((1 << self.count) - 1)
     }
 
     /// The objects that each of several rays may meet: the sum of 2^[id](super::ObjectId).
@@ -64,13 +66,13 @@ impl SideBySide {
         let touch = Touch::new(*ray);
         let mut touched = V::of(0.0);
         let mut weight = 1.0;
-        for at in 0..self.sphere_count.min(PLACES) {
-            let touches = touch.sphere(&self.spheres.one::<V>(at));
-            touched = touched + V::select(touches, V::of(weight), V::of(0.0));
-            weight += weight;
-        }
-        for at in 0..self.cylinder_count.min(PLACES) {
-            let touches = touch.cylinder(&self.cylinders.one::<V>(at));
+        for at in 0..self.count.min(PLACES) {
+            let target = self.targets.one::<V>(at);
+            let touches = if at < self.sphere_count {
+                touch.sphere(&SphereTarget { center: target.center, radius_squared: target.radius_squared })
+            } else {
+                touch.cylinder(&target)
+            };
             touched = touched + V::select(touches, V::of(weight), V::of(0.0));
             weight += weight;
         }
@@ -79,22 +81,14 @@ impl SideBySide {
 }
 
 // No closures here: they would be compiled without the instruction set.
-impl SphereTarget<Row> {
+impl CylinderTarget<Row> {
     /// The spheres from `at` on, a lane each.
     #[inline(always)]
-    fn lanes<V: Lanes>(&self, at: usize) -> SphereTarget<V> {
+    fn spheres<V: Lanes>(&self, at: usize) -> SphereTarget<V> {
         SphereTarget { center: vector_lanes(&self.center, at), radius_squared: V::load(&self.radius_squared[at..]) }
     }
 
-    /// The sphere at `at` in every lane.
-    #[inline(always)]
-    fn one<V: Lanes>(&self, at: usize) -> SphereTarget<V> {
-        SphereTarget { center: one_vector(&self.center, at), radius_squared: V::of(self.radius_squared[at]) }
-    }
-}
-
-impl CylinderTarget<Row> {
-    /// The cylinders from `at` on, a lane each.
+    /// The objects from `at` on, a lane each.
     #[inline(always)]
     fn lanes<V: Lanes>(&self, at: usize) -> CylinderTarget<V> {
         CylinderTarget {
@@ -106,7 +100,7 @@ impl CylinderTarget<Row> {
         }
     }
 
-    /// The cylinder at `at` in every lane.
+    /// The object at `at` in every lane.
     #[inline(always)]
     fn one<V: Lanes>(&self, at: usize) -> CylinderTarget<V> {
         CylinderTarget {

@@ -29,7 +29,7 @@ pub struct SphereTarget<T = f64> {
 #[derive(Clone, Copy, Debug)]
 pub struct CylinderTarget<T = f64> {
     pub center: Vec3<T>,
-    /// Of length one.
+    /// Of length one; null for a sphere.
     pub axis: Vec3<T>,
     pub radius_squared: T,
     /// The squares of its radius and of half its height: no point of it is farther from the centre than their root.
@@ -43,6 +43,12 @@ impl SphereTarget {
     #[inline(always)]
     pub fn new(record: &SphereRecord) -> Self {
         Self { center: record.center, radius_squared: record.radius_squared }
+    }
+
+    /// The same to the filter: a cylinder without an axis, and of any height.
+    pub fn as_cylinder(self) -> CylinderTarget {
+        let Self { center, radius_squared } = self;
+        CylinderTarget { center, axis: Vec3::ZERO, radius_squared, squares: radius_squared, half_height: f64::INFINITY }
     }
 }
 
