@@ -100,10 +100,6 @@ impl Find for Hierarchy {
         origin: Origin,
         stack: &mut Stack,
     ) -> Found {
-        if self.covers(ray) {
-            self.nearest::<S, O, P>(objects, ray, origin.object, stack)
-        } else {
-            plain::<O, P>(objects, ray)
-        }
+        self.nearest::<S, O, P>(objects, ray, origin.object, stack)
     }
 }

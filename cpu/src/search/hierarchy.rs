@@ -13,7 +13,7 @@ use super::build::build;
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
 use super::touch::Touch;
-use super::{Found, ObjectId};
+use super::{Found, ObjectId, plain};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::error::Error;
@@ -165,9 +165,9 @@ impl Hierarchy {
 
     /// Whether the ray may use the tree.
     #[inline(always)]
-    pub fn covers(&self, &Ray { origin, direction }: &Ray) -> bool {
-        let is_near = origin.x.abs() <= self.reach && origin.y.abs() <= self.reach && origin.z.abs() <= self.reach;
-        is_near && direction.dot(direction) >= SHORTEST
+    fn covers(&self, Touch { ray, length_squared, .. }: &Touch<f64>) -> bool {
+        let is_near = |coordinate: f64| coordinate.abs() <= self.reach;
+        is_near(ray.origin.x) && is_near(ray.origin.y) && is_near(ray.origin.z) && *length_squared >= SHORTEST
     }
 
     /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
@@ -175,7 +175,7 @@ impl Hierarchy {
         self.alone = Alone::none();
     }
 
-    /// The nearest object that a ray from the surface of `from` meets, which [may use](Hierarchy::covers) the tree.
+    /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(
         &self,
@@ -186,6 +186,9 @@ impl Hierarchy {
     ) -> Found {
         let mut found = Found::NOTHING;
         let touch = Touch::new(*ray);
+        if !self.covers(&touch) {
+            return plain::<O, P>(objects, ray);
+        }
         self.ground.ask_closely::<S, O, P>(&mut found, objects, &touch);
         if self.nodes.is_empty() {
             return found;

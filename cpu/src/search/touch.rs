@@ -67,8 +67,8 @@ impl CylinderTarget {
 pub struct Touch<T> {
     pub ray: Ray<T>,
     /// `direction.direction`.
-    a: T,
-    /// The margin's part of `a`.
+    pub length_squared: T,
+    /// The margin's part of it.
     margin: T,
 }
 
@@ -99,8 +99,8 @@ impl<T: MulAdd> Touch<T> {
     /// The ray.
     #[inline(always)]
     pub fn new(ray: Ray<T>) -> Self {
-        let a = dot(ray.direction, ray.direction);
-        Self { ray, a, margin: a * T::of(MARGIN) }
+        let length_squared = dot(ray.direction, ray.direction);
+        Self { ray, length_squared, margin: length_squared * T::of(MARGIN) }
     }
 
     /// Whether it may meet the sphere.
@@ -109,7 +109,7 @@ impl<T: MulAdd> Touch<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (c, size) = (q - target.radius_squared, q + target.radius_squared);
-        !self.passes_by(&Quadratic { a: self.a, h, c, size })
+        !self.passes_by(&Quadratic { a: self.length_squared, h, c, size })
     }
 
     /// Whether it may meet the cylinder.
@@ -119,7 +119,7 @@ impl<T: MulAdd> Touch<T> {
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
         let across = Quadratic {
-            a: (-slope).times_plus(slope, self.a),
+            a: (-slope).times_plus(slope, self.length_squared),
             h: (-slope).times_plus(along, h),
             c: (-along).times_plus(along, q - target.radius_squared),
             // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
