@@ -7,6 +7,7 @@
 
 mod alone;
 mod bounds;
+mod box_ray;
 mod build;
 mod few;
 mod filter;
@@ -17,6 +18,7 @@ mod ground;
 mod hierarchy;
 mod node;
 mod side_by_side;
+mod top;
 mod touch;
 
 pub use bounds::Bounds;

@@ -113,6 +113,11 @@ pub trait FilterLanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Outp
     fn max(self, other: Self) -> Self;
     /// Whether `self <= other`, a bit a lane; 0 when either is not a number.
     fn less_equal(self, other: Self) -> u32;
+    /// Which of the first ones of `numbers`, as many as there are lanes, are `number`, a bit each.
+    ///
+    /// # Panics
+    /// When there are fewer.
+    fn places_of(number: u32, numbers: &[u32]) -> u32;
 }
 
 /// The instruction sets that kernels are compiled for, the plainest first.

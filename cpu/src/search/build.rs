@@ -4,6 +4,7 @@
 use super::ObjectId;
 use super::bounds::Bounds;
 use super::node::{Child, Node, WIDTH};
+use super::top;
 use crate::error::Error;
 
 /// Bins along the axis of a split.
@@ -51,6 +52,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     if items.is_empty() {
         return Ok(nodes);
     }
+    // If a level cannot be full, it is one of the first two, which lanes may test in one row.
+    let top = top::planned(items.len());
     // Nodes to be filled: their index, their items, their depth.
     let mut pending = Vec::new();
     pending.try_reserve(1).map_err(out_of_memory)?;
@@ -58,6 +61,10 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     pending.push((0, Range::new(&items, 0, items.len()), 0));
     nodes.push(Node::EMPTY);
     while let Some((node, range, depth)) = pending.pop() {
+        let most = match top {
+            Some(top) if depth == 1 => (top * range.count()).div_ceil(items.len()).clamp(2, WIDTH),
+            _ => WIDTH,
+        };
         let mut children = [range; WIDTH];
         let count = if range.count() <= WIDTH {
             for (child, at) in children.iter_mut().zip(range.from..range.to) {
@@ -65,7 +72,7 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
             }
             range.count()
         } else {
-            split_into_children(&mut items, &mut children, depth)
+            split_into_children(&mut items, &mut children[..most], depth)
         };
         for (lane, child) in children[..count].iter().enumerate() {
             let target = if child.count() == 1 {
@@ -85,9 +92,9 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
 
 /// Splits the range in `children[0]`, always the child that costs most, until all slots are full or every child fits a
 /// node of objects; gives the number of children.
-fn split_into_children(items: &mut [Item], children: &mut [Range; WIDTH], depth: u32) -> usize {
+fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
-    while count < WIDTH {
+    while count < children.len() {
         let cost = |range: &Range| range.bounds.half_area() * range.count() as f32;
         let splittable = children[..count].iter().enumerate().filter(|(_, range)| range.count() > WIDTH);
         let Some((worst, _)) = splittable.max_by(|left, right| cost(left.1).total_cmp(&cost(right.1))) else {

@@ -1,19 +1,13 @@
 //! A tree of boxes, 16 children a node, for scenes of many objects.
-//!
-//! A node's boxes are tested at once, in single precision: along each axis a plane at `p` is at the distance `p r - o r`,
-//! with the reciprocal `r` of the direction and the origin `o`. Of its error, with `u = 2^-24`, `2 u` of the distance come
-//! from `r`, and as much and `u |o r|` from the product and the sum, fused or not, since `p r` is `o r` and the distance.
-//! The origin is moved by `8 u |o|` towards the side that lets the ray pass, which covers what is relative to it: its own
-//! rounding, that of the sum and of `o r`, and that of `p r`. So a ray that meets a box, ahead and not farther than the
-//! nearest hit so far, has `near (1 - 5u) <= far (1 + 5u)`, which [`SLACK`] covers.
 
 use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
+use super::box_ray::{BoxRay, SHORTEST, SLACK};
 use super::build::build;
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
 use super::touch::Touch;
-use super::{Found, ObjectId, plain};
+use super::{Found, NOWHERE, ObjectId, plain, top};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::error::Error;
@@ -31,23 +25,12 @@ const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
 /// Most nodes visited for such an answer, so that no scene makes it long.
 const MOST_VISITS: usize = 64;
 
-/// Factor on a far distance that covers all rounding.
-const SLACK: f32 = 1.0 + 16.0 * f32::EPSILON;
-
-/// Largest magnitude of a reciprocal: no coordinate of a moderate scene overflows with it.
-const LARGEST_RECIPROCAL: f32 = 1e28;
-
-/// The least that an origin is moved: with the largest reciprocal it is farther than any plane across another axis, for
-/// a direction that is not shorter than [`SHORTEST`].
-const LEAST_STEP: f32 = 1e-10;
-
-/// Length squared of the shortest direction that the tree is used for.
-const SHORTEST: f64 = 1e-14;
-
 /// The tree over all objects of a scene.
 #[derive(Debug)]
 pub struct Hierarchy {
     nodes: Vec<Node>,
+    /// The two highest levels in one row.
+    top: Vec<Node>,
     /// It is not in the tree.
     ground: Ground,
     alone: Alone,
@@ -57,60 +40,13 @@ pub struct Hierarchy {
 
 /// Nodes that wait to be visited, with their distances; kept between rays, for clearing it would cost more than a visit.
 #[derive(Clone, Debug)]
-pub struct Stack([(u32, f32); STACK]);
+pub struct Stack(Waiting);
+
+type Waiting = [(u32, f32); STACK];
 
 impl Stack {
     /// Nothing waits.
     pub const EMPTY: Self = Self([(0, 0.0); STACK]);
-}
-
-/// A ray as the boxes see it.
-struct BoxRay<F> {
-    /// Of its direction.
-    reciprocal: [F; 3],
-    /// Minus the origin times the reciprocal: moved so that near planes are not farther, and far planes not nearer, than
-    /// they are.
-    near_origin: [F; 3],
-    far_origin: [F; 3],
-    /// Which [corner](Node::corners) is the near one along each axis.
-    near: [usize; 3],
-}
-
-impl<F: FilterLanes> BoxRay<F> {
-    // Without a branch on where the ray goes, which no processor could guess.
-    #[inline(always)]
-    fn new(ray: &Ray) -> Self {
-        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-        let mut box_ray = Self {
-            reciprocal: [F::splat(0.0); 3],
-            near_origin: [F::splat(0.0); 3],
-            far_origin: [F::splat(0.0); 3],
-            near: [0; 3],
-        };
-        for axis in 0..3 {
-            let (origin, direction) = (origin[axis] as f32, direction[axis] as f32);
-            let reciprocal = (1.0 / direction).clamp(-LARGEST_RECIPROCAL, LARGEST_RECIPROCAL);
-            let step = (origin.abs() * (4.0 * f32::EPSILON) + LEAST_STEP).copysign(direction);
-            box_ray.reciprocal[axis] = F::splat(reciprocal);
-            box_ray.near_origin[axis] = F::splat(-((origin + step) * reciprocal));
-            box_ray.far_origin[axis] = F::splat(-((origin - step) * reciprocal));
-            box_ray.near[axis] = usize::from(direction.is_sign_negative());
-        }
-        box_ray
-    }
-
-    /// Distances to the boxes of a node, and which the ray meets within `farthest`.
-    #[inline(always)]
-    fn meets(&self, node: &Node, at: usize, farthest: F) -> (F, u32) {
-        let mut near = F::splat(0.0);
-        let mut far = farthest;
-        for axis in 0..3 {
-            let (enter, leave) = (&node.corners[self.near[axis]][axis], &node.corners[1 - self.near[axis]][axis]);
-            near = F::load(&enter[at..]).mul_add(self.reciprocal[axis], self.near_origin[axis]).max(near);
-            far = F::load(&leave[at..]).mul_add(self.reciprocal[axis], self.far_origin[axis]).min(far);
-        }
-        (near, near.less_equal(far * F::splat(SLACK)))
-    }
 }
 
 impl Hierarchy {
@@ -125,8 +61,9 @@ impl Hierarchy {
         }
         let ground = Ground::of(objects);
         let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
-        let nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
-        let mut tree = Self { nodes, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
+        let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
+        let top = top::row(&mut nodes)?;
+        let mut tree = Self { nodes, top, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
         if count <= MOST_ASKED_WHETHER_ALONE {
             let alone =
                 Alone::new(count, |id| ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent)))?;
@@ -147,7 +84,7 @@ impl Hierarchy {
             let node = &self.nodes[pending[waiting] as usize];
             let mut bits = node.overlaps(bounds);
             while bits != 0 {
-                let child = node.child[bits.trailing_zeros() as usize];
+                let child = node.child(bits.trailing_zeros() as usize);
                 bits &= bits - 1;
                 match child.as_object() {
                     Some(other) if other == id => {}
@@ -193,16 +130,24 @@ impl Hierarchy {
         if self.nodes.is_empty() {
             return found;
         }
-        if self.alone.is::<O, P>(objects, from) {
+        if from != NOWHERE && !self.ground.is(from) {
             let mut again = Found::NOTHING;
-            self.ask::<O, P>(&mut again, objects, from, &touch, from);
+            self.ask_again::<O, P>(&mut again, objects, &touch, from);
             if again.is_hit() {
                 found.offer(again.lambda, again.object, again.order, again.part);
-                return found;
+                if self.alone.is::<O, P>(objects, from) {
+                    return found;
+                }
             }
         }
         let box_ray = BoxRay::<S::F32>::new(ray);
         let (mut index, mut waiting) = (0, 0);
+        if S::F32::LANES == WIDTH && self.top.len() > 1 {
+            match self.begin_at_top(&box_ray, farthest(&found), stack, &mut waiting) {
+                Some(nearest) => index = nearest,
+                None => return found,
+            }
+        }
         loop {
             let farthest = farthest(&found);
             add(Counter::NodeVisits, 1);
@@ -212,18 +157,18 @@ impl Hierarchy {
             for at in (0..WIDTH).step_by(S::F32::LANES) {
                 let (near, met) = box_ray.meets(node, at, S::F32::splat(farthest));
                 near.store(&mut distances[at..]);
-                bits |= met << at;
+                bits |= (met & !node.lanes_of::<S::F32>(from, at)) << at;
             }
             let mut asked = bits & node.objects;
             let mut entered = bits & !node.objects;
             while asked != 0 {
                 let lane = asked.trailing_zeros() as usize % WIDTH;
                 asked &= asked - 1;
-                self.ask::<O, P>(&mut found, objects, node.child[lane].as_id(), &touch, from);
+                found.ask::<O, P>(objects, node.child(lane).as_id(), ray);
             }
             if entered.is_power_of_two() {
                 // The only one goes past the stack.
-                index = node.child[entered.trailing_zeros() as usize % WIDTH].as_node();
+                index = node.child(entered.trailing_zeros() as usize % WIDTH).as_node();
                 continue;
             }
             let first = waiting;
@@ -231,14 +176,8 @@ impl Hierarchy {
                 let lane = entered.trailing_zeros() as usize % WIDTH;
                 entered &= entered - 1;
                 // Kept in order, the nearest last, so that it is taken first.
-                let entry = (node.child[lane].as_node(), distances[lane]);
-                let mut place = waiting.min(STACK - 1);
-                while place > first && stack[place - 1].1 < entry.1 {
-                    stack[place] = stack[place - 1];
-                    place -= 1;
-                }
-                stack[place] = entry;
-                waiting += 1;
+                let entry = (node.child(lane).as_node(), distances[lane]);
+                wait(stack, &mut waiting, first, entry);
             }
             loop {
                 if waiting == 0 {
@@ -254,24 +193,49 @@ impl Hierarchy {
         }
     }
 
-    /// Asks an object, unless the filter stops the ray: that is worth trying for the one that it leaves.
+    /// Tests the boxes of the two highest levels at once: gives the nearest node that the ray enters within `farthest`, and
+    /// puts the others on the stack.
     #[inline(always)]
-    fn ask<O: Objects, P: Intersect>(
+    fn begin_at_top<F: FilterLanes>(
         &self,
-        found: &mut Found,
-        objects: &O,
-        id: ObjectId,
-        touch: &Touch<f64>,
-        from: ObjectId,
-    ) {
+        box_ray: &BoxRay<F>,
+        farthest: f32,
+        stack: &mut Waiting,
+        waiting: &mut usize,
+    ) -> Option<u32> {
+        add(Counter::NodeVisits, 1);
+        let mut distances = [0.0; top::MOST];
+        let mut entered = 0_u128;
+        for (place, node) in self.top.iter().enumerate().take(top::MOST / WIDTH) {
+            let (near, met) = box_ray.meets(node, 0, F::splat(farthest));
+            near.store(&mut distances[place * WIDTH..]);
+            entered |= u128::from(met) << (place * WIDTH);
+        }
+        while entered != 0 {
+            let lane = entered.trailing_zeros() as usize % top::MOST;
+            entered &= entered - 1;
+            let index = self.top[lane / WIDTH].child(lane % WIDTH).as_node();
+            if *waiting == 0 && entered == 0 {
+                // The only one goes past the stack.
+                return Some(index);
+            }
+            wait(stack, waiting, 0, (index, distances[lane]));
+        }
+        *waiting = waiting.checked_sub(1)?;
+        Some(stack[*waiting % STACK].0)
+    }
+
+    /// Asks the object that the ray leaves, unless the filter stops the ray.
+    #[inline(always)]
+    fn ask_again<O: Objects, P: Intersect>(&self, found: &mut Found, objects: &O, touch: &Touch<f64>, id: ObjectId) {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
-                if id != from || touch.sphere_at(objects, id as usize) {
+                if touch.sphere_at(objects, id as usize) {
                     found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
                 }
             }
             Some(index) => {
-                if id != from || touch.cylinder_at(objects, index, self.reach) {
+                if touch.cylinder_at(objects, index, self.reach) {
                     found.ask_cylinder::<O, P>(objects, index, &touch.ray);
                 }
             }
@@ -299,6 +263,18 @@ impl Hierarchy {
             }
         }
     }
+}
+
+/// Puts a node on the stack, below those from `first` on that are nearer.
+#[inline(always)]
+fn wait(stack: &mut Waiting, waiting: &mut usize, first: usize, entry: (u32, f32)) {
+    let mut place = (*waiting).min(STACK - 1);
+    while place > first && stack[place - 1].1 < entry.1 {
+        stack[place] = stack[place - 1];
+        place -= 1;
+    }
+    stack[place] = entry;
+    *waiting += 1;
 }
 
 /// The nearest hit so far, rounded up; infinite at first.

@@ -2,6 +2,7 @@
 
 use super::ObjectId;
 use super::bounds::Bounds;
+use crate::simd::FilterLanes;
 
 /// Children of a node; every instruction set's lanes divide it.
 pub const WIDTH: usize = 16;
@@ -46,8 +47,8 @@ impl Child {
 pub struct Node {
     /// Their lowest corners and their highest, by axis.
     pub corners: [[[f32; WIDTH]; 3]; 2],
-    /// What they lead to.
-    pub child: [Child; WIDTH],
+    /// What they lead to, as numbers.
+    children: [u32; WIDTH],
     /// Lanes that lead to objects, as bits.
     pub objects: u32,
 }
@@ -56,7 +57,7 @@ impl Node {
     /// No children: boxes that no ray meets.
     pub const EMPTY: Self = Self {
         corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
-        child: [Child::node(0); WIDTH],
+        children: [0; WIDTH],
         objects: 0,
     };
 
@@ -66,8 +67,20 @@ impl Node {
             self.corners[0][axis][lane] = bounds.low[axis];
             self.corners[1][axis][lane] = bounds.high[axis];
         }
-        self.child[lane] = child;
+        self.children[lane] = child.0;
         self.objects |= u32::from(child.as_object().is_some()) << lane;
+    }
+
+    /// What a lane leads to.
+    #[inline(always)]
+    pub const fn child(&self, lane: usize) -> Child {
+        Child(self.children[lane])
+    }
+
+    /// The lanes from `at` on, as many as `F` has, that lead to the object at `id`, as bits.
+    #[inline(always)]
+    pub fn lanes_of<F: FilterLanes>(&self, id: ObjectId, at: usize) -> u32 {
+        F::places_of(Child::object(id).0, &self.children[at..])
     }
 
     /// The children whose boxes overlap this one, as bits.
@@ -91,7 +104,7 @@ impl Node {
                 low: std::array::from_fn(|axis| low[axis][lane]),
                 high: std::array::from_fn(|axis| high[axis][lane]),
             };
-            (bounds, self.child[lane])
+            (bounds, self.child(lane))
         })
     }
 }

@@ -263,4 +263,14 @@ impl FilterLanes for F32 {
         // SAFETY: see the module's head.
         unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
     }
+    #[inline(always)]
+    fn places_of(number: u32, numbers: &[u32]) -> u32 {
+        let numbers = &numbers[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        unsafe {
+            let numbers = _mm256_loadu_si256(numbers.as_ptr().cast());
+            let same = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(number as i32));
+            _mm256_movemask_ps(_mm256_castsi256_ps(same)) as u32
+        }
+    }
 }

@@ -244,4 +244,13 @@ impl FilterLanes for F32 {
         // SAFETY: see the module's head.
         unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)) }
     }
+    #[inline(always)]
+    fn places_of(number: u32, numbers: &[u32]) -> u32 {
+        let numbers = &numbers[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        unsafe {
+            let numbers = _mm512_loadu_si512(numbers.as_ptr().cast());
+            u32::from(_mm512_cmpeq_epi32_mask(numbers, _mm512_set1_epi32(number as i32)))
+        }
+    }
 }

@@ -194,4 +194,8 @@ impl FilterLanes for F32x4 {
     fn less_equal(self, other: Self) -> u32 {
         (0..4).map(|lane| u32::from(self.0[lane] <= other.0[lane]) << lane).sum()
     }
+    #[inline(always)]
+    fn places_of(number: u32, numbers: &[u32]) -> u32 {
+        (0..4).map(|lane| u32::from(numbers[lane] == number) << lane).sum()
+    }
 }

@@ -226,4 +226,13 @@ impl FilterLanes for F32 {
         // SAFETY: see the module's head.
         unsafe { _mm_movemask_ps(_mm_cmple_ps(self.0, other.0)) as u32 }
     }
+    #[inline(always)]
+    fn places_of(number: u32, numbers: &[u32]) -> u32 {
+        let numbers = &numbers[..Self::LANES];
+        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
+        unsafe {
+            let numbers = _mm_loadu_si128(numbers.as_ptr().cast());
+            _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(numbers, _mm_set1_epi32(number as i32)))) as u32
+        }
+    }
 }

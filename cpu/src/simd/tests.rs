@@ -133,6 +133,12 @@ impl Kernel for Singles {
                 assert_eq!((met | signs) >> S::F32::LANES.min(31), 0);
             }
         }
+        let numbers = [7, 0, 7, u32::MAX, 1 << 31, 7, 8, 9, 7, 1, 2, 3, 4, 5, 6, u32::MAX];
+        for number in [7, 8, 1 << 31, u32::MAX, 77] {
+            let expected = (0..S::F32::LANES).map(|lane| u32::from(numbers[lane] == number) << lane).sum();
+            let found: u32 = S::F32::places_of(number, &numbers);
+            assert_eq!(found, expected, "{number}");
+        }
         S::F32::LANES
     }
 }
@@ -140,7 +146,7 @@ impl Kernel for Singles {
 #[test]
 fn every_set_does_in_each_lane_what_is_done_alone() {
     let lanes = |set: InstructionSet| (set.run(Doubles), set.run(Singles));
-    for (set, expected) in InstructionSet::ALL.into_iter().zip([(4, 4), (2, 4), (4, 8), (8, 16)]) {
+    for (set, expected) in InstructionSet::ALL.into_iter().zip([(4, 4), (2, 4), (4, 8), (8, 16), (8, 16)]) {
         if set.is_available() {
             assert_eq!(lanes(set), expected, "{}", set.name());
         }
