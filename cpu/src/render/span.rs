@@ -88,15 +88,55 @@ pub enum Candidate {
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
+/// Relative to distance and size: covers the rounding here, of the rays and of the exact formulas many times over.
+const MARGIN: f64 = 1e-9;
+
+/// Relative to the radius: what a cylinder's side may be off by for rays along the axis.
+const MARGIN_OF_CYLINDERS: f64 = 1e-7;
+
 /// The half-space of the points `v`, relative to the camera, with `normal.v >= 0`; the normal has length one.
 type HalfSpace = Vec3;
+
+/// A ball around an object that a row's rays may meet, for walls through the camera.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    id: ObjectId,
+    /// From the camera to its centre.
+    middle: Vec3,
+    /// With the margin of [`reaches`].
+    radius: f64,
+}
+
+impl Ball {
+    fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, id: ObjectId) -> Self {
+        let (objects, from) = (&prepared.objects, prepared.camera.position);
+        let (center, radius, margin) = match (id as usize).checked_sub(objects.sphere_count()) {
+            None => {
+                let record = objects.sphere(id as usize).record;
+                (record.center, record.radius, 0.0)
+            }
+            Some(index) => {
+                let record = objects.cylinder(index).record;
+                (record.center, record.radius + record.half_height, MARGIN_OF_CYLINDERS * record.radius)
+            }
+        };
+        let middle = center - from;
+        Self { id, middle, radius: radius + MARGIN * (middle.length() + from.length() + radius) + margin }
+    }
+
+    /// Whether it reaches into all half-spaces.
+    fn reaches(&self, walls: &[HalfSpace; 2]) -> bool {
+        let [left, right] = walls.map(|wall| wall.dot(self.middle) >= -self.radius);
+        left & right
+    }
+}
 
 /// The candidates of a row and of a span.
 #[derive(Debug)]
 pub struct Candidates {
     /// All objects, in the order of the file.
     all: Vec<ObjectId>,
-    row: Vec<ObjectId>,
+    row: Vec<Ball>,
     /// The span's candidates, in the order of the file.
     pub span: Vec<(ObjectId, Candidate)>,
     /// Whether the scene's magnitudes bear a cull at all.
@@ -123,12 +163,13 @@ impl Candidates {
         self.row.clear();
         match &prepared.search {
             Search::Tree(tree) => {
-                tree.visit(|bounds| box_reaches(bounds, camera.position, &walls), |id| self.row.push(id));
-                self.row.sort_unstable_by_key(|&id| search::order_of(&prepared.objects, id));
+                let reaches = |bounds: &Bounds| box_reaches(bounds, camera.position, &walls);
+                tree.visit(reaches, |id| self.row.push(Ball::new(prepared, id)));
+                self.row.sort_unstable_by_key(|ball| search::order_of(&prepared.objects, ball.id));
             }
             _ => {
                 let meets = |id: &&ObjectId| !self.culls || reaches(prepared, **id, &walls);
-                self.row.extend(self.all.iter().filter(meets));
+                self.row.extend(self.all.iter().filter(meets).map(|&id| Ball::new(prepared, id)));
             }
         }
     }
@@ -142,7 +183,9 @@ impl Candidates {
         let walls =
             [span.first as f64 - 0.5, span.last as f64 + 0.5].map(|side| wall(camera.delta_y, at(side), inside));
         self.span.clear();
-        for &id in self.row.iter().filter(|&&id| !self.culls || reaches(prepared, id, &walls)) {
+        // Spheres are their balls; of cylinders the balls spare most the closer look.
+        let meets = |ball: &&Ball| !self.culls || ball.reaches(&walls) && reaches(prepared, ball.id, &walls);
+        for &Ball { id, .. } in self.row.iter().filter(meets) {
             let (objects, spheres) = (&prepared.objects, prepared.objects.sphere_count());
             let candidate = if (id as usize) < spheres {
                 let record = objects.sphere(id as usize).record;
@@ -179,8 +222,6 @@ fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
 
 /// Whether an object reaches into all half-spaces; true when in doubt.
 fn reaches<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, id: ObjectId, walls: &[HalfSpace; 2]) -> bool {
-    // Relative to distance and size: covers the rounding here, of the rays and of the exact formulas many times over.
-    const MARGIN: f64 = 1e-9;
     let objects = &prepared.objects;
     let from = prepared.camera.position;
     match (id as usize).checked_sub(objects.sphere_count()) {
@@ -199,7 +240,7 @@ fn reaches<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, id: ObjectId, wal
                 let along = wall.dot(record.axis);
                 let across = (1.0 - along * along).max(0.0).sqrt();
                 let reach = record.half_height * along.abs() + record.radius * across;
-                wall.dot(middle) < -reach - MARGIN * scale - 1e-7 * record.radius
+                wall.dot(middle) < -reach - MARGIN * scale - MARGIN_OF_CYLINDERS * record.radius
             };
             !walls.iter().any(outside)
         }
