@@ -2,7 +2,8 @@
 
 use super::certificate::{Certificate, Limits, Rounding, Verdict, in_scale};
 use super::double_double::DoubleDouble;
-use super::{sphere_compensated, sphere_exact};
+use super::sphere_compensated::{self, Beside};
+use super::sphere_exact;
 use crate::counters::{Counter, add};
 use crate::ray::Ray;
 use crate::real::Real;
@@ -63,21 +64,20 @@ pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -
     }
 }
 
-/// [`judge`], and where that is in doubt [`sphere_compensated::judge`]: what [`reconsider`] tries first.
+/// [`judge`], and where that is in doubt [`sphere_compensated::judge`]: what [`reconsider`] tries first, but asked the other
+/// way round, for most rays near a large sphere are in doubt.
 #[inline(always)]
 #[must_use]
 pub fn judge_large(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
-    match judge(record, ray) {
-        Verdict::Doubtful => {
-            let lanes = sphere_compensated::judge(record, ray);
-            if !lanes.certain {
-                return Verdict::Doubtful;
-            }
-            add(Counter::Compensated, 1);
-            Verdict::Certain(Some(lanes.lambda))
+    let Beside { lanes, textbook_doubts } = sphere_compensated::judge_beside(record, ray);
+    if !(lanes.certain && textbook_doubts) {
+        let textbook = judge(record, ray);
+        if textbook != Verdict::Doubtful || !lanes.certain {
+            return textbook;
         }
-        certain @ Verdict::Certain(_) => certain,
     }
+    add(Counter::Compensated, 1);
+    Verdict::Certain(Some(lanes.lambda))
 }
 
 /// The answers of several rays or spheres at once.
