@@ -62,7 +62,11 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     nodes.push(Node::EMPTY);
     while let Some((node, range, depth)) = pending.pop() {
         let most = match top {
-            Some(top) if depth == 1 => (top * range.count()).div_ceil(items.len()).clamp(2, WIDTH),
+            Some(top) if depth == 1 => {
+                // Their parts of the plan add up to it.
+                let part = |end: usize| top * end / items.len();
+                (part(range.to) - part(range.from)).clamp(2, WIDTH)
+            }
             _ => WIDTH,
         };
         let mut children = [range; WIDTH];

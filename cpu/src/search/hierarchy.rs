@@ -205,11 +205,11 @@ impl Hierarchy {
     ) -> Option<u32> {
         add(Counter::NodeVisits, 1);
         let mut distances = [0.0; top::MOST];
-        let mut entered = 0_u128;
+        let mut entered = 0_u64;
         for (place, node) in self.top.iter().enumerate().take(top::MOST / WIDTH) {
             let (near, met) = box_ray.meets(node, 0, F::splat(farthest));
             near.store(&mut distances[place * WIDTH..]);
-            entered |= u128::from(met) << (place * WIDTH);
+            entered |= u64::from(met) << (place * WIDTH);
         }
         while entered != 0 {
             let lane = entered.trailing_zeros() as usize % top::MOST;

@@ -7,20 +7,14 @@
 use super::node::{Child, Node, WIDTH};
 use crate::error::Error;
 
-/// Most children of the root's children.
-pub const MOST: usize = 96;
-
-/// Fewer are aimed at, for splits do not fall as planned.
-const MOST_PLANNED: usize = 80;
-
-/// How many objects a full node of the lowest level has, as splits fall.
-const FILL: usize = 13;
+/// Most children of the root's children: a bit each in a word.
+pub const MOST: usize = 64;
 
 /// How many children the root's children are to have together for all levels below them to be full, where the root's own
 /// children can be full too.
 pub fn planned(objects: usize) -> Option<usize> {
-    let mut nodes = objects.div_ceil(FILL);
-    while nodes > MOST_PLANNED {
+    let mut nodes = objects.div_ceil(WIDTH);
+    while nodes > MOST {
         nodes = nodes.div_ceil(WIDTH);
     }
     (nodes > WIDTH).then_some(nodes)
@@ -88,7 +82,10 @@ mod tests {
             let row = row(&mut nodes).expect("it fits");
             let children: usize = row.iter().map(|node| node.children().count()).sum();
             if let Some(planned) = planned(count) {
-                assert!((planned / 2..=planned + WIDTH).contains(&children), "{children} children, {planned} planned");
+                assert!(
+                    (planned / 2..=planned.max(2 * WIDTH)).contains(&children),
+                    "{children} children, {planned} planned"
+                );
             }
             let mut found: Vec<_> = row.iter().flat_map(|node| objects(&nodes, node)).collect();
             found.sort_unstable();
@@ -102,8 +99,8 @@ mod tests {
 
     #[test]
     fn as_many_are_planned_as_leave_no_level_below_half_empty() {
-        assert_eq!([0, 208, 209, 1000, 1040].map(planned), [None, None, Some(17), Some(77), Some(80)]);
-        assert_eq!([1041, 3328, 3329, 10_000].map(planned), [None, None, Some(17), Some(49)]);
-        assert!((1..2_000_000).step_by(997).filter_map(planned).all(|planned| planned <= MOST_PLANNED));
+        assert_eq!([0, 256, 257, 1000, 1024].map(planned), [None, None, Some(17), Some(63), Some(64)]);
+        assert_eq!([1025, 4096, 4097, 10_000].map(planned), [None, None, Some(17), Some(40)]);
+        assert!((1..2_000_000).step_by(997).filter_map(planned).all(|planned| (WIDTH + 1..=MOST).contains(&planned)));
     }
 }
