@@ -1,4 +1,4 @@
-//! Where objects are few: the samples that leave the scene at once, passed over together.
+//! Where objects are two or three: the samples that leave the scene at once, passed over together.
 //!
 //! Half of all paths leave with their first ray after a surface that scatters. So the first rays of the next samples are
 //! tried as if each of them left: then each takes the next triple of the stream, and all of them are tested together.
