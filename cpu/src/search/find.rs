@@ -41,7 +41,7 @@ pub trait Find {
         Origin { object: found.object, goes_in: false }
     }
 
-    /// The search, where it is for so few objects that [leaps](mod@crate::render) pay.
+    /// The search, where it is for so few objects that leaps (`render/leaps.rs`) pay.
     #[inline(always)]
     fn for_leaps(&self) -> Option<&Few> {
         None
