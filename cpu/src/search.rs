@@ -18,6 +18,7 @@ mod ground;
 mod hierarchy;
 mod node;
 mod side_by_side;
+mod stack;
 mod top;
 mod touch;
 
@@ -26,7 +27,8 @@ pub use few::{Few, nearest_of};
 pub use filter::Filter;
 pub use find::{Find, Origin, Plain};
 pub use found::Found;
-pub use hierarchy::{Hierarchy, Stack};
+pub use hierarchy::Hierarchy;
+pub use stack::Stack;
 
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};

@@ -1,5 +1,6 @@
 //! The nearest hit so far.
 
+use super::touch::Touch;
 use super::{NOWHERE, ObjectId};
 use crate::certified::{Intersect, Verdict};
 use crate::counters::{Counter, add};
@@ -47,6 +48,29 @@ impl Found {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => self.ask_sphere::<O, P>(objects, id as usize, ray),
             Some(index) => self.ask_cylinder::<O, P>(objects, index, ray),
+        }
+    }
+
+    /// The same, unless the filter stops the ray, in a scene of this reach.
+    #[inline(always)]
+    pub fn ask_if_touched<O: Objects, P: Intersect>(
+        &mut self,
+        objects: &O,
+        id: ObjectId,
+        touch: &Touch<f64>,
+        reach: f64,
+    ) {
+        match (id as usize).checked_sub(objects.sphere_count()) {
+            None => {
+                if touch.sphere_at(objects, id as usize) {
+                    self.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
+                }
+            }
+            Some(index) => {
+                if touch.cylinder_at(objects, index, reach) {
+                    self.ask_cylinder::<O, P>(objects, index, &touch.ray);
+                }
+            }
         }
     }
 

@@ -6,6 +6,7 @@ use super::box_ray::{BoxRay, SHORTEST, SLACK};
 use super::build::build;
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
+use super::stack::{Stack, Waiting, wait};
 use super::touch::Touch;
 use super::{Found, NOWHERE, ObjectId, plain, top};
 use crate::certified::Intersect;
@@ -15,9 +16,6 @@ use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
 use crate::simd::{FilterLanes, Simd};
-
-/// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
-const STACK: usize = 512;
 
 /// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
 const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
@@ -36,17 +34,6 @@ pub struct Hierarchy {
     alone: Alone,
     /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
     reach: f64,
-}
-
-/// Nodes that wait to be visited, with their distances; kept between rays, for clearing it would cost more than a visit.
-#[derive(Clone, Debug)]
-pub struct Stack(Waiting);
-
-type Waiting = [(u32, f32); STACK];
-
-impl Stack {
-    /// Nothing waits.
-    pub const EMPTY: Self = Self([(0, 0.0); STACK]);
 }
 
 impl Hierarchy {
@@ -132,7 +119,7 @@ impl Hierarchy {
         }
         if from != NOWHERE && !self.ground.is(from) {
             let mut again = Found::NOTHING;
-            self.ask_again::<O, P>(&mut again, objects, &touch, from);
+            again.ask_if_touched::<O, P>(objects, from, &touch, self.reach);
             if again.is_hit() {
                 found.offer(again.lambda, again.object, again.order, again.part);
                 if self.alone.is::<O, P>(objects, from) {
@@ -184,7 +171,7 @@ impl Hierarchy {
                     return found;
                 }
                 waiting -= 1;
-                let (next, distance) = stack[waiting % STACK];
+                let (next, distance) = stack[waiting % stack.len()];
                 if distance <= self::farthest(&found) * SLACK {
                     index = next;
                     break;
@@ -222,30 +209,13 @@ impl Hierarchy {
             wait(stack, waiting, 0, (index, distances[lane]));
         }
         *waiting = waiting.checked_sub(1)?;
-        Some(stack[*waiting % STACK].0)
-    }
-
-    /// Asks the object that the ray leaves, unless the filter stops the ray.
-    #[inline(always)]
-    fn ask_again<O: Objects, P: Intersect>(&self, found: &mut Found, objects: &O, touch: &Touch<f64>, id: ObjectId) {
-        match (id as usize).checked_sub(objects.sphere_count()) {
-            None => {
-                if touch.sphere_at(objects, id as usize) {
-                    found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
-                }
-            }
-            Some(index) => {
-                if touch.cylinder_at(objects, index, self.reach) {
-                    found.ask_cylinder::<O, P>(objects, index, &touch.ray);
-                }
-            }
-        }
+        Some(stack[*waiting % stack.len()].0)
     }
 
     /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
     /// out.
     pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
-        let mut pending = Vec::with_capacity(STACK);
+        let mut pending = Vec::with_capacity(4 * WIDTH);
         if !self.nodes.is_empty() {
             pending.push(0);
         }
@@ -263,18 +233,6 @@ impl Hierarchy {
             }
         }
     }
-}
-
-/// Puts a node on the stack, below those from `first` on that are nearer.
-#[inline(always)]
-fn wait(stack: &mut Waiting, waiting: &mut usize, first: usize, entry: (u32, f32)) {
-    let mut place = (*waiting).min(STACK - 1);
-    while place > first && stack[place - 1].1 < entry.1 {
-        stack[place] = stack[place - 1];
-        place -= 1;
-    }
-    stack[place] = entry;
-    *waiting += 1;
 }
 
 /// The nearest hit so far, rounded up; infinite at first.
