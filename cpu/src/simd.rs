@@ -20,6 +20,8 @@ mod avx512;
 mod sse2;
 
 use std::ops::{Add, Mul, Sub};
+#[cfg(target_arch = "x86_64")]
+use std::sync::OnceLock;
 
 use crate::certified::exact_sums::Fused;
 use crate::real::MulAdd;
@@ -219,12 +221,15 @@ impl InstructionSet {
 }
 
 /// Whether comparisons into mask registers take no longer than those into vectors: on AMD's machines they do not, by
-/// measurement (docs/performance.md).
+/// measurement (docs/performance.md). Asked once: under a hypervisor the instruction that tells takes microseconds.
 fn has_quick_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
-        let std::arch::x86_64::CpuidResult { ebx, ecx, edx, .. } = std::arch::x86_64::__cpuid(0);
-        [ebx, edx, ecx].map(u32::to_le_bytes).concat() == b"AuthenticAMD"
+        static IS_AMD: OnceLock<bool> = OnceLock::new();
+        *IS_AMD.get_or_init(|| {
+            let std::arch::x86_64::CpuidResult { ebx, ecx, edx, .. } = std::arch::x86_64::__cpuid(0);
+            [ebx, edx, ecx].map(u32::to_le_bytes).concat() == b"AuthenticAMD"
+        })
     }
     #[cfg(not(target_arch = "x86_64"))]
     false
