@@ -97,13 +97,13 @@ const MARGIN_OF_CYLINDERS: f64 = 1e-7;
 /// The half-space of the points `v`, relative to the camera, with `normal.v >= 0`; the normal has length one.
 type HalfSpace = Vec3;
 
-/// A ball around an object that a row's rays may meet, for walls through the camera.
+/// A ball around an object, as the camera sees it; for a sphere itself.
 #[derive(Clone, Copy, Debug)]
 struct Ball {
     id: ObjectId,
     /// From the camera to its centre.
     middle: Vec3,
-    /// With the margin of [`reaches`].
+    /// With the margin that covers rounding.
     radius: f64,
 }
 
@@ -124,10 +124,10 @@ impl Ball {
         Self { id, middle, radius: radius + MARGIN * (middle.length() + from.length() + radius) + margin }
     }
 
-    /// Whether it reaches into all half-spaces.
+    /// Whether it reaches into all half-spaces; true when in doubt, and where a wall is not made of numbers.
     fn reaches(&self, walls: &[HalfSpace; 2]) -> bool {
-        let [left, right] = walls.map(|wall| wall.dot(self.middle) >= -self.radius);
-        left & right
+        let [left, right] = walls.map(|wall| wall.dot(self.middle) < -self.radius);
+        !(left | right)
     }
 }
 
@@ -168,8 +168,8 @@ impl Candidates {
                 self.row.sort_unstable_by_key(|ball| search::order_of(&prepared.objects, ball.id));
             }
             _ => {
-                let meets = |id: &&ObjectId| !self.culls || reaches(prepared, **id, &walls);
-                self.row.extend(self.all.iter().filter(meets).map(|&id| Ball::new(prepared, id)));
+                let meets = |ball: &Ball| !self.culls || reaches(prepared, ball, &walls);
+                self.row.extend(self.all.iter().map(|&id| Ball::new(prepared, id)).filter(meets));
             }
         }
     }
@@ -183,8 +183,7 @@ impl Candidates {
         let walls =
             [span.first as f64 - 0.5, span.last as f64 + 0.5].map(|side| wall(camera.delta_y, at(side), inside));
         self.span.clear();
-        // Spheres are their balls; of cylinders the balls spare most the closer look.
-        let meets = |ball: &&Ball| !self.culls || ball.reaches(&walls) && reaches(prepared, ball.id, &walls);
+        let meets = |ball: &&Ball| !self.culls || reaches(prepared, ball, &walls);
         for &Ball { id, .. } in self.row.iter().filter(meets) {
             let (objects, spheres) = (&prepared.objects, prepared.objects.sphere_count());
             let candidate = if (id as usize) < spheres {
@@ -220,31 +219,25 @@ fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
     })
 }
 
-/// Whether an object reaches into all half-spaces; true when in doubt.
-fn reaches<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, id: ObjectId, walls: &[HalfSpace; 2]) -> bool {
+/// Whether an object reaches into all half-spaces; true when in doubt. Its ball spares most cylinders the closer look.
+fn reaches<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ball: &Ball, walls: &[HalfSpace; 2]) -> bool {
     let objects = &prepared.objects;
-    let from = prepared.camera.position;
-    match (id as usize).checked_sub(objects.sphere_count()) {
-        None => {
-            let record = objects.sphere(id as usize).record;
-            let middle = record.center - from;
-            let scale = middle.length() + from.length() + record.radius;
-            let outside = |wall: &HalfSpace| wall.dot(middle) < -record.radius - MARGIN * scale;
-            !walls.iter().any(outside)
-        }
-        Some(index) => {
-            let record = objects.cylinder(index).record;
-            let middle = record.center - from;
-            let scale = middle.length() + from.length() + record.radius + record.half_height;
-            let outside = |wall: &HalfSpace| {
-                let along = wall.dot(record.axis);
-                let across = (1.0 - along * along).max(0.0).sqrt();
-                let reach = record.half_height * along.abs() + record.radius * across;
-                wall.dot(middle) < -reach - MARGIN * scale - MARGIN_OF_CYLINDERS * record.radius
-            };
-            !walls.iter().any(outside)
-        }
+    if !ball.reaches(walls) {
+        return false;
     }
+    let Some(index) = (ball.id as usize).checked_sub(objects.sphere_count()) else {
+        return true;
+    };
+    let record = objects.cylinder(index).record;
+    let scale = ball.middle.length() + prepared.camera.position.length() + record.radius + record.half_height;
+    let margin = MARGIN * scale + MARGIN_OF_CYLINDERS * record.radius;
+    let outside = |wall: &HalfSpace| {
+        let along = wall.dot(record.axis);
+        let across = (1.0 - along * along).max(0.0).sqrt();
+        let reach = record.half_height * along.abs() + record.radius * across;
+        wall.dot(ball.middle) < -reach - margin
+    };
+    !walls.iter().any(outside)
 }
 
 #[cfg(test)]
@@ -253,6 +246,17 @@ mod tests {
 
     fn spans(width: usize, samples: u64) -> Vec<Span> {
         Spans::of_row(width, samples).collect()
+    }
+
+    #[test]
+    fn a_ball_is_left_out_beyond_a_wall_only_and_never_by_what_is_not_a_number() {
+        let ball = Ball { id: 0, middle: Vec3::new(3.0, 0.0, 0.0), radius: 1.0 };
+        let (left, right) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0));
+        assert!(ball.reaches(&[left, left]) && !ball.reaches(&[left, right]) && !ball.reaches(&[right, left]));
+        let touching = Ball { radius: 3.0, ..ball };
+        assert!(touching.reaches(&[right, right]));
+        let none = Vec3::new(f64::NAN, 0.0, 0.0);
+        assert!(ball.reaches(&[none, none]) && !ball.reaches(&[none, right]));
     }
 
     #[test]

@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn a_hierarchy_takes_less_than_a_hundred_bytes_an_object() {
-        for count in [1000, 20_000] {
+        for count in [257, 1000, 1025, 4097, 20_000] {
             let nodes = build_all(&random(count, 0.01));
             let bytes = nodes.len() * size_of::<Node>();
             assert!(bytes < 100 * count, "{bytes} bytes for {count} objects");

@@ -8,7 +8,7 @@ use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
 use super::stack::{Stack, Waiting, wait};
 use super::touch::Touch;
-use super::{Found, NOWHERE, ObjectId, plain, top};
+use super::{Found, NOWHERE, ObjectId, plain, stack, top};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::error::Error;
@@ -215,7 +215,7 @@ impl Hierarchy {
     /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
     /// out.
     pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
-        let mut pending = Vec::with_capacity(4 * WIDTH);
+        let mut pending = Vec::with_capacity(stack::MOST);
         if !self.nodes.is_empty() {
             pending.push(0);
         }

@@ -1,7 +1,7 @@
 //! Nodes of the tree that wait to be visited.
 
 /// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
-const MOST: usize = 512;
+pub const MOST: usize = 512;
 
 /// Nodes that wait, with their distances; kept between rays, for clearing it would cost more than a visit.
 #[derive(Clone, Debug)]
