@@ -66,7 +66,18 @@ pub fn matte<T: Real<Mask = bool>>(normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> 
 #[must_use]
 pub fn around<T: Real<Mask = bool>>(base: Vec3<T>, vector: Vec3<T>, negligible: T) -> Vec3<T> {
     let direction = base + vector;
-    if direction.is_within(negligible) { base } else { direction }
+    if direction.x.abs().less(negligible) && are_within(direction.y, direction.z, negligible) {
+        return base;
+    }
+    direction
+}
+
+/// The rest of [`Vec3::is_within`]. A call that hardly any ray makes keeps this a branch: of three comparisons the compiler
+/// makes a selection, and all that a ray does next would wait for them.
+#[cold]
+#[inline(never)]
+fn are_within<T: Real<Mask = bool>>(y: T, z: T, limit: T) -> bool {
+    y.abs().less(limit) && z.abs().less(limit)
 }
 
 /// The mirror image of `direction` in a surface.
