@@ -34,6 +34,13 @@ impl Bounds {
         x * y + y * z + z * x
     }
 
+    /// The axis along which it is longest.
+    #[must_use]
+    pub fn longest_axis(&self) -> usize {
+        let length = |axis: usize| self.high[axis] - self.low[axis];
+        (0..3).max_by(|&left, &right| length(left).total_cmp(&length(right))).unwrap_or(0)
+    }
+
     /// The box with more room on every side.
     #[must_use]
     pub fn enlarged(mut self, by: f32) -> Self {
@@ -139,6 +146,8 @@ mod tests {
         assert_eq!(Bounds::EMPTY.union(&left), left);
         assert_eq!((both.half_area(), Bounds::EMPTY.half_area()), (16.0, 0.0));
         assert_eq!(right.twice_middle(0), 5.0);
+        let long = |axis: usize| Bounds { low: [0.0; 3], high: [0, 1, 2].map(|at| if at == axis { 3.0 } else { 1.0 }) };
+        assert_eq!([0, 1, 2].map(|axis| long(axis).longest_axis()), [0, 1, 2]);
     }
 
     #[test]

@@ -2,20 +2,22 @@
 
 use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
-use super::box_ray::{BoxRay, SHORTEST, SLACK};
+use super::box_ray::{BoxRay, SHORTEST, Steps};
 use super::build::build;
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
-use super::stack::{Stack, Waiting, wait};
+use super::stack::{Stack, wait};
+use super::top::Top;
 use super::touch::Touch;
-use super::{Found, NOWHERE, ObjectId, plain, stack, top};
-use crate::certified::Intersect;
+use super::{Found, NOWHERE, ObjectId, plain, stack};
+use crate::certified::{Intersect, Precision};
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
 use crate::simd::{FilterLanes, Simd};
+use crate::vec3::Vec3;
 
 /// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
 const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
@@ -28,7 +30,9 @@ const MOST_VISITS: usize = 64;
 pub struct Hierarchy {
     nodes: Vec<Node>,
     /// The two highest levels in one row.
-    top: Vec<Node>,
+    top: Top,
+    /// How far its planes are moved.
+    steps: Steps,
     /// It is not in the tree.
     ground: Ground,
     alone: Alone,
@@ -49,8 +53,10 @@ impl Hierarchy {
         let ground = Ground::of(objects);
         let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
         let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
-        let top = top::row(&mut nodes)?;
-        let mut tree = Self { nodes, top, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
+        let top = Top::new(&mut nodes)?;
+        let all = nodes.first().into_iter().flat_map(Node::children).fold(Bounds::EMPTY, |all, (it, _)| all.union(&it));
+        let steps = Steps::new(&all);
+        let mut tree = Self { nodes, top, steps, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
         if count <= MOST_ASKED_WHETHER_ALONE {
             let alone =
                 Alone::new(count, |id| ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent)))?;
@@ -87,11 +93,13 @@ impl Hierarchy {
         true
     }
 
-    /// Whether the ray may use the tree.
+    /// Whether the ray may use the tree: it starts near enough, which certified points of surfaces do, and is not too short.
     #[inline(always)]
-    fn covers(&self, Touch { ray, length_squared, .. }: &Touch<f64>) -> bool {
+    fn covers<P: Intersect>(&self, Touch { ray, length_squared, .. }: &Touch<f64>) -> bool {
         let is_near = |coordinate: f64| coordinate.abs() <= self.reach;
-        is_near(ray.origin.x) && is_near(ray.origin.y) && is_near(ray.origin.z) && *length_squared >= SHORTEST
+        let Vec3 { x, y, z } = ray.origin;
+        let starts_near = P::PRECISION == Precision::Certified || (is_near(x) && is_near(y) && is_near(z));
+        starts_near && *length_squared >= SHORTEST
     }
 
     /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
@@ -106,11 +114,11 @@ impl Hierarchy {
         objects: &O,
         ray: &Ray,
         from: ObjectId,
-        Stack(stack): &mut Stack,
+        stack: &mut Stack,
     ) -> Found {
         let mut found = Found::NOTHING;
         let touch = Touch::new(*ray);
-        if !self.covers(&touch) {
+        if !self.covers::<P>(&touch) {
             return plain::<O, P>(objects, ray);
         }
         self.ground.ask_closely::<S, O, P>(&mut found, objects, &touch);
@@ -127,16 +135,33 @@ impl Hierarchy {
                 }
             }
         }
-        let box_ray = BoxRay::<S::F32>::new(ray);
-        let (mut index, mut waiting) = (0, 0);
-        if S::F32::LANES == WIDTH && self.top.len() > 1 {
-            match self.begin_at_top(&box_ray, farthest(&found), stack, &mut waiting) {
-                Some(nearest) => index = nearest,
-                None => return found,
-            }
+        let query = Query { objects, ray, from, box_ray: BoxRay::<S::F32>::new(ray, &self.steps) };
+        if S::F32::LANES < WIDTH {
+            self.ask_below::<S, O, P>(0, &query, &mut found, stack);
+            return found;
         }
+        let mut met = self.top.met(&query.box_ray, farthest(&found));
+        let backwards = self.top.is_passed_backwards(ray.direction);
+        while met != 0 {
+            let index = self.top.take(&mut met, backwards);
+            self.ask_below::<S, O, P>(index, &query, &mut found, stack);
+        }
+        found
+    }
+
+    /// Takes the objects below the node at `index` into account, but for the one that the ray leaves.
+    #[inline(always)]
+    fn ask_below<S: Simd, O: Objects, P: Intersect>(
+        &self,
+        mut index: u32,
+        query: &Query<O, S::F32>,
+        found: &mut Found,
+        Stack(stack): &mut Stack,
+    ) {
+        let &Query { objects, ray, from, ref box_ray } = query;
+        let mut waiting = 0;
         loop {
-            let farthest = farthest(&found);
+            let farthest = farthest(found);
             add(Counter::NodeVisits, 1);
             let node = &self.nodes[index as usize];
             let mut distances = [0.0; WIDTH];
@@ -153,6 +178,9 @@ impl Hierarchy {
                 asked &= asked - 1;
                 found.ask::<O, P>(objects, node.child(lane).as_id(), ray);
             }
+            if entered == 0 && waiting == 0 {
+                return;
+            }
             if entered.is_power_of_two() {
                 // The only one goes past the stack.
                 index = node.child(entered.trailing_zeros() as usize % WIDTH).as_node();
@@ -168,48 +196,16 @@ impl Hierarchy {
             }
             loop {
                 if waiting == 0 {
-                    return found;
+                    return;
                 }
                 waiting -= 1;
                 let (next, distance) = stack[waiting % stack.len()];
-                if distance <= self::farthest(&found) * SLACK {
+                if distance <= self::farthest(found) {
                     index = next;
                     break;
                 }
             }
         }
-    }
-
-    /// Tests the boxes of the two highest levels at once: gives the nearest node that the ray enters within `farthest`, and
-    /// puts the others on the stack.
-    #[inline(always)]
-    fn begin_at_top<F: FilterLanes>(
-        &self,
-        box_ray: &BoxRay<F>,
-        farthest: f32,
-        stack: &mut Waiting,
-        waiting: &mut usize,
-    ) -> Option<u32> {
-        add(Counter::NodeVisits, 1);
-        let mut distances = [0.0; top::MOST];
-        let mut entered = 0_u64;
-        for (place, node) in self.top.iter().enumerate().take(top::MOST / WIDTH) {
-            let (near, met) = box_ray.meets(node, 0, F::splat(farthest));
-            near.store(&mut distances[place * WIDTH..]);
-            entered |= u64::from(met) << (place * WIDTH);
-        }
-        while entered != 0 {
-            let lane = entered.trailing_zeros() as usize % top::MOST;
-            entered &= entered - 1;
-            let index = self.top[lane / WIDTH].child(lane % WIDTH).as_node();
-            if *waiting == 0 && entered == 0 {
-                // The only one goes past the stack.
-                return Some(index);
-            }
-            wait(stack, waiting, 0, (index, distances[lane]));
-        }
-        *waiting = waiting.checked_sub(1)?;
-        Some(stack[*waiting % stack.len()].0)
     }
 
     /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
@@ -233,6 +229,15 @@ impl Hierarchy {
             }
         }
     }
+}
+
+/// What a traversal looks for.
+struct Query<'a, O, F> {
+    objects: &'a O,
+    ray: &'a Ray,
+    /// The object that the ray leaves.
+    from: ObjectId,
+    box_ray: BoxRay<F>,
 }
 
 /// The nearest hit so far, rounded up; infinite at first.

@@ -4,8 +4,12 @@
 //! bits a handful of nodes side by side take hardly longer than one, so a level less is worth several nodes more at its
 //! beginning. With 256 bits it is not, by measurement (docs/performance.md).
 
+use super::bounds::Bounds;
+use super::box_ray::BoxRay;
 use super::node::{Child, Node, WIDTH};
 use crate::error::Error;
+use crate::simd::FilterLanes;
+use crate::vec3::Vec3;
 
 /// Most children of the root's children: a bit each in a word.
 pub const MOST: usize = 64;
@@ -20,45 +24,98 @@ pub fn planned(objects: usize) -> Option<usize> {
     (nodes > WIDTH).then_some(nodes)
 }
 
-/// The row: the children of the root's children, and those of the root's children that have objects themselves, 16 a
-/// node; each leads to a node. Empty where there are more than [`MOST`].
-///
-/// # Errors
-/// [`Error::OutOfMemory`].
-pub fn row(nodes: &mut Vec<Node>) -> Result<Vec<Node>, Error> {
-    let out_of_memory = |_| Error::OutOfMemory { what: "the hierarchy over the objects" };
-    let mut boxes = Vec::new();
-    boxes.try_reserve(WIDTH * WIDTH).map_err(out_of_memory)?;
-    for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
-        match child.as_object().is_none().then(|| &nodes[child.as_node() as usize]) {
-            Some(node) if node.objects == 0 => boxes.extend(node.children()),
-            _ => boxes.push((bounds, child)),
+/// The row: the children of the root's children, and those of the root's children that have objects themselves, sorted
+/// along an axis.
+#[derive(Debug)]
+pub struct Top {
+    /// 16 boxes each; none where there would be more than [`MOST`], or one node.
+    rows: Vec<Node>,
+    /// The nodes that they lead to; where there is no row, the root.
+    nodes: [u32; MOST],
+    /// The axis.
+    axis: usize,
+}
+
+impl Top {
+    /// The row of a tree.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(nodes: &mut Vec<Node>) -> Result<Self, Error> {
+        let out_of_memory = |_| Error::OutOfMemory { what: "the hierarchy over the objects" };
+        let mut boxes = Vec::new();
+        boxes.try_reserve(WIDTH * WIDTH).map_err(out_of_memory)?;
+        for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
+            match child.as_object().is_none().then(|| &nodes[child.as_node() as usize]) {
+                Some(node) if node.objects == 0 => boxes.extend(node.children()),
+                _ => boxes.push((bounds, child)),
+            }
         }
-    }
-    let mut row = Vec::new();
-    if boxes.len() > MOST {
-        return Ok(row);
-    }
-    row.try_reserve(MOST / WIDTH).map_err(out_of_memory)?;
-    row.resize(boxes.len().div_ceil(WIDTH), Node::EMPTY);
-    for (place, (bounds, mut child)) in boxes.into_iter().enumerate() {
-        if child.as_object().is_some() {
-            let mut alone = Node::EMPTY;
-            alone.set(0, &bounds, child);
-            child = Child::node(nodes.len() as u32);
-            nodes.try_reserve(1).map_err(out_of_memory)?;
-            nodes.push(alone);
+        let all = boxes.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(bounds));
+        let mut top = Self { rows: Vec::new(), nodes: [0; MOST], axis: all.longest_axis() };
+        if !(WIDTH + 1..=MOST).contains(&boxes.len()) {
+            return Ok(top);
         }
-        row[place / WIDTH].set(place % WIDTH, &bounds, child);
+        let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(top.axis);
+        boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
+        top.rows.try_reserve(MOST / WIDTH).map_err(out_of_memory)?;
+        top.rows.resize(boxes.len().div_ceil(WIDTH), Node::EMPTY);
+        for (place, (bounds, mut child)) in boxes.into_iter().enumerate() {
+            if child.as_object().is_some() {
+                let mut alone = Node::EMPTY;
+                alone.set(0, &bounds, child);
+                child = Child::node(nodes.len() as u32);
+                nodes.try_reserve(1).map_err(out_of_memory)?;
+                nodes.push(alone);
+            }
+            top.rows[place / WIDTH].set(place % WIDTH, &bounds, child);
+            top.nodes[place] = child.as_node();
+        }
+        Ok(top)
     }
-    Ok(row)
+
+    /// The boxes that a ray meets within `farthest`, as bits; one for the root, whose box is not asked, where there is no row.
+    #[inline(always)]
+    pub fn met<F: FilterLanes>(&self, box_ray: &BoxRay<F>, farthest: f32) -> u64 {
+        let mut bits = u64::from(self.rows.is_empty());
+        for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
+            let (_, met) = box_ray.meets(row, 0, F::splat(farthest));
+            bits |= u64::from(met) << (place * WIDTH);
+        }
+        bits
+    }
+
+    /// Whether a ray along `direction` goes along the row from its end.
+    #[inline(always)]
+    pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
+        let along = match self.axis {
+            0 => direction.x,
+            1 => direction.y,
+            _ => direction.z,
+        };
+        along < 0.0
+    }
+
+    /// Takes the first of the boxes met, or the last, out of `bits`, which are not 0, and gives the node that it leads to.
+    #[inline(always)]
+    pub fn take(&self, bits: &mut u64, backwards: bool) -> u32 {
+        let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
+        let place = if backwards { last } else { first } as usize % MOST;
+        *bits ^= 1 << place;
+        self.nodes[place]
+    }
+
+    /// Its boxes.
+    #[cfg(test)]
+    fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
+        self.rows.iter().flat_map(Node::children)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::rng::Uniform;
-    use crate::search::bounds::Bounds;
     use crate::search::build::build;
 
     /// The objects below a node.
@@ -79,22 +136,40 @@ mod tests {
                 (Bounds { low, high: low.map(|value| value + 0.1) }, id)
             });
             let mut nodes = build(count, bounds).expect("it fits");
-            let row = row(&mut nodes).expect("it fits");
-            let children: usize = row.iter().map(|node| node.children().count()).sum();
+            let top = Top::new(&mut nodes).expect("it fits");
+            let children = top.children().count();
             if let Some(planned) = planned(count) {
                 assert!(
                     (planned / 2..=planned.max(2 * WIDTH)).contains(&children),
                     "{children} children, {planned} planned"
                 );
             }
-            let mut found: Vec<_> = row.iter().flat_map(|node| objects(&nodes, node)).collect();
+            let in_row = |child: Child| objects(&nodes, &nodes[child.as_node() as usize]);
+            let mut found: Vec<_> = top.children().flat_map(|(_, child)| in_row(child)).collect();
             found.sort_unstable();
             // Where there is no plan, there may be too many for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
+            assert!(children > WIDTH || top.nodes == [0; MOST]);
             assert!(found.into_iter().eq(expected), "{count} objects");
             assert!(count != 20_000 || children == 0);
-            assert!(row.iter().all(|node| node.objects == 0));
+            assert!(top.rows.iter().all(|row| row.objects == 0));
+            let middles = top.children().map(|(bounds, _)| bounds.twice_middle(top.axis));
+            assert!(middles.is_sorted());
         }
+    }
+
+    #[test]
+    fn boxes_are_taken_from_the_end_that_the_ray_comes_from() {
+        let top = Top { rows: Vec::new(), nodes: std::array::from_fn(|place| 100 + place as u32), axis: 1 };
+        let all = |direction: [f64; 3]| {
+            let (mut bits, mut taken) = (1 << 63 | 1 << 17 | 1 << 5 | 1, Vec::new());
+            while bits != 0 {
+                taken.push(top.take(&mut bits, top.is_passed_backwards(direction.into())));
+            }
+            taken
+        };
+        assert_eq!(all([-1.0, 0.5, -1.0]), [100, 105, 117, 163]);
+        assert_eq!(all([1.0, -0.5, 1.0]), [163, 117, 105, 100]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::real::MulAdd;
 use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
-/// How much of a quadratic's terms the margin is: a thousand roundings.
+/// By how much of its terms the constant of a quadratic is lowered: a thousand roundings.
 const MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// By its part of the scene's reach, how far rounding may move a point of the scene, many times over.
@@ -68,8 +68,6 @@ pub struct Touch<T> {
     pub ray: Ray<T>,
     /// `direction.direction`.
     pub length_squared: T,
-    /// The margin's part of it.
-    margin: T,
 }
 
 /// A quadratic.
@@ -99,8 +97,7 @@ impl<T: MulAdd> Touch<T> {
     /// The ray.
     #[inline(always)]
     pub fn new(ray: Ray<T>) -> Self {
-        let length_squared = dot(ray.direction, ray.direction);
-        Self { ray, length_squared, margin: length_squared * T::of(MARGIN) }
+        Self { ray, length_squared: dot(ray.direction, ray.direction) }
     }
 
     /// Whether it may meet the sphere.
@@ -133,9 +130,10 @@ impl<T: MulAdd> Touch<T> {
     /// Whether the ray certainly has no root that counts.
     #[inline(always)]
     fn passes_by(&self, &Quadratic { a, h, c, size }: &Quadratic<T>) -> T::Mask {
-        let most_discriminant = h.times_plus(h, size.times_plus(self.margin, -(a * c)));
+        let least_c = size.times_plus(T::of(-MARGIN), c);
+        let most_discriminant = h.times_plus(h, -(a * least_c));
         // f at the smallest lambda that counts; where h is negative it rises from there on.
-        let least_at_first = a.times_plus(T::of(LAMBDA_MIN * LAMBDA_MIN), size.times_plus(T::of(-MARGIN), c));
+        let least_at_first = a.times_plus(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
         let least_at_first = h.times_plus(T::of(-2.0 * LAMBDA_MIN), least_at_first);
         let zero = T::of(0.0);
         most_discriminant.less(zero) | (h.less(zero) & zero.less(least_at_first))
