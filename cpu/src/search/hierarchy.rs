@@ -137,23 +137,23 @@ impl Hierarchy {
         }
         let query = Query { objects, ray, from, box_ray: BoxRay::<S::F32>::new(ray, &self.steps) };
         if S::F32::LANES < WIDTH {
-            self.ask_below::<S, O, P>(0, &query, &mut found, stack);
+            self.ask_below::<S, O, P>(&self.nodes[0], &query, &mut found, stack);
             return found;
         }
         let mut met = self.top.met(&query.box_ray, farthest(&found));
         let backwards = self.top.is_passed_backwards(ray.direction);
         while met != 0 {
-            let index = self.top.take(&mut met, backwards);
-            self.ask_below::<S, O, P>(index, &query, &mut found, stack);
+            let place = self.top.take(&mut met, backwards);
+            self.ask_below::<S, O, P>(&self.nodes[place], &query, &mut found, stack);
         }
         found
     }
 
-    /// Takes the objects below the node at `index` into account, but for the one that the ray leaves.
+    /// Takes the objects below a node into account, but for the one that the ray leaves.
     #[inline(always)]
-    fn ask_below<S: Simd, O: Objects, P: Intersect>(
-        &self,
-        mut index: u32,
+    fn ask_below<'tree, S: Simd, O: Objects, P: Intersect>(
+        &'tree self,
+        mut node: &'tree Node,
         query: &Query<O, S::F32>,
         found: &mut Found,
         Stack(stack): &mut Stack,
@@ -163,7 +163,6 @@ impl Hierarchy {
         loop {
             let farthest = farthest(found);
             add(Counter::NodeVisits, 1);
-            let node = &self.nodes[index as usize];
             let mut distances = [0.0; WIDTH];
             let mut bits = 0;
             for at in (0..WIDTH).step_by(S::F32::LANES) {
@@ -183,7 +182,8 @@ impl Hierarchy {
             }
             if entered.is_power_of_two() {
                 // The only one goes past the stack.
-                index = node.child(entered.trailing_zeros() as usize % WIDTH).as_node();
+                let only = node.child(entered.trailing_zeros() as usize % WIDTH);
+                node = &self.nodes[only.as_node() as usize];
                 continue;
             }
             let first = waiting;
@@ -201,7 +201,7 @@ impl Hierarchy {
                 waiting -= 1;
                 let (next, distance) = stack[waiting % stack.len()];
                 if distance <= self::farthest(found) {
-                    index = next;
+                    node = &self.nodes[next as usize];
                     break;
                 }
             }

@@ -7,6 +7,7 @@
 use super::bounds::Bounds;
 use super::box_ray::BoxRay;
 use super::node::{Child, Node, WIDTH};
+use super::room;
 use crate::error::Error;
 use crate::simd::FilterLanes;
 use crate::vec3::Vec3;
@@ -30,8 +31,9 @@ pub fn planned(objects: usize) -> Option<usize> {
 pub struct Top {
     /// 16 boxes each; none where there would be more than [`MOST`], or one node.
     rows: Vec<Node>,
-    /// The nodes that they lead to; where there is no row, the root.
-    nodes: [u32; MOST],
+    /// Where in the tree the nodes stand that they lead to, side by side: so none has to be looked up. Where there is no row,
+    /// the root's place.
+    begin: usize,
     /// The axis.
     axis: usize,
 }
@@ -52,7 +54,7 @@ impl Top {
             }
         }
         let all = boxes.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(bounds));
-        let mut top = Self { rows: Vec::new(), nodes: [0; MOST], axis: all.longest_axis() };
+        let mut top = Self { rows: Vec::new(), begin: 0, axis: all.longest_axis() };
         if !(WIDTH + 1..=MOST).contains(&boxes.len()) {
             return Ok(top);
         }
@@ -60,6 +62,9 @@ impl Top {
         boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
         top.rows.try_reserve(MOST / WIDTH).map_err(out_of_memory)?;
         top.rows.resize(boxes.len().div_ceil(WIDTH), Node::EMPTY);
+        let mut below = Vec::new();
+        below.try_reserve(MOST).map_err(out_of_memory)?;
+        top.begin = 1;
         for (place, (bounds, mut child)) in boxes.into_iter().enumerate() {
             if child.as_object().is_some() {
                 let mut alone = Node::EMPTY;
@@ -68,9 +73,10 @@ impl Top {
                 nodes.try_reserve(1).map_err(out_of_memory)?;
                 nodes.push(alone);
             }
-            top.rows[place / WIDTH].set(place % WIDTH, &bounds, child);
-            top.nodes[place] = child.as_node();
+            below.push(child.as_node());
+            top.rows[place / WIDTH].set(place % WIDTH, &bounds, Child::node((top.begin + place) as u32));
         }
+        bring_forward(nodes, &below)?;
         Ok(top)
     }
 
@@ -96,13 +102,13 @@ impl Top {
         along < 0.0
     }
 
-    /// Takes the first of the boxes met, or the last, out of `bits`, which are not 0, and gives the node that it leads to.
+    /// Takes the first of the boxes met, or the last, out of `bits`, which are not 0: where the node stands that it leads to.
     #[inline(always)]
-    pub fn take(&self, bits: &mut u64, backwards: bool) -> u32 {
+    pub fn take(&self, bits: &mut u64, backwards: bool) -> usize {
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
-        let place = if backwards { last } else { first } as usize % MOST;
+        let place = if backwards { last } else { first };
         *bits ^= 1 << place;
-        self.nodes[place]
+        self.begin + place as usize
     }
 
     /// Its boxes.
@@ -110,6 +116,27 @@ impl Top {
     fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
         self.rows.iter().flat_map(Node::children)
     }
+}
+
+/// Puts the nodes at these places side by side behind the root.
+fn bring_forward(nodes: &mut [Node], places: &[u32]) -> Result<(), Error> {
+    // Which node stands at a place, and at which place a node, by where they stood before.
+    let [mut at, mut place_of] = [room(nodes.len())?, room(nodes.len())?];
+    for list in [&mut at, &mut place_of] {
+        list.extend(0..nodes.len() as u32);
+    }
+    for (to, &node) in (1..).zip(places) {
+        let from = place_of[node as usize] as usize;
+        let other = at[to];
+        nodes.swap(to, from);
+        at.swap(to, from);
+        place_of[node as usize] = to as u32;
+        place_of[other as usize] = from as u32;
+    }
+    for node in nodes {
+        node.relink(|index| place_of[index as usize]);
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -149,10 +176,14 @@ mod tests {
             found.sort_unstable();
             // Where there is no plan, there may be too many for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
-            assert!(children > WIDTH || top.nodes == [0; MOST]);
+            let places = top.children().map(|(_, child)| child.as_node() as usize);
+            assert!(places.eq(top.begin..top.begin + children));
+            assert_eq!(top.begin, usize::from(children > 0));
             assert!(found.into_iter().eq(expected), "{count} objects");
             assert!(count != 20_000 || children == 0);
             assert!(top.rows.iter().all(|row| row.objects == 0));
+            let bytes = (nodes.len() + top.rows.len()) * size_of::<Node>();
+            assert!(count <= 256 || bytes < 100 * count, "{bytes} bytes for {count} objects");
             let middles = top.children().map(|(bounds, _)| bounds.twice_middle(top.axis));
             assert!(middles.is_sorted());
         }
@@ -160,7 +191,7 @@ mod tests {
 
     #[test]
     fn boxes_are_taken_from_the_end_that_the_ray_comes_from() {
-        let top = Top { rows: Vec::new(), nodes: std::array::from_fn(|place| 100 + place as u32), axis: 1 };
+        let top = Top { rows: Vec::new(), begin: 1, axis: 1 };
         let all = |direction: [f64; 3]| {
             let (mut bits, mut taken) = (1 << 63 | 1 << 17 | 1 << 5 | 1, Vec::new());
             while bits != 0 {
@@ -168,8 +199,8 @@ mod tests {
             }
             taken
         };
-        assert_eq!(all([-1.0, 0.5, -1.0]), [100, 105, 117, 163]);
-        assert_eq!(all([1.0, -0.5, 1.0]), [163, 117, 105, 100]);
+        assert_eq!(all([-1.0, 0.5, -1.0]), [1, 6, 18, 64]);
+        assert_eq!(all([1.0, -0.5, 1.0]), [64, 18, 6, 1]);
     }
 
     #[test]
