@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # How many times as fast as the reference render-aos is: user time, the two in turn, the median of the rounds' ratios.
+# RUNS=11 has the program run 11 times a round, for one that is done much sooner, and counts the one in the middle.
 #
 #   tests/ratio.sh ROUNDS CONFIG SCENE [ROUNDS CONFIG SCENE ...]
 #
@@ -11,7 +12,8 @@ top=$(cd "$(dirname "$0")/.." && pwd)
 cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p cpu --bins --examples
 program=${PROGRAM:-$top/target/release/render-aos}
 yardstick=${YARDSTICK:-$top/target/release/examples/reference}
-[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,7p' "$0" >&2; exit 2; }
+runs=${RUNS:-1}
+[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,8p' "$0" >&2; exit 2; }
 
 user_seconds() {
     local TIMEFORMAT=%U
@@ -20,7 +22,9 @@ user_seconds() {
 
 while [ $# -gt 0 ]; do
     for _ in $(seq "$1"); do
-        echo "$(user_seconds "$yardstick" "$2" "$3") $(user_seconds "$program" "$2" "$3")"
+        slow=$(user_seconds "$yardstick" "$2" "$3")
+        fast=$(for _ in $(seq "$runs"); do user_seconds "$program" "$2" "$3"; done | sort -n | sed -n "$((runs / 2 + 1))p")
+        echo "$slow $fast"
     done | awk -v what="$3" '
         { slow[NR] = $1; fast[NR] = $2; ratio[NR] = $2 > 0 ? $1 / $2 : 0 }
         END {

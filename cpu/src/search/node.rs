@@ -71,14 +71,11 @@ impl Node {
         self.objects |= u32::from(child.as_object().is_some()) << lane;
     }
 
-    /// Says where the nodes stand now that lanes lead to, by where they stood.
+    /// Says where the nodes stand now that lanes lead to, by where they stood. Lanes without a child count as leading to the
+    /// root.
     pub fn relink(&mut self, now: impl Fn(u32) -> u32) {
-        for lane in 0..WIDTH {
-            let is_node =
-                self.corners[0][0][lane] <= self.corners[1][0][lane] && self.child(lane).as_object().is_none();
-            if is_node {
-                self.children[lane] = now(self.children[lane]);
-            }
+        for child in self.children.iter_mut().filter(|child| Child(**child).as_object().is_none()) {
+            *child = now(*child);
         }
     }
 

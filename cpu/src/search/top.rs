@@ -8,6 +8,7 @@ use super::bounds::Bounds;
 use super::box_ray::BoxRay;
 use super::node::{Child, Node, WIDTH};
 use super::room;
+use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::simd::FilterLanes;
 use crate::vec3::Vec3;
@@ -83,6 +84,7 @@ impl Top {
     /// The boxes that a ray meets within `farthest`, as bits; one for the root, whose box is not asked, where there is no row.
     #[inline(always)]
     pub fn met<F: FilterLanes>(&self, box_ray: &BoxRay<F>, farthest: f32) -> u64 {
+        add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = u64::from(self.rows.is_empty());
         for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
             let (_, met) = box_ray.meets(row, 0, F::splat(farthest));
@@ -118,7 +120,7 @@ impl Top {
     }
 }
 
-/// Puts the nodes at these places side by side behind the root.
+/// Puts the nodes at these places, none of them the root, side by side behind the root, which stays.
 fn bring_forward(nodes: &mut [Node], places: &[u32]) -> Result<(), Error> {
     // Which node stands at a place, and at which place a node, by where they stood before.
     let [mut at, mut place_of] = [room(nodes.len())?, room(nodes.len())?];
