@@ -29,6 +29,7 @@ pub use find::{Find, Origin, Plain};
 pub use found::Found;
 pub use hierarchy::Hierarchy;
 pub use stack::Stack;
+pub use touch::Touch;
 
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};

@@ -12,8 +12,8 @@ use crate::counters::{Counter, add};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::ray::Ray;
-use crate::search::{Few, ObjectId, Search};
-use crate::simd::{Kernel, Lanes, Simd};
+use crate::search::{Few, ObjectId, Search, Touch};
+use crate::simd::{Kernel, LaneMask, Lanes, Simd};
 use crate::surface::{Onward, Surface};
 use crate::vec3::Vec3;
 
@@ -102,7 +102,7 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
             direction: Vec3::new(S::F64::load(dx), S::F64::load(dy), S::F64::load(dz)),
         };
         let valid = valid_lanes::<S::F64>(lanes);
-        let hits = nearest::<_, _, P>(&prepared.objects, few.in_order(), &ray, valid);
+        let hits = nearest::<_, _, P>(&prepared.objects, few, &ray, valid);
         let color = spread(background.color(ray.direction));
         let shaded = shade(prepared, &ray, &hits);
         let standing = shaded.standing.lane_by_lane();
@@ -123,27 +123,22 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
     in_glass.truncate(staying);
 }
 
-/// The nearest hits among all objects, given in the order of the file, of rays that each have an origin of their own.
+/// The nearest hits of rays that each have an origin of their own, among the objects that any of them may meet: neighbours in
+/// glass mostly leave the same objects behind.
 #[inline(always)]
-fn nearest<V: Lanes, O: Objects, P: Intersect>(
-    objects: &O,
-    in_order: &[ObjectId],
-    ray: &Ray<V>,
-    valid: u32,
-) -> Hits<V> {
+fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray<V>, valid: u32) -> Hits<V> {
     let mut hits = Hits::none();
     let a = ray.direction.dot(ray.direction);
-    for &id in in_order {
+    let touch = Touch::new(*ray);
+    for &id in few.in_order() {
+        if few.touches(id, &touch).bits() & valid == 0 {
+            continue;
+        }
         match (id as usize).checked_sub(objects.sphere_count()) {
-            None => {
-                let record = objects.sphere(id as usize).record;
-                let view = record.lanes().seen_from(ray.origin);
-                hits.ask_sphere::<P>(id, &record, &view, ray, a, valid);
-            }
+            None => hits.ask_touched_sphere::<P>(id, &objects.sphere(id as usize).record, ray, a, valid),
             Some(index) => {
                 let record = objects.cylinder(index).record;
-                let view = record.lanes().seen_from(ray.origin);
-                hits.ask_cylinder::<P>(id, (&record, &objects.axis(index)), &view, ray, a, valid);
+                hits.ask_touched_cylinder::<P>(id, (&record, &objects.axis(index)), ray, a, valid);
             }
         }
     }

@@ -73,21 +73,44 @@ impl<V: Lanes> Hits<V> {
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                let lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
-                let certain = lanes.certain & in_scale(a);
-                let mut lambda = lanes.lambda;
-                if (!certain).bits() & valid != 0 {
-                    let compensated = certified::sphere_compensated::judge(&record.lanes(), ray);
-                    lambda = V::select(certain, lambda, compensated.lambda);
-                    let doubtful = (!(certain | compensated.certain)).bits() & valid;
-                    add(Counter::Compensated, u64::from(((!certain).bits() & valid & !doubtful).count_ones()));
-                    if doubtful != 0 {
-                        lambda = resolve_spheres(record, ray, lambda, doubtful);
-                    }
-                }
-                self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), V::of(0.0), valid);
+                self.certify_sphere(id, record, ray, a, valid);
             }
         }
+    }
+
+    /// The same for a sphere that the valid lanes, which start within the scene's reach, may meet.
+    #[inline(always)]
+    pub fn ask_touched_sphere<P: Intersect>(
+        &mut self,
+        id: ObjectId,
+        record: &SphereRecord,
+        ray: &Ray<V>,
+        a: V,
+        valid: u32,
+    ) {
+        match P::PRECISION {
+            Precision::Textbook => {
+                self.ask_sphere::<P>(id, record, &record.lanes().seen_from(ray.origin), ray, a, valid);
+            }
+            Precision::Certified => self.certify_sphere(id, record, ray, a, valid),
+        }
+    }
+
+    #[inline(always)]
+    fn certify_sphere(&mut self, id: ObjectId, record: &SphereRecord, ray: &Ray<V>, a: V, valid: u32) {
+        let lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
+        let certain = lanes.certain & in_scale(a);
+        let mut lambda = lanes.lambda;
+        if (!certain).bits() & valid != 0 {
+            let compensated = certified::sphere_compensated::judge(&record.lanes(), ray);
+            lambda = V::select(certain, lambda, compensated.lambda);
+            let doubtful = (!(certain | compensated.certain)).bits() & valid;
+            add(Counter::Compensated, u64::from(((!certain).bits() & valid & !doubtful).count_ones()));
+            if doubtful != 0 {
+                lambda = resolve_spheres(record, ray, lambda, doubtful);
+            }
+        }
+        self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), V::of(0.0), valid);
     }
 
     /// Takes the hits with a cylinder into account, given its view and the file's axis.
@@ -115,21 +138,52 @@ impl<V: Lanes> Hits<V> {
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                let side = certified::cylinder::SideLanes::new(&lanes_record, ray);
-                // Most rays do not come near the bases.
-                let needs_bases = side.open.bits() & valid != 0;
-                let lanes = if needs_bases { side.with_bases(&lanes_record, ray) } else { side.without_bases() };
-                let number = |part: Part| V::of(f64::from(part as u32));
-                let over = V::select(lanes.top, number(Part::Top), number(Part::Side));
-                let mut part = V::select(lanes.bottom, number(Part::Bottom), over);
-                let mut lambda = lanes.lambda;
-                let doubtful = (!(lanes.certain & in_scale(a))).bits() & valid;
-                if doubtful != 0 {
-                    (lambda, part) = resolve_cylinders((record, axis), ray, (lambda, part), doubtful);
-                }
-                self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), part, valid);
+                self.certify_cylinder(id, (record, axis), ray, a, valid);
             }
         }
+    }
+
+    /// The same for a cylinder that the valid lanes, which start within the scene's reach, may meet.
+    #[inline(always)]
+    pub fn ask_touched_cylinder<P: Intersect>(
+        &mut self,
+        id: ObjectId,
+        (record, axis): (&CylinderRecord, &Vec3),
+        ray: &Ray<V>,
+        a: V,
+        valid: u32,
+    ) {
+        match P::PRECISION {
+            Precision::Textbook => {
+                self.ask_cylinder::<P>(id, (record, axis), &record.lanes().seen_from(ray.origin), ray, a, valid);
+            }
+            Precision::Certified => self.certify_cylinder(id, (record, axis), ray, a, valid),
+        }
+    }
+
+    #[inline(always)]
+    fn certify_cylinder(
+        &mut self,
+        id: ObjectId,
+        (record, axis): (&CylinderRecord, &Vec3),
+        ray: &Ray<V>,
+        a: V,
+        valid: u32,
+    ) {
+        let lanes_record = record.lanes::<V>();
+        let side = certified::cylinder::SideLanes::new(&lanes_record, ray);
+        // Most rays do not come near the bases.
+        let needs_bases = side.open.bits() & valid != 0;
+        let lanes = if needs_bases { side.with_bases(&lanes_record, ray) } else { side.without_bases() };
+        let number = |part: Part| V::of(f64::from(part as u32));
+        let over = V::select(lanes.top, number(Part::Top), number(Part::Side));
+        let mut part = V::select(lanes.bottom, number(Part::Bottom), over);
+        let mut lambda = lanes.lambda;
+        let doubtful = (!(lanes.certain & in_scale(a))).bits() & valid;
+        if doubtful != 0 {
+            (lambda, part) = resolve_cylinders((record, axis), ray, (lambda, part), doubtful);
+        }
+        self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), part, valid);
     }
 }
 

@@ -71,6 +71,12 @@ impl Few {
         found
     }
 
+    /// Whether each of several rays, which start within the scene's reach, may meet an object.
+    #[inline(always)]
+    pub fn touches<V: Lanes>(&self, id: ObjectId, touch: &Touch<V>) -> V::Mask {
+        self.side_by_side.touches(id as usize, touch)
+    }
+
     /// The objects that each ray, which starts within the scene's reach, may meet: the sum of 2^[id](ObjectId).
     #[inline(always)]
     pub fn touched<V: Lanes>(&self, ray: &Ray<V>) -> V {

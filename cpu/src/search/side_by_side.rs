@@ -60,6 +60,17 @@ impl SideBySide {
         touched & ((1 << self.count) - 1)
     }
 
+    /// Whether each of several rays may meet the object at this place.
+    #[inline(always)]
+    pub fn touches<V: Lanes>(&self, at: usize, touch: &Touch<V>) -> V::Mask {
+        let target = self.targets.one::<V>(at);
+        if at < self.sphere_count {
+            touch.sphere(&SphereTarget { center: target.center, radius_squared: target.radius_squared })
+        } else {
+            touch.cylinder(&target)
+        }
+    }
+
     /// The objects that each of several rays may meet: the sum of 2^[id](super::ObjectId).
     #[inline(always)]
     pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> V {
@@ -67,13 +78,7 @@ impl SideBySide {
         let mut touched = V::of(0.0);
         let mut weight = 1.0;
         for at in 0..self.count.min(PLACES) {
-            let target = self.targets.one::<V>(at);
-            let touches = if at < self.sphere_count {
-                touch.sphere(&SphereTarget { center: target.center, radius_squared: target.radius_squared })
-            } else {
-                touch.cylinder(&target)
-            };
-            touched = touched + V::select(touches, V::of(weight), V::of(0.0));
+            touched = touched + V::select(self.touches(at, &touch), V::of(weight), V::of(0.0));
             weight += weight;
         }
         touched

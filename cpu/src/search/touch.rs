@@ -65,6 +65,7 @@ impl CylinderTarget {
 /// One ray or a lane of them, which start within the scene's reach, as targets see them.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch<T> {
+    /// The ray.
     pub ray: Ray<T>,
     /// `direction.direction`.
     pub length_squared: T,
