@@ -1,7 +1,7 @@
 //! Rays through refractive surfaces, which need no random number: followed ahead up to the first surface that does.
 
 use super::batch::{Batch, InGlass};
-use super::hits::{Hits, MOST_LANES};
+use super::hits::{Hits, MOST_LANES, for_each_lane};
 use super::primary::valid_lanes;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
@@ -103,22 +103,24 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
         };
         let valid = valid_lanes::<S::F64>(lanes);
         let hits = nearest::<_, _, P>(&prepared.objects, few, &ray, valid);
-        let color = spread(background.color(ray.direction));
+        let missed = valid & !hits.bits;
+        if missed != 0 {
+            let color = spread(background.color(ray.direction));
+            for_each_lane(missed, |lane| leave(batch, gone, samples[lane], get(&color, lane)));
+        }
+        if hits.bits == 0 {
+            continue;
+        }
         let shaded = shade(prepared, &ray, &hits);
         let standing = shaded.standing.lane_by_lane();
-        for (lane, &sample) in samples.iter().enumerate().take(lanes) {
-            if hits.bits >> lane & 1 == 0 {
-                leave(batch, gone, sample, get(&color, lane));
-                continue;
-            }
-            if shaded.glass >> lane & 1 == 1 {
-                queue.pass_on(sample.place as usize, &standing, lane);
-                in_glass[staying] = sample;
-                staying += 1;
-            } else {
-                queue.set_from(sample.place as usize, &standing, lane, rays);
-            }
-        }
+        for_each_lane(shaded.glass, |lane| {
+            queue.pass_on(samples[lane].place as usize, &standing, lane);
+            in_glass[staying] = samples[lane];
+            staying += 1;
+        });
+        for_each_lane(hits.bits & !shaded.glass, |lane| {
+            queue.set_from(samples[lane].place as usize, &standing, lane, rays);
+        });
     }
     in_glass.truncate(staying);
 }
