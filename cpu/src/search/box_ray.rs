@@ -63,16 +63,19 @@ impl<F: FilterLanes> BoxRay<F> {
             far: [0; 3],
         };
         for axis in 0..3 {
-            let (minus_origin, direction) = (-origin[axis] as f32, direction[axis] as f32);
-            let reciprocal = (1.0 / direction).clamp(-LARGEST_RECIPROCAL, LARGEST_RECIPROCAL);
-            let step = (minus_origin.abs() * STEP + steps[axis]) * reciprocal.abs();
+            let (minus_origin, narrow) = (-origin[axis] as f32, direction[axis] as f32);
+            let magnitude = (1.0 / narrow).abs();
+            let magnitude = if magnitude < LARGEST_RECIPROCAL { magnitude } else { LARGEST_RECIPROCAL };
+            let reciprocal = magnitude.copysign(narrow);
+            let step = (minus_origin.abs() * STEP + steps[axis]) * magnitude;
             let middle = minus_origin * reciprocal;
             box_ray.reciprocal[axis] = F::splat(reciprocal);
             box_ray.near_origin[axis] = F::splat(middle - step);
             box_ray.far_origin[axis] = F::splat(middle + step);
-            let backwards = usize::from(reciprocal.is_sign_negative());
-            box_ray.near[axis] = (axis + 3 * backwards) * WIDTH;
-            box_ray.far[axis] = (axis + 3 * (1 - backwards)) * WIDTH;
+            // By the sign of the direction, so that the planes are there when the reciprocal is.
+            let backwards = (direction[axis].to_bits() as i64 >> 63) as usize & (3 * WIDTH);
+            box_ray.near[axis] = axis * WIDTH + backwards;
+            box_ray.far[axis] = (axis + 3) * WIDTH - backwards;
         }
         box_ray
     }
