@@ -75,9 +75,10 @@ pub struct Touch<T> {
 struct Quadratic<T> {
     a: T,
     h: T,
-    c: T,
-    /// What the terms of `c` amount to.
-    size: T,
+    /// The constant, lowered by the margin.
+    least_c: T,
+    /// `a c`, lowered by the margin.
+    least_product: T,
 }
 
 impl Touch<f64> {
@@ -107,7 +108,8 @@ impl<T: MulAdd> Touch<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (c, size) = (q - target.radius_squared, q + target.radius_squared);
-        !self.passes_by(&Quadratic { a: self.length_squared, h, c, size })
+        let (a, least_c) = (self.length_squared, lowered(c, size));
+        !self.passes_by(&Quadratic { a, h, least_c, least_product: a * least_c })
     }
 
     /// Whether it may meet the cylinder.
@@ -116,12 +118,16 @@ impl<T: MulAdd> Touch<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
+        let (a, c) =
+            ((-slope).times_plus(slope, self.length_squared), (-along).times_plus(along, q - target.radius_squared));
+        // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
+        let size = q + target.squares;
         let across = Quadratic {
-            a: (-slope).times_plus(slope, self.length_squared),
+            a,
             h: (-slope).times_plus(along, h),
-            c: (-along).times_plus(along, q - target.radius_squared),
-            // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
-            size: q + target.squares,
+            least_c: lowered(c, size),
+            // Of the whole direction: what is left of it across the axis may be nothing but rounding.
+            least_product: size.times_plus(self.length_squared * T::of(-MARGIN), a * c),
         };
         // Seen in the direction in which the ray advances: how far the first point that counts is past the middle.
         let past_middle = slope.abs().times_plus(T::of(LAMBDA_MIN), -along.flipped_by(slope));
@@ -130,15 +136,20 @@ impl<T: MulAdd> Touch<T> {
 
     /// Whether the ray certainly has no root that counts.
     #[inline(always)]
-    fn passes_by(&self, &Quadratic { a, h, c, size }: &Quadratic<T>) -> T::Mask {
-        let least_c = size.times_plus(T::of(-MARGIN), c);
-        let most_discriminant = h.times_plus(h, -(a * least_c));
+    fn passes_by(&self, &Quadratic { a, h, least_c, least_product }: &Quadratic<T>) -> T::Mask {
+        let most_discriminant = h.times_plus(h, -least_product);
         // f at the smallest lambda that counts; where h is negative it rises from there on.
         let least_at_first = a.times_plus(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
         let least_at_first = h.times_plus(T::of(-2.0 * LAMBDA_MIN), least_at_first);
         let zero = T::of(0.0);
         most_discriminant.less(zero) | (h.less(zero) & zero.less(least_at_first))
     }
+}
+
+/// The constant of a quadratic whose terms amount to `size`, less the margin.
+#[inline(always)]
+fn lowered<T: MulAdd>(c: T, size: T) -> T {
+    size.times_plus(T::of(-MARGIN), c)
 }
 
 #[inline(always)]
@@ -231,5 +242,24 @@ mod tests {
             }
         }
         assert!(stopped.iter().chain(&met).all(|&count| count > 4000), "{stopped:?} stopped, {met:?} met");
+    }
+
+    #[test]
+    fn a_ray_along_the_axis_is_not_stopped_inside_the_cylinder() {
+        let mut draws = Uniform::new(22);
+        for number in 0..20_000 {
+            let size = 10.0_f64.powf(draws.draw(-3.0, 4.0));
+            let mut vector = |reach: f64| Vec3::from([(); 3].map(|()| draws.draw(-reach, reach)));
+            let (center, axis, aside) = (vector(1e4), vector(3.0) * size, vector(1.0));
+            let cylinder = CylinderRecord::new(center, size, axis);
+            // Exactly along it, and nearly.
+            let tilt = if number % 2 == 0 { 0.0 } else { 10.0_f64.powf(draws.draw(-20.0, -6.0)) };
+            let across = aside.perpendicular_to(cylinder.axis);
+            let direction = (cylinder.axis + across * tilt) * (axis.length() * 10.0_f64.powf(draws.draw(-3.0, 2.0)));
+            let origin = cylinder.bottom + across.unit() * (size * draws.draw(0.0, 0.9));
+            let touch = Touch::new(Ray { origin, direction });
+            let target = CylinderTarget::new(&cylinder, center.length() + 5.0 * size);
+            assert!(touch.cylinder(&target), "{cylinder:?}, {:?}", touch.ray);
+        }
     }
 }
