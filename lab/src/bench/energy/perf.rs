@@ -92,7 +92,8 @@ mod tests {
     fn counting_ends_with_what_was_counted() {
         let folder = tempfile::tempdir().expect("the temporary folder is writable");
         let program = folder.path().join("perf");
-        let script = "#!/bin/sh\ntrap 'echo 7.25,Joules,power/energy-pkg/,1,100.00,, >&2; exit 0' INT\n\
+        // A shell that is started with the signal ignored, as in the background, could not trap it.
+        let script = "#!/usr/bin/env -S --default-signal=INT sh\ntrap 'echo 7.25,Joules,power/energy-pkg/,1,100.00,, >&2; exit 0' INT\n\
                       while true; do sleep 0.01; done\n";
         std::fs::write(&program, script).expect("the folder is writable");
         std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).expect("it is ours");
