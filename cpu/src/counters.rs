@@ -18,8 +18,8 @@ pub enum Counter {
     GlassRays,
     /// All other rays that left a surface.
     WalkRays,
-    /// Rays of the walk that were tried in vain, since one before them met something.
-    WrongGuesses,
+    /// First rays of samples that were tried several at once, as if those before them left; some more than once.
+    Guesses,
     /// Nodes of the tree whose boxes were tested.
     NodeVisits,
     /// Spheres asked exactly by rays that left a surface.
@@ -63,7 +63,7 @@ impl Counter {
         Self::SpanCandidates,
         Self::GlassRays,
         Self::WalkRays,
-        Self::WrongGuesses,
+        Self::Guesses,
         Self::NodeVisits,
         Self::SphereAsks,
         Self::CylinderAsks,

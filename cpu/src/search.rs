@@ -28,6 +28,7 @@ pub use filter::Filter;
 pub use find::{Find, Origin, Plain};
 pub use found::Found;
 pub use hierarchy::Hierarchy;
+pub use side_by_side::TouchedByEach;
 pub use stack::Stack;
 pub use touch::Touch;
 

@@ -99,8 +99,8 @@ impl Ended {
         self.direction.set(at, direction);
     }
 
-    /// Path `at` and those after it begin, and leave the scene with their first rays. What is said later of one
-    /// of them replaces this.
+    /// The paths before `at` are done; it and those after it leave the scene with their first rays. What is said later of
+    /// one of them replaces this.
     #[inline(always)]
     pub fn leave_several<V: Lanes>(&mut self, at: usize, directions: Vec3<V>) {
         store(directions, &mut self.direction, at);

@@ -26,13 +26,15 @@ pub struct Triples {
     y: [f64; PLACES],
     z: [f64; PLACES],
     next: usize,
+    /// How many of the stream's triples came before the first place.
+    before: u64,
 }
 
 impl Triples {
     /// The stream of `convention` from a seed.
     pub fn new(convention: Scatter, seed: u64) -> Self {
         let (raw, empty) = ([0.0; 3 * TRIPLES], [0.0; PLACES]);
-        Self { convention, draws: BlockUniform::new(seed), raw, x: empty, y: empty, z: empty, next: PLACES }
+        Self { convention, draws: BlockUniform::new(seed), raw, x: empty, y: empty, z: empty, next: PLACES, before: 0 }
     }
 
     /// Makes triples unless there are [`RESERVE`].
@@ -53,10 +55,16 @@ impl Triples {
         triple
     }
 
-    /// The next triples, a lane each. None is used up.
+    /// Where in the stream the next triple stands, counted from anywhere.
     #[inline(always)]
-    pub fn following<V: Lanes>(&self) -> Vec3<V> {
-        let at = self.next;
+    pub const fn position(&self) -> u64 {
+        self.before.wrapping_add(self.next as u64)
+    }
+
+    /// The next triples but for the first `skipped`, a lane each. None is used up.
+    #[inline(always)]
+    pub fn following<V: Lanes>(&self, skipped: usize) -> Vec3<V> {
+        let at = self.next + skipped;
         Vec3::new(V::load(&self.x[at..]), V::load(&self.y[at..]), V::load(&self.z[at..]))
     }
 
@@ -74,6 +82,7 @@ impl Triples {
             place.copy_within(PLACES - kept.., SLACK - kept);
         }
         self.next = SLACK - kept;
+        self.before = self.before.wrapping_add(TRIPLES as u64);
         match self.convention {
             Scatter::Statement => {
                 add(Counter::MaterialDraws, self.raw.len() as u64);
@@ -150,7 +159,7 @@ mod tests {
         for round in 0..2 * TRIPLES {
             lanes.prepare(Portable);
             let mut seen = [0.0; V::LANES];
-            lanes.following::<V>().y.store(&mut seen);
+            lanes.following::<V>(0).y.store(&mut seen);
             let used = round % V::LANES;
             lanes.skip(used);
             for &y in &seen[..used] {

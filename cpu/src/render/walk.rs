@@ -1,7 +1,7 @@
 //! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
 //! each taking its random vectors from one stream.
 //!
-//! With two or three objects the samples that leave at once are passed over [together](super::leaps).
+//! With two or three objects it is done [otherwise](super::leaps).
 
 use super::ends::Ended;
 use super::leaps;
@@ -10,25 +10,18 @@ use super::vectors::Triples;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
-use crate::prepare::{Kind, Prepared};
+use crate::prepare::{Finish, Kind, Prepared};
 use crate::ray::Ray;
-use crate::search::{Find, Found, ObjectId, Plain, Search, Stack};
+use crate::search::{Few, Find, Found, ObjectId, Plain, Search, Stack};
 use crate::simd::{Kernel, Simd};
 use crate::surface::{Onward, Surface, material_of};
+use crate::vec3::Vec3;
 
-/// What became of the next samples with their first rays.
-pub struct Start {
-    /// As many are at their ends.
-    pub done: usize,
-    /// The first ray of the one after them, unless that is at its end too.
-    pub next: Option<First>,
-}
-
-/// The first ray of a sample.
-pub struct First {
+/// Where a surface has sent a path.
+pub struct Sent<'a> {
     pub ray: Ray,
-    /// What it meets, if that is known.
-    pub found: Option<Found>,
+    /// The surface's finish and the random vector, if it scatters.
+    scattered: Option<(&'a Finish, Vec3)>,
 }
 
 /// Walks paths; holds the stream and what waits for its background.
@@ -60,33 +53,17 @@ impl Walk {
         search: &F,
         wide: W,
     ) {
-        let all_go_on = self.queue.fewest_rays > 0;
-        let mut at = 0;
-        while at < self.queue.count {
+        for at in 0..self.queue.count {
             self.triples.prepare(wide);
-            let start = match search.for_leaps() {
-                Some(few) if all_go_on => leaps::leap::<S::F64, L, P>(prepared, few, self, at),
-                _ => self.start(at),
-            };
-            at += start.done;
-            if let Some(first) = start.next {
-                self.go_on::<S, W, L, P, F>(prepared, search, wide, at, first);
-                at += 1;
+            self.ended.begin();
+            let triple = self.triples.next();
+            if self.queue.rays[at] == 0 {
+                self.ended.forget(at, &mut self.queue);
+            } else {
+                let ray = self.queue.ray(at, triple);
+                self.go_on::<S, W, L, P, F>(prepared, search, wide, at, ray);
             }
         }
-    }
-
-    /// Begins the queue's sample `at`, which may be allowed no ray.
-    #[inline(always)]
-    fn start(&mut self, at: usize) -> Start {
-        let Self { triples, queue, ended, .. } = self;
-        ended.begin();
-        let triple = triples.next();
-        if queue.rays[at] == 0 {
-            ended.forget(at, queue);
-            return Start { done: 1, next: None };
-        }
-        Start { done: 0, next: Some(First { ray: queue.ray(at, triple), found: None }) }
     }
 
     /// Follows the queue's sample `at` from its first ray to its end.
@@ -97,52 +74,65 @@ impl Walk {
         search: &F,
         wide: W,
         at: usize,
-        First { mut ray, found: mut known }: First,
+        mut ray: Ray,
     ) {
-        let Self { triples, queue, ended, stack } = self;
-        let mut rays = queue.rays[at];
-        let mut origin = search.origin(&prepared.objects, &ray, queue.object[at] as ObjectId);
+        let mut rays = self.queue.rays[at];
+        let mut origin = search.origin(&prepared.objects, &ray, self.queue.object[at] as ObjectId);
         loop {
-            // The search stands here once: its code is long.
-            let found = match known.take() {
-                Some(found) => found,
-                None => {
-                    add(Counter::WalkRays, 1);
-                    search.find::<S, L::Objects, P>(&prepared.objects, &ray, origin, stack)
-                }
-            };
+            add(Counter::WalkRays, 1);
+            let found = search.find::<S, L::Objects, P>(&prepared.objects, &ray, origin, &mut self.stack);
             if !found.is_hit() {
-                return ended.leave(at, ray.direction);
+                return self.ended.leave(at, ray.direction);
             }
             rays -= 1;
-            if rays == 0 {
-                // The last surface takes its vector all the same.
-                add(Counter::Hits, 1);
-                let material = material_of(&prepared.objects, found.object);
-                if prepared.finishes[material as usize].kind != Kind::Refractive {
-                    triples.prepare(wide);
-                    triples.skip(1);
-                }
-                return ended.forget(at, queue);
+            let Some(sent) = self.send_on(prepared, wide, at, rays, &ray, &found) else {
+                return;
+            };
+            origin = match sent.scattered {
+                Some((finish, vector)) => search.next_origin(&prepared.objects, &ray, &found, finish, vector),
+                None => search.origin(&prepared.objects, &sent.ray, found.object),
+            };
+            ray = sent.ray;
+        }
+    }
+
+    /// Sends path `at` on from what its ray has found, as one that may send `rays` more; or ends it where there is none.
+    #[inline(always)]
+    pub fn send_on<'a, W: Simd, L: Layout, P: Intersect>(
+        &mut self,
+        prepared: &'a Prepared<L, P>,
+        wide: W,
+        at: usize,
+        rays: u64,
+        ray: &Ray,
+        found: &Found,
+    ) -> Option<Sent<'a>> {
+        let Self { triples, queue, ended, .. } = self;
+        if rays == 0 {
+            // The last surface takes its vector all the same.
+            add(Counter::Hits, 1);
+            let material = material_of(&prepared.objects, found.object);
+            if prepared.finishes[material as usize].kind != Kind::Refractive {
+                triples.prepare(wide);
+                triples.skip(1);
             }
-            let surface = Surface::new(&prepared.objects, &ray, &found);
-            let finish = &prepared.finishes[surface.material as usize];
-            match surface.onward(finish, ray.direction) {
-                Onward::Scattered(base) => {
-                    if !ended.meet(at, surface.material) {
-                        return ended.forget(at, queue);
-                    }
-                    triples.prepare(wide);
-                    let triple = triples.next();
-                    let vector = finish.spread.vector(triple);
-                    origin = search.next_origin(&prepared.objects, &ray, &found, finish, vector);
-                    ray = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
+            ended.forget(at, queue);
+            return None;
+        }
+        let surface = Surface::new(&prepared.objects, ray, found);
+        let finish = &prepared.finishes[surface.material as usize];
+        match surface.onward(finish, ray.direction) {
+            Onward::Scattered(base) => {
+                if !ended.meet(at, surface.material) {
+                    ended.forget(at, queue);
+                    return None;
                 }
-                Onward::Through(direction) => {
-                    ray = Ray { origin: surface.point, direction };
-                    origin = search.origin(&prepared.objects, &ray, found.object);
-                }
+                triples.prepare(wide);
+                let triple = triples.next();
+                let ray = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
+                Some(Sent { ray, scattered: Some((finish, finish.spread.vector(triple))) })
             }
+            Onward::Through(direction) => Some(Sent { ray: Ray { origin: surface.point, direction }, scattered: None }),
         }
     }
 }
@@ -161,6 +151,9 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
         // Each kind of search has a walk of its own, compiled apart.
         match &self.prepared.search {
             Search::Plain => simd.run_promptly(Promptly { follow: self, search: &Plain, wide: simd }),
+            Search::Few(few) if !few.is_side_by_side() && self.walk.queue.fewest_rays > 0 => {
+                simd.run_promptly(LeapPromptly { follow: self, few, wide: simd });
+            }
             Search::Few(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
             Search::Flat(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
             Search::Tree(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
@@ -182,5 +175,22 @@ impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for Promptly<'_, L, P, F,
     fn call<S: Simd>(self, _: S) {
         let Self { follow: Follow { prepared, walk }, search, wide } = self;
         walk.follow::<S, W, L, P, F>(prepared, search, wide);
+    }
+}
+
+/// The same with [leaps].
+struct LeapPromptly<'a, L: Layout, P, W> {
+    follow: Follow<'a, L, P>,
+    few: &'a Few,
+    wide: W,
+}
+
+impl<L: Layout, P: Intersect, W: Simd> Kernel for LeapPromptly<'_, L, P, W> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        let Self { follow: Follow { prepared, walk }, few, wide } = self;
+        leaps::follow::<S::F64, W, L, P>(prepared, few, walk, wide);
     }
 }

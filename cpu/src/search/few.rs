@@ -4,7 +4,7 @@
 //! The [filter](super::touch) says which objects a ray may meet, and so which rays certainly leave the scene; the exact
 //! formulas are for the others.
 
-use super::side_by_side::SideBySide;
+use super::side_by_side::{SideBySide, TouchedByEach};
 use super::touch::Touch;
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
@@ -54,21 +54,33 @@ impl Few {
     /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
     pub fn nearest<V: Lanes, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
-        if self.is_side_by_side() {
-            return nearest_of::<O, P>(objects, ray, self.side_by_side.touched_by_one::<V>(ray));
+        let (touched, mut found) = (self.touched_by_one::<V, O>(objects, ray), Found::NOTHING);
+        // Where there are several of a kind, mostly none of them is touched.
+        if touched & ((1 << objects.sphere_count()) - 1) != 0 {
+            ask_spheres::<O, P>(&mut found, objects, ray, touched);
         }
-        let (touch, mut found) = (Touch::new(*ray), Found::NOTHING);
-        for index in 0..objects.sphere_count() {
-            if touch.sphere_at(objects, index) {
-                found.ask_sphere::<O, P>(objects, index, ray);
-            }
-        }
-        for index in 0..objects.cylinder_count() {
-            if touch.cylinder_at(objects, index, self.reach) {
-                found.ask_cylinder::<O, P>(objects, index, ray);
-            }
+        if touched >> objects.sphere_count() != 0 {
+            ask_cylinders::<O, P>(&mut found, objects, ray, touched >> objects.sphere_count());
         }
         found
+    }
+
+    /// The objects that one ray, which starts within the scene's reach, may meet: a bit each, by [id](ObjectId).
+    #[inline(always)]
+    pub fn touched_by_one<V: Lanes, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
+        if self.is_side_by_side() {
+            return self.side_by_side.touched_by_one::<V>(ray);
+        }
+        let touch = Touch::new(*ray);
+        let mut touched = 0;
+        for index in 0..objects.sphere_count() {
+            touched |= u32::from(touch.sphere_at(objects, index)) << index;
+        }
+        for index in 0..objects.cylinder_count() {
+            let id = objects.sphere_count() + index;
+            touched |= u32::from(touch.cylinder_at(objects, index, self.reach)) << id;
+        }
+        touched
     }
 
     /// Whether each of several rays, which start within the scene's reach, may meet an object.
@@ -77,35 +89,41 @@ impl Few {
         self.side_by_side.touches(id as usize, touch)
     }
 
-    /// The objects that each ray, which starts within the scene's reach, may meet: the sum of 2^[id](ObjectId).
+    /// The objects that each of several rays, which start within the scene's reach, may meet.
     #[inline(always)]
-    pub fn touched<V: Lanes>(&self, ray: &Ray<V>) -> V {
+    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> TouchedByEach {
         self.side_by_side.touched_by_each(ray)
     }
 }
 
-/// Of objects that rays may meet, as [`Few::touched`] gives them, the nearest that this one meets.
+/// Of the objects that this ray may meet, a bit each, the nearest that it meets.
 #[inline(always)]
 pub fn nearest_of<O: Objects, P: Intersect>(objects: &O, ray: &Ray, touched: u32) -> Found {
     let mut found = Found::NOTHING;
-    // Object by object, so that the processor can guess which it will be before it knows the bits; but nothing for a kind
-    // that is not touched at all.
-    let spheres = (1 << objects.sphere_count()) - 1;
-    if touched & spheres != 0 {
-        for index in 0..objects.sphere_count() {
-            if touched >> index & 1 == 1 {
-                found.ask_sphere::<O, P>(objects, index, ray);
-            }
-        }
-    }
-    if touched & !spheres != 0 {
-        for index in 0..objects.cylinder_count() {
-            if touched >> (objects.sphere_count() + index) & 1 == 1 {
-                found.ask_cylinder::<O, P>(objects, index, ray);
-            }
-        }
-    }
+    ask_spheres::<O, P>(&mut found, objects, ray, touched);
+    ask_cylinders::<O, P>(&mut found, objects, ray, touched >> objects.sphere_count());
     found
+}
+
+/// Takes the spheres of `touched` into account: one after the other, so that the processor can guess which it will be
+/// before it knows the bits.
+#[inline(always)]
+fn ask_spheres<O: Objects, P: Intersect>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
+    for index in 0..objects.sphere_count() {
+        if touched >> index & 1 == 1 {
+            found.ask_sphere::<O, P>(objects, index, ray);
+        }
+    }
+}
+
+/// The same with cylinders.
+#[inline(always)]
+fn ask_cylinders<O: Objects, P: Intersect>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
+    for index in 0..objects.cylinder_count() {
+        if touched >> index & 1 == 1 {
+            found.ask_cylinder::<O, P>(objects, index, ray);
+        }
+    }
 }
 
 /// Whether a scene of this many objects is searched like this.
@@ -142,12 +160,12 @@ mod tests {
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> (u32, Found) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
-            let mut touched = [0.0; 8];
-            self.few.touched(&ray).store(&mut touched);
-            let lanes = &touched[..S::F64::LANES];
-            assert!(lanes.iter().all(|&lane| lane == lanes[0]), "{lanes:?}");
-            assert_eq!(self.few.side_by_side.touched_by_one::<S::F64>(&self.ray), lanes[0] as u32);
-            (lanes[0] as u32, self.few.nearest::<S::F64, _, Certified>(self.objects, &self.ray))
+            let each = self.few.touched_by_each(&ray);
+            let touched = each.by(0);
+            assert_eq!(each.any(), if touched == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
+            assert!((1..S::F64::LANES).all(|lane| each.by(lane) == touched), "{each:?}");
+            assert_eq!(self.few.touched_by_one::<S::F64, _>(self.objects, &self.ray), touched);
+            (touched, self.few.nearest::<S::F64, _, Certified>(self.objects, &self.ray))
         }
     }
 

@@ -40,12 +40,6 @@ pub trait Find {
     fn next_origin<O: Objects>(&self, _: &O, _: &Ray, found: &Found, _: &Finish, _: Vec3) -> Origin {
         Origin { object: found.object, goes_in: false }
     }
-
-    /// The search, where it is for so few objects that leaps (`render/leaps.rs`) pay.
-    #[inline(always)]
-    fn for_leaps(&self) -> Option<&Few> {
-        None
-    }
 }
 
 /// Every object is asked.
@@ -63,11 +57,6 @@ impl Find for Few {
     #[inline(always)]
     fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
         self.nearest::<S::F64, O, P>(objects, ray)
-    }
-
-    #[inline(always)]
-    fn for_leaps(&self) -> Option<&Few> {
-        (!self.is_side_by_side()).then_some(self)
     }
 }
 

@@ -71,17 +71,51 @@ impl SideBySide {
         }
     }
 
-    /// The objects that each of several rays may meet: the sum of 2^[id](super::ObjectId).
+    /// The objects that each of several rays may meet.
     #[inline(always)]
-    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> V {
+    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> TouchedByEach {
         let touch = Touch::new(*ray);
-        let mut touched = V::of(0.0);
-        let mut weight = 1.0;
+        let mut touched = TouchedByEach::NOTHING;
         for at in 0..self.count.min(PLACES) {
-            touched = touched + V::select(self.touches(at, &touch), V::of(weight), V::of(0.0));
-            weight += weight;
+            touched.add(at, self.touches(at, &touch).bits());
         }
         touched
+    }
+}
+
+/// Which of a handful of objects each of several rays may meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TouchedByEach {
+    /// Eight bits an object, one for each ray.
+    bits: u64,
+    /// The rays that may meet any.
+    any: u32,
+}
+
+impl TouchedByEach {
+    /// No ray may meet any.
+    pub const NOTHING: Self = Self { bits: 0, any: 0 };
+
+    /// Adds the object at `id`, which the rays whose bits are set may meet.
+    #[inline(always)]
+    const fn add(&mut self, id: usize, rays: u32) {
+        self.bits |= (rays as u64) << (8 * id);
+        self.any |= rays;
+    }
+
+    /// The rays that may meet anything, as bits.
+    #[inline(always)]
+    pub const fn any(&self) -> u32 {
+        self.any
+    }
+
+    /// The objects that the ray in `lane` may meet: a bit each, by [id](super::ObjectId).
+    #[inline(always)]
+    pub const fn by(&self, lane: usize) -> u32 {
+        const FIRST_OF_EACH: u64 = 0x0101_0101_0101_0101;
+        // Moves bit 8 i to bit 56 + i; what it makes besides stays below.
+        const TOGETHER: u64 = 0x0102_0408_1020_4080;
+        ((self.bits >> lane & FIRST_OF_EACH).wrapping_mul(TOGETHER) >> 56) as u32
     }
 }
 
@@ -142,4 +176,25 @@ fn vector_lanes<V: Lanes>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
 #[inline(always)]
 fn one_vector<V: Lanes>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
     Vec3::new(V::of(x[at]), V::of(y[at]), V::of(z[at]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ray_may_meet_the_objects_whose_bits_hold_its_lane() {
+        let mut draws = crate::rng::Uniform::new(8);
+        for _ in 0..2000 {
+            let rays: [u32; PLACES] =
+                std::array::from_fn(|_| draws.draw(0.0, 256.0) as u32 & draws.draw(0.0, 256.0) as u32);
+            let mut touched = TouchedByEach::NOTHING;
+            (0..PLACES).for_each(|id| touched.add(id, rays[id]));
+            for lane in 0..8 {
+                let expected = (0..PLACES).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();
+                assert_eq!(touched.by(lane), expected, "lane {lane} of {rays:?}");
+                assert_eq!(touched.any() >> lane & 1 == 1, expected != 0);
+            }
+        }
+    }
 }
