@@ -140,6 +140,11 @@ fn main() {
     without("random vectors with a depth of one", &one, &format!("{MATTE}{BALLS}"), |prepared| {
         prepared.vectors = prepared.scatter;
     });
+    let room = format!("{COLORS}max_depth: 3\n");
+    let tube = format!("{MATTE}cylinder: 0 0 0 30 9 90 5 m\nsphere: 0 0 20 3 m\n");
+    without("what a last ray meets, inside a tube with a ball", &room, &tube, |prepared| {
+        prepared.scatters_everywhere = false;
+    });
     without("an unused material that no filter bears, 40 spheres", COLORS, &format!("{MATTE}{forty}"), |prepared| {
         prepared.search = Search::Plain;
     });

@@ -26,6 +26,8 @@ pub enum Counter {
     SphereAsks,
     /// Cylinders asked exactly by rays that left a surface.
     CylinderAsks,
+    /// Last rays of paths that are known to meet something before any object is asked.
+    LastRaysSpared,
     /// Objects asked without any filter, in scenes of extreme magnitudes.
     PlainAsks,
     /// Rays from the ground that did not go the way that was expected.
@@ -56,7 +58,7 @@ pub enum Counter {
 
 impl Counter {
     /// All of them.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 24] = [
         Self::PrimaryRays,
         Self::PrimaryTests,
         Self::SpanObjects,
@@ -67,6 +69,7 @@ impl Counter {
         Self::NodeVisits,
         Self::SphereAsks,
         Self::CylinderAsks,
+        Self::LastRaysSpared,
         Self::PlainAsks,
         Self::Unexpected,
         Self::Hits,

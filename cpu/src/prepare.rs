@@ -47,6 +47,8 @@ pub struct Prepared<L: Layout, P = Certified> {
     pub scatter: Scatter,
     /// Where random vectors come from: from nowhere where no path can tell.
     pub vectors: Scatter,
+    /// No material in use is refractive: wherever a path's last ray ends, it takes a random vector.
+    pub scatters_everywhere: bool,
     /// Seed of the samples' places.
     pub ray_seed: u64,
     /// Seed of the random vectors.
@@ -79,6 +81,7 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
             max_depth: config.max_depth,
             scatter,
             vectors: if needs_vectors(config, &materials, scatter) { scatter } else { Scatter::Deterministic },
+            scatters_everywhere: !materials.iter().any(|material| matches!(material, Material::Refractive { .. })),
             ray_seed: config.ray_rng_seed,
             material_seed: config.material_rng_seed,
             intersect: PhantomData,

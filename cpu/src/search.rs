@@ -16,6 +16,7 @@ mod find;
 mod found;
 mod ground;
 mod hierarchy;
+mod inside;
 mod node;
 mod side_by_side;
 mod stack;

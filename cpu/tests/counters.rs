@@ -183,6 +183,19 @@ fn samples_that_leave_at_once_are_walked_together() {
 }
 
 #[test]
+fn where_a_last_ray_ends_no_object_is_asked_if_it_is_inside_of_one() {
+    // In a room most paths end at its wall; glass, which takes no vector, might be met there instead.
+    let room = "matte: w .5 .5 .5\nsphere: 0 0 0 100 w\n";
+    let rays = |scene: &str| {
+        let counted = count("max_depth: 3\n", scene);
+        [Counter::WalkRays, Counter::Hits, Counter::SphereAsks, Counter::LastRaysSpared].map(counted)
+    };
+    let [walked, hits, asks, spared] = rays(room);
+    assert!(spared > SAMPLES / 2 && asks + spared == hits - SAMPLES, "{asks} and {spared} of {hits}");
+    assert_eq!(rays(&format!("{room}{GLASS}sphere: 0 200 0 1 g\n")), [walked, hits, hits - SAMPLES, 0]);
+}
+
+#[test]
 fn means_become_bytes_without_a_power() {
     let scene = format!("{MATTE}sphere: 0 0 0 100 m\nsphere: 0 0 0 3 m\n");
     for gamma in ["gamma: 1\n", "gamma: 2.2\n"] {

@@ -6,13 +6,14 @@
 //!
 //! They are tried beside the ray before them, as if that left as well: what a ray meets takes the processor long to find
 //! out, but little of what it can do at a time. Where the ray is the last that its path may send, they are also tried as
-//! if it met something: then its surface takes one triple more, and nothing else.
+//! if it met something: then its surface takes one triple more, and nothing else. Where it is certain that it meets something,
+//! nobody asks what.
 
 use super::queue::Queue;
 use super::shade::{load, select};
 use super::vectors::Triples;
 use super::walk::Walk;
-use crate::certified::Intersect;
+use crate::certified::{Intersect, Precision};
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
@@ -111,11 +112,11 @@ fn go_on<V: Lanes, W: Simd, L: Layout, P: Intersect>(
 ) {
     let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ended.direction.get(at) };
     let mut rays = walk.queue.rays[at];
+    if rays == 1 {
+        walk.triples.prepare(wide);
+        *if_it_ends = Ahead::look(few, walk, at + 1, 1);
+    }
     loop {
-        if rays == 1 {
-            walk.triples.prepare(wide);
-            *if_it_ends = Ahead::look(few, walk, at + 1, 1);
-        }
         let found = nearest_of::<_, P>(&prepared.objects, &ray, touched);
         if !found.is_hit() {
             return walk.ended.leave(at, ray.direction);
@@ -133,7 +134,36 @@ fn go_on<V: Lanes, W: Simd, L: Layout, P: Intersect>(
         if touched == 0 {
             return walk.ended.leave(at, ray.direction);
         }
+        if rays == 1 && ends(prepared, few, walk, wide, at, &ray, if_it_ends) {
+            return;
+        }
     }
+}
+
+/// Looks at the samples behind the one at `at` as if its last ray met something, and ends it where that is certain and all
+/// objects are alike.
+#[inline(always)]
+fn ends<V: Lanes, W: Simd, L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
+    few: &Few,
+    walk: &mut Walk,
+    wide: W,
+    at: usize,
+    ray: &Ray,
+    if_it_ends: &mut Ahead<V>,
+) -> bool {
+    walk.triples.prepare(wide);
+    *if_it_ends = Ahead::look(few, walk, at + 1, 1);
+    // The textbook may miss what a ray is inside of.
+    let are_alike = prepared.scatters_everywhere && P::PRECISION == Precision::Certified;
+    let ends = are_alike && few.begins_inside(&prepared.objects, ray);
+    if ends {
+        add(Counter::Hits, 1);
+        add(Counter::LastRaysSpared, 1);
+        walk.triples.skip(1);
+        walk.ended.forget(at, &mut walk.queue);
+    }
+    ends
 }
 
 /// The first rays of the samples from `at` on, which take the triples behind the next `skipped`.

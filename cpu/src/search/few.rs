@@ -44,6 +44,12 @@ impl Few {
         &self.in_order
     }
 
+    /// How far the scene reaches.
+    #[inline(always)]
+    pub(super) const fn reach(&self) -> f64 {
+        self.reach
+    }
+
     /// Whether one ray asks several objects at once; otherwise several rays ask one.
     #[inline(always)]
     #[must_use]

@@ -13,10 +13,10 @@ use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
 /// By how much of its terms the constant of a quadratic is lowered: a thousand roundings.
-const MARGIN: f64 = 512.0 * f64::EPSILON;
+pub(super) const MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// By its part of the scene's reach, how far rounding may move a point of the scene, many times over.
-const SLACK: f64 = 8192.0 * f64::EPSILON;
+pub(super) const SLACK: f64 = 8192.0 * f64::EPSILON;
 
 /// What the filter knows of a sphere; a number, lanes, or an array of each.
 #[derive(Clone, Copy, Debug)]
@@ -72,13 +72,13 @@ pub struct Touch<T> {
 }
 
 /// A quadratic.
-struct Quadratic<T> {
-    a: T,
-    h: T,
-    /// The constant, lowered by the margin.
-    least_c: T,
-    /// `a c`, lowered by the margin.
-    least_product: T,
+#[derive(Clone, Copy)]
+pub(super) struct Quadratic<T> {
+    pub a: T,
+    pub h: T,
+    pub c: T,
+    /// What the terms of `c` amount to.
+    pub size: T,
 }
 
 impl Touch<f64> {
@@ -105,51 +105,62 @@ impl<T: MulAdd> Touch<T> {
     /// Whether it may meet the sphere.
     #[inline(always)]
     pub fn sphere(&self, target: &SphereTarget<T>) -> T::Mask {
+        let quadratic = self.sphere_quadratic(target);
+        let Quadratic { a, c, size, .. } = quadratic;
+        !quadratic.is_passed(a * size.times_plus(T::of(-MARGIN), c))
+    }
+
+    /// The sphere's quadratic.
+    #[inline(always)]
+    pub(super) fn sphere_quadratic(&self, target: &SphereTarget<T>) -> Quadratic<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (c, size) = (q - target.radius_squared, q + target.radius_squared);
-        let (a, least_c) = (self.length_squared, lowered(c, size));
-        !self.passes_by(&Quadratic { a, h, least_c, least_product: a * least_c })
+        Quadratic { a: self.length_squared, h, c, size }
     }
 
     /// Whether it may meet the cylinder.
     #[inline(always)]
     pub fn cylinder(&self, target: &CylinderTarget<T>) -> T::Mask {
+        let (across, slope, along) = self.cylinder_quadratic(target);
+        let Quadratic { a, c, size, .. } = across;
+        // Of the whole direction: what is left of it across the axis may be nothing but rounding.
+        let least_product = size.times_plus(self.length_squared * T::of(-MARGIN), a * c);
+        // Seen in the direction in which the ray advances: how far the first point that counts is past the middle.
+        let past_middle = slope.abs().times_plus(T::of(LAMBDA_MIN), -along.flipped_by(slope));
+        !(across.is_passed(least_product) | target.half_height.less(past_middle))
+    }
+
+    /// The quadratic of the cylinder's side; the direction and the way to the centre, along the axis.
+    #[inline(always)]
+    pub(super) fn cylinder_quadratic(&self, target: &CylinderTarget<T>) -> (Quadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
-        let (a, c) =
-            ((-slope).times_plus(slope, self.length_squared), (-along).times_plus(along, q - target.radius_squared));
-        // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
-        let size = q + target.squares;
         let across = Quadratic {
-            a,
+            a: (-slope).times_plus(slope, self.length_squared),
             h: (-slope).times_plus(along, h),
-            least_c: lowered(c, size),
-            // Of the whole direction: what is left of it across the axis may be nothing but rounding.
-            least_product: size.times_plus(self.length_squared * T::of(-MARGIN), a * c),
+            c: (-along).times_plus(along, q - target.radius_squared),
+            // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
+            size: q + target.squares,
         };
-        // Seen in the direction in which the ray advances: how far the first point that counts is past the middle.
-        let past_middle = slope.abs().times_plus(T::of(LAMBDA_MIN), -along.flipped_by(slope));
-        !(self.passes_by(&across) | target.half_height.less(past_middle))
+        (across, slope, along)
     }
+}
 
-    /// Whether the ray certainly has no root that counts.
+impl<T: MulAdd> Quadratic<T> {
+    /// Whether the ray certainly has no root that counts, given `a c`, lowered by the margin.
     #[inline(always)]
-    fn passes_by(&self, &Quadratic { a, h, least_c, least_product }: &Quadratic<T>) -> T::Mask {
+    fn is_passed(&self, least_product: T) -> T::Mask {
+        let Self { a, h, c, size } = *self;
         let most_discriminant = h.times_plus(h, -least_product);
+        let least_c = size.times_plus(T::of(-MARGIN), c);
         // f at the smallest lambda that counts; where h is negative it rises from there on.
         let least_at_first = a.times_plus(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
         let least_at_first = h.times_plus(T::of(-2.0 * LAMBDA_MIN), least_at_first);
         let zero = T::of(0.0);
         most_discriminant.less(zero) | (h.less(zero) & zero.less(least_at_first))
     }
-}
-
-/// The constant of a quadratic whose terms amount to `size`, less the margin.
-#[inline(always)]
-fn lowered<T: MulAdd>(c: T, size: T) -> T {
-    size.times_plus(T::of(-MARGIN), c)
 }
 
 #[inline(always)]
