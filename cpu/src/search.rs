@@ -20,6 +20,7 @@ mod inside;
 mod node;
 mod side_by_side;
 mod stack;
+mod target;
 mod top;
 mod touch;
 

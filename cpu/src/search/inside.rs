@@ -4,7 +4,8 @@
 //! more, and nothing comes back along it.
 
 use super::Few;
-use super::touch::{CylinderTarget, MARGIN, Quadratic, SLACK, SphereTarget, Touch};
+use super::target::{CylinderTarget, SLACK, SphereTarget};
+use super::touch::{MARGIN, Quadratic, Touch};
 use crate::certified::certificate::in_scale;
 use crate::cylinder::PARALLEL;
 use crate::layout::Objects;

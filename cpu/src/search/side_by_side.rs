@@ -1,7 +1,8 @@
 //! A handful of objects for the [filter](super::touch): many rays against one after the other, or one ray against several
 //! at once, an object a lane.
 
-use super::touch::{CylinderTarget, SphereTarget, Touch};
+use super::target::{CylinderTarget, SphereTarget};
+use super::touch::Touch;
 use crate::layout::Objects;
 use crate::ray::Ray;
 use crate::simd::{LaneMask, Lanes};
