@@ -1,7 +1,7 @@
 //! Rays through refractive surfaces, which need no random number: followed ahead up to the first surface that does.
 
 use super::batch::{Batch, InGlass};
-use super::hits::{Hits, MOST_LANES, for_each_lane};
+use super::hits::{Hits, MOST_LANES, Rays, for_each_lane};
 use super::primary::valid_lanes;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
@@ -130,17 +130,17 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
 #[inline(always)]
 fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray<V>, valid: u32) -> Hits<V> {
     let mut hits = Hits::none();
-    let a = ray.direction.dot(ray.direction);
+    let rays = Rays::new(ray, valid);
     let touch = Touch::new(*ray);
     for &id in few.in_order() {
         if few.touches(id, &touch).bits() & valid == 0 {
             continue;
         }
         match (id as usize).checked_sub(objects.sphere_count()) {
-            None => hits.ask_touched_sphere::<P>(id, &objects.sphere(id as usize).record, ray, a, valid),
+            None => hits.ask_touched_sphere::<P>(id, &objects.sphere(id as usize).record, &rays),
             Some(index) => {
                 let record = objects.cylinder(index).record;
-                hits.ask_touched_cylinder::<P>(id, (&record, &objects.axis(index)), ray, a, valid);
+                hits.ask_touched_cylinder::<P>(id, (&record, &objects.axis(index)), &rays);
             }
         }
     }

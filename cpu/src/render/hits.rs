@@ -29,6 +29,23 @@ pub struct Hits<V: Lanes> {
     pub bits: u32,
 }
 
+/// As many rays as there are lanes.
+pub struct Rays<'a, V: Lanes> {
+    pub ray: &'a Ray<V>,
+    /// The squares of their directions.
+    a: V,
+    /// The lanes whose rays count, as bits.
+    valid: u32,
+}
+
+impl<'a, V: Lanes> Rays<'a, V> {
+    /// The rays of the valid lanes.
+    #[inline(always)]
+    pub fn new(ray: &'a Ray<V>, valid: u32) -> Self {
+        Self { ray, a: ray.direction.dot(ray.direction), valid }
+    }
+}
+
 impl<V: Lanes> Hits<V> {
     /// No hits.
     #[inline(always)]
@@ -53,10 +70,9 @@ impl<V: Lanes> Hits<V> {
         id: ObjectId,
         record: &SphereRecord,
         view: &SphereView<V>,
-        ray: &Ray<V>,
-        a: V,
-        valid: u32,
+        rays: &Rays<V>,
     ) {
+        let &Rays { ray, a, valid } = rays;
         let (h, discriminant) = view.quadratic(ray.direction, a);
         match P::PRECISION {
             Precision::Textbook => {
@@ -73,31 +89,25 @@ impl<V: Lanes> Hits<V> {
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                self.certify_sphere(id, record, ray, a, valid);
+                self.certify_sphere(id, record, rays);
             }
         }
     }
 
     /// The same for a sphere that the valid lanes, which start within the scene's reach, may meet.
     #[inline(always)]
-    pub fn ask_touched_sphere<P: Intersect>(
-        &mut self,
-        id: ObjectId,
-        record: &SphereRecord,
-        ray: &Ray<V>,
-        a: V,
-        valid: u32,
-    ) {
+    pub fn ask_touched_sphere<P: Intersect>(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
         match P::PRECISION {
             Precision::Textbook => {
-                self.ask_sphere::<P>(id, record, &record.lanes().seen_from(ray.origin), ray, a, valid);
+                self.ask_sphere::<P>(id, record, &record.lanes().seen_from(rays.ray.origin), rays);
             }
-            Precision::Certified => self.certify_sphere(id, record, ray, a, valid),
+            Precision::Certified => self.certify_sphere(id, record, rays),
         }
     }
 
     #[inline(always)]
-    fn certify_sphere(&mut self, id: ObjectId, record: &SphereRecord, ray: &Ray<V>, a: V, valid: u32) {
+    fn certify_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
+        let &Rays { ray, a, valid } = rays;
         let lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
         let certain = lanes.certain & in_scale(a);
         let mut lambda = lanes.lambda;
@@ -120,10 +130,9 @@ impl<V: Lanes> Hits<V> {
         id: ObjectId,
         (record, axis): (&CylinderRecord, &Vec3),
         view: &CylinderView<V>,
-        ray: &Ray<V>,
-        a: V,
-        valid: u32,
+        rays: &Rays<V>,
     ) {
+        let &Rays { ray, a, valid } = rays;
         let lanes_record = record.lanes::<V>();
         let quadratic = lanes_record.quadratic(view, ray.direction);
         match P::PRECISION {
@@ -138,7 +147,7 @@ impl<V: Lanes> Hits<V> {
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                self.certify_cylinder(id, (record, axis), ray, a, valid);
+                self.certify_cylinder(id, (record, axis), rays);
             }
         }
     }
@@ -149,27 +158,19 @@ impl<V: Lanes> Hits<V> {
         &mut self,
         id: ObjectId,
         (record, axis): (&CylinderRecord, &Vec3),
-        ray: &Ray<V>,
-        a: V,
-        valid: u32,
+        rays: &Rays<V>,
     ) {
         match P::PRECISION {
             Precision::Textbook => {
-                self.ask_cylinder::<P>(id, (record, axis), &record.lanes().seen_from(ray.origin), ray, a, valid);
+                self.ask_cylinder::<P>(id, (record, axis), &record.lanes().seen_from(rays.ray.origin), rays);
             }
-            Precision::Certified => self.certify_cylinder(id, (record, axis), ray, a, valid),
+            Precision::Certified => self.certify_cylinder(id, (record, axis), rays),
         }
     }
 
     #[inline(always)]
-    fn certify_cylinder(
-        &mut self,
-        id: ObjectId,
-        (record, axis): (&CylinderRecord, &Vec3),
-        ray: &Ray<V>,
-        a: V,
-        valid: u32,
-    ) {
+    fn certify_cylinder(&mut self, id: ObjectId, (record, axis): (&CylinderRecord, &Vec3), rays: &Rays<V>) {
+        let &Rays { ray, a, valid } = rays;
         let lanes_record = record.lanes::<V>();
         let side = certified::cylinder::SideLanes::new(&lanes_record, ray);
         // Most rays do not come near the bases.

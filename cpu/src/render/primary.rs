@@ -1,7 +1,7 @@
 //! Primary rays, several at once: drawn, intersected with the span's candidates, shaded.
 
 use super::batch::{Batch, InGlass};
-use super::hits::{Hits, for_each_lane};
+use super::hits::{Hits, Rays, for_each_lane};
 use super::queue::Queue;
 use super::sample_set::SampleSet;
 use super::shade::{shade, store};
@@ -77,12 +77,12 @@ fn nearest<V: Lanes, P: Intersect>(candidates: &Candidates, ray: &Ray<V>, valid:
     if candidates.span.is_empty() {
         return hits;
     }
-    let a = ray.direction.dot(ray.direction);
+    let rays = Rays::new(ray, valid);
     for (id, candidate) in &candidates.span {
         match candidate {
-            Candidate::Sphere(record, view) => hits.ask_sphere::<P>(*id, record, &view.lanes(), ray, a, valid),
+            Candidate::Sphere(record, view) => hits.ask_sphere::<P>(*id, record, &view.lanes(), &rays),
             Candidate::Cylinder(record, axis, view) => {
-                hits.ask_cylinder::<P>(*id, (record, axis), &view.lanes(), ray, a, valid);
+                hits.ask_cylinder::<P>(*id, (record, axis), &view.lanes(), &rays);
             }
         }
     }
