@@ -39,6 +39,10 @@ pub struct CylinderView<T = f64> {
     pub r_c: Vec3<T>,
     /// `r_c.r_c - r^2`: negative inside the infinite cylinder.
     pub c: T,
+    /// The squares of the distance to the centre and of the radius, together.
+    pub squares: T,
+    /// How far the origin is along the axis from the plane halfway between the bases.
+    pub along: T,
     /// From the origin to the upper base's plane, along the axis.
     pub to_top: T,
     /// From the origin to the lower base's plane, along the axis.
@@ -53,6 +57,8 @@ impl CylinderView {
         CylinderView {
             r_c: self.r_c.map(V::of),
             c: V::of(self.c),
+            squares: V::of(self.squares),
+            along: V::of(self.along),
             to_top: V::of(self.to_top),
             to_bottom: V::of(self.to_bottom),
         }
@@ -104,10 +110,13 @@ impl<T: Real> CylinderRecord<T> {
     #[inline(always)]
     #[must_use]
     pub fn seen_from(&self, origin: Vec3<T>) -> CylinderView<T> {
-        let r_c = (origin - self.center).perpendicular_to(self.axis);
+        let from_center = origin - self.center;
+        let r_c = from_center.perpendicular_to(self.axis);
         CylinderView {
             r_c,
             c: r_c.dot(r_c) - self.radius_squared,
+            squares: from_center.dot(from_center) + self.radius_squared,
+            along: from_center.dot(self.axis),
             to_top: (self.top - origin).dot(self.axis),
             to_bottom: (self.bottom - origin).dot(self.axis),
         }

@@ -28,6 +28,8 @@ pub struct SphereView<T = f64> {
     pub r_c: Vec3<T>,
     /// `r_c.r_c - r^2`: negative inside.
     pub c: T,
+    /// `r_c.r_c + r^2`.
+    pub squares: T,
 }
 
 impl<T: Real> SphereView<T> {
@@ -45,7 +47,7 @@ impl SphereView {
     #[inline(always)]
     #[must_use]
     pub fn lanes<V: Real>(&self) -> SphereView<V> {
-        SphereView { r_c: self.r_c.map(V::of), c: V::of(self.c) }
+        SphereView { r_c: self.r_c.map(V::of), c: V::of(self.c), squares: V::of(self.squares) }
     }
 }
 
@@ -75,7 +77,9 @@ impl<T: Real> SphereRecord<T> {
     #[must_use]
     pub fn seen_from(&self, origin: Vec3<T>) -> SphereView<T> {
         let r_c = self.center - origin;
-        SphereView { r_c, c: r_c.dot(r_c) - self.radius_squared }
+        let distance_squared = r_c.dot(r_c);
+        let (c, squares) = (distance_squared - self.radius_squared, distance_squared + self.radius_squared);
+        SphereView { r_c, c, squares }
     }
 
     /// Half of `-b`, and a quarter of the discriminant, of the ray's quadratic; `a` is `direction . direction`.

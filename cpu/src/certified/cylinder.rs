@@ -53,7 +53,7 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 #[inline(always)]
 #[must_use]
 pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
-    let side = Side::new(record, ray);
+    let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
     if !in_scale(side.length_squared) {
         return Verdict::Doubtful;
     }

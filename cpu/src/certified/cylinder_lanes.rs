@@ -2,7 +2,7 @@
 
 use super::certificate::Rounding;
 use super::cylinder_surfaces::{Crossing, Plane, Side};
-use crate::cylinder::CylinderRecord;
+use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::vec3::Vec3;
@@ -37,15 +37,15 @@ pub struct SideLanes<T: Real> {
 #[inline(always)]
 #[must_use]
 pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
-    SideLanes::new(record, ray).with_bases(record, ray)
+    SideLanes::new(record, &record.seen_from(ray.origin), ray).with_bases(record, ray)
 }
 
 impl<T: Rounding> SideLanes<T> {
     /// Judges the side.
     #[inline(always)]
     #[must_use]
-    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
-        let side = Side::new(record, ray);
+    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>) -> Self {
+        let side = Side::new(record, view, ray.direction);
         let root = side.discriminant.sqrt();
         let entry = side.crossing(record, ray, -side.h - root, root);
         let exit = side.crossing(record, ray, -side.h + root, root);

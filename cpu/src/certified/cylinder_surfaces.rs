@@ -2,7 +2,7 @@
 
 use super::certificate::{Certificate, Outcome, Rounding};
 use super::cylinder::LIMITS;
-use crate::cylinder::{CylinderRecord, PARALLEL};
+use crate::cylinder::{CylinderRecord, CylinderView, PARALLEL};
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::real::Real;
 use crate::vec3::Vec3;
@@ -52,12 +52,11 @@ impl<T: Real> Crossing<T> {
 
 impl<T: Rounding> Side<T> {
     #[inline(always)]
-    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>) -> Self {
-        let length_squared = ray.direction.dot(ray.direction);
-        let (a, h, discriminant) = record.quadratic(&record.seen_from(ray.origin), ray.direction);
-        let r_c = ray.origin - record.center;
-        let certificate = Certificate::new(LIMITS, length_squared, r_c.dot(r_c) + record.radius_squared);
-        Self { certificate, length_squared, a, h, discriminant, along: r_c.dot(record.axis) }
+    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>) -> Self {
+        let length_squared = direction.dot(direction);
+        let (a, h, discriminant) = record.quadratic(view, direction);
+        let certificate = Certificate::new(LIMITS, length_squared, view.squares);
+        Self { certificate, length_squared, a, h, discriminant, along: view.along }
     }
 
     /// Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.

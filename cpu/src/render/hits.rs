@@ -83,13 +83,11 @@ impl<V: Lanes> Hits<V> {
             }
             Precision::Certified => {
                 // Most spheres are missed by all lanes: the whole certificate is for the others.
-                let radius_squared = V::of(record.radius_squared);
-                let size = a * (view.c.abs() + radius_squared + radius_squared);
-                let certainly_missed = discriminant.less(-(size * V::of(NOISE)));
+                let certainly_missed = discriminant.less(-(a * view.squares * V::of(NOISE)));
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                self.certify_sphere(id, record, rays);
+                self.certify_sphere(id, record, view, rays);
             }
         }
     }
@@ -97,18 +95,17 @@ impl<V: Lanes> Hits<V> {
     /// The same for a sphere that the valid lanes, which start within the scene's reach, may meet.
     #[inline(always)]
     pub fn ask_touched_sphere<P: Intersect>(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
+        let view = record.lanes().seen_from(rays.ray.origin);
         match P::PRECISION {
-            Precision::Textbook => {
-                self.ask_sphere::<P>(id, record, &record.lanes().seen_from(rays.ray.origin), rays);
-            }
-            Precision::Certified => self.certify_sphere(id, record, rays),
+            Precision::Textbook => self.ask_sphere::<P>(id, record, &view, rays),
+            Precision::Certified => self.certify_sphere(id, record, &view, rays),
         }
     }
 
     #[inline(always)]
-    fn certify_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
+    fn certify_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
         let &Rays { ray, a, valid } = rays;
-        let lanes = certified::sphere::judge_lanes(&record.lanes(), ray, a);
+        let lanes = certified::sphere::judge_seen(view, ray.direction, a);
         let certain = lanes.certain & in_scale(a);
         let mut lambda = lanes.lambda;
         if (!certain).bits() & valid != 0 {
@@ -141,13 +138,11 @@ impl<V: Lanes> Hits<V> {
                 self.offer(id, lambda, met, part, valid);
             }
             Precision::Certified => {
-                let from_center = ray.origin - lanes_record.center;
-                let size = a * (from_center.dot(from_center) + lanes_record.radius_squared);
-                let certainly_missed = quadratic.2.less(-(size * V::of(NOISE)));
+                let certainly_missed = quadratic.2.less(-(a * view.squares * V::of(NOISE)));
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
-                self.certify_cylinder(id, (record, axis), rays);
+                self.certify_cylinder(id, (record, axis), view, rays);
             }
         }
     }
@@ -160,19 +155,24 @@ impl<V: Lanes> Hits<V> {
         (record, axis): (&CylinderRecord, &Vec3),
         rays: &Rays<V>,
     ) {
+        let view = record.lanes().seen_from(rays.ray.origin);
         match P::PRECISION {
-            Precision::Textbook => {
-                self.ask_cylinder::<P>(id, (record, axis), &record.lanes().seen_from(rays.ray.origin), rays);
-            }
-            Precision::Certified => self.certify_cylinder(id, (record, axis), rays),
+            Precision::Textbook => self.ask_cylinder::<P>(id, (record, axis), &view, rays),
+            Precision::Certified => self.certify_cylinder(id, (record, axis), &view, rays),
         }
     }
 
     #[inline(always)]
-    fn certify_cylinder(&mut self, id: ObjectId, (record, axis): (&CylinderRecord, &Vec3), rays: &Rays<V>) {
+    fn certify_cylinder(
+        &mut self,
+        id: ObjectId,
+        (record, axis): (&CylinderRecord, &Vec3),
+        view: &CylinderView<V>,
+        rays: &Rays<V>,
+    ) {
         let &Rays { ray, a, valid } = rays;
         let lanes_record = record.lanes::<V>();
-        let side = certified::cylinder::SideLanes::new(&lanes_record, ray);
+        let side = certified::cylinder::SideLanes::new(&lanes_record, view, ray);
         // Most rays do not come near the bases.
         let needs_bases = side.open.bits() & valid != 0;
         let lanes = if needs_bases { side.with_bases(&lanes_record, ray) } else { side.without_bases() };
