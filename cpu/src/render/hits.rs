@@ -31,7 +31,7 @@ pub struct Hits<V: Lanes> {
 
 /// As many rays as there are lanes.
 pub struct Rays<'a, V: Lanes> {
-    pub ray: &'a Ray<V>,
+    ray: &'a Ray<V>,
     /// The squares of their directions.
     a: V,
     /// The lanes whose rays count, as bits.
