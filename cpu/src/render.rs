@@ -7,16 +7,19 @@
 //! ([`pixels`]).
 
 mod batch;
+mod candidates;
 mod ends;
 mod glass;
 mod hits;
 mod leaps;
+mod offsets;
 mod pixels;
 mod primary;
 mod queue;
 mod sample_set;
 mod shade;
 mod sky;
+mod slope;
 mod span;
 #[cfg(feature = "bench")]
 pub mod stages;
@@ -40,9 +43,11 @@ use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;
 
 use batch::{Batch, Draw};
+use candidates::Candidates;
+use offsets::Offsets;
 use pixels::Sums;
-use sky::{Known, Look, Offsets};
-use span::{Candidates, Span, Spans};
+use sky::{Look, Sky};
+use span::{Span, Spans};
 use walk::Walk;
 
 /// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
@@ -159,7 +164,7 @@ impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kerne
             walk: Walk::new(prepared),
             candidates,
             sums: Sums::new(prepared.samples),
-            last_sky: [0; 3],
+            sky: Sky::new(prepared),
         };
         for row in 0..prepared.size.height() {
             painter.row(simd, row);
@@ -181,8 +186,7 @@ struct Painter<'a, L: Layout, P, K> {
     walk: Box<Walk>,
     candidates: Candidates,
     sums: Sums,
-    /// See [`Look::last`].
-    last_sky: [u8; 3],
+    sky: Sky,
 }
 
 impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
@@ -191,13 +195,8 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
         self.candidates.begin_row(prepared, row);
         for span in Spans::of_row(prepared.size.width(), prepared.samples) {
             self.candidates.narrow(prepared, row, &span);
-            if !K::WANTS_MEANS
-                && self.candidates.span.is_empty()
-                && let Some(pixels) = span.pixels(prepared.samples)
-            {
-                for pixel in pixels {
-                    self.sky(simd, row, &pixel);
-                }
+            if !K::WANTS_MEANS && self.candidates.span.is_empty() && span.is_whole(prepared.samples) {
+                self.sky(simd, row, &span);
             } else {
                 simd.run(Draw { prepared, span: &span, offsets: self.offsets.stream(), batch: &mut self.batch });
                 self.trace(simd, row, &span);
@@ -205,18 +204,24 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
         }
     }
 
-    /// A pixel that no object can reach.
-    fn sky<S: Simd>(&mut self, simd: S, row: usize, pixel: &Span) {
-        let (prepared, offsets, batch) = (self.prepared, &mut self.offsets, &mut self.batch);
-        match simd.run(Look { prepared, row, pixel, offsets, batch, last: &mut self.last_sky }) {
-            Known::Bytes([red, green, blue]) => {
-                add(Counter::SkyPixels, 1);
-                self.sink.bytes(row * prepared.size.width() + pixel.first, Rgb { red, green, blue });
+    /// A span of whole pixels that no object can reach.
+    fn sky<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
+        let prepared = self.prepared;
+        let first = row * prepared.size.width() + span.first;
+        let mut done = 0;
+        while done < span.width() {
+            let (sky, offsets, batch) = (&mut self.sky, &mut self.offsets, &mut *self.batch);
+            let known = simd.run(Look { prepared, row, span, done, sky, offsets, batch });
+            add(Counter::SkyPixels, (known - done) as u64);
+            for at in done..known {
+                let [red, green, blue] = self.sky.bytes[at];
+                self.sink.bytes(first + at, Rgb { red, green, blue });
             }
-            Known::Drawn => {
+            if known < span.width() {
                 add(Counter::SkyTraced, 1);
-                self.trace(simd, row, pixel);
+                self.trace(simd, row, &span.pixel(known, prepared.samples));
             }
+            done = known + 1;
         }
     }
 

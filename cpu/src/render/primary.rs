@@ -1,11 +1,11 @@
 //! Primary rays, several at once: drawn, intersected with the span's candidates, shaded.
 
 use super::batch::{Batch, InGlass};
+use super::candidates::{Candidate, Candidates};
 use super::hits::{Hits, Rays, for_each_lane};
 use super::queue::Queue;
 use super::sample_set::SampleSet;
 use super::shade::{shade, store};
-use super::span::{Candidate, Candidates};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;

@@ -6,8 +6,10 @@ use crate::prepare::Prepared;
 use crate::simd::InstructionSet;
 
 use super::batch::{Batch, Draw};
-use super::sky::{Known, Look, Offsets};
-use super::span::{Candidates, Span, Spans};
+use super::candidates::Candidates;
+use super::offsets::Offsets;
+use super::sky::{Look, Sky};
+use super::span::{Span, Spans};
 use super::walk::{Follow, Walk};
 use super::{ends, glass, primary};
 
@@ -19,6 +21,7 @@ pub struct Stages<'a> {
     row: usize,
     span: Span,
     offsets: Offsets,
+    sky: Sky,
     batch: Box<Batch>,
     walk: Box<Walk>,
     candidates: Candidates,
@@ -39,6 +42,7 @@ impl<'a> Stages<'a> {
             row,
             span,
             offsets: Offsets::new(prepared.ray_seed),
+            sky: Sky::new(prepared),
             batch: Batch::new(),
             walk: Walk::new(prepared),
             candidates: Candidates::new(prepared).expect("a benchmark's scene fits"),
@@ -67,16 +71,15 @@ impl<'a> Stages<'a> {
 
     /// Looks for the bytes of the span's pixels without rays, as if no object reached it; says how many are known.
     pub fn sky(&mut self) -> usize {
-        let (prepared, row) = (self.prepared, self.row);
-        let mut last = [0; 3];
-        let pixels = self.span.pixels(prepared.samples).into_iter().flatten();
-        pixels
-            .filter(|pixel| {
-                let (offsets, batch) = (&mut self.offsets, &mut *self.batch);
-                let look = Look { prepared, row, pixel, offsets, batch, last: &mut last };
-                matches!(self.set.run(look), Known::Bytes(_))
-            })
-            .count()
+        let (prepared, row, span) = (self.prepared, self.row, &self.span);
+        let (mut done, mut known) = (0, 0);
+        while done < span.width() {
+            let (sky, offsets, batch) = (&mut self.sky, &mut self.offsets, &mut *self.batch);
+            let to = self.set.run(Look { prepared, row, span, done, sky, offsets, batch });
+            known += to - done;
+            done = to + 1;
+        }
+        known
     }
 
     /// Draws the samples' places.
