@@ -64,7 +64,8 @@ impl Sky {
         let background = &prepared.background;
         let constant = [0, 1, 2].map(|channel| {
             let (dark, light) = (background.dark.to_array()[channel], background.light.to_array()[channel]);
-            (dark == light && (light == 0.0 || light == 1.0)).then(|| prepared.quantizer.quantize(light))
+            // To any power, 0 and 1 are themselves.
+            (dark == light && (light == 0.0 || light == 1.0)).then_some(if light == 0.0 { 0 } else { u8::MAX })
         });
         Self {
             bytes: [[0; 3]; WIDEST],
@@ -235,6 +236,8 @@ mod tests {
             batch: &mut batch,
         };
         assert_eq!(InstructionSet::Portable.run(look), 32, "all is known of {color}");
+        let bytes = prepared.background.light.to_array().map(|channel| prepared.quantizer.quantize(channel));
+        assert_eq!(sky.bytes, [bytes; WIDEST], "{color}");
         let (mut next, mut expected, mut stream) = ([0.0], [0.0], BlockUniform::new(1));
         stream.skip(2 * 640);
         stream.fill(&mut expected);
