@@ -92,6 +92,10 @@ impl Quantizer {
 
     #[cold]
     fn at_a_boundary(&self, mean: f64) -> u8 {
+        if mean == 1.0 {
+            // A white pixel, to any power.
+            return u8::MAX;
+        }
         add(Counter::Powers, 1);
         quantize(mean, self.gamma)
     }

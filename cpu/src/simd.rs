@@ -84,6 +84,8 @@ pub trait Lanes: Fused<Mask: LaneMask> + MulAdd {
     fn compress(self, bits: u32) -> Self;
     /// These lanes, but in those that `bits` selects the first ones of `packed`, in order.
     fn expand(self, bits: u32, packed: Self) -> Self;
+    /// Of these lanes and then those of `next`, every other one from the first on, and the rest.
+    fn unzip(self, next: Self) -> (Self, Self);
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.

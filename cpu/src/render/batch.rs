@@ -7,7 +7,7 @@ use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
 use crate::search::Stack;
-use crate::simd::{Kernel, Simd};
+use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
 use super::sample_set::SampleSet;
@@ -65,7 +65,7 @@ impl<L: Layout, P: Intersect> Kernel for Draw<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        self.batch.draw(self.prepared, self.span, self.offsets);
+        self.batch.draw::<S::F64, L, P>(self.prepared, self.span, self.offsets);
     }
 }
 
@@ -115,7 +115,7 @@ impl Batch {
 
     /// See [`Draw`].
     #[inline(always)]
-    pub fn draw<L: Layout, P: Intersect>(
+    pub fn draw<V: Lanes, L: Layout, P: Intersect>(
         &mut self,
         prepared: &Prepared<L, P>,
         span: &Span,
@@ -135,10 +135,12 @@ impl Batch {
         }
         add(Counter::RayDraws, 2 * span.count as u64);
         offsets.fill(&mut self.draws[..2 * span.count]);
-        for (sample, pair) in self.draws[..2 * span.count].chunks_exact(2).enumerate() {
-            // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing.
-            self.offset[0][sample] = pair[0] - 0.5;
-            self.offset[1][sample] = pair[1] - 0.5;
+        // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing. Lanes beyond the last sample are of no meaning.
+        let half = V::of(0.5);
+        for at in (0..span.count).step_by(V::LANES) {
+            let (right, down) = V::load(&self.draws[2 * at..]).unzip(V::load(&self.draws[2 * at + V::LANES..]));
+            (right - half).store(&mut self.offset[0][at..]);
+            (down - half).store(&mut self.offset[1][at..]);
         }
     }
 }

@@ -95,7 +95,7 @@ impl Sky {
 
     /// Looks for the bytes of the span's pixel `at`; if they cannot be known, its samples have been drawn into the batch.
     #[inline(always)]
-    fn look<L: Layout, P: Intersect>(
+    fn look<V: Lanes, L: Layout, P: Intersect>(
         &mut self,
         prepared: &Prepared<L, P>,
         span: &Span,
@@ -111,7 +111,7 @@ impl Sky {
             offsets.pass_over(prepared.samples);
             return Some(bytes);
         }
-        batch.draw(prepared, &span.pixel(at, prepared.samples), offsets.stream());
+        batch.draw::<V, L, P>(prepared, &span.pixel(at, prepared.samples), offsets.stream());
         let means = [0, 1].map(|axis| sum(&batch.offset[axis][..batch.count]) / batch.count as f64);
         let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
         let there =
@@ -162,7 +162,7 @@ impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
             sky.begin::<S::F64, L, P>(prepared, row, span);
         }
         for at in done..count {
-            match sky.look(prepared, span, at, (offsets, batch)) {
+            match sky.look::<S::F64, L, P>(prepared, span, at, (offsets, batch)) {
                 Some(bytes) => sky.bytes[at] = bytes,
                 None => return at,
             }

@@ -165,6 +165,15 @@ impl Lanes for F64 {
         let mask = unsafe { _mm256_load_pd(selected.as_ptr().cast()) };
         Self::select(Mask(mask), packed.permuted(&EXPANDED[bits as usize % 16]), self)
     }
+    #[inline(always)]
+    fn unzip(self, next: Self) -> (Self, Self) {
+        // SAFETY: see the module's head.
+        unsafe {
+            // Within each half; then the middle two change places.
+            let (even, odd) = (_mm256_unpacklo_pd(self.0, next.0), _mm256_unpackhi_pd(self.0, next.0));
+            (Self(_mm256_permute4x64_pd::<0b11_01_10_00>(even)), Self(_mm256_permute4x64_pd::<0b11_01_10_00>(odd)))
+        }
+    }
 }
 
 impl F64 {

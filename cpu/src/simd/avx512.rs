@@ -192,6 +192,17 @@ impl Lanes for F64 {
         // SAFETY: see the module's head.
         Self(unsafe { _mm512_mask_expand_pd(self.0, bits as __mmask8, packed.0) })
     }
+    #[inline(always)]
+    fn unzip(self, next: Self) -> (Self, Self) {
+        // SAFETY: see the module's head.
+        unsafe {
+            let (even, odd) =
+                (_mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14), _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15));
+            let (even, odd) =
+                (_mm512_permutex2var_pd(self.0, even, next.0), _mm512_permutex2var_pd(self.0, odd, next.0));
+            (Self(even), Self(odd))
+        }
+    }
 }
 
 impl FilterLanes for F32 {

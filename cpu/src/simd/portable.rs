@@ -153,6 +153,11 @@ impl Lanes for F64x4 {
         }
         self
     }
+    #[inline(always)]
+    fn unzip(self, Self(next): Self) -> (Self, Self) {
+        let this = self.0;
+        (Self([this[0], this[2], next[0], next[2]]), Self([this[1], this[3], next[1], next[3]]))
+    }
 }
 
 impl FilterLanes for F32x4 {

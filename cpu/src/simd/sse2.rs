@@ -175,6 +175,11 @@ impl Lanes for F64 {
             _ => packed,
         }
     }
+    #[inline(always)]
+    fn unzip(self, next: Self) -> (Self, Self) {
+        // SAFETY: see the module's head.
+        unsafe { (Self(_mm_unpacklo_pd(self.0, next.0)), Self(_mm_unpackhi_pd(self.0, next.0))) }
+    }
 }
 
 impl FilterLanes for F32 {
