@@ -64,8 +64,7 @@ impl Sky {
         let background = &prepared.background;
         let constant = [0, 1, 2].map(|channel| {
             let (dark, light) = (background.dark.to_array()[channel], background.light.to_array()[channel]);
-            // To any power, 0 and 1 are themselves.
-            (dark == light && (light == 0.0 || light == 1.0)).then_some(if light == 0.0 { 0 } else { u8::MAX })
+            (dark == light && (light == 0.0 || light == 1.0)).then(|| prepared.quantizer.quantize(light))
         });
         Self {
             bytes: [[0; 3]; WIDEST],
@@ -190,6 +189,7 @@ mod tests {
     use crate::background::Background;
     use crate::config::Config;
     use crate::layout::Aos;
+    use crate::quantize::quantize;
     use crate::rng::BlockUniform;
     use crate::scatter::Scatter;
     use crate::scene::Scene;
@@ -236,7 +236,7 @@ mod tests {
             batch: &mut batch,
         };
         assert_eq!(InstructionSet::Portable.run(look), 32, "all is known of {color}");
-        let bytes = prepared.background.light.to_array().map(|channel| prepared.quantizer.quantize(channel));
+        let bytes = prepared.background.light.to_array().map(|channel| quantize(channel, Config::default().gamma));
         assert_eq!(sky.bytes, [bytes; WIDEST], "{color}");
         let (mut next, mut expected, mut stream) = ([0.0], [0.0], BlockUniform::new(1));
         stream.skip(2 * 640);
