@@ -8,9 +8,11 @@
 
 mod batch;
 mod candidates;
+mod doubtful;
 mod ends;
 mod glass;
 mod hits;
+mod lane_by_lane;
 mod leaps;
 mod offsets;
 mod pixels;

@@ -1,7 +1,8 @@
 //! Rays through refractive surfaces, which need no random number: followed ahead up to the first surface that does.
 
 use super::batch::{Batch, InGlass};
-use super::hits::{Hits, MOST_LANES, Rays, for_each_lane};
+use super::hits::{Hits, Rays};
+use super::lane_by_lane::{LaneByLane, MOST_LANES, for_each_lane};
 use super::primary::valid_lanes;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
@@ -105,14 +106,14 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
         let hits = nearest::<_, _, P>(&prepared.objects, few, &ray, valid);
         let missed = valid & !hits.bits;
         if missed != 0 {
-            let color = spread(background.color(ray.direction));
-            for_each_lane(missed, |lane| leave(batch, gone, samples[lane], get(&color, lane)));
+            let color = LaneByLane::new(background.color(ray.direction).to_array());
+            for_each_lane(missed, |lane| leave(batch, gone, samples[lane], color.of(lane).into()));
         }
         if hits.bits == 0 {
             continue;
         }
         let shaded = shade(prepared, &ray, &hits);
-        let standing = shaded.standing.lane_by_lane();
+        let standing = LaneByLane::new(shaded.standing.numbers());
         for_each_lane(shaded.glass, |lane| {
             queue.pass_on(samples[lane].place as usize, &standing, lane);
             in_glass[staying] = samples[lane];
@@ -145,21 +146,6 @@ fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray
         }
     }
     hits
-}
-
-/// The lanes of three components in memory.
-#[inline(always)]
-fn spread<V: Lanes>(vector: Vec3<V>) -> [[f64; MOST_LANES]; 3] {
-    let mut values = [[0.0; MOST_LANES]; 3];
-    vector.x.store(&mut values[0]);
-    vector.y.store(&mut values[1]);
-    vector.z.store(&mut values[2]);
-    values
-}
-
-#[inline(always)]
-fn get([x, y, z]: &[[f64; MOST_LANES]; 3], lane: usize) -> Vec3 {
-    Vec3::new(x[lane], y[lane], z[lane])
 }
 
 /// Follows one sample, where the search is for one ray at a time.

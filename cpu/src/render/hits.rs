@@ -1,5 +1,6 @@
 //! The nearest hits of several rays at once.
 
+use super::doubtful::{resolve_cylinders, resolve_spheres};
 use crate::certified::certificate::in_scale;
 use crate::certified::{self, Intersect, Precision};
 use crate::counters::{Counter, add};
@@ -9,9 +10,6 @@ use crate::search::ObjectId;
 use crate::simd::{LaneMask, Lanes};
 use crate::sphere::{SphereRecord, SphereView};
 use crate::vec3::Vec3;
-
-/// Most lanes of any instruction set.
-pub const MOST_LANES: usize = 8;
 
 /// Relative bound of what rounding does to a discriminant, several times what the certificates prove.
 const NOISE: f64 = 512.0 * f64::EPSILON;
@@ -185,63 +183,5 @@ impl<V: Lanes> Hits<V> {
             (lambda, part) = resolve_cylinders((record, axis), ray, (lambda, part), doubtful);
         }
         self.offer(id, lambda, lambda.less(V::of(f64::INFINITY)), part, valid);
-    }
-}
-
-/// Replaces lambda in the doubtful lanes by the precise answer.
-#[inline(always)]
-fn resolve_spheres<V: Lanes>(record: &SphereRecord, ray: &Ray<V>, lambda: V, doubtful: u32) -> V {
-    let mut lambdas = [0.0; MOST_LANES];
-    lambda.store(&mut lambdas);
-    let rays = apart(ray);
-    for_each_lane(doubtful, |lane| {
-        lambdas[lane] = certified::sphere::resolve(record, &rays[lane]).unwrap_or(f64::INFINITY);
-    });
-    V::load(&lambdas)
-}
-
-/// Replaces lambda and part in the doubtful lanes by the precise answer.
-#[inline(always)]
-fn resolve_cylinders<V: Lanes>(
-    (record, axis): (&CylinderRecord, &Vec3),
-    ray: &Ray<V>,
-    (lambda, part): (V, V),
-    doubtful: u32,
-) -> (V, V) {
-    let (mut lambdas, mut parts) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
-    lambda.store(&mut lambdas);
-    part.store(&mut parts);
-    let rays = apart(ray);
-    for_each_lane(doubtful, |lane| {
-        let (lambda, part) =
-            certified::cylinder::resolve(record, axis, &rays[lane]).unwrap_or((f64::INFINITY, Part::Side));
-        (lambdas[lane], parts[lane]) = (lambda, f64::from(part as u32));
-    });
-    (V::load(&lambdas), V::load(&parts))
-}
-
-/// The rays one by one; those beyond the lanes are null.
-#[inline(always)]
-fn apart<V: Lanes>(ray: &Ray<V>) -> [Ray; MOST_LANES] {
-    let mut values = [[0.0; MOST_LANES]; 6];
-    ray.origin.x.store(&mut values[0]);
-    ray.origin.y.store(&mut values[1]);
-    ray.origin.z.store(&mut values[2]);
-    ray.direction.x.store(&mut values[3]);
-    ray.direction.y.store(&mut values[4]);
-    ray.direction.z.store(&mut values[5]);
-    let [x, y, z, dx, dy, dz] = values;
-    std::array::from_fn(|lane| Ray {
-        origin: Vec3::new(x[lane], y[lane], z[lane]),
-        direction: Vec3::new(dx[lane], dy[lane], dz[lane]),
-    })
-}
-
-/// Calls `visit` with every lane whose bit is set.
-#[inline(always)]
-pub fn for_each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
-    while bits != 0 {
-        visit(bits.trailing_zeros() as usize % MOST_LANES);
-        bits &= bits - 1;
     }
 }

@@ -2,7 +2,8 @@
 
 use super::batch::{Batch, InGlass};
 use super::candidates::{Candidate, Candidates};
-use super::hits::{Hits, Rays, for_each_lane};
+use super::hits::{Hits, Rays};
+use super::lane_by_lane::for_each_lane;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
 use super::shade::{shade, store};

@@ -4,9 +4,10 @@
 //! have their places among them and are taken out where they leave the scene.
 
 use super::batch::{CAPACITY, SLACK, Values, Vectors};
+use super::lane_by_lane::LaneByLane;
 use super::primary::valid_lanes;
 use super::sample_set::SampleSet;
-use super::standing::{LaneByLane, NUMBERS, Standing};
+use super::standing::{NUMBERS, Standing};
 use crate::prepare::Spread;
 use crate::ray::Ray;
 use crate::simd::Lanes;
@@ -99,9 +100,9 @@ impl Queue {
 
     /// Replaces the sample at `at` by one of several.
     #[inline(always)]
-    pub fn set_from(&mut self, at: usize, LaneByLane(numbers): &LaneByLane, lane: usize, rays: u64) {
-        for (array, number) in self.arrays().into_iter().zip(numbers) {
-            array[at] = number[lane];
+    pub fn set_from(&mut self, at: usize, numbers: &LaneByLane<NUMBERS>, lane: usize, rays: u64) {
+        for (array, number) in self.arrays().into_iter().zip(numbers.of(lane)) {
+            array[at] = number;
         }
         self.rays[at] = rays;
         self.fewest_rays = self.fewest_rays.min(rays);
@@ -109,10 +110,10 @@ impl Queue {
 
     /// Moves the sample at `at`, which is in glass, to another point, from where it goes another way.
     #[inline(always)]
-    pub fn pass_on(&mut self, at: usize, LaneByLane(numbers): &LaneByLane, lane: usize) {
-        let [x, y, z, dx, dy, dz, ..] = numbers;
-        self.point.set(at, Vec3::new(x[lane], y[lane], z[lane]));
-        self.base.set(at, Vec3::new(dx[lane], dy[lane], dz[lane]));
+    pub fn pass_on(&mut self, at: usize, numbers: &LaneByLane<NUMBERS>, lane: usize) {
+        let [x, y, z, dx, dy, dz, ..] = numbers.of(lane);
+        self.point.set(at, Vec3::new(x, y, z));
+        self.base.set(at, Vec3::new(dx, dy, dz));
     }
 
     /// Takes out the samples at the places in `gone`.
@@ -180,7 +181,8 @@ mod tests {
                 queue.push(&numbered(numbers), bits, 9);
             }
             queue.set(10, &numbered(1000.0), 5);
-            queue.set_from(12, &numbered(S::F64::load(&each) + S::F64::of(2000.0)).lane_by_lane(), 1, 7);
+            let others = LaneByLane::new(numbered(S::F64::load(&each) + S::F64::of(2000.0)).numbers());
+            queue.set_from(12, &others, 1, 7);
             let mut gone = SampleSet::EMPTY;
             (1..queue.count).step_by(2).for_each(|place| gone.add(place, 1));
             queue.take_out::<S::F64>(&gone);

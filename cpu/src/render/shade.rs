@@ -1,6 +1,7 @@
 //! What a surface does to rays that have just met it, several at once.
 
-use super::hits::{Hits, MOST_LANES};
+use super::hits::Hits;
+use super::lane_by_lane::MOST_LANES;
 use super::standing::Standing;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};

@@ -1,10 +1,8 @@
 //! What is known of a sample on a surface: all that its way on begins with.
 
-use super::hits::MOST_LANES;
 use super::shade::select;
 use crate::prepare::{Finish, Spread};
 use crate::real::Real;
-use crate::simd::Lanes;
 use crate::vec3::Vec3;
 
 /// Numbers that the queue keeps of a sample, besides its rays.
@@ -51,20 +49,5 @@ impl<T: Real> Standing<T> {
     pub fn numbers(&self) -> [T; NUMBERS] {
         let Self { point: p, base: b, spread: s, reflectance: r, object } = *self;
         [p.x, p.y, p.z, b.x, b.y, b.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object]
-    }
-}
-
-/// The numbers of samples in lanes, lane by lane.
-pub struct LaneByLane(pub [[f64; MOST_LANES]; NUMBERS]);
-
-impl<V: Lanes> Standing<V> {
-    /// The numbers lane by lane.
-    #[inline(always)]
-    pub fn lane_by_lane(&self) -> LaneByLane {
-        let mut apart = [[0.0; MOST_LANES]; NUMBERS];
-        for (place, lanes) in apart.iter_mut().zip(self.numbers()) {
-            lanes.store(place);
-        }
-        LaneByLane(apart)
     }
 }
