@@ -8,10 +8,16 @@ use super::canonical;
 const LENGTH: usize = 312;
 const MIDDLE: usize = 156;
 
+/// Words before those of the state: half of it has four words more than lanes fill.
+const LEAD: usize = 4;
+
+/// A state: its last words of the time before, its words, and the first one again.
+type State = [u64; LEAD + LENGTH + 1];
+
 /// A stream of draws in `[0, 1)`.
 #[derive(Clone, Debug)]
 pub struct BlockUniform {
-    state: Box<[u64; LENGTH]>,
+    state: Box<State>,
     /// Words of the state already given away.
     used: usize,
 }
@@ -21,10 +27,10 @@ impl BlockUniform {
     #[must_use]
     pub fn new(seed: u64) -> Self {
         const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
-        let mut state = Box::new([seed; LENGTH]);
+        let mut state = Box::new([seed; LEAD + LENGTH + 1]);
         for index in 1..LENGTH {
-            let before = state[index - 1];
-            state[index] = (before ^ (before >> 62)).wrapping_mul(MULTIPLIER).wrapping_add(index as u64);
+            let before = state[LEAD + index - 1];
+            state[LEAD + index] = (before ^ (before >> 62)).wrapping_mul(MULTIPLIER).wrapping_add(index as u64);
         }
         Self { state, used: LENGTH }
     }
@@ -39,7 +45,8 @@ impl BlockUniform {
             }
             let count = place.len().min(LENGTH - self.used);
             let (now, later) = place.split_at_mut(count);
-            for (draw, &word) in now.iter_mut().zip(&self.state[self.used..self.used + count]) {
+            let words = &self.state[LEAD + self.used..LEAD + self.used + count];
+            for (draw, &word) in now.iter_mut().zip(words) {
                 *draw = canonical(temper(word));
             }
             self.used += count;
@@ -65,14 +72,21 @@ impl BlockUniform {
 
 /// The next state. A word depends on itself, its neighbour and the one half a state away.
 #[inline(always)]
-fn renew(state: &mut [u64; LENGTH]) {
-    for index in 0..MIDDLE {
-        state[index] = state[index + MIDDLE] ^ twist(state[index], state[index + 1]);
+fn renew(state: &mut State) {
+    // Both loops begin where lanes do. So the second begins four words before the middle of the state, for which half a state
+    // away are the last four of the old state.
+    state.copy_within(LENGTH..LENGTH + LEAD, 0);
+    renew_some::<{ MIDDLE - LEAD }>(state, LEAD, LEAD + MIDDLE);
+    state[LEAD + LENGTH] = state[LEAD];
+    renew_some::<{ LENGTH - MIDDLE + LEAD }>(state, MIDDLE, 0);
+}
+
+/// Renews the words from `at` on, with those from `half` on.
+#[inline(always)]
+fn renew_some<const COUNT: usize>(state: &mut State, at: usize, half: usize) {
+    for index in 0..COUNT {
+        state[at + index] = state[half + index] ^ twist(state[at + index], state[at + index + 1]);
     }
-    for index in MIDDLE..LENGTH - 1 {
-        state[index] = state[index - MIDDLE] ^ twist(state[index], state[index + 1]);
-    }
-    state[LENGTH - 1] = state[MIDDLE - 1] ^ twist(state[LENGTH - 1], state[0]);
 }
 
 #[inline(always)]
