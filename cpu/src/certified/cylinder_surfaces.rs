@@ -17,6 +17,8 @@ pub(super) struct Side<T> {
     pub discriminant: T,
     /// How far the ray's origin is along the axis from the plane halfway between the bases.
     along: T,
+    /// By how much a point of the ray advances along the axis when lambda grows by one.
+    slope: T,
 }
 
 /// Where a line crosses the endless cylinder: what is certain of it. Where none holds it is in doubt.
@@ -56,7 +58,8 @@ impl<T: Rounding> Side<T> {
         let length_squared = direction.dot(direction);
         let (a, h, discriminant) = record.quadratic(view, direction);
         let certificate = Certificate::new(LIMITS, length_squared, view.squares);
-        Self { certificate, length_squared, a, h, discriminant, along: view.along }
+        let slope = direction.dot(record.axis);
+        Self { certificate, length_squared, a, h, discriminant, along: view.along, slope }
     }
 
     /// Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
@@ -77,7 +80,8 @@ impl<T: Rounding> Side<T> {
     pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
         let steep_enough = self.is_steep_enough();
         let crossing = self.certificate.root(self.a, numerator, root);
-        let along = record.along(ray, crossing.lambda);
+        // Not by the point itself, as the textbook: the margin is of both.
+        let along = self.along + crossing.lambda * self.slope;
         let margin = margin(record, ray, crossing.lambda);
         let accurate = steep_enough & crossing.hits;
         let (within, beyond) = (record.half_height - margin, record.half_height + margin);
