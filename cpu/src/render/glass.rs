@@ -6,7 +6,7 @@ use super::lane_by_lane::{LaneByLane, MOST_LANES, for_each_lane};
 use super::primary::valid_lanes;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
-use super::shade::shade;
+use super::shade::{load, shade};
 use super::standing::Standing;
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -69,6 +69,51 @@ fn leave(batch: &mut Batch, gone: &mut SampleSet, InGlass { sample, place }: InG
     gone.add(place as usize, 1);
 }
 
+/// As many samples as there are lanes.
+struct Group {
+    /// Those beyond the last repeat the first.
+    samples: [InGlass; MOST_LANES],
+    /// The lanes that hold one of their own, as bits.
+    valid: u32,
+    /// The place of the first, where all lanes hold one and they stand side by side in the queue, as neighbours mostly do.
+    together: Option<usize>,
+}
+
+impl Group {
+    /// The first of these.
+    #[inline(always)]
+    fn new<V: Lanes>(in_glass: &[InGlass]) -> Self {
+        let count = V::LANES.min(in_glass.len());
+        let mut samples = [in_glass[0]; MOST_LANES];
+        for lane in 1..V::LANES {
+            // Not as a slice of unknown length, which would be a call.
+            samples[lane] = in_glass[if lane < count { lane } else { 0 }];
+        }
+        let (first, last) = (samples[0].place as usize, samples[V::LANES - 1].place as usize);
+        // Their places increase.
+        let together = (last == first + V::LANES - 1).then_some(first);
+        Self { samples, valid: valid_lanes::<V>(in_glass.len()), together }
+    }
+}
+
+/// The ways on of samples from anywhere in the queue.
+#[inline(always)]
+fn gather<V: Lanes>(queue: &Queue, samples: &[InGlass; MOST_LANES]) -> Ray<V> {
+    let mut values = [[0.0; MOST_LANES]; 6];
+    for lane in 0..V::LANES {
+        let place = samples[lane].place as usize;
+        let (point, base) = (queue.point.get(place), queue.base.get(place));
+        for (value, component) in values.iter_mut().zip([point.x, point.y, point.z, base.x, base.y, base.z]) {
+            value[lane] = component;
+        }
+    }
+    let [x, y, z, dx, dy, dz] = &values;
+    Ray {
+        origin: Vec3::new(V::load(x), V::load(y), V::load(z)),
+        direction: Vec3::new(V::load(dx), V::load(dy), V::load(dz)),
+    }
+}
+
 /// Takes every sample to the next surface, as many at once as there are lanes; those that stay in glass remain in the
 /// list. After that surface each may send `rays` rays.
 #[inline(always)]
@@ -85,24 +130,11 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
     add(Counter::GlassRays, count as u64);
     let mut staying = 0;
     for from in (0..count).step_by(S::F64::LANES) {
-        let lanes = S::F64::LANES.min(count - from);
-        let mut samples = [in_glass[from]; MOST_LANES];
-        let mut values = [[0.0; MOST_LANES]; 6];
-        for lane in 0..S::F64::LANES {
-            // Lanes that no sample fills repeat the first one.
-            samples[lane] = in_glass[if lane < lanes { from + lane } else { from }];
-            let place = samples[lane].place as usize;
-            let (point, base) = (queue.point.get(place), queue.base.get(place));
-            for (value, component) in values.iter_mut().zip([point.x, point.y, point.z, base.x, base.y, base.z]) {
-                value[lane] = component;
-            }
-        }
-        let [x, y, z, dx, dy, dz] = &values;
-        let ray = Ray {
-            origin: Vec3::new(S::F64::load(x), S::F64::load(y), S::F64::load(z)),
-            direction: Vec3::new(S::F64::load(dx), S::F64::load(dy), S::F64::load(dz)),
+        let Group { samples, valid, together } = Group::new::<S::F64>(&in_glass[from..]);
+        let ray = match together {
+            Some(first) => Ray { origin: load(&queue.point, first), direction: load(&queue.base, first) },
+            None => gather::<S::F64>(queue, &samples),
         };
-        let valid = valid_lanes::<S::F64>(lanes);
         let hits = nearest::<_, _, P>(&prepared.objects, few, &ray, valid);
         let missed = valid & !hits.bits;
         if missed != 0 {
@@ -113,6 +145,15 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
             continue;
         }
         let shaded = shade(prepared, &ray, &hits);
+        if let Some(first) = together {
+            // Also those that are gone, or in glass and not yet anywhere: nobody looks at what they get.
+            queue.set_together(first, &shaded.standing, hits.bits & !shaded.glass != 0, rays);
+            for (lane, &sample) in samples.iter().enumerate().take(S::F64::LANES) {
+                in_glass[staying] = sample;
+                staying += (shaded.glass >> lane & 1) as usize;
+            }
+            continue;
+        }
         let standing = LaneByLane::new(shaded.standing.numbers());
         for_each_lane(shaded.glass, |lane| {
             queue.pass_on(samples[lane].place as usize, &standing, lane);
