@@ -74,12 +74,18 @@ impl Vectors {
     }
 }
 
-/// What spheres and cylinders have in common.
+/// The value at `index`, which other arrays, as long as this one, have been asked for as well. Where it is not used nothing is
+/// done: a second check would be.
+#[inline(always)]
+fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
+    values.get(index).copied().unwrap_or_default()
+}
+
+/// What spheres and cylinders have in common. The radius squared is not kept: a product is there sooner than one number more.
 #[derive(Clone, Debug)]
 struct Common {
     center: Vectors,
     radius: Vec<f64>,
-    radius_squared: Vec<f64>,
     order: Vec<u32>,
     material: Vec<MaterialId>,
 }
@@ -89,7 +95,6 @@ impl Common {
         Ok(Self {
             center: Vectors::with_room(count)?,
             radius: with_room(count)?,
-            radius_squared: with_room(count)?,
             order: with_room(count)?,
             material: with_room(count)?,
         })
@@ -98,7 +103,6 @@ impl Common {
     fn push(&mut self, center: Vec3, radius: f64, order: u32, material: MaterialId) {
         self.center.push(center);
         self.radius.push(radius);
-        self.radius_squared.push(radius * radius);
         self.order.push(order);
         self.material.push(material);
     }
@@ -153,28 +157,25 @@ impl Objects for SoaObjects {
 
     #[inline(always)]
     fn sphere(&self, index: usize) -> Placed<SphereRecord> {
-        let spheres = &self.spheres;
-        let record = SphereRecord {
-            center: spheres.center.get(index),
-            radius: spheres.radius[index],
-            radius_squared: spheres.radius_squared[index],
-        };
-        Placed { record, order: spheres.order[index], material: spheres.material[index] }
+        let Common { center, radius, order, material } = &self.spheres;
+        let record = SphereRecord::new(center.get(index), at(radius, index));
+        Placed { record, order: at(order, index), material: at(material, index) }
     }
 
     #[inline(always)]
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
-        let cylinders = &self.cylinders;
+        let Common { center, radius, order, material } = &self.cylinders;
+        let (center, radius) = (center.get(index), at(radius, index));
         let record = CylinderRecord {
-            center: cylinders.center.get(index),
+            center,
             axis: self.axis.get(index),
             top: self.top.get(index),
             bottom: self.bottom.get(index),
-            radius: cylinders.radius[index],
-            radius_squared: cylinders.radius_squared[index],
-            half_height: self.half_height[index],
+            radius,
+            radius_squared: radius * radius,
+            half_height: at(&self.half_height, index),
         };
-        Placed { record, order: cylinders.order[index], material: cylinders.material[index] }
+        Placed { record, order: at(order, index), material: at(material, index) }
     }
 
     fn axis(&self, index: usize) -> Vec3 {
