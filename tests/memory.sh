@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# The SIMD paths under valgrind and, with a nightly toolchain, under the address sanitizer. Minutes, on one core.
+# The SIMD paths under valgrind and, with a nightly toolchain, under the address sanitizer and miri. Minutes, on one core;
+# miri takes twenty.
 #
-#   tests/memory.sh [valgrind|sanitizer]
+#   tests/memory.sh [valgrind|sanitizer|miri]
 #
-# valgrind knows no AVX-512; the sanitizer runs what the machine has. Neither sees what miri would (miri is no part of
-# the toolchains here, and runs no AVX): undefined behaviour that touches no wrong byte.
+# valgrind and miri know no AVX-512; the sanitizer runs what the machine has. Only miri sees undefined behaviour that touches
+# no wrong byte.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 host=x86_64-unknown-linux-gnu
@@ -38,9 +39,27 @@ sanitizer_all() {
     cargo +nightly test --target $host -p hostile --test smoke
 }
 
+miri_all() {
+    cargo +nightly miri --version >/dev/null 2>&1 || {
+        echo "tests/memory.sh: miri is missing: rustup component add --toolchain nightly miri rust-src" >&2
+        exit 1
+    }
+    # A power is what the C library gives, as outside of it; else miri errs on purpose by some last bits.
+    export MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-no-extra-rounding-error"
+    export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/miri
+    # It has the features of its target, and no more: the portable set and SSE2 first, then AVX2 as well.
+    for features in "" "-Ctarget-feature=+avx2,+fma,+bmi1,+bmi2,+lzcnt,+popcnt"; do
+        # Left out is what takes it too long.
+        RUSTFLAGS=$features cargo +nightly miri test -p cpu --lib -- \
+            simd:: rng:: layout:: render:: --skip a_channel_of_ones_is_one_in_every_sample
+        RUSTFLAGS=$features cargo +nightly miri test -p cpu --test small_pictures
+    done
+}
+
 case "${1:-all}" in
     valgrind) valgrind_all ;;
     sanitizer) sanitizer_all ;;
-    all) (valgrind_all) && sanitizer_all ;;
-    *) sed -n '2,4p' "$0" >&2; exit 2 ;;
+    miri) miri_all ;;
+    all) (valgrind_all) && (sanitizer_all) && miri_all ;;
+    *) sed -n '2,5p' "$0" >&2; exit 2 ;;
 esac

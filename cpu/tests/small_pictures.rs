@@ -1,0 +1,93 @@
+//! Pictures of a few pixels, one for each search and stage: with every instruction set that there is and in both layouts the
+//! reference's pixels, in both precisions.
+//!
+//! The properties in the package `tests` try the same on thousands of random scenes. These are so small that miri, which
+//! interprets every instruction, is done with them in minutes (`tests/memory.sh miri`).
+
+use cpu::certified::{Certified, Intersect, Textbook};
+use cpu::layout::AosImage;
+use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
+
+const MATERIALS: &str = "matte: m .8 .7 .6\nmetal: s .9 .8 .7 .4\nrefractive: g 1.5\n";
+
+/// A board of `count` objects, one after the other a sphere and a cylinder, of one material after the other.
+fn board(count: usize) -> String {
+    let object = |at: usize| {
+        let (x, y) = ((at % 12) as f64 * 0.5 - 2.75, ((at / 12) as f64 - (count / 24) as f64) * 0.5);
+        let (z, material) = ((at % 5) as f64 * 0.3, ["m", "s", "g"][at % 3]);
+        match at % 2 {
+            0 => format!("sphere: {x} {y} {z} .23 {material}\n"),
+            _ => format!("cylinder: {x} {y} {z} .1 .1 .4 .2 {material}\n"),
+        }
+    };
+    (0..count).map(object).collect()
+}
+
+/// The picture of `objects`, with the materials m, s and g, which must be seen in at least `seen` pixels.
+fn check(objects: &str, seen: usize) {
+    let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let scene = Scene::parse(format!("{MATERIALS}{objects}").as_bytes()).expect("the scene is valid");
+    let nothing = reference::<Textbook>(&config, &Scene::parse(MATERIALS.as_bytes()).expect("the scene is valid"));
+    let picture = reference::<Textbook>(&config, &scene);
+    let differing = (0..picture.size().pixels()).filter(|&at| picture.pixel(at) != nothing.pixel(at)).count();
+    assert!(differing >= seen, "the objects are in {differing} pixels");
+    agree::<Textbook>(&config, &scene);
+    agree::<Certified>(&config, &scene);
+}
+
+fn reference<P: Intersect>(config: &Config, scene: &Scene) -> AosImage {
+    cpu::reference::render_with::<_, P>(config, scene, Scatter::Statement).expect("the picture is small")
+}
+
+fn agree<P: Intersect>(config: &Config, scene: &Scene) {
+    let expected = reference::<P>(config, scene);
+    same::<Aos, P>(config, scene, &expected);
+    same::<Soa, P>(config, scene, &expected);
+}
+
+fn same<L: Layout, P: Intersect>(config: &Config, scene: &Scene, expected: &AosImage) {
+    let prepared = Prepared::<L, P>::new(config, scene, Scatter::Statement).expect("the camera is sound");
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        let actual = cpu::render_with(&prepared, set).expect("the picture is small");
+        assert_eq!(actual.size(), expected.size());
+        for at in 0..expected.size().pixels() {
+            let what = (std::any::type_name::<L>(), set.name(), P::PRECISION);
+            assert_eq!(actual.pixel(at), expected.pixel(at), "pixel {at}, {what:?}");
+        }
+    }
+}
+
+#[test]
+fn a_background_alone() {
+    check("", 0);
+}
+
+#[test]
+fn two_objects_whose_samples_are_tried_ahead() {
+    check("sphere: 0 -102 0 100 s\ncylinder: 0 0 0 1.5 .5 3 0 m\n", 6);
+}
+
+#[test]
+fn a_handful_asked_side_by_side_with_glass_among_them() {
+    check(
+        "sphere: 0 0 0 2 g\nsphere: 0 2 0 1 s\nsphere: 0 -2 0 1 m\ncylinder: 1 0 -1 .5 1 1 .2 g\nsphere: 2 0 0 .5 s\n",
+        6,
+    );
+}
+
+#[test]
+fn objects_behind_a_filter_over_a_ground() {
+    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6);
+}
+
+#[test]
+fn objects_in_a_tree_over_a_ground() {
+    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12);
+}
+
+#[test]
+#[cfg_attr(miri, ignore = "exact arithmetic takes too long there")]
+fn objects_too_far_apart_for_any_filter() {
+    check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4);
+}
