@@ -1,0 +1,178 @@
+//! What each search finds, held against asking every object.
+
+use super::ground::Ground;
+use super::*;
+use crate::certified::{Certified, Textbook};
+use crate::layout::AosObjects;
+use crate::rng::Uniform;
+use crate::scene::Scene;
+use crate::simd::{InstructionSet, Kernel};
+use crate::vec3::Vec3;
+
+/// `count` objects of both kinds in a cube, and one much larger below them.
+fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
+    let mut draws = Uniform::new(seed);
+    let mut text = String::from("matte: m 1 1 1\nsphere: 0 -120 0 110 m\n");
+    for index in 0..count {
+        let [x, y, z] = [(); 3].map(|()| draws.draw(-10.0, 10.0));
+        let radius = size * draws.draw(0.1, 1.0);
+        if index % 2 == 0 {
+            text += &format!("sphere: {x} {y} {z} {radius} m\n");
+        } else {
+            let [ax, ay, az] = [(); 3].map(|()| draws.draw(-4.0, 4.0) * radius);
+            text += &format!("cylinder: {x} {y} {z} {radius} {ax} {ay} {az} m\n");
+        }
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+    AosObjects::build(&scene).expect("it fits")
+}
+
+/// Asks a search with one ray.
+struct Ask<'a> {
+    search: &'a Search,
+    objects: &'a AosObjects,
+    ray: Ray,
+    from: ObjectId,
+    stack: &'a mut Stack,
+    textbook: bool,
+}
+
+impl Kernel for Ask<'_> {
+    type Output = Found;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Found {
+        let Self { search, objects, ray, from, stack, textbook } = self;
+        if textbook {
+            search.nearest::<S, _, Textbook>(objects, &ray, from, stack)
+        } else {
+            search.nearest::<S, _, Certified>(objects, &ray, from, stack)
+        }
+    }
+}
+
+/// Compares a search with the plain one, on rays from anywhere and on from where these hit, many of them grazing.
+fn agrees_with_plain(search: &Search, objects: &AosObjects, rays: usize) {
+    let mut draws = Uniform::new(99);
+    let mut stack = Stack::EMPTY;
+    let (mut hits, mut misses) = (0, 0);
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        for number in 0..rays {
+            let mut ray = Ray {
+                origin: [(); 3].map(|()| draws.draw(-15.0, 15.0)).into(),
+                direction: [(); 3].map(|()| draws.draw(-1.0, 1.0)).into(),
+            };
+            if number % 3 == 0 {
+                // Towards the rim of a sphere, from a part in a thousand inside to as much outside, and closer.
+                let target = objects.sphere(number % objects.sphere_count()).record;
+                let to_center = target.center - ray.origin;
+                let aside = ray.direction.perpendicular_to(to_center.unit()).unit() * target.radius;
+                let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
+                ray.direction = to_center + aside * share;
+            }
+            let mut from = NOWHERE;
+            for _ in 0..3 {
+                for textbook in [false, true] {
+                    let expected = if textbook {
+                        plain::<_, Textbook>(objects, &ray)
+                    } else {
+                        plain::<_, Certified>(objects, &ray)
+                    };
+                    let ask = Ask { search, objects, ray, from, stack: &mut stack, textbook };
+                    let found = set.run(ask);
+                    assert_eq!(found, expected, "{}, {ray:?}, textbook: {textbook}", set.name());
+                }
+                let found = plain::<_, Certified>(objects, &ray);
+                if !found.is_hit() {
+                    misses += 1;
+                    break;
+                }
+                hits += 1;
+                from = found.object;
+                let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+                ray = Ray { origin: ray.at(found.lambda), direction };
+            }
+        }
+    }
+    assert!(hits > rays / 4 && misses > rays / 4, "{hits} hits, {misses} misses");
+}
+
+fn search(objects: &AosObjects) -> Search {
+    Search::new(objects, &Extent { reach: 240.0, moderate: true }).expect("it fits")
+}
+
+#[test]
+fn a_handful_of_objects_is_searched_at_once() {
+    let objects = objects(7, 3.0, 1);
+    let search = search(&objects);
+    assert!(matches!(search, Search::Few(_)));
+    agrees_with_plain(&search, &objects, 2000);
+}
+
+#[test]
+fn some_tens_of_objects_are_filtered() {
+    let objects = objects(90, 2.0, 2);
+    let search = search(&objects);
+    assert!(matches!(search, Search::Flat(_)));
+    agrees_with_plain(&search, &objects, 1000);
+}
+
+#[test]
+fn many_objects_are_searched_in_a_tree() {
+    let objects = objects(1000, 1.0, 3);
+    let search = search(&objects);
+    assert!(matches!(search, Search::Tree(_)));
+    agrees_with_plain(&search, &objects, 300);
+}
+
+/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first `sunk` of
+/// them; so far from each other that all are alone.
+fn above_a_ground(count: usize, above: f64, sunk: usize) -> AosObjects {
+    let mut draws = Uniform::new(8);
+    let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
+    for index in 0..count {
+        let (x, z) = ((index % 10) as f64 - 4.5, (index / 10) as f64 - 4.5);
+        let radius = draws.draw(0.1, 0.45);
+        let y = if index < sunk { -0.4 } else { radius + above };
+        if index % 2 == 0 {
+            text += &format!("sphere: {x} {y} {z} {radius} m\n");
+        } else {
+            // Leaning, and inside the sphere that it replaces.
+            let (half_height, lean) = (radius / 2.0, radius / 4.0);
+            text += &format!("cylinder: {x} {y} {z} {half_height} {lean} {radius} 0 m\n");
+        }
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+    AosObjects::build(&scene).expect("it fits")
+}
+
+#[test]
+fn rays_inside_an_object_or_the_ground_meet_what_reaches_into_it() {
+    let extent = Extent { reach: 120.0, moderate: true };
+    for (above, sunk, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
+        let objects = above_a_ground(30, above, sunk);
+        assert_eq!(Ground::of(&objects).sunk(&objects, &extent).map(|sunk| sunk.len()), known);
+        agrees_with_plain(&search(&objects), &objects, 600);
+    }
+    for count in [30, 100] {
+        let objects = above_a_ground(count, 1e-3, 9);
+        let mut search = search(&objects);
+        agrees_with_plain(&search, &objects, 300);
+        search.forget_who_is_alone();
+        agrees_with_plain(&search, &objects, 300);
+    }
+}
+
+#[test]
+fn a_scene_of_extreme_magnitudes_is_searched_plainly() {
+    let extent = Extent { reach: 1e12, moderate: false };
+    let plain = Search::new(&objects(7, 3.0, 1), &extent).expect("it fits");
+    assert!(matches!(plain, Search::Plain));
+}
+
+#[test]
+fn the_order_of_the_file_is_kept() {
+    let objects = objects(4, 1.0, 4);
+    // The ground, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
+    assert_eq!(in_order(&objects).expect("five are few"), [0, 1, 3, 2, 4]);
+}

@@ -1,0 +1,40 @@
+//! What is told about a scene.
+
+use super::*;
+use ::tests::generator::{Arrangement, Options, scene};
+
+fn inspect(scene: &Scene) -> Inspection {
+    Inspection::of(&Config::default(), scene).expect("the default picture is fine")
+}
+
+#[test]
+fn a_small_scene_is_told_in_full() {
+    let text = "matte: a 1 1 1\nmetal: b 1 1 1 0\nsphere: 0 0 0 1 a\nsphere: 3 0 0 1 a\n";
+    let inspection = inspect(&Scene::parse(text.as_bytes()).expect("it is valid"));
+    assert_eq!((inspection.spheres, inspection.cylinders), (2, 0));
+    assert_eq!((inspection.materials, inspection.unused_materials), (2, 1));
+    assert_eq!(inspection.objects_by_material, BTreeMap::from([("matte", 2)]));
+    assert_eq!(inspection.reach, 10.0, "the camera's distance");
+    assert_eq!(inspection.not_needed, ["cylinders", "metal surfaces", "refraction", "diffusion"]);
+    let high = inspection.highest_corner.expect("there are objects");
+    assert!((high[0] - 4.0).abs() < 1e-4, "{high:?}");
+}
+
+#[test]
+fn an_empty_scene_needs_nothing() {
+    let inspection = inspect(&Scene::default());
+    assert_eq!((inspection.lowest_corner, inspection.spheres), (None, 0));
+    assert_eq!(inspection.not_needed.len(), 6);
+    assert!(inspection.to_string().contains("made of     nothing"));
+}
+
+#[test]
+fn a_tree_holds_every_object_once() {
+    let options = Options { objects: 3000, arrangement: Arrangement::Grid, ..Options::default() };
+    let SearchKind::Tree(tree) = inspect(&scene(&options)).search else { panic!("many objects need a tree") };
+    // With up to 16 children a node, 3000 objects need at least 200 nodes.
+    assert!((200..3000).contains(&tree.nodes), "{tree:?}");
+    assert!(tree.children_per_node > 1.0 && tree.children_per_node <= 16.0, "{tree:?}");
+    // The ground alone is nearly as large as the whole; single precision makes it a little less.
+    assert!(tree.boxes_met_by_a_line > 0.99, "{tree:?}");
+}

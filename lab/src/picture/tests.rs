@@ -1,0 +1,105 @@
+//! Pictures of both formats as they are read, and what is refused.
+
+use super::*;
+
+const TEXT: &[u8] = b"P3\n2 2\n255\n0 0 0\n1 2 3\n255 255 255\n10 20 30\n";
+
+fn sample() -> Picture {
+    Picture { width: 2, height: 2, pixels: vec![[0; 3], [1, 2, 3], [255; 3], [10, 20, 30]] }
+}
+
+#[test]
+fn all_formats_hold_the_same_picture() {
+    let mut png = Vec::new();
+    sample().write_png(&mut png).expect("memory takes all bytes");
+    let raw = b"P6 2 2 255\n\0\0\0\x01\x02\x03\xff\xff\xff\x0a\x14\x1e";
+    let free = b"P3 # made by hand\n2\t2 # size\n255 0 0 0 1 2 3\n\n255 255 255 10 20 30";
+    for bytes in [TEXT, &png, raw, free] {
+        assert_eq!(Picture::parse(bytes), Ok(sample()));
+    }
+}
+
+#[test]
+fn ppm_is_written_as_the_renderer_writes_it() {
+    let mut text = Vec::new();
+    sample().write_ppm(&mut text).expect("memory takes all bytes");
+    assert_eq!(text, TEXT);
+    let strict = ::tests::p3::read(&text).expect("it is well formed");
+    assert_eq!(strict.pixels, sample().pixels);
+}
+
+#[test]
+fn damaged_pictures_are_refused() {
+    let texts: [&[u8]; 11] = [
+        b"",
+        b"P3\n",
+        b"P3 2 2 255 0 0 0",
+        b"P3 1 1 255 0 0 256",
+        b"P3 1 1 255 0 0 0 0",
+        b"P3 0 0 255",
+        b"P3 1 1 65535 0 0 0",
+        b"P6 1 1 255\n\0\0",
+        b"P6 1 1 255x\0\0\0",
+        b"P6 1 1 255",
+        b"P31 1 255 0 0 0",
+    ];
+    for bytes in texts {
+        assert!(Picture::parse(bytes).is_err(), "{}", bytes.escape_ascii());
+    }
+    assert!(Picture::parse(b"P3 99999999999 9999999 255 0").is_err(), "a size that lies takes no memory");
+    assert!(Picture::parse(b"\x89PNG\r\n\x1a\nrest").is_err());
+}
+
+#[test]
+fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
+    let mut png = Vec::new();
+    let wide = Picture { width: 3, height: 1, pixels: vec![[1; 3]; 3] };
+    wide.write_png(&mut png).expect("memory takes all bytes");
+    // The sides stand in the first chunk: two thousand million each, and its checksum made right again.
+    png[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
+    assert!(Picture::parse(&png).is_err(), "the checksum is wrong");
+    let checksum = crc32(&png[12..29]).to_be_bytes();
+    png[29..33].copy_from_slice(&checksum);
+    let message = Picture::parse(&png).expect_err("it cannot hold them");
+    assert!(message.contains("announces") || message.contains("imit"), "{message}");
+}
+
+#[test]
+fn a_palette_that_ends_within_a_colour_is_refused() {
+    let png = |palette: &[u8]| {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_palette(palette.to_vec());
+        let mut writer = encoder.write_header().expect("memory takes all bytes");
+        writer.write_image_data(&[0]).expect("memory takes all bytes");
+        writer.finish().expect("memory takes all bytes");
+        Picture::parse(&bytes)
+    };
+    assert_eq!(png(&[1, 2, 3, 4, 5, 6]).map(|picture| picture.pixels), Ok(vec![[1, 2, 3]]));
+    for length in [4, 5, 13] {
+        assert_eq!(png(&vec![0; length]), Err("a PNG whose palette ends within a colour".to_owned()));
+    }
+}
+
+/// The checksum of a PNG's chunk, bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(u32::MAX, |crc, &byte| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })
+    })
+}
+
+#[test]
+fn an_endless_file_that_is_no_picture_is_not_read_to_its_end() {
+    assert_eq!(picture_bytes(io::repeat(0)), Err(NEITHER.to_owned()));
+    assert_eq!(picture_bytes(&b"P3 x"[..]), Ok(b"P3 x".to_vec()));
+    assert_eq!(picture_bytes(&b"P"[..]), Err(NEITHER.to_owned()));
+}
+
+#[test]
+fn a_part_is_cut_out_row_by_row() {
+    let right = Picture { width: 1, height: 2, pixels: vec![[1, 2, 3], [10, 20, 30]] };
+    assert_eq!(sample().crop([1, 0, 1, 2]), right);
+    assert_eq!(sample().crop([0, 0, 2, 2]), sample());
+}
