@@ -20,8 +20,7 @@ mod avx512;
 mod sse2;
 
 use std::ops::{Add, Mul, Sub};
-#[cfg(target_arch = "x86_64")]
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 
 use crate::certified::exact_sums::Fused;
 use crate::real::MulAdd;
@@ -134,7 +133,7 @@ pub enum InstructionSet {
     Sse2,
     /// 256 bits with fused multiply-add.
     Avx2,
-    /// 512 bits, but 256 for work on one ray after the other.
+    /// 512 bits, but 256 for work on one ray after the other among a handful of objects.
     Avx512,
     /// 512 bits throughout, for machines on which comparisons into mask registers are quick.
     Avx512Throughout,
@@ -159,20 +158,22 @@ impl InstructionSet {
         }
     }
 
-    /// Whether this machine has it.
+    /// Whether this machine has it. Asked of the machine once: single rays in doubt are kernels of their own, for which a
+    /// dozen features would be as much work as a tenth of the kernel.
     #[must_use]
     pub fn is_available(self) -> bool {
+        static AVAILABLE: LazyLock<[bool; InstructionSet::ALL.len()]> =
+            LazyLock::new(|| InstructionSet::ALL.map(InstructionSet::is_found));
+        AVAILABLE[self as usize]
+    }
+
+    /// Asks the machine.
+    fn is_found(self) -> bool {
         #[cfg(target_arch = "x86_64")]
         return match self {
             Self::Portable | Self::Sse2 => true,
-            Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
-            Self::Avx512 | Self::Avx512Throughout => {
-                Self::Avx2.is_available()
-                    && is_x86_feature_detected!("avx512f")
-                    && is_x86_feature_detected!("avx512dq")
-                    && is_x86_feature_detected!("avx512vl")
-                    && is_x86_feature_detected!("avx512bw")
-            }
+            Self::Avx2 => avx2::is_found(),
+            Self::Avx512 | Self::Avx512Throughout => avx2::is_found() && avx512::is_found(),
         };
         #[cfg(not(target_arch = "x86_64"))]
         return matches!(self, Self::Portable);
@@ -227,11 +228,11 @@ impl InstructionSet {
 fn has_quick_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
-        static IS_AMD: OnceLock<bool> = OnceLock::new();
-        *IS_AMD.get_or_init(|| {
+        static IS_AMD: LazyLock<bool> = LazyLock::new(|| {
             let std::arch::x86_64::CpuidResult { ebx, ecx, edx, .. } = std::arch::x86_64::__cpuid(0);
             [ebx, edx, ecx].map(u32::to_le_bytes).concat() == b"AuthenticAMD"
-        })
+        });
+        *IS_AMD
     }
     #[cfg(not(target_arch = "x86_64"))]
     false

@@ -148,27 +148,27 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
-        // Each kind of search has a walk of its own, compiled apart.
+        // Each kind of search has a walk of its own, compiled apart; with many objects lanes count for more than promptness.
         match &self.prepared.search {
-            Search::Plain => simd.run_promptly(Promptly { follow: self, search: &Plain, wide: simd }),
+            Search::Plain => simd.run_promptly(OneByOne { follow: self, search: &Plain, wide: simd }),
             Search::Few(few) if !few.is_side_by_side() && self.walk.queue.fewest_rays > 0 => {
-                simd.run_promptly(LeapPromptly { follow: self, few, wide: simd });
+                simd.run_promptly(Leaping { follow: self, few, wide: simd });
             }
-            Search::Few(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
-            Search::Flat(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
-            Search::Tree(search) => simd.run_promptly(Promptly { follow: self, search, wide: simd }),
+            Search::Few(search) => simd.run_promptly(OneByOne { follow: self, search, wide: simd }),
+            Search::Flat(search) => simd.run(OneByOne { follow: self, search, wide: simd }),
+            Search::Tree(search) => simd.run(OneByOne { follow: self, search, wide: simd }),
         }
     }
 }
 
-/// The same, with the instruction set for work on one ray after the other.
-struct Promptly<'a, L: Layout, P, F, W> {
+/// The same, with the instruction set that it is called with, perhaps the one for work on one ray after the other.
+struct OneByOne<'a, L: Layout, P, F, W> {
     follow: Follow<'a, L, P>,
     search: &'a F,
     wide: W,
 }
 
-impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for Promptly<'_, L, P, F, W> {
+impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for OneByOne<'_, L, P, F, W> {
     type Output = ();
 
     #[inline(always)]
@@ -179,13 +179,13 @@ impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for Promptly<'_, L, P, F,
 }
 
 /// The same with [leaps].
-struct LeapPromptly<'a, L: Layout, P, W> {
+struct Leaping<'a, L: Layout, P, W> {
     follow: Follow<'a, L, P>,
     few: &'a Few,
     wide: W,
 }
 
-impl<L: Layout, P: Intersect, W: Simd> Kernel for LeapPromptly<'_, L, P, W> {
+impl<L: Layout, P: Intersect, W: Simd> Kernel for Leaping<'_, L, P, W> {
     type Output = ();
 
     #[inline(always)]

@@ -25,6 +25,16 @@ impl Avx2 {
     }
 }
 
+/// Whether the machine has all that kernels are compiled for here, by [`Simd::run`].
+pub fn is_found() -> bool {
+    is_x86_feature_detected!("avx2")
+        && is_x86_feature_detected!("fma")
+        && is_x86_feature_detected!("bmi1")
+        && is_x86_feature_detected!("bmi2")
+        && is_x86_feature_detected!("lzcnt")
+        && is_x86_feature_detected!("popcnt")
+}
+
 impl Simd for Avx2 {
     type F64 = F64;
     type F32 = F32;

@@ -15,7 +15,7 @@ use crate::real::{MulAdd, Real};
 /// AVX-512 F, DQ, BW and VL.
 #[derive(Clone, Copy, Debug)]
 pub struct Avx512 {
-    /// Also for work on one ray after the other.
+    /// Also for work on one ray after the other among a handful of objects.
     throughout: bool,
 }
 
@@ -27,6 +27,14 @@ impl Avx512 {
     pub const unsafe fn new(throughout: bool) -> Self {
         Self { throughout }
     }
+}
+
+/// Whether the machine has all that kernels are compiled for here beyond what AVX2 has, by [`Simd::run`].
+pub fn is_found() -> bool {
+    is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512bw")
+        && is_x86_feature_detected!("avx512vl")
 }
 
 impl Simd for Avx512 {

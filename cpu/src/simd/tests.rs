@@ -157,3 +157,17 @@ fn every_set_does_in_each_lane_what_is_done_alone() {
         }
     }
 }
+
+#[test]
+#[cfg(target_arch = "x86_64")]
+fn every_feature_that_kernels_are_compiled_for_is_asked_for() {
+    let [avx2, avx512] = [include_str!("avx2.rs"), include_str!("avx512.rs")];
+    for (source, asked) in [(avx2, avx2.to_owned()), (avx512, format!("{avx2}{avx512}"))] {
+        let (_, rest) = source.split_once("#[target_feature(enable = \"").expect("kernels are compiled for something");
+        let (features, _) = rest.split_once('"').expect("the list ends");
+        for feature in features.split(',') {
+            let question = format!("is_x86_feature_detected!(\"{feature}\")");
+            assert!(asked.contains(&question), "{feature} is not asked for");
+        }
+    }
+}
