@@ -4,9 +4,13 @@
 //! kernel is compiled for this instruction set only where [`InstructionSet::run`](super::InstructionSet::run) has found
 //! that the machine has it.
 
+mod filter_lanes;
+mod permutations;
+
 use std::arch::x86_64::*;
 
-use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
+use self::permutations::{COMPRESSED, EXPANDED, Halves, SELECTED};
+use super::{Kernel, LaneMask, Lanes, Simd, operators};
 use crate::certified::Rounding;
 use crate::certified::exact_sums::Fused;
 use crate::real::{MulAdd, Real};
@@ -194,102 +198,5 @@ impl F64 {
         let order = unsafe { _mm256_load_si256(order.as_ptr().cast()) };
         // SAFETY: see the module's head.
         Self(unsafe { _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order)) })
-    }
-}
-
-/// A number for each half of four lanes: the set has no permutation of whole lanes by a variable.
-#[repr(align(32))]
-struct Halves([u32; 8]);
-
-/// By the bits that select lanes: the selected ones in order.
-static COMPRESSED: [Halves; 16] = tables().0;
-/// By the bits that select lanes: in each selected one its place among them.
-static EXPANDED: [Halves; 16] = tables().1;
-/// By the bits that select lanes: all ones in these.
-static SELECTED: [Halves; 16] = tables().2;
-
-const fn tables() -> ([Halves; 16], [Halves; 16], [Halves; 16]) {
-    let (mut compressed, mut expanded, mut selected) =
-        ([const { Halves([0; 8]) }; 16], [const { Halves([0; 8]) }; 16], [const { Halves([0; 8]) }; 16]);
-    let mut bits = 0;
-    while bits < 16 {
-        let (mut lane, mut count) = (0, 0);
-        while lane < 4 {
-            if bits >> lane & 1 == 1 {
-                let mut half = 0;
-                while half < 2 {
-                    compressed[bits].0[2 * count + half] = (2 * lane + half) as u32;
-                    expanded[bits].0[2 * lane + half] = (2 * count + half) as u32;
-                    selected[bits].0[2 * lane + half] = u32::MAX;
-                    half += 1;
-                }
-                count += 1;
-            }
-            lane += 1;
-        }
-        bits += 1;
-    }
-    (compressed, expanded, selected)
-}
-
-impl FilterLanes for F32 {
-    const LANES: usize = 8;
-
-    #[inline(always)]
-    fn splat(value: f32) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_set1_ps(value) })
-    }
-    #[inline(always)]
-    fn load(values: &[f32]) -> Self {
-        let values = &values[..Self::LANES];
-        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
-        Self(unsafe { _mm256_loadu_ps(values.as_ptr()) })
-    }
-    #[inline(always)]
-    fn store(self, place: &mut [f32]) {
-        let place = &mut place[..Self::LANES];
-        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
-        unsafe { _mm256_storeu_ps(place.as_mut_ptr(), self.0) }
-    }
-    #[inline(always)]
-    fn mul_add(self, factor: Self, term: Self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_fmadd_ps(self.0, factor.0, term.0) })
-    }
-    #[inline(always)]
-    fn negative_mul_add(self, factor: Self, term: Self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_fnmadd_ps(self.0, factor.0, term.0) })
-    }
-    #[inline(always)]
-    fn signs(self) -> u32 {
-        // SAFETY: see the module's head.
-        unsafe { _mm256_movemask_ps(self.0) as u32 }
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_min_ps(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_max_ps(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn less_equal(self, other: Self) -> u32 {
-        // SAFETY: see the module's head.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
-    }
-    #[inline(always)]
-    fn places_of(number: u32, numbers: &[u32]) -> u32 {
-        let numbers = &numbers[..Self::LANES];
-        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
-        unsafe {
-            let numbers = _mm256_loadu_si256(numbers.as_ptr().cast());
-            let same = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(number as i32));
-            _mm256_movemask_ps(_mm256_castsi256_ps(same)) as u32
-        }
     }
 }
