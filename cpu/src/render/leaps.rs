@@ -68,11 +68,16 @@ impl<V: Lanes> Ahead<V> {
 
 /// Follows every waiting sample, each of which may send a ray, to its end.
 #[inline(always)]
-pub fn follow<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, few: &Few, walk: &mut Walk, simd: S) {
-    let mut aheads = [Ahead::<S::F64>::nothing(); 2];
+pub fn follow<V: Lanes, W: Simd, L: Layout, P: Intersect>(
+    prepared: &Prepared<L, P>,
+    few: &Few,
+    walk: &mut Walk,
+    wide: W,
+) {
+    let mut aheads = [Ahead::<V>::nothing(); 2];
     let mut at = 0;
     while at < walk.queue.count {
-        walk.triples.prepare(simd);
+        walk.triples.prepare(wide);
         let position = walk.triples.position();
         let which = usize::from(aheads[1].is_of(at, position));
         if !aheads[which].is_of(at, position) {
@@ -87,7 +92,7 @@ pub fn follow<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, few: 
         if left < tried {
             walk.triples.skip(1);
             add(Counter::WalkRays, 1);
-            go_on(prepared, few, walk, simd, at, touched.by(left), &mut aheads);
+            go_on(prepared, few, walk, wide, at, touched.by(left), &mut aheads);
             at += 1;
         }
     }
@@ -96,19 +101,19 @@ pub fn follow<S: Simd, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, few: 
 /// Follows the queue's sample `at` to its end, from its first ray on, which may meet the objects of `touched`. Looks at the
 /// samples behind it meanwhile.
 #[inline(always)]
-fn go_on<S: Simd, L: Layout, P: Intersect>(
+fn go_on<V: Lanes, W: Simd, L: Layout, P: Intersect>(
     prepared: &Prepared<L, P>,
     few: &Few,
     walk: &mut Walk,
-    simd: S,
+    wide: W,
     at: usize,
     mut touched: u32,
-    [if_it_leaves, if_it_ends]: &mut [Ahead<S::F64>; 2],
+    [if_it_leaves, if_it_ends]: &mut [Ahead<V>; 2],
 ) {
     let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ended.direction.get(at) };
     let mut rays = walk.queue.rays[at];
     if rays == 1 {
-        walk.triples.prepare(simd);
+        walk.triples.prepare(wide);
         *if_it_ends = Ahead::look(few, walk, at + 1, 1);
     }
     loop {
@@ -117,19 +122,19 @@ fn go_on<S: Simd, L: Layout, P: Intersect>(
             return walk.ended.leave(at, ray.direction);
         }
         rays -= 1;
-        let Some(sent) = walk.send_on(prepared, simd, at, rays, &ray, &found) else {
+        let Some(sent) = walk.send_on(prepared, wide, at, rays, &ray, &found) else {
             return;
         };
         ray = sent.ray;
         add(Counter::WalkRays, 1);
-        walk.triples.prepare(simd);
+        walk.triples.prepare(wide);
         *if_it_leaves = Ahead::look(few, walk, at + 1, 0);
-        touched = few.touched_by_one::<S::F64, _>(&prepared.objects, &ray);
+        touched = few.touched_by_one::<V, _>(&prepared.objects, &ray);
         // One branch for the commonest answer, as early as it can be known.
         if touched == 0 {
             return walk.ended.leave(at, ray.direction);
         }
-        if rays == 1 && ends(prepared, few, walk, simd, at, &ray, if_it_ends) {
+        if rays == 1 && ends(prepared, few, walk, wide, at, &ray, if_it_ends) {
             return;
         }
     }
@@ -138,16 +143,16 @@ fn go_on<S: Simd, L: Layout, P: Intersect>(
 /// Looks at the samples behind the one at `at` as if its last ray met something, and ends it where that is certain and all
 /// objects are alike.
 #[inline(always)]
-fn ends<S: Simd, L: Layout, P: Intersect>(
+fn ends<V: Lanes, W: Simd, L: Layout, P: Intersect>(
     prepared: &Prepared<L, P>,
     few: &Few,
     walk: &mut Walk,
-    simd: S,
+    wide: W,
     at: usize,
     ray: &Ray,
-    if_it_ends: &mut Ahead<S::F64>,
+    if_it_ends: &mut Ahead<V>,
 ) -> bool {
-    walk.triples.prepare(simd);
+    walk.triples.prepare(wide);
     *if_it_ends = Ahead::look(few, walk, at + 1, 1);
     // The textbook may miss what a ray is inside of.
     let are_alike = prepared.scatters_everywhere && P::PRECISION == Precision::Certified;

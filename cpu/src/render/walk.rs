@@ -45,29 +45,34 @@ impl Walk {
         })
     }
 
-    /// Follows every waiting sample to its end.
+    /// Follows every waiting sample to its end; `wide` is for what is done in bulk.
     #[inline(always)]
-    fn follow<S: Simd, L: Layout, P: Intersect, F: Find>(&mut self, prepared: &Prepared<L, P>, search: &F, simd: S) {
+    fn follow<S: Simd, W: Simd, L: Layout, P: Intersect, F: Find>(
+        &mut self,
+        prepared: &Prepared<L, P>,
+        search: &F,
+        wide: W,
+    ) {
         for at in 0..self.queue.count {
-            self.triples.prepare(simd);
+            self.triples.prepare(wide);
             self.ended.begin();
             let triple = self.triples.next();
             if self.queue.rays[at] == 0 {
                 self.ended.forget(at, &mut self.queue);
             } else {
                 let ray = self.queue.ray(at, triple);
-                self.go_on(prepared, search, simd, at, ray);
+                self.go_on::<S, W, L, P, F>(prepared, search, wide, at, ray);
             }
         }
     }
 
     /// Follows the queue's sample `at` from its first ray to its end.
     #[inline(always)]
-    fn go_on<S: Simd, L: Layout, P: Intersect, F: Find>(
+    fn go_on<S: Simd, W: Simd, L: Layout, P: Intersect, F: Find>(
         &mut self,
         prepared: &Prepared<L, P>,
         search: &F,
-        simd: S,
+        wide: W,
         at: usize,
         mut ray: Ray,
     ) {
@@ -80,7 +85,7 @@ impl Walk {
                 return self.ended.leave(at, ray.direction);
             }
             rays -= 1;
-            let Some(sent) = self.send_on(prepared, simd, at, rays, &ray, &found) else {
+            let Some(sent) = self.send_on(prepared, wide, at, rays, &ray, &found) else {
                 return;
             };
             origin = match sent.scattered {
@@ -93,10 +98,10 @@ impl Walk {
 
     /// Sends path `at` on from what its ray has found, as one that may send `rays` more; or ends it where there is none.
     #[inline(always)]
-    pub fn send_on<'a, S: Simd, L: Layout, P: Intersect>(
+    pub fn send_on<'a, W: Simd, L: Layout, P: Intersect>(
         &mut self,
         prepared: &'a Prepared<L, P>,
-        simd: S,
+        wide: W,
         at: usize,
         rays: u64,
         ray: &Ray,
@@ -108,7 +113,7 @@ impl Walk {
             add(Counter::Hits, 1);
             let material = material_of(&prepared.objects, found.object);
             if prepared.finishes[material as usize].kind != Kind::Refractive {
-                triples.prepare(simd);
+                triples.prepare(wide);
                 triples.skip(1);
             }
             ended.forget(at, queue);
@@ -122,7 +127,7 @@ impl Walk {
                     ended.forget(at, queue);
                     return None;
                 }
-                triples.prepare(simd);
+                triples.prepare(wide);
                 let triple = triples.next();
                 let ray = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
                 Some(Sent { ray, scattered: Some((finish, finish.spread.vector(triple))) })
@@ -145,45 +150,47 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
     fn call<S: Simd>(self, simd: S) {
         // Each kind of search has a walk of its own, compiled apart; with many objects lanes count for more than promptness.
         match &self.prepared.search {
-            Search::Plain => simd.run_promptly(OneByOne { follow: self, search: &Plain }),
+            Search::Plain => simd.run_promptly(OneByOne { follow: self, search: &Plain, wide: simd }),
             Search::Few(few) if !few.is_side_by_side() && self.walk.queue.fewest_rays > 0 => {
-                simd.run_promptly(Leaping { follow: self, few });
+                simd.run_promptly(Leaping { follow: self, few, wide: simd });
             }
-            Search::Few(search) => simd.run_promptly(OneByOne { follow: self, search }),
-            Search::Flat(search) => simd.run(OneByOne { follow: self, search }),
-            Search::Tree(search) => simd.run(OneByOne { follow: self, search }),
+            Search::Few(search) => simd.run_promptly(OneByOne { follow: self, search, wide: simd }),
+            Search::Flat(search) => simd.run(OneByOne { follow: self, search, wide: simd }),
+            Search::Tree(search) => simd.run(OneByOne { follow: self, search, wide: simd }),
         }
     }
 }
 
 /// The same, with the instruction set that it is called with, perhaps the one for work on one ray after the other.
-struct OneByOne<'a, L: Layout, P, F> {
+struct OneByOne<'a, L: Layout, P, F, W> {
     follow: Follow<'a, L, P>,
     search: &'a F,
+    wide: W,
 }
 
-impl<L: Layout, P: Intersect, F: Find> Kernel for OneByOne<'_, L, P, F> {
+impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for OneByOne<'_, L, P, F, W> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) {
-        let Self { follow: Follow { prepared, walk }, search } = self;
-        walk.follow(prepared, search, simd);
+    fn call<S: Simd>(self, _: S) {
+        let Self { follow: Follow { prepared, walk }, search, wide } = self;
+        walk.follow::<S, W, L, P, F>(prepared, search, wide);
     }
 }
 
 /// The same with [leaps].
-struct Leaping<'a, L: Layout, P> {
+struct Leaping<'a, L: Layout, P, W> {
     follow: Follow<'a, L, P>,
     few: &'a Few,
+    wide: W,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Leaping<'_, L, P> {
+impl<L: Layout, P: Intersect, W: Simd> Kernel for Leaping<'_, L, P, W> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) {
-        let Self { follow: Follow { prepared, walk }, few } = self;
-        leaps::follow(prepared, few, walk, simd);
+    fn call<S: Simd>(self, _: S) {
+        let Self { follow: Follow { prepared, walk }, few, wide } = self;
+        leaps::follow::<S::F64, W, L, P>(prepared, few, walk, wide);
     }
 }
