@@ -4,8 +4,11 @@
 //! The properties in the package `tests` try the same on thousands of random scenes. These are so small that miri, which
 //! interprets every instruction, is done with them in minutes (`tests/memory.sh miri`).
 
+use std::ops::RangeInclusive;
+
 use cpu::certified::{Certified, Intersect, Textbook};
 use cpu::layout::AosImage;
+use cpu::search::Search;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
 
 const MATERIALS: &str = "matte: m .8 .7 .6\nmetal: s .9 .8 .7 .4\nrefractive: g 1.5\n";
@@ -23,15 +26,18 @@ fn board(count: usize) -> String {
     (0..count).map(object).collect()
 }
 
-/// The picture of `objects`, with the materials m, s and g, which must be seen in at least `seen` pixels.
-fn check(objects: &str, seen: usize) {
+/// The picture of `objects`, with the materials m, s and g, which must be seen in as many pixels as `seen` says, of 15, and be
+/// searched as the test's name says.
+fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Search) -> bool) {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
     let scene = Scene::parse(format!("{MATERIALS}{objects}").as_bytes()).expect("the scene is valid");
     let nothing = reference::<Textbook>(&config, &Scene::parse(MATERIALS.as_bytes()).expect("the scene is valid"));
     let picture = reference::<Textbook>(&config, &scene);
     let differing = (0..picture.size().pixels()).filter(|&at| picture.pixel(at) != nothing.pixel(at)).count();
-    assert!(differing >= seen, "the objects are in {differing} pixels");
+    assert!(seen.contains(&differing), "the objects are in {differing} pixels");
+    let prepared = Prepared::<Aos, Certified>::new(&config, &scene, Scatter::Statement).expect("the camera is sound");
+    assert!(is_searched_so(&prepared.search), "{:?}", prepared.search);
     agree::<Textbook>(&config, &scene);
     agree::<Certified>(&config, &scene);
 }
@@ -60,34 +66,41 @@ fn same<L: Layout, P: Intersect>(config: &Config, scene: &Scene, expected: &AosI
 
 #[test]
 fn a_background_alone() {
-    check("", 0);
+    check("", 0..=0, |search| matches!(search, Search::Few(_)));
 }
 
 #[test]
 fn two_objects_whose_samples_are_tried_ahead() {
-    check("sphere: 0 -102 0 100 s\ncylinder: 0 0 0 1.5 .5 3 0 m\n", 6);
+    check(
+        "sphere: 0 -102 0 100 s\ncylinder: 0 0 0 1.5 .5 3 0 m\n",
+        6..=15,
+        |search| matches!(search, Search::Few(few) if !few.is_side_by_side()),
+    );
 }
 
 #[test]
 fn a_handful_asked_side_by_side_with_glass_among_them() {
     check(
         "sphere: 0 0 0 2 g\nsphere: 0 2 0 1 s\nsphere: 0 -2 0 1 m\ncylinder: 1 0 -1 .5 1 1 .2 g\nsphere: 2 0 0 .5 s\n",
-        6,
+        6..=15,
+        |search| matches!(search, Search::Few(few) if few.is_side_by_side()),
     );
 }
 
 #[test]
 fn objects_behind_a_filter_over_a_ground() {
-    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6);
+    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6..=15, |search| matches!(search, Search::Flat(_)));
 }
 
 #[test]
 fn objects_in_a_tree_over_a_ground() {
-    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12);
+    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12..=15, |search| matches!(search, Search::Tree(_)));
 }
 
 #[test]
 #[cfg_attr(miri, ignore = "exact arithmetic takes too long there")]
 fn objects_too_far_apart_for_any_filter() {
-    check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4);
+    check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4..=15, |search| {
+        matches!(search, Search::Plain)
+    });
 }
