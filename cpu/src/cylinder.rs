@@ -99,8 +99,8 @@ impl<T: Real> CylinderRecord<T> {
     #[inline(always)]
     #[must_use]
     pub fn new(center: Vec3<T>, radius: T, axis: Vec3<T>) -> Self {
-        let height = axis.length();
-        let (unit, half_height) = (axis / height, height / T::of(2.0));
+        let (unit, height) = axis.unit_and_length();
+        let half_height = height / T::of(2.0);
         let reach = unit * half_height;
         let (top, bottom) = (center + reach, center - reach);
         Self { center, axis: unit, top, bottom, radius, radius_squared: radius * radius, half_height }

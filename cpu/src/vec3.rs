@@ -97,6 +97,23 @@ impl<T: Real> Vec3<T> {
         self / self.length()
     }
 
+    /// The vector of length one in the same direction, and the length, for short vectors too.
+    ///
+    /// The square of a length below 2^-537 underflows in f64, and that of one below 2^-458 has no second half in
+    /// double-double. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is exact. All other
+    /// vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision has no such numbers: there nothing
+    /// is scaled.
+    #[inline(always)]
+    #[must_use]
+    pub fn unit_and_length(self) -> (Self, T) {
+        const SCALE: f64 = f64::from_bits((1023 + 600) << 52);
+        const INVERSE: f64 = f64::from_bits((1023 - 600) << 52);
+        let is_short = self.dot(self).less(T::of(INVERSE));
+        let scaled = self * T::select(is_short, T::of(SCALE), T::of(1.0));
+        let length = scaled.length();
+        (scaled / length, length * T::select(is_short, T::of(INVERSE), T::of(1.0)))
+    }
+
     /// Product component by component: a colour attenuated by a reflectance.
     #[inline(always)]
     #[must_use]

@@ -12,6 +12,9 @@ struct BarrierCase {
     float b;
     float one;
 };
+const float SHORT_SQUARED = 0.0;
+const float SHORT_SCALE = 1.0;
+
 layout(std430, binding = 0) readonly buffer type_block_0Compute { BarrierCase _group_0_binding_0_cs[]; };
 
 layout(std430, binding = 1) buffer type_1_block_1Compute { ExactSum _group_0_binding_1_cs[]; };

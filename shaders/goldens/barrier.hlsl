@@ -9,6 +9,9 @@ struct BarrierCase {
     float one;
 };
 
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
+
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer results : register(u1);
 

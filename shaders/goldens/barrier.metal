@@ -21,6 +21,8 @@ struct BarrierCase {
 };
 typedef BarrierCase type[1];
 typedef ExactSum type_1[1];
+constant real SHORT_SQUARED = 0.0;
+constant real SHORT_SCALE = 1.0;
 
 ExactSum exact_two_sum(
     real a,

@@ -10,6 +10,10 @@ struct _mslBufferSizes {
 };
 
 typedef float real;
+struct UnitAndLength {
+    metal::packed_float3 direction;
+    real length;
+};
 struct Ray {
     metal::float3 origin;
     metal::float3 direction;
@@ -78,6 +82,8 @@ struct CylinderCase {
 };
 typedef CylinderCase type_3[1];
 typedef HitReport type_4[1];
+constant real SHORT_SQUARED = 0.0;
+constant real SHORT_SCALE = 1.0;
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
 constant uint BOTTOM = 2u;
@@ -103,27 +109,40 @@ metal::float3 vec3_unit(
     return v_1 / metal::float3(_e1);
 }
 
+UnitAndLength vec3_unit_and_length(
+    metal::float3 v_2
+) {
+    real _e1 = vec3_dot(v_2, v_2);
+    if (_e1 < SHORT_SQUARED) {
+        metal::float3 scaled = v_2 * SHORT_SCALE;
+        real _e6 = vec3_length(scaled);
+        return UnitAndLength {scaled / metal::float3(_e6), _e6 * SHORT_SQUARED};
+    }
+    real _e12 = vec3_length(v_2);
+    return UnitAndLength {v_2 / metal::float3(_e12), _e12};
+}
+
 metal::float3 vec3_perpendicular_to(
-    metal::float3 v_2,
+    metal::float3 v_3,
     metal::float3 axis
 ) {
-    real _e2 = vec3_dot(v_2, axis);
-    return v_2 - (axis * _e2);
+    real _e2 = vec3_dot(v_3, axis);
+    return v_3 - (axis * _e2);
 }
 
 bool vec3_is_negligible(
-    metal::float3 v_3
+    metal::float3 v_4
 ) {
     bool local = {};
     bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
+    if (metal::abs(v_4.x) < 0.00000001) {
+        local = metal::abs(v_4.y) < 0.00000001;
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
+        local_1 = metal::abs(v_4.z) < 0.00000001;
     } else {
         local_1 = false;
     }
@@ -167,13 +186,12 @@ CylinderRecord cylinder_new(
     real radius,
     metal::float3 axis_1
 ) {
-    real _e3 = vec3_length(axis_1);
-    metal::float3 unit = axis_1 / metal::float3(_e3);
-    real half_height = _e3 / 2.0;
-    metal::float3 reach = unit * half_height;
+    UnitAndLength _e3 = vec3_unit_and_length(axis_1);
+    real half_height = _e3.length / 2.0;
+    metal::float3 reach = _e3.direction * half_height;
     metal::float3 top = center + reach;
     metal::float3 bottom = center - reach;
-    return CylinderRecord {center, unit, top, bottom, radius, radius * radius, half_height};
+    return CylinderRecord {center, _e3.direction, top, bottom, radius, radius * radius, half_height};
 }
 
 CylinderView cylinder_seen_from(
@@ -348,15 +366,15 @@ CylinderRoot cylinder_intersect(
 }
 
 metal::float3 vec3_load(
-    PackedVec3_ v_4
+    PackedVec3_ v_5
 ) {
-    return metal::float3(v_4.x, v_4.y, v_4.z);
+    return metal::float3(v_5.x, v_5.y, v_5.z);
 }
 
 PackedVec3_ vec3_store(
-    metal::float3 v_5
+    metal::float3 v_6
 ) {
-    return PackedVec3_ {v_5.x, v_5.y, v_5.z};
+    return PackedVec3_ {v_6.x, v_6.y, v_6.z};
 }
 
 Ray ray_load(

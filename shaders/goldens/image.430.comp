@@ -148,6 +148,8 @@ struct SurfaceHit {
     uint order;
     uint part;
 };
+const float SHORT_SQUARED = 0.0;
+const float SHORT_SCALE = 1.0;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;

@@ -175,6 +175,8 @@ struct SurfaceHit {
     uint order;
     uint part;
 };
+constant real SHORT_SQUARED = 0.0;
+constant real SHORT_SCALE = 1.0;
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
 constant uint BOTTOM = 2u;

@@ -1,3 +1,8 @@
+struct UnitAndLength {
+    float3 direction;
+    float length_;
+};
+
 struct Ray {
     float3 origin;
     int _pad1_0;
@@ -105,6 +110,8 @@ struct ProjectedCylinderCase {
     PackedVec3_ axis;
 };
 
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
 static const uint SIDE = 0u;
 static const uint TOP = 1u;
 static const uint BOTTOM = 2u;
@@ -129,25 +136,46 @@ float3 vec3_unit(float3 v_1)
     return (v_1 / (_e1).xxx);
 }
 
-float3 vec3_perpendicular_to(float3 v_2, float3 axis)
-{
-    const float _e2 = vec3_dot(v_2, axis);
-    return (v_2 - (axis * _e2));
+UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
+    UnitAndLength ret = (UnitAndLength)0;
+    ret.direction = arg0;
+    ret.length_ = arg1;
+    return ret;
 }
 
-bool vec3_is_negligible(float3 v_3)
+UnitAndLength vec3_unit_and_length(float3 v_2)
+{
+    const float _e1 = vec3_dot(v_2, v_2);
+    if ((_e1 < SHORT_SQUARED)) {
+        float3 scaled = (v_2 * SHORT_SCALE);
+        const float _e6 = vec3_length(scaled);
+        const UnitAndLength unitandlength = ConstructUnitAndLength((scaled / (_e6).xxx), (_e6 * SHORT_SQUARED));
+        return unitandlength;
+    }
+    const float _e12 = vec3_length(v_2);
+    const UnitAndLength unitandlength_1 = ConstructUnitAndLength((v_2 / (_e12).xxx), _e12);
+    return unitandlength_1;
+}
+
+float3 vec3_perpendicular_to(float3 v_3, float3 axis)
+{
+    const float _e2 = vec3_dot(v_3, axis);
+    return (v_3 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_4)
 {
     bool local = (bool)0;
     bool local_1 = (bool)0;
 
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
+    if ((abs(v_4.x) < 1e-8)) {
+        local = (abs(v_4.y) < 1e-8);
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
+        local_1 = (abs(v_4.z) < 1e-8);
     } else {
         local_1 = false;
     }
@@ -287,13 +315,12 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
 
 CylinderRecord cylinder_new(float3 center_1, float radius_1, float3 axis_1)
 {
-    const float _e3 = vec3_length(axis_1);
-    float3 unit = (axis_1 / (_e3).xxx);
-    float half_height = (_e3 / 2.0);
-    float3 reach = (unit * half_height);
+    const UnitAndLength _e3 = vec3_unit_and_length(axis_1);
+    float half_height = (_e3.length_ / 2.0);
+    float3 reach = (_e3.direction * half_height);
     float3 top = (center_1 + reach);
     float3 bottom = (center_1 - reach);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_1, unit, top, bottom, radius_1, (radius_1 * radius_1), half_height);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_1, _e3.direction, top, bottom, radius_1, (radius_1 * radius_1), half_height);
     return cylinderrecord;
 }
 
@@ -633,9 +660,9 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
     return cylinderroot_1;
 }
 
-float3 vec3_load(PackedVec3_ v_4)
+float3 vec3_load(PackedVec3_ v_5)
 {
-    return float3(v_4.x, v_4.y, v_4.z);
+    return float3(v_5.x, v_5.y, v_5.z);
 }
 
 PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
@@ -646,9 +673,9 @@ PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-PackedVec3_ vec3_store(float3 v_5)
+PackedVec3_ vec3_store(float3 v_6)
 {
-    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_6.x, v_6.y, v_6.z);
     return packedvec3_;
 }
 

@@ -14,6 +14,9 @@ struct RewriteReport {
     float is_not_itself;
 };
 
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
+
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer reports : register(u1);
 

@@ -26,6 +26,8 @@ struct RewriteReport {
 };
 typedef RewriteCase type[1];
 typedef RewriteReport type_1[1];
+constant real SHORT_SQUARED = 0.0;
+constant real SHORT_SCALE = 1.0;
 
 struct rewritesInput {
 };

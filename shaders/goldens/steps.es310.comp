@@ -154,6 +154,8 @@ struct Step {
     PackedVec3_ normal;
     PackedVec3_ light;
 };
+const float SHORT_SQUARED = 0.0;
+const float SHORT_SCALE = 1.0;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;

@@ -195,6 +195,8 @@ struct Step {
     PackedVec3_ light;
 };
 
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
 static const uint SIDE = 0u;
 static const uint TOP = 1u;
 static const uint BOTTOM = 2u;

@@ -18,13 +18,12 @@ const BOTTOM: u32 = 2u;
 
 // CylinderRecord::new: the cylinder whose `axis` is as long as it is high.
 fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderRecord {
-    let height = vec3_length(axis);
-    let unit = axis / height;
-    let half_height = height / real(2.0);
-    let reach = unit * half_height;
+    let unit = vec3_unit_and_length(axis);
+    let half_height = unit.length / real(2.0);
+    let reach = unit.direction * half_height;
     let top = center + reach;
     let bottom = center - reach;
-    return CylinderRecord(center, unit, top, bottom, radius, radius * radius, half_height);
+    return CylinderRecord(center, unit.direction, top, bottom, radius, radius * radius, half_height);
 }
 
 // CylinderView: what the rays from one point share.

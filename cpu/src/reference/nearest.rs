@@ -37,7 +37,7 @@ pub(super) fn meets_certified_cylinder<P: Intersect>(cylinder: &Cylinder, ray: R
     let Some((lambda, part)) = met.filter(|&(lambda, _)| counts(lambda, nearest)) else {
         return false;
     };
-    let axis = cylinder.axis / cylinder.axis.length();
+    let (axis, _) = cylinder.axis.unit_and_length();
     let point = ray.origin + ray.direction * lambda;
     let outward = match part {
         Part::Side => (point - cylinder.center) - axis * (point - cylinder.center).dot(axis),
@@ -69,8 +69,7 @@ pub(super) fn meets_sphere(sphere: &Sphere, origin: Vec3, direction: Vec3, neare
 }
 
 pub(super) fn meets_cylinder(cylinder: &Cylinder, origin: Vec3, direction: Vec3, nearest: &mut Nearest) -> bool {
-    let height = cylinder.axis.length();
-    let axis = cylinder.axis / height;
+    let (axis, height) = cylinder.axis.unit_and_length();
     let side = meets_side(cylinder, height, axis, origin, direction, nearest);
     let top = meets_base(cylinder, height, axis, origin, direction, nearest);
     let bottom = meets_base(cylinder, height, -axis, origin, direction, nearest);
