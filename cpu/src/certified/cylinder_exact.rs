@@ -123,9 +123,8 @@ impl Setting {
 impl Fraction {
     /// The nearest f64, or a neighbour.
     fn value(&self) -> f64 {
-        let (upper, lower) = (self.numerator.order(), self.denominator.order());
-        let quotient =
-            self.numerator.scaled(-upper).to_double_double() / self.denominator.scaled(-lower).to_double_double();
-        power_of_two(quotient.high, upper - lower).max(LAMBDA_MIN)
+        let (numerator, upper) = self.numerator.to_part_and_power();
+        let (denominator, lower) = self.denominator.to_part_and_power();
+        power_of_two((numerator / denominator).high, upper - lower).max(LAMBDA_MIN)
     }
 }

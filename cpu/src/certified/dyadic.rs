@@ -8,6 +8,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::double_double::DoubleDouble;
 use super::limbs;
+use crate::real::Real;
 
 /// The number `(-1)^negative magnitude 2^exponent`.
 #[derive(Clone, Debug)]
@@ -62,17 +63,26 @@ impl Dyadic {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
-    /// The least `e` with `|self| < 2^e`.
+    /// The least `e` with `|self| < 2^e`; none for zero, which is below every power of two. The exponent of a zero says
+    /// nothing: it is left over from the numbers that cancelled.
     #[must_use]
-    pub fn order(&self) -> i64 {
-        self.exponent + self.bits()
+    pub fn order(&self) -> Option<i64> {
+        (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
+    }
+
+    /// The number as a part below one, to 106 bits, and a power of two: `part 2^power`. Zero is `(0, 0)`.
+    #[must_use]
+    pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
+        let power = self.order().unwrap_or(0);
+        (self.scaled(-power).to_double_double(), power)
     }
 
     /// The number to 106 bits, the rest cut off.
     #[must_use]
     pub fn to_double_double(&self) -> DoubleDouble {
+        let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
         let (high, low) = (self.digits(0), self.digits(53));
-        let part = |digits: u64, skipped: i64| power_of_two(digits as f64, self.order() - 53 - skipped);
+        let part = |digits: u64, skipped: i64| power_of_two(digits as f64, order - 53 - skipped);
         let (high, low) = (part(high, 0), part(low, 53));
         if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }.renormalized()
     }

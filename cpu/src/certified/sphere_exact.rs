@@ -73,18 +73,19 @@ impl Quadratic {
 
     /// The f64 nearest to a root, or a neighbour.
     pub fn root(&self, larger: bool) -> f64 {
-        // A common power of two for h and sqrt(D), others for a and c, keep f64 from overflowing.
-        let scale = self.h.order().max((self.discriminant.order() + 1).div_euclid(2));
+        // A common power of two for h and sqrt(D), others for a and c, keep f64 from overflowing. A zero has no part in it;
+        // where both are zero the root is zero, whatever the power.
+        let root_order = self.discriminant.order().map(|order| (order + 1).div_euclid(2));
+        let scale = self.h.order().max(root_order).unwrap_or(0);
         let h = self.h.scaled(-scale).to_double_double();
         let root = self.discriminant.scaled(-2 * scale).to_double_double().sqrt();
-        let to_one = |number: &Dyadic| (number.scaled(-number.order()).to_double_double(), number.order());
         let (sum, root_is_added) = if h.less(DoubleDouble::of(0.0)) { (h - root, false) } else { (h + root, true) };
         // The root whose numerator does not cancel; the other follows from their product c / a.
         let (quotient, power) = if root_is_added == larger {
-            let (a, order) = to_one(&self.a);
+            let (a, order) = self.a.to_part_and_power();
             (sum / a, scale - order)
         } else {
-            let (c, order) = to_one(&self.c);
+            let (c, order) = self.c.to_part_and_power();
             (c / sum, order - scale)
         };
         power_of_two(quotient.high, power)
