@@ -197,7 +197,8 @@ impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
         self.candidates.begin_row(prepared, row);
         for span in Spans::of_row(prepared.size.width(), prepared.samples) {
             self.candidates.narrow(prepared, row, &span);
-            if !K::WANTS_MEANS && self.candidates.span.is_empty() && span.is_whole(prepared.samples) {
+            let is_background = self.candidates.are_culled() && self.candidates.span.is_empty();
+            if !K::WANTS_MEANS && is_background && span.is_whole(prepared.samples) {
                 self.sky(simd, row, &span);
             } else {
                 simd.run(Draw { prepared, span: &span, offsets: self.offsets.stream(), batch: &mut self.batch });

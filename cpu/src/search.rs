@@ -32,7 +32,7 @@ pub use found::Found;
 pub use hierarchy::Hierarchy;
 pub use side_by_side::TouchedByEach;
 pub use stack::Stack;
-pub use touch::Touch;
+pub use touch::{Touch, is_too_short};
 
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -74,7 +74,7 @@ impl Search {
             Self::Plain
         } else if few::suits(objects) {
             Self::Few(Few::new(objects, extent)?)
-        } else if count <= filter::CAPACITY {
+        } else if count <= filter::CAPACITY && extent.reach <= filter::LARGEST_REACH {
             Self::Flat(Filter::new(objects, extent)?)
         } else {
             Self::Tree(Hierarchy::new(objects, extent)?)

@@ -11,6 +11,8 @@
 mod instruction_set;
 mod portable;
 #[cfg(test)]
+pub(crate) mod positive_nan;
+#[cfg(test)]
 mod tests;
 
 #[cfg(target_arch = "x86_64")]
@@ -109,8 +111,6 @@ pub trait FilterLanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Outp
     fn mul_add(self, factor: Self, term: Self) -> Self;
     /// `term - self * factor`, rounded once or twice.
     fn negative_mul_add(self, factor: Self, term: Self) -> Self;
-    /// The lanes whose sign is minus, as bits.
-    fn signs(self) -> u32;
     /// The smaller; `other` when either is not a number.
     fn min(self, other: Self) -> Self;
     /// The larger; `other` when either is not a number.

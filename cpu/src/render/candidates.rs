@@ -88,6 +88,11 @@ impl Candidates {
         Ok(Self { all, row, span, culls: !matches!(prepared.search, Search::Plain) })
     }
 
+    /// Whether the scene's magnitudes are moderate, so that bounds of what rays may meet and see can be trusted.
+    pub const fn are_culled(&self) -> bool {
+        self.culls
+    }
+
     /// Finds the objects that the rays of `row` may meet.
     pub fn begin_row<L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, row: usize) {
         let camera = &prepared.camera;

@@ -13,7 +13,7 @@ use crate::counters::{Counter, add};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::ray::Ray;
-use crate::search::{Few, ObjectId, Search, Touch};
+use crate::search::{Few, ObjectId, Search, Touch, is_too_short};
 use crate::simd::{Kernel, LaneMask, Lanes, Simd};
 use crate::surface::{Onward, Surface};
 use crate::vec3::Vec3;
@@ -174,8 +174,9 @@ fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray
     let mut hits = Hits::none();
     let rays = Rays::new(ray, valid);
     let touch = Touch::new(*ray);
+    let too_short = is_too_short(touch.length_squared).bits() & valid;
     for &id in few.in_order() {
-        if few.touches(id, &touch).bits() & valid == 0 {
+        if (few.touches(id, &touch).bits() & valid) | too_short == 0 {
             continue;
         }
         match (id as usize).checked_sub(objects.sphere_count()) {

@@ -32,6 +32,9 @@ pub struct Rays<'a, V: Lanes> {
     ray: &'a Ray<V>,
     /// The squares of their directions.
     a: V,
+    /// `a` times the relative bound of what rounding does to a discriminant; infinite for directions that are not
+    /// [in scale](in_scale), whose discriminants underflow or overflow.
+    noise: V,
     /// The lanes whose rays count, as bits.
     valid: u32,
 }
@@ -40,7 +43,8 @@ impl<'a, V: Lanes> Rays<'a, V> {
     /// The rays of the valid lanes.
     #[inline(always)]
     pub fn new(ray: &'a Ray<V>, valid: u32) -> Self {
-        Self { ray, a: ray.direction.dot(ray.direction), valid }
+        let a = ray.direction.dot(ray.direction);
+        Self { ray, a, noise: V::select(in_scale(a), a * V::of(NOISE), V::of(f64::INFINITY)), valid }
     }
 }
 
@@ -70,7 +74,7 @@ impl<V: Lanes> Hits<V> {
         view: &SphereView<V>,
         rays: &Rays<V>,
     ) {
-        let &Rays { ray, a, valid } = rays;
+        let &Rays { ray, a, noise, valid } = rays;
         let (h, discriminant) = view.quadratic(ray.direction, a);
         match P::PRECISION {
             Precision::Textbook => {
@@ -81,7 +85,7 @@ impl<V: Lanes> Hits<V> {
             }
             Precision::Certified => {
                 // Most spheres are missed by all lanes: the whole certificate is for the others.
-                let certainly_missed = discriminant.less(-(a * view.squares * V::of(NOISE)));
+                let certainly_missed = discriminant.less(-(noise * view.squares));
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
@@ -102,7 +106,7 @@ impl<V: Lanes> Hits<V> {
 
     #[inline(always)]
     fn certify_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
-        let &Rays { ray, a, valid } = rays;
+        let &Rays { ray, a, valid, .. } = rays;
         let lanes = certified::sphere::judge_seen(view, ray.direction, a);
         let certain = lanes.certain & in_scale(a);
         let mut lambda = lanes.lambda;
@@ -127,7 +131,7 @@ impl<V: Lanes> Hits<V> {
         view: &CylinderView<V>,
         rays: &Rays<V>,
     ) {
-        let &Rays { ray, a, valid } = rays;
+        let &Rays { ray, noise, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let quadratic = lanes_record.quadratic(view, ray.direction);
         match P::PRECISION {
@@ -136,7 +140,7 @@ impl<V: Lanes> Hits<V> {
                 self.offer(id, lambda, met, part, valid);
             }
             Precision::Certified => {
-                let certainly_missed = quadratic.2.less(-(a * view.squares * V::of(NOISE)));
+                let certainly_missed = quadratic.2.less(-(noise * view.squares));
                 if (!certainly_missed).bits() & valid == 0 {
                     return;
                 }
@@ -168,7 +172,7 @@ impl<V: Lanes> Hits<V> {
         view: &CylinderView<V>,
         rays: &Rays<V>,
     ) {
-        let &Rays { ray, a, valid } = rays;
+        let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = certified::cylinder::SideLanes::new(&lanes_record, view, ray);
         // Most rays do not come near the bases.

@@ -18,9 +18,9 @@ use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::ray::Ray;
-use crate::search::{Few, TouchedByEach, nearest_of};
+use crate::search::{Few, TouchedByEach, is_too_short, nearest_of};
 use crate::simd::{LaneMask, Lanes, Simd};
-use crate::vec3::{NEGLIGIBLE, Vec3};
+use crate::vec3::Vec3;
 
 /// The first rays of the samples of the queue from one on, a lane each, as if each of them left.
 #[derive(Clone, Copy)]
@@ -46,11 +46,11 @@ impl<V: Lanes> Ahead<V> {
     /// The samples from `at` on, if `skipped` triples are used up before.
     #[inline(always)]
     fn look(few: &Few, Walk { queue, triples, .. }: &Walk, at: usize, skipped: usize) -> Self {
-        let rays = first_rays::<V>(queue, triples, at, skipped);
+        let (rays, short) = first_rays::<V>(queue, triples, at, skipped);
         let position = triples.position().wrapping_add(skipped as u64);
         let tried = V::LANES.min(queue.count - at);
         add(Counter::Guesses, tried as u64);
-        Self { at, position, tried, direction: rays.direction, touched: few.touched_by_each(&rays) }
+        Self { at, position, tried, direction: rays.direction, touched: few.touched_by_each(&rays, short) }
     }
 
     /// Whether it begins with the sample `at` and the triple at `position`.
@@ -166,18 +166,19 @@ fn ends<V: Lanes, W: Simd, L: Layout, P: Intersect>(
     ends
 }
 
-/// The first rays of the samples from `at` on, which take the triples behind the next `skipped`.
+/// The first rays of the samples from `at` on, which take the triples behind the next `skipped`; and the lanes whose directions
+/// are too short for the filter, as bits.
 #[inline(always)]
-fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize, skipped: usize) -> Ray<V> {
+fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize, skipped: usize) -> (Ray<V>, u32) {
     let (base, triple) = (load::<V>(&queue.base, at), triples.following::<V>(skipped));
     let spread = queue.spread::<V>(at);
     let mut direction = base + spread.vector(triple);
-    // Components that are negligible are short together.
-    let short = direction.dot(direction).less(V::of(4.0 * NEGLIGIBLE * NEGLIGIBLE));
-    if short.bits() != 0 {
+    // A direction whose components are all negligible is shorter still.
+    let short = is_too_short(direction.dot(direction)).bits();
+    if short != 0 {
         let limit = spread.negligible;
         let negligible = direction.x.abs().less(limit) & direction.y.abs().less(limit) & direction.z.abs().less(limit);
         direction = select(negligible, base, direction);
     }
-    Ray { origin: load(&queue.point, at), direction }
+    (Ray { origin: load(&queue.point, at), direction }, short)
 }

@@ -7,9 +7,14 @@
 //! the farthest plane of the scene along that axis for `p`: what is computed for a plane where a ray comes in is not farther
 //! than it is, and for one where it goes out not nearer. So a ray that meets a box, ahead and not farther than the nearest hit
 //! so far, has come into all three pairs of planes when it leaves the first of them, also as computed.
+//!
+//! The direction must be [in scale](is_in_scale): then reciprocals are between 10^-31 and 10^28, and no product with a
+//! coordinate exceeds 10^38. Should a distance be no number all the same, the maximum and the minimum pass it over, which
+//! keeps the box.
 
 use super::bounds::Bounds;
 use super::node::{Node, WIDTH};
+use super::touch::is_too_short;
 use crate::ray::Ray;
 use crate::simd::FilterLanes;
 
@@ -20,11 +25,18 @@ const STEP: f32 = 8.0 * f32::EPSILON;
 const LARGEST_RECIPROCAL: f32 = 1e28;
 
 /// The least that a plane is moved: with the largest reciprocal it is farther than any plane across another axis, for a
-/// direction that is not shorter than [`SHORTEST`].
+/// direction that is not [too short](is_too_short).
 const LEAST_STEP: f32 = 1e-10;
 
-/// Length squared of the shortest direction that boxes are tested for.
-pub const SHORTEST: f64 = 1e-14;
+/// Length squared of the longest direction that boxes are tested for. A longer one may have a reciprocal of zero in single
+/// precision, with which a ray would be at no distance from the infinite planes of a lane without a box.
+const LONGEST: f64 = 1e60;
+
+/// Whether boxes can be tested for a direction of this length squared; false for what is not a number.
+#[inline(always)]
+pub fn is_in_scale(length_squared: f64) -> bool {
+    !is_too_short(length_squared) && length_squared <= LONGEST
+}
 
 /// How far planes are moved, by axis, for their own sake.
 #[derive(Clone, Copy, Debug)]
@@ -148,7 +160,7 @@ mod tests {
             }
             let lambda = 10.0_f64.powf(number(3.0));
             let ray = Ray { origin: corner - way, direction: way / lambda };
-            if ray.direction.dot(ray.direction) < SHORTEST {
+            if !is_in_scale(ray.direction.dot(ray.direction)) {
                 continue;
             }
             let farthest = (lambda as f32).next_up();
@@ -170,7 +182,7 @@ mod tests {
 
     #[test]
     fn a_lane_without_a_box_is_never_met() {
-        let directions = [[0.0, 0.0, 1e-6], [-0.0, 1e-300, -1.0], [1e9, -1e9, 1e9], [1e-40, 1.0, 1e-40]];
+        let directions = [[0.0, 0.0, 1e-6], [-0.0, 1e-300, -1.0], [5e29, -5e29, 5e29], [1e-40, 1.0, 1e-40]];
         for (direction, set) in directions.into_iter().flat_map(|direction| sets().map(move |set| (direction, set))) {
             let ray = Ray { origin: Vec3::new(1.0, 0.0, -2.0), direction: direction.into() };
             let all = Bounds { low: [-9.0; 3], high: [9.0; 3] };

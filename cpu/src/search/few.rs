@@ -5,7 +5,7 @@
 //! formulas are for the others.
 
 use super::side_by_side::{SideBySide, TouchedByEach};
-use super::touch::Touch;
+use super::touch::{Touch, is_too_short};
 use super::{Found, ObjectId};
 use crate::certified::Intersect;
 use crate::error::Error;
@@ -78,6 +78,9 @@ impl Few {
             return self.side_by_side.touched_by_one::<V>(ray);
         }
         let touch = Touch::new(*ray);
+        if is_too_short(touch.length_squared) {
+            return (1 << self.in_order.len()) - 1;
+        }
         let mut touched = 0;
         for index in 0..objects.sphere_count() {
             touched |= u32::from(touch.sphere_at(objects, index)) << index;
@@ -89,16 +92,18 @@ impl Few {
         touched
     }
 
-    /// Whether each of several rays, which start within the scene's reach, may meet an object.
+    /// Whether each of several rays, which start within the scene's reach, may meet an object. Of no meaning for directions
+    /// that are [too short](is_too_short).
     #[inline(always)]
     pub fn touches<V: Lanes>(&self, id: ObjectId, touch: &Touch<V>) -> V::Mask {
         self.side_by_side.touches(id as usize, touch)
     }
 
-    /// The objects that each of several rays, which start within the scene's reach, may meet.
+    /// The objects that each of several rays, which start within the scene's reach, may meet. `too_short` holds the lanes whose
+    /// directions are [too short](is_too_short), as bits, or more lanes.
     #[inline(always)]
-    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> TouchedByEach {
-        self.side_by_side.touched_by_each(ray)
+    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>, too_short: u32) -> TouchedByEach {
+        self.side_by_side.touched_by_each(ray, too_short)
     }
 }
 
@@ -166,7 +171,7 @@ mod tests {
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> (u32, Found) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
-            let each = self.few.touched_by_each(&ray);
+            let each = self.few.touched_by_each(&ray, 0);
             let touched = each.by(0);
             assert_eq!(each.any(), if touched == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.by(lane) == touched), "{each:?}");

@@ -1,8 +1,8 @@
 //! A filter over all objects, several at once, in single precision.
 
-use super::filter_ray::{BLOCK, Balls, FilterRay, Tubes};
+use super::filter_ray::{BLOCK, Balls, FilterRay, Tubes, misses};
 use super::ground::Ground;
-use super::touch::Touch;
+use super::touch::{Touch, is_too_short};
 use super::{Found, NOWHERE, ObjectId, Origin, plain};
 use crate::certified::Intersect;
 use crate::counters::{Counter, add};
@@ -15,6 +15,8 @@ use crate::vec3::Vec3;
 
 /// Most spheres, and most cylinders, of a filter: their bits fill a word.
 pub const CAPACITY: usize = u64::BITS as usize;
+
+pub use super::filter_ray::LARGEST_REACH;
 
 /// The filter's data: lanes in both layouts, for it decides nothing but which objects are asked.
 #[derive(Debug)]
@@ -81,16 +83,20 @@ impl Filter {
     pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, origin: Origin) -> Found {
         let mut found = Found::NOTHING;
         let touch = Touch::new(*ray);
+        let Ray { origin: o, direction: d } = *ray;
+        if is_too_short(touch.length_squared) {
+            return ask_every_object::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+        }
         if self.ground.is(origin.object)
             && let Some(sunk) = &self.sunk
         {
             // The branch that the processor cannot guess is on what is expected, which is known early; whether it is as
             // expected it guesses right.
-            let Ray { origin: o, direction: d } = *ray;
             if origin.goes_in {
                 self.ground.ask::<O, P>(&mut found, objects, &touch);
                 if !found.is_hit() {
-                    return unexpected::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+                    add(Counter::Unexpected, 1);
+                    return ask_every_object::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
                 }
                 for &id in sunk {
                     found.ask::<O, P>(objects, id, ray);
@@ -98,7 +104,8 @@ impl Filter {
                 return found;
             }
             if self.ground.may_be_met(objects, &touch) {
-                return unexpected::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+                add(Counter::Unexpected, 1);
+                return ask_every_object::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
             }
         }
         let from = origin.object;
@@ -139,30 +146,30 @@ impl Filter {
     #[inline(always)]
     fn may_meet<S: Simd>(&self, ray: &Ray) -> (u64, u64) {
         let filter_ray = FilterRay::<S::F32>::new(ray, self.middle);
-        let (mut spheres, mut cylinders) = (0_u64, 0_u64);
+        let (mut missed_spheres, mut missed_cylinders) = (0_u64, 0_u64);
         for balls in self.spheres.iter().rev() {
             for at in (0..BLOCK).step_by(S::F32::LANES).rev() {
-                let signs = filter_ray.ball(balls, at).sign.signs();
-                spheres = spheres << S::F32::LANES | u64::from(signs);
+                let missed = misses(filter_ray.ball(balls, at).miss);
+                missed_spheres = missed_spheres << S::F32::LANES | u64::from(missed);
             }
         }
         for (balls, tubes) in self.cylinders.iter().rev() {
             for at in (0..BLOCK).step_by(S::F32::LANES).rev() {
                 let ball = filter_ray.ball(balls, at);
-                let signs = ball.sign.max(filter_ray.tube(&ball, tubes, at)).signs();
-                cylinders = cylinders << S::F32::LANES | u64::from(signs);
+                let missed = misses(ball.miss.max(filter_ray.tube(&ball, tubes, at)));
+                missed_cylinders = missed_cylinders << S::F32::LANES | u64::from(missed);
             }
         }
-        (spheres & self.sphere_lanes, cylinders & self.cylinder_lanes)
+        (self.sphere_lanes & !missed_spheres, self.cylinder_lanes & !missed_cylinders)
     }
 }
 
-/// The answer for a ray that goes another way than expected: by asking every object. It takes the ray by components, which stay
-/// in registers, where a reference would keep every ray in memory.
+/// The nearest hit, found by asking every object: for a ray whose direction is too short for the filter, or that goes another
+/// way than expected. It takes the ray by components, which stay in registers, where a reference would keep every ray in
+/// memory.
 #[cold]
 #[inline(never)]
-fn unexpected<O: Objects, P: Intersect>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> Found {
-    add(Counter::Unexpected, 1);
+fn ask_every_object<O: Objects, P: Intersect>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> Found {
     plain::<O, P>(objects, &Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) })
 }
 

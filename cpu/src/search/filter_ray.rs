@@ -5,12 +5,24 @@
 //! a cylinder within that ball, of radius `r` around the axis `n`, everything is taken across the axis:
 //! `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`, `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half the height, squared.
 //!
-//! What multiplying out loses to cancellation is covered by the margins (docs/performance.md). A negative sign means that
-//! the ray may meet the object, so that one maximum stands for several comparisons.
+//! What multiplying out loses to cancellation is covered by the margins (docs/performance.md).
+//!
+//! Every test gives a number that is positive where the ray certainly misses, so that one maximum stands for several
+//! comparisons. What is not a number is not positive, so it keeps the object ([`misses`]).
+//!
+//! A direction may have any length that is not [too short](super::is_too_short). Glass, for example, turns the side's normal
+//! of a cylinder, which is as long as its radius `R`, into a direction about `R^2` times the index long. A long direction
+//! may overflow, and then stop the ray. That is right. Let `L` be the scene's reach. Points of the ray and of objects are at
+//! most `3.5 L` apart, so a ray with `|d| > 3500 L` is past all objects at the smallest lambda that counts. For a shorter one
+//! `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene
+//! that is filtered ([`LARGEST_REACH`]), and single precision holds `3.4 10^38`.
 
 use crate::ray::{LAMBDA_MIN, Ray};
 use crate::simd::FilterLanes;
 use crate::vec3::Vec3;
+
+/// The largest reach of a scene that is filtered; see the module's head.
+pub const LARGEST_REACH: f64 = 2e7;
 
 /// Objects side by side; every instruction set's lanes divide it.
 pub const BLOCK: usize = 16;
@@ -51,7 +63,7 @@ pub struct Tubes {
 }
 
 impl Balls {
-    /// Nothing there. Lanes without an object may have any sign where a ray has no direction.
+    /// Nothing there. Lanes without an object may be kept: the filter masks them out.
     pub const EMPTY: Self = Self { minus_two_center: [[0.0; BLOCK]; 3], constant: [f32::INFINITY; BLOCK] };
 
     /// Puts a ball into a lane.
@@ -102,8 +114,8 @@ pub struct FilterRay<F> {
 pub struct Ball<F> {
     minus_two_h: F,
     c: F,
-    /// Negative where the ray may enter the ball at a lambda that counts.
-    pub sign: F,
+    /// Positive where the ray certainly does not enter the ball at a lambda that counts; see [`misses`].
+    pub miss: F,
 }
 
 impl<F: FilterLanes> FilterRay<F> {
@@ -134,12 +146,14 @@ impl<F: FilterLanes> FilterRay<F> {
         let minus_two_h = plus_dot(self.two_d_o, self.direction, minus_two_center);
         let c = plus_dot(F::load(&balls.constant[at..]) + self.constant, self.origin, minus_two_center);
         let minus_discriminant = minus_two_h.negative_mul_add(minus_two_h, self.four_a * c);
-        // The centre is ahead, or the first point that counts is in the ball.
+        // A ray misses whose line does, or that has the centre behind it and the first point that counts outside the ball.
+        // Where `minus_two_h` is not a number, `at_first` is none either, and the minimum takes that one.
         let at_first = minus_two_h.mul_add(number(LAMBDA_MIN), self.a_t_t) + c;
-        Ball { minus_two_h, c, sign: minus_discriminant.max(minus_two_h.min(at_first)) }
+        Ball { minus_two_h, c, miss: minus_discriminant.max(minus_two_h.min(at_first)) }
     }
 
-    /// The ray against the tubes from `at` on, whose balls it has been held against: negative where it may touch one.
+    /// The ray against the tubes from `at` on, whose balls it has been held against: positive where it certainly misses;
+    /// see [`misses`].
     #[inline(always)]
     pub fn tube(&self, ball: &Ball<F>, tubes: &Tubes, at: usize) -> F {
         let axis = load(&tubes.axis, at);
@@ -152,6 +166,13 @@ impl<F: FilterLanes> FilterRay<F> {
         let margin = F::load(&tubes.size[at..]).mul_add(self.margin, self.origins_margin);
         minus_two_h.negative_mul_add(minus_two_h, two_a * two_c) - margin
     }
+}
+
+/// The lanes whose rays certainly miss, as bits: those where `miss` is positive.
+#[inline(always)]
+pub fn misses<F: FilterLanes>(miss: F) -> u32 {
+    const LEAST_POSITIVE: f32 = f32::from_bits(1);
+    F::splat(LEAST_POSITIVE).less_equal(miss)
 }
 
 /// `value` in every lane.

@@ -2,7 +2,7 @@
 
 use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
-use super::box_ray::{BoxRay, SHORTEST, Steps};
+use super::box_ray::{BoxRay, Steps, is_in_scale};
 use super::build::build;
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
@@ -93,13 +93,14 @@ impl Hierarchy {
         true
     }
 
-    /// Whether the ray may use the tree: it starts near enough, which certified points of surfaces do, and is not too short.
+    /// Whether the ray may use the tree: it starts near enough, which certified points of surfaces do, and its direction is in
+    /// scale.
     #[inline(always)]
     fn covers<P: Intersect>(&self, Touch { ray, length_squared, .. }: &Touch<f64>) -> bool {
         let is_near = |coordinate: f64| coordinate.abs() <= self.reach;
         let Vec3 { x, y, z } = ray.origin;
         let starts_near = P::PRECISION == Precision::Certified || (is_near(x) && is_near(y) && is_near(z));
-        starts_near && *length_squared >= SHORTEST
+        starts_near && is_in_scale(*length_squared)
     }
 
     /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).

@@ -2,7 +2,7 @@
 //! at once, an object a lane.
 
 use super::target::{CylinderTarget, SphereTarget};
-use super::touch::Touch;
+use super::touch::{Touch, is_too_short};
 use crate::layout::Objects;
 use crate::ray::Ray;
 use crate::simd::{LaneMask, Lanes};
@@ -49,6 +49,10 @@ impl SideBySide {
     #[inline(always)]
     pub fn touched_by_one<V: Lanes>(&self, ray: &Ray) -> u32 {
         let touch = Touch::new(Ray { origin: ray.origin.map(V::of), direction: ray.direction.map(V::of) });
+        let all = (1 << self.count) - 1;
+        if is_too_short(touch.length_squared).bits() != 0 {
+            return all;
+        }
         let mut touched = 0;
         // Lanes that hold spheres only, and then the others.
         let alike = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
@@ -58,10 +62,11 @@ impl SideBySide {
         for at in (alike..self.count).step_by(V::LANES) {
             touched |= touch.cylinder(&self.targets.lanes::<V>(at)).bits() << at;
         }
-        touched & ((1 << self.count) - 1)
+        touched & all
     }
 
-    /// Whether each of several rays may meet the object at this place.
+    /// Whether each of several rays may meet the object at this place. Of no meaning for directions that are
+    /// [too short](is_too_short).
     #[inline(always)]
     pub fn touches<V: Lanes>(&self, at: usize, touch: &Touch<V>) -> V::Mask {
         let target = self.targets.one::<V>(at);
@@ -72,13 +77,16 @@ impl SideBySide {
         }
     }
 
-    /// The objects that each of several rays may meet.
+    /// The objects that each of several rays may meet; all objects for the lanes of `too_short`, which are bits.
     #[inline(always)]
-    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>) -> TouchedByEach {
+    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>, too_short: u32) -> TouchedByEach {
         let touch = Touch::new(*ray);
         let mut touched = TouchedByEach::NOTHING;
         for at in 0..self.count.min(PLACES) {
             touched.add(at, self.touches(at, &touch).bits());
+        }
+        if too_short != 0 {
+            (0..self.count.min(PLACES)).for_each(|at| touched.add(at, too_short));
         }
         touched
     }

@@ -6,6 +6,7 @@ use crate::certified::{Certified, Textbook};
 use crate::layout::AosObjects;
 use crate::rng::Uniform;
 use crate::scene::Scene;
+use crate::simd::positive_nan::PositiveNan;
 use crate::simd::{InstructionSet, Kernel};
 use crate::vec3::Vec3;
 
@@ -175,4 +176,88 @@ fn the_order_of_the_file_is_kept() {
     let objects = objects(4, 1.0, 4);
     // The ground, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
     assert_eq!(in_order(&objects).expect("five are few"), [0, 1, 3, 2, 4]);
+}
+
+/// Compares a search with asking every object, for directions of any length, from `10^-300` to `10^300`, null, infinite and
+/// not a number, of rays that start on the objects or between them; `far` is how far that is.
+fn agrees_for_directions_of_any_length(search: &Search, objects: &AosObjects, far: f64) {
+    let mut draws = Uniform::new(17);
+    let mut stack = Stack::EMPTY;
+    let (mut hits, mut misses) = (0, 0);
+    for number in 0..3000 {
+        let from = number % objects.sphere_count();
+        let sphere = objects.sphere(from).record;
+        let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+        let (on_surface, anywhere, mut direction) = (vector().unit() * sphere.radius, vector() * far, vector());
+        let is_on_surface = number % 2 == 0;
+        let start = if is_on_surface { sphere.center + on_surface } else { anywhere };
+        // Mostly towards another sphere, and so that the ray arrives at a lambda that counts or nearly does.
+        let target = objects.sphere(number * 7 % objects.sphere_count()).record;
+        if number % 3 != 0 {
+            direction = target.center + direction * target.radius - start;
+        }
+        let exponent = if number % 5 == 0 { draws.draw(-300.0, 300.0) } else { draws.draw(-5.0, 4.0) };
+        direction = match number % 100 {
+            50 => Vec3::ZERO,
+            51 => Vec3::new(f64::INFINITY, 1.0, 0.0),
+            52 => Vec3::new(f64::NAN, 1.0, 0.0),
+            53 => Vec3::new(0.0, -0.0, f64::MAX),
+            54 => Vec3::new(5e-324, -5e-324, 0.0),
+            _ => direction * 10.0_f64.powf(exponent),
+        };
+        let ray = Ray { origin: start, direction };
+        let expected = plain::<_, Certified>(objects, &ray);
+        *(if expected.is_hit() { &mut hits } else { &mut misses }) += 1;
+        for from in [NOWHERE, if is_on_surface { from as ObjectId } else { NOWHERE }] {
+            for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+                let found = set.run(Ask { search, objects, ray, from, stack: &mut stack, textbook: false });
+                assert_eq!(found, expected, "{}, {ray:?}", set.name());
+            }
+            let found = search.nearest::<PositiveNan, _, Certified>(objects, &ray, from, &mut stack);
+            assert_eq!(found, expected, "with positive NaNs, {ray:?}");
+        }
+    }
+    assert!(hits > 600 && misses > 300, "{hits} hits, {misses} misses");
+}
+
+#[test]
+fn directions_of_any_length_find_what_asking_every_object_finds() {
+    for (count, size) in [(2, 3.0), (7, 3.0), (40, 2.0), (90, 2.0), (300, 1.0)] {
+        let objects = objects(count, size, 5);
+        agrees_for_directions_of_any_length(&search(&objects), &objects, 10.0);
+    }
+}
+
+/// A ring of spheres and cylinders, `scale` times as large as one of radius 5 around the origin, and a cylinder in its middle.
+fn ring(count: usize, scale: f64) -> AosObjects {
+    let mut text = format!("matte: m 1 1 1\ncylinder: 0 0 0 {} 0 {scale} 0 m\n", 0.01 * scale);
+    for index in 0..count {
+        let angle = index as f64 / count as f64 * std::f64::consts::TAU;
+        let (x, z) = (5.0 * scale * angle.cos(), 5.0 * scale * angle.sin());
+        let radius = scale * 3.0 / count as f64;
+        if index % 3 == 0 {
+            text += &format!("cylinder: {x} 0 {z} {radius} 0 {radius} {radius} m\n");
+        } else {
+            text += &format!("sphere: {x} 0 {z} {radius} m\n");
+        }
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+    AosObjects::build(&scene).expect("it fits")
+}
+
+#[test]
+fn scenes_of_every_size_find_what_asking_every_object_finds() {
+    for count in [3, 9, 60, 100] {
+        for scale in [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8] {
+            let objects = ring(count, scale);
+            let search = Search::new(&objects, &Extent { reach: 6.0 * scale, moderate: true }).expect("it fits");
+            let is_filter = matches!(search, Search::Flat(_));
+            assert_eq!(
+                is_filter,
+                (9..100).contains(&count) && 6.0 * scale <= filter::LARGEST_REACH,
+                "{count}, {scale}"
+            );
+            agrees_for_directions_of_any_length(&search, &objects, 5.0 * scale);
+        }
+    }
 }

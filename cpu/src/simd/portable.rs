@@ -184,10 +184,6 @@ impl FilterLanes for F32x4 {
         term - self * factor
     }
     #[inline(always)]
-    fn signs(self) -> u32 {
-        (0..Self::LANES).map(|lane| u32::from(self.0[lane].is_sign_negative()) << lane).sum()
-    }
-    #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self(array::from_fn(|lane| if self.0[lane] < other.0[lane] { self.0[lane] } else { other.0[lane] }))
     }

@@ -212,11 +212,6 @@ impl FilterLanes for F32 {
         term - self * factor
     }
     #[inline(always)]
-    fn signs(self) -> u32 {
-        // SAFETY: see the module's head.
-        unsafe { _mm_movemask_ps(self.0) as u32 }
-    }
-    #[inline(always)]
     fn min(self, other: Self) -> Self {
         // SAFETY: see the module's head.
         Self(unsafe { _mm_min_ps(self.0, other.0) })

@@ -121,7 +121,7 @@ impl Kernel for Singles {
                 };
                 let results = [x + y, x - y, x * y, x.min(y), x.max(y), S::F32::splat(right[0])].map(stored);
                 let (fused, met) = (stored(x.mul_add(y, x)), x.less_equal(y));
-                let (negative, signs) = (stored(x.negative_mul_add(y, x)), x.signs());
+                let negative = stored(x.negative_mul_add(y, x));
                 for lane in 0..S::F32::LANES {
                     let (l, r) = (left[lane], right[lane]);
                     let (least, most) = (if l < r { l } else { r }, if l > r { l } else { r });
@@ -132,10 +132,9 @@ impl Kernel for Singles {
                     let allowed = [(-l).mul_add(r, l), l - l * r].map(bits);
                     let found = negative[lane];
                     assert!(allowed.contains(&bits(found)), "{l:e} - {l:e} {r:e} is not {found:e}");
-                    assert!(l.is_nan() || signs >> lane & 1 == u32::from(l.is_sign_negative()), "{l:e}");
                     assert_eq!(met >> lane & 1 == 1, l <= r, "{l:e}, {r:e}");
                 }
-                assert_eq!((met | signs) >> S::F32::LANES.min(31), 0);
+                assert_eq!(met >> S::F32::LANES.min(31), 0);
             }
         }
         let numbers = [7, 0, 7, u32::MAX, 1 << 31, 7, 8, 9, 7, 1, 2, 3, 4, 5, 6, u32::MAX];

@@ -36,11 +36,6 @@ impl FilterLanes for F32 {
         Self(unsafe { _mm256_fnmadd_ps(self.0, factor.0, term.0) })
     }
     #[inline(always)]
-    fn signs(self) -> u32 {
-        // SAFETY: see the head of the module above.
-        unsafe { _mm256_movemask_ps(self.0) as u32 }
-    }
-    #[inline(always)]
     fn min(self, other: Self) -> Self {
         // SAFETY: see the head of the module above.
         Self(unsafe { _mm256_min_ps(self.0, other.0) })

@@ -36,11 +36,6 @@ impl FilterLanes for F32 {
         Self(unsafe { _mm512_fnmadd_ps(self.0, factor.0, term.0) })
     }
     #[inline(always)]
-    fn signs(self) -> u32 {
-        // SAFETY: see the head of the module above.
-        unsafe { u32::from(_mm512_movepi32_mask(_mm512_castps_si512(self.0))) }
-    }
-    #[inline(always)]
     fn min(self, other: Self) -> Self {
         // SAFETY: see the head of the module above.
         Self(unsafe { _mm512_min_ps(self.0, other.0) })

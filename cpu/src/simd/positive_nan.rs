@@ -1,0 +1,77 @@
+//! Portable lanes on a machine whose default NaN is positive, as aarch64's is; x86's is negative.
+//!
+//! For tests alone: no filter may rely on the sign of what is not a number.
+
+use std::ops::{Add, Mul, Sub};
+
+use super::portable::{F32x4, Portable};
+use super::{FilterLanes, Kernel, Simd};
+
+/// The portable set with positive NaNs in the lanes for filters.
+#[derive(Clone, Copy, Debug)]
+pub struct PositiveNan;
+
+impl Simd for PositiveNan {
+    type F64 = <Portable as Simd>::F64;
+    type F32 = Lanes;
+    const FUSES: bool = false;
+
+    fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        kernel.call(self)
+    }
+}
+
+/// Four numbers, none of them a negative NaN.
+#[derive(Clone, Copy, Debug)]
+pub struct Lanes(F32x4);
+
+/// The lanes with every NaN made positive.
+fn positive(lanes: F32x4) -> Lanes {
+    let mut numbers = [0.0; 4];
+    lanes.store(&mut numbers);
+    Lanes(F32x4::load(&numbers.map(|number: f32| if number.is_nan() { f32::NAN.copysign(1.0) } else { number })))
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident),+) => {
+        $(impl $trait for Lanes {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                positive(self.0.$method(other.0))
+            }
+        })+
+    };
+}
+operators!(Add add, Sub sub, Mul mul);
+
+impl FilterLanes for Lanes {
+    const LANES: usize = F32x4::LANES;
+
+    fn splat(value: f32) -> Self {
+        positive(F32x4::splat(value))
+    }
+    fn load(values: &[f32]) -> Self {
+        positive(F32x4::load(values))
+    }
+    fn store(self, place: &mut [f32]) {
+        self.0.store(place);
+    }
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        positive(self.0.mul_add(factor.0, term.0))
+    }
+    fn negative_mul_add(self, factor: Self, term: Self) -> Self {
+        positive(self.0.negative_mul_add(factor.0, term.0))
+    }
+    fn min(self, other: Self) -> Self {
+        positive(self.0.min(other.0))
+    }
+    fn max(self, other: Self) -> Self {
+        positive(self.0.max(other.0))
+    }
+    fn less_equal(self, other: Self) -> u32 {
+        self.0.less_equal(other.0)
+    }
+    fn places_of(number: u32, numbers: &[u32]) -> u32 {
+        F32x4::places_of(number, numbers)
+    }
+}
