@@ -6,6 +6,7 @@
 //! and assert what must hold.
 
 pub mod case;
+pub mod climb;
 pub mod measure;
 pub mod methods;
 pub mod observed;

@@ -2,13 +2,13 @@
 
 use cpu::Vec3;
 use cpu::certified::{self, DoubleDouble, Verdict};
-use cpu::cylinder::CylinderRecord;
+use cpu::cylinder::{CylinderRecord, Part};
 use cpu::real::Real;
 use cpu::scene::Shape;
 use cpu::sphere::SphereRecord;
 
 use crate::case::Case;
-use crate::methods::{Answer, Failure, Method};
+use crate::methods::{Failure, Method};
 use crate::oracle::{self, Judgement, big, to_f64};
 
 /// What came out for one regime and one implementation.
@@ -80,7 +80,9 @@ impl Judged {
         };
         let (mut lambda_errors, mut surface_errors) = (Vec::new(), Vec::new());
         for ((case, judgement), answer) in cases.iter().zip(judgements).zip(answers) {
-            let Some(error) = lambda_error(judgement, answer, method.unit_roundoff()) else {
+            let Some(error) =
+                lambda_error(judgement, answer.map(|found| (found.lambda, found.part)), method.unit_roundoff())
+            else {
                 row.wrong += 1;
                 let noise = 8.0 * method.unit_roundoff() * case.size();
                 if let (Some(count), Some(slack)) = (&mut row.wrong_beyond_noise, judgement.slack) {
@@ -120,12 +122,13 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// The relative error of lambda, 0 for a miss; none when the decision is wrong.
-fn lambda_error(judgement: &Judgement, answer: Option<Answer>, unit_roundoff: f64) -> Option<f64> {
+/// The relative error of lambda, 0 for a miss; none when the decision is wrong. An answer is a lambda and a part.
+#[must_use]
+pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, Part)>, unit_roundoff: f64) -> Option<f64> {
     match (&judgement.truth, answer) {
         (None, None) => Some(0.0),
-        (Some(truth), Some(answer)) if truth.part == answer.part => {
-            let lambda = big(answer.lambda);
+        (Some(truth), Some((lambda, part))) if truth.part == part => {
+            let lambda = big(lambda);
             let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
             let error = distance(&truth.lambda);
             // Nearer to where the line meets the object elsewhere: the wrong root. But nothing tells roots apart that

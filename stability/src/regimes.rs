@@ -1,6 +1,7 @@
 //! Families of rays that are hard each for another reason.
 
 mod cylinders;
+mod extremes;
 pub mod large;
 mod spheres;
 
@@ -20,6 +21,8 @@ pub struct Regime {
 pub const SPHERES: [Regime; 9] = spheres::REGIMES;
 /// The regimes of cylinders.
 pub const CYLINDERS: [Regime; 10] = cylinders::REGIMES;
+/// The regimes of both kinds that only f64 holds.
+pub const EXTREMES: [Regime; 6] = extremes::REGIMES;
 
 impl Regime {
     /// `count` cases, the same for the same seed.

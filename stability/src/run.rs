@@ -3,6 +3,7 @@
 use cpu::certified::Textbook;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
 
+use crate::climb::largest_error;
 use crate::measure::{Judged, Row};
 use crate::methods::{self, Failure, Method, TEXTBOOK};
 use crate::observed::{Observed, take_counts};
@@ -136,6 +137,22 @@ pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
         twin.is_some_and(|twin| figures(twin) != figures(row))
     };
     sections.iter().flat_map(|section| section.rows.iter().filter(move |row| parted(section, row))).collect()
+}
+
+/// The largest relative error of lambda that docs/accuracy.md proves for spheres, and for the bases of cylinders.
+pub const PROVEN_ERRORS: [f64; 2] = [5.9e-12, 6.2e-10];
+
+/// Climbs towards the largest error of lambda in every regime of one kind; `proven` is the bound that must hold.
+///
+/// # Errors
+/// The case that is decided wrongly, or the error that passes the bound.
+pub fn climb(regimes: &[Regime], proven: f64, seed: u64, climbs: usize, steps: usize) -> Result<f64, String> {
+    let mut largest = 0.0_f64;
+    for regime in regimes {
+        let error = largest_error(regime, seed, climbs, steps);
+        largest = largest.max(error.map_err(|case| format!("{}: decided wrongly: {case:?}", regime.name))?);
+    }
+    if largest < proven { Ok(largest) } else { Err(format!("lambda is off by {largest:e}, proven is {proven:e}")) }
 }
 
 /// What a run must show of the sections of one kind; the first failing, in words.

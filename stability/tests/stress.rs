@@ -21,7 +21,7 @@ fn row<'a>(sections: &'a [Section], regime: &str, method: &str) -> &'a stability
 fn spheres_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
     let sections = sections(&SPHERES, SEED, RAYS);
     assert_eq!(sections.len(), 9);
-    let textbook_wrong = run::check(&sections, [2e-12, 2e-12]).expect("certified intersections are right");
+    let textbook_wrong = run::check(&sections, [run::PROVEN_ERRORS[0]; 2]).expect("certified intersections are right");
     assert!(textbook_wrong > RAYS / 2, "the regimes are no longer hard: the textbook is wrong {textbook_wrong} times");
     let ordinary = &sections[0];
     assert!(ordinary.fallbacks[0] < 0.005, "{:?}", ordinary.fallbacks);

@@ -1,19 +1,25 @@
 //! The literal program in C++ (`tests/literal`), built here, gives the bytes whose digests `tests/cases` has.
 //!
 //! So those digests can be made again from what is in the repository, and the program that times are held against is one
-//! that renders the same pictures. Where there is no g++ the tests are shown as ignored.
+//! that renders the same pictures. It also renders random ordinary scenes, 200 or `RENDER_LITERAL_SCENES` of them, which the
+//! reference and the renderer are held against. Where there is no g++ the tests are shown as ignored.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Arc;
 
-use cpu::Scatter;
+use cpu::layout::AosImage;
+use cpu::{Aos, Config, Scatter, Scene};
 use libtest_mimic::{Arguments, Failed, Trial};
+use tests::generator::{self, Options};
 use tests::golden::{self, Golden};
 use tests::{digest, p3};
 
 /// Not any C++ compiler: the digests rest on the distributions of its library.
 const COMPILER: &str = "g++";
+
+/// What a trial does with the built program.
+type Check = Box<dyn FnOnce(&Path) -> Result<(), Failed> + Send>;
 
 fn main() {
     let arguments = Arguments::from_args();
@@ -25,15 +31,18 @@ fn main() {
     // Built once, before the tests that share it; a list of names needs no program.
     let program = if runs && !arguments.list { build(folder.path()) } else { Err("it was not built".to_owned()) };
     let program = Arc::new(program);
-    let trial = |golden: Golden| {
+    let trial = |name: String, check: Check| {
         let program = Arc::clone(&program);
-        let trial = Trial::test(format!("case {} by the literal program", golden.name), move || {
-            let program = program.as_ref().as_ref().map_err(Clone::clone)?;
-            has_its_digest(&golden, program)
-        });
+        let trial = Trial::test(name, move || check(program.as_ref().as_ref().map_err(Clone::clone)?));
         if runs { trial } else { trial.with_kind("needs g++").with_ignored_flag(true) }
     };
-    let conclusion = libtest_mimic::run(&arguments, cases.into_iter().map(trial).collect());
+    let of_case = |golden: Golden| {
+        let name = format!("case {} by the literal program", golden.name);
+        trial(name, Box::new(move |program| has_its_digest(&golden, program)))
+    };
+    let mut trials: Vec<_> = cases.into_iter().map(of_case).collect();
+    trials.push(trial("random scenes by the literal program".to_owned(), Box::new(renders_random_scenes)));
+    let conclusion = libtest_mimic::run(&arguments, trials);
     // Leaving the process drops nothing.
     drop(folder);
     conclusion.exit();
@@ -63,6 +72,55 @@ fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
     p3::read(&bytes)?;
     let (actual, expected) = (digest::sha256(&bytes), golden.digest()?);
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
+}
+
+/// The literal program, the reference with the textbook's formulas, and the renderer on random ordinary scenes.
+///
+/// The reference must give the literal program's bytes. The renderer's intersections are certified, so it may differ where
+/// rounding decides a ray for the literal program: in one picture of a hundred at most.
+fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
+    let scenes: u64 = std::env::var("RENDER_LITERAL_SCENES").map_or(Ok(200), |text| text.parse())?;
+    let folder = tempfile::tempdir()?;
+    let [config_file, scene_file, out] = ["config.txt", "scene.txt", "out.ppm"].map(|name| folder.path().join(name));
+    let mut different = 0;
+    for seed in 1..=scenes {
+        let options = Options { seed, objects: (seed % 50) as usize, ..Options::default() };
+        let scene = generator::scene(&options);
+        let config = Config {
+            image_width: 8 + seed % 5,
+            samples_per_pixel: 1 + seed % 3,
+            max_depth: 1 + seed % 9,
+            material_rng_seed: seed,
+            ray_rng_seed: 3 * seed + 1,
+            ..generator::view(&options)
+        };
+        let scatter = if seed % 2 == 0 { Scatter::Statement } else { Scatter::Published };
+        std::fs::write(&config_file, tests::write::config(&config))?;
+        std::fs::write(&scene_file, tests::write::scene(&scene))?;
+        let mut command = Command::new(program);
+        command.args([&config_file, &scene_file, &out]);
+        if scatter == Scatter::Published {
+            command.arg("published");
+        }
+        check(&command.output()?)?;
+        let literal = std::fs::read(&out)?;
+        // What is rendered here is what was read from the files.
+        let (config, scene) = (Config::read(&config_file)?, Scene::read(&scene_file)?);
+        let reference: AosImage = cpu::reference::render(&config, &scene, scatter)?;
+        if p3_of(&reference)? != literal {
+            return Err(format!("the reference differs from the literal program: scene {seed}, {scatter:?}").into());
+        }
+        different += u64::from(p3_of(&cpu::render::<Aos>(&config, &scene, scatter)?)? != literal);
+    }
+    println!("{different} of {scenes} pictures differ from the literal program's where rounding decides");
+    if different * 100 > scenes { Err(format!("{different} of {scenes} pictures differ").into()) } else { Ok(()) }
+}
+
+/// The picture as a file's bytes.
+fn p3_of(image: &AosImage) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    cpu::ppm::write_ppm(image, &mut bytes)?;
+    Ok(bytes)
 }
 
 /// Both commands succeed without a word.

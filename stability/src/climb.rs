@@ -1,0 +1,96 @@
+//! Hill climbing towards the largest error of lambda: what random rays do not find.
+//!
+//! A climb begins with a random case of a regime, changes some of its numbers a little, and keeps the change where the
+//! error of an accepted lambda grows. The largest error found is a sample's, and stays below what docs/accuracy.md proves.
+
+use cpu::certified::{self, Verdict};
+use cpu::cylinder::{CylinderRecord, Part};
+use cpu::scene::Shape;
+use cpu::sphere::SphereRecord;
+
+use crate::case::Case;
+use crate::measure::lambda_error;
+use crate::oracle;
+use crate::random::Random;
+use crate::regimes::Regime;
+
+/// What all decisions of certified intersections give for a case.
+#[must_use]
+pub fn certified_answer(case: &Case) -> Option<(f64, Part)> {
+    match &case.shape {
+        Shape::Sphere(sphere) => {
+            let record = SphereRecord::new(sphere.center, sphere.radius);
+            certified::sphere::intersect(&record, &case.ray).map(|lambda| (lambda, Part::Side))
+        }
+        Shape::Cylinder(cylinder) => {
+            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
+            certified::cylinder::intersect(&record, &cylinder.axis, &case.ray)
+        }
+    }
+}
+
+/// Whether the answer comes from f64 alone: double-double has no error to speak of.
+fn is_answered_in_f64(case: &Case) -> bool {
+    match &case.shape {
+        Shape::Sphere(sphere) => {
+            let record = SphereRecord::new(sphere.center, sphere.radius);
+            certified::sphere::judge(&record, &case.ray) != Verdict::Doubtful
+                || certified::sphere_compensated::judge(&record, &case.ray).certain
+        }
+        Shape::Cylinder(cylinder) => {
+            let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
+            certified::cylinder::judge(&record, &case.ray) != Verdict::Doubtful
+        }
+    }
+}
+
+/// The relative error of lambda; none where a decision is wrong.
+fn error(case: &Case) -> Option<f64> {
+    if !is_answered_in_f64(case) {
+        return Some(0.0);
+    }
+    lambda_error(&oracle::judge(case), certified_answer(case), f64::EPSILON / 2.0)
+}
+
+/// The case with some of its numbers changed, by anything from a bit to a tenth.
+fn changed(case: &Case, random: &mut Random) -> Case {
+    let mut case = *case;
+    let mut change = |number: &mut f64| {
+        if random.below(3) == 0 {
+            *number *= 1.0 + random.sign() * random.decades(-16.0, -1.0);
+        }
+    };
+    let (center, radius) = match &mut case.shape {
+        Shape::Sphere(sphere) => (&mut sphere.center, &mut sphere.radius),
+        Shape::Cylinder(cylinder) => {
+            [&mut cylinder.axis.x, &mut cylinder.axis.y, &mut cylinder.axis.z].into_iter().for_each(&mut change);
+            (&mut cylinder.center, &mut cylinder.radius)
+        }
+    };
+    change(radius);
+    for vector in [center, &mut case.ray.origin, &mut case.ray.direction] {
+        [&mut vector.x, &mut vector.y, &mut vector.z].into_iter().for_each(&mut change);
+    }
+    case
+}
+
+/// The largest error of lambda that `climbs` climbs of `steps` steps each reach from cases of a regime.
+///
+/// # Errors
+/// A case whose decision is wrong.
+pub fn largest_error(regime: &Regime, seed: u64, climbs: usize, steps: usize) -> Result<f64, Box<Case>> {
+    let mut random = Random::new(seed);
+    let mut largest = 0.0_f64;
+    for start in regime.cases(seed, climbs) {
+        let mut best = (error(&start).ok_or(Box::new(start))?, start);
+        for _ in 0..steps {
+            let next = changed(&best.1, &mut random);
+            let reached = error(&next).ok_or(Box::new(next))?;
+            if reached >= best.0 {
+                best = (reached, next);
+            }
+        }
+        largest = largest.max(best.0);
+    }
+    Ok(largest)
+}

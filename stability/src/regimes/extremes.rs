@@ -1,0 +1,130 @@
+//! Rays and objects of any magnitude that the parser accepts, for certified intersections in f64 alone.
+//!
+//! The other regimes keep magnitudes that single precision holds as well, because WGSL is asked about them. Here squares of
+//! lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
+
+use cpu::Vec3;
+use cpu::scene::Cylinder;
+
+use super::Regime;
+use crate::case::Case;
+use crate::random::Random;
+
+/// The regimes: spheres, then cylinders.
+pub const REGIMES: [Regime; 6] = [
+    Regime { name: "spheres of any magnitude", draw: spheres },
+    Regime { name: "spheres, terms that cancel to zero", draw: cancelling_spheres },
+    Regime { name: "cylinders of any magnitude", draw: cylinders },
+    Regime { name: "axes whose square underflows", draw: short_axes },
+    Regime { name: "sides of huge cylinders, long directions", draw: long_directions },
+    Regime { name: "cylinders, terms that cancel to zero", draw: cancelling_cylinders },
+];
+
+/// A length of any magnitude whose square f64 holds, though perhaps not all its digits.
+fn scale(random: &mut Random) -> f64 {
+    random.decades(-155.0, 150.0)
+}
+
+/// A ray from `distance` away towards `target`, so long that it comes there at a lambda from 10^-4 to 10^6.
+fn toward(random: &mut Random, target: Vec3, distance: f64) -> (Vec3, Vec3) {
+    let forward = random.unit() * distance;
+    let lambda = random.decades(-4.0, 6.0);
+    (target - forward, forward / lambda)
+}
+
+/// A length up to some decades above or below `size`.
+fn near(random: &mut Random, size: f64, decades: f64) -> f64 {
+    size * random.decades(-decades, decades)
+}
+
+fn spheres(random: &mut Random) -> Case {
+    let size = scale(random);
+    let (center, radius) = (random.cube(size), near(random, size, 4.0));
+    let (off, distance) = (1.0 + random.sign() * random.decades(-17.0, 0.0), near(random, radius, 4.0));
+    let aside = random.unit() * (radius * off);
+    let (origin, direction) = toward(random, center + aside, distance);
+    Case::sphere(center, radius, origin, direction)
+}
+
+fn cylinder(random: &mut Random, size: f64, height: f64) -> Cylinder {
+    Cylinder { center: random.cube(size), radius: near(random, size, 3.0), axis: random.unit() * height }
+}
+
+/// A ray towards a point of the side, a base, the rim or a little beside it.
+fn aimed(random: &mut Random, cylinder: Cylinder) -> Case {
+    let edge = 1.0 + random.sign() * random.decades(-17.0, 0.0);
+    let (around, along) = match random.below(3) {
+        0 => (edge, random.uniform(-1.1, 1.1)),
+        1 => (random.uniform(0.0, 1.1), edge * random.sign()),
+        _ => (edge, edge * random.sign()),
+    };
+    // The axis by its own size: its length may have no square.
+    let unit = cylinder.axis.unit_and_length().0;
+    let across = random.perpendicular(unit) * (cylinder.radius * around);
+    let target = cylinder.center + cylinder.axis * (along / 2.0) + across;
+    let distance = near(random, cylinder.radius, 4.0);
+    let (origin, direction) = toward(random, target, distance);
+    Case::cylinder(cylinder, origin, direction)
+}
+
+fn cylinders(random: &mut Random) -> Case {
+    let size = scale(random);
+    let height = near(random, size, 3.0).max(1e-161);
+    let cylinder = cylinder(random, size, height);
+    aimed(random, cylinder)
+}
+
+fn short_axes(random: &mut Random) -> Case {
+    let height = random.decades(-161.9, -135.0);
+    let size = if random.below(2) == 0 { random.decades(-6.0, 6.0) } else { near(random, height, 6.0) };
+    let cylinder = cylinder(random, size, height);
+    let mut case = aimed(random, cylinder);
+    // Half of the rays cross so flat a cylinder at a steep angle through its axis' coordinate plane.
+    if random.below(2) == 0 {
+        let axis = random.shuffled(Vec3::new(height, 0.0, 0.0));
+        case = aimed(random, Cylinder { axis, ..cylinder });
+    }
+    case
+}
+
+fn long_directions(random: &mut Random) -> Case {
+    let radius = random.decades(2.0, 9.0);
+    let height = near(random, radius, 2.0);
+    let cylinder = Cylinder { center: random.cube(radius), radius, axis: random.unit() * height };
+    let around = random.unit() * radius;
+    let origin = cylinder.center + around.perpendicular_to(cylinder.axis.unit());
+    // What glass makes of a normal as long as the radius.
+    let direction = random.unit() * (radius * radius * random.decades(-6.0, 6.0));
+    Case::cylinder(cylinder, origin, direction)
+}
+
+/// A point far out along some of the coordinate axes, or the origin of coordinates. Coordinates below 10^-60 are left out: the
+/// oracle takes numbers that agree to 1,000 bits for equal, and a fourth power of them beside one is that small.
+fn far_point(random: &mut Random) -> Vec3 {
+    let mut far = || if random.below(2) == 0 { 0.0 } else { random.sign() * random.decades(-60.0, 140.0) };
+    Vec3::new(far(), far(), far())
+}
+
+/// A vector of few binary digits, many of them zero, and not null.
+fn plain_vector(random: &mut Random) -> Vec3 {
+    loop {
+        let mut component = || random.sign() * [0.0, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0][random.below(7)];
+        let vector = Vec3::new(component(), component(), component());
+        if vector != Vec3::ZERO {
+            return vector;
+        }
+    }
+}
+
+fn cancelling_spheres(random: &mut Random) -> Case {
+    let center = far_point(random);
+    let origin = if random.below(2) == 0 { center } else { center + plain_vector(random) };
+    Case::sphere(center, [0.5, 1.0, 2.0, 2.5][random.below(4)], origin, plain_vector(random))
+}
+
+fn cancelling_cylinders(random: &mut Random) -> Case {
+    let center = far_point(random);
+    let origin = if random.below(2) == 0 { center } else { center + plain_vector(random) };
+    let (radius, axis) = ([0.5, 1.0, 2.0][random.below(3)], plain_vector(random) * 2.0);
+    Case::cylinder(Cylinder { center, radius, axis }, origin, plain_vector(random))
+}

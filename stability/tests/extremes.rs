@@ -1,0 +1,92 @@
+//! Certified intersections in every regime, also where squares underflow or nearly overflow and where terms cancel to zero.
+//!
+//! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
+
+use cpu::certified::{Certified, Intersect};
+use cpu::cylinder::{CylinderRecord, Part};
+use cpu::scene::Cylinder;
+use cpu::sphere::SphereRecord;
+use cpu::{Ray, Vec3};
+use stability::case::Case;
+use stability::climb::certified_answer;
+use stability::measure::lambda_error;
+use stability::oracle;
+use stability::regimes::{CYLINDERS, EXTREMES, SPHERES};
+use stability::run::{self, PROVEN_ERRORS};
+
+/// Rays a regime.
+const RAYS: u64 = if cfg!(debug_assertions) { 500 } else { 5_000 };
+
+fn number(variable: &str, default: u64) -> u64 {
+    std::env::var(variable).map_or(default, |text| text.parse().expect("the variable is a number"))
+}
+
+fn hex(bits: u64) -> f64 {
+    f64::from_bits(bits)
+}
+
+#[test]
+fn every_decision_is_right_and_every_lambda_within_its_bound() {
+    let (rays, seed) = (number("RENDER_REGIME_RAYS", RAYS) as usize, number("RENDER_REGIME_SEED", 3));
+    for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES) {
+        let (mut hits, mut worst) = (0, 0.0_f64);
+        for case in regime.cases(seed, rays) {
+            let (judgement, answer) = (oracle::judge(&case), certified_answer(&case));
+            let error = lambda_error(&judgement, answer, f64::EPSILON / 2.0);
+            let error = error.unwrap_or_else(|| panic!("{}: {case:?} gives {answer:?}", regime.name));
+            hits += usize::from(judgement.truth.is_some());
+            worst = worst.max(error);
+        }
+        println!("{}: {hits} hits of {rays}, largest error of lambda {worst:.2e}", regime.name);
+        assert!(worst < PROVEN_ERRORS[1], "{}: {worst:e}", regime.name);
+        assert!(50 * hits > rays, "{}: {hits} hits of {rays}", regime.name);
+    }
+}
+
+#[test]
+fn climbing_does_not_pass_the_proven_bounds() {
+    let steps = if cfg!(debug_assertions) { 60 } else { 600 };
+    for (regimes, proven) in [(&SPHERES[..], PROVEN_ERRORS[0]), (&CYLINDERS[..], PROVEN_ERRORS[1])] {
+        let largest = run::climb(regimes, proven, 5, 20, steps).expect("the bound is proven");
+        assert!(largest > proven / 1e4, "the climb found nothing: {largest:e}");
+    }
+}
+
+#[test]
+fn a_lambda_that_a_climb_found_is_within_its_bound() {
+    let origin = Vec3::new(hex(0x4035_ed26_d0bb_46ae), hex(0xc076_fdff_038a_24e7), hex(0x404c_5977_b373_36a0));
+    let center = Vec3::new(hex(0xc015_b345_9fac_3b64), hex(0x4056_f2da_9608_d19c), hex(0xc02c_6849_cfaa_fbf8));
+    let direction = Vec3::new(hex(0x3fd1_cfe2_48cc_36df), hex(0xbfe6_729e_4ef4_ae4d), hex(0xbfe0_dd85_bb4d_aaa0));
+    let case = Case::sphere(center, hex(0x3fdb_090f_15dc_cb69), origin, direction);
+    let error = lambda_error(&oracle::judge(&case), certified_answer(&case), f64::EPSILON / 2.0);
+    println!("{:?}, {error:?}", certified_answer(&case));
+    assert!(error.expect("the decision is right") < PROVEN_ERRORS[0]);
+}
+
+#[test]
+fn a_plane_is_skipped_by_the_exact_slope_where_the_axis_has_no_square() {
+    let ray = Ray {
+        origin: Vec3::new(hex(0xbf84_1205_bc01_a36e), hex(0xc059_0000_0000_0000), 0.0),
+        direction: Vec3::new(hex(0x3e45_0b9b_62c9_2d43), hex(0x3f1a_36e2_eb1c_432d), 0.0),
+    };
+    let axis = Vec3::new(hex(0x1e60_8e56_3277_847e), 0.0, 0.0);
+    let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis };
+    let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
+    // The slope is 9.8e-9: the planes of the bases are skipped.
+    assert!(ray.direction.x < 1e-8);
+    assert!(oracle::judge(&Case::cylinder(cylinder, ray.origin, ray.direction)).truth.is_none());
+    assert_eq!(Certified::cylinder(&record, &axis, &ray), None);
+}
+
+#[test]
+fn a_coefficient_that_cancels_to_zero_leaves_the_root_its_size() {
+    let far = Vec3::new(0.0, 0.0, hex(0x6fb0_7d45_7124_123d));
+    let ray = Ray { origin: far, direction: Vec3::new(1.0, 0.0, 0.25) };
+    let axis = Vec3::new(0.0, 0.0, 2.0);
+    let cylinder = Cylinder { center: far, radius: 1.0, axis };
+    let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
+    assert_eq!(Certified::cylinder(&record, &axis, &ray), Some((1.0, Part::Side)));
+    let sphere = SphereRecord::new(far, 2.0);
+    let ray = Ray { direction: Vec3::new(0.0, 4.0, 0.0), ..ray };
+    assert_eq!(Certified::sphere(&sphere, &ray), Some(0.5));
+}
