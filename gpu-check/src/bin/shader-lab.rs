@@ -7,20 +7,35 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use gpu_check::shader_lab::args::{self, Command, USAGE};
-use gpu_check::shader_lab::{TEMPLATE, watch::Lab};
+use gpu_check::shader_lab::{TEMPLATE, guard, truth, watch::Lab};
 use gpu_check::web::{Server, data};
 use gpu_check::{Error, Gpu};
 
 fn main() -> ExitCode {
-    let command = match args::parse(std::env::args().skip(1)) {
+    // naga, wgpu and drivers read nested text by recursion, and the stack of the main thread may be of any size.
+    let thread = std::thread::Builder::new().name("lab".to_owned()).stack_size(shaders::limits::STACK_BYTES);
+    match thread.spawn(run).map(std::thread::JoinHandle::join) {
+        Ok(Ok(status)) => status,
+        // It has said why.
+        Ok(Err(_)) => ExitCode::FAILURE,
+        Err(cause) => failed(&format!("no thread with a stack of {} bytes: {cause}", shaders::limits::STACK_BYTES)),
+    }
+}
+
+fn run() -> ExitCode {
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    if arguments.next_if(|argument| argument == guard::FLAG).is_some() {
+        return match guard::compile(arguments) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => failed(&error.to_string()),
+        };
+    }
+    let command = match args::parse(arguments) {
         Ok(command) => command,
         Err(message) => return failed(&format!("{message}\n\n{USAGE}")),
     };
     match command {
-        Command::Help => {
-            println!("{USAGE}");
-            ExitCode::SUCCESS
-        }
+        Command::Help => said(&format!("{USAGE}\n")),
         Command::Template(path) => template(&path),
         Command::Serve { port, config, scene } => match serve(port, &config, &scene) {
             Ok(never) => match never {},
@@ -61,7 +76,11 @@ fn template(path: &Path) -> ExitCode {
 }
 
 fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
-    let data = || data::collect(&Gpu::open()?, &cpu::Config::read(config)?, &cpu::Scene::read(scene)?);
+    let data = || {
+        let (config, scene) = (cpu::Config::read(config)?, cpu::Scene::read(scene)?);
+        truth::check_size(&config)?;
+        data::collect(&Gpu::open()?, &config, &scene)
+    };
     let data = data().map_err(|error: Error| error.to_string())?;
     let at_port = |error: std::io::Error| format!("port {port}: {error}");
     let server = Server::new(port, data).map_err(at_port)?;

@@ -11,7 +11,7 @@ use super::args::Options;
 use super::files::{self, UserModule};
 use super::truth::Truth;
 use super::view::{View, mark};
-use super::{pixel, png};
+use super::{guard, pixel, png};
 use crate::difference::{difference, write_png};
 use crate::steps::Follower;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
@@ -58,6 +58,8 @@ impl Trial<'_> {
         let library = files::library(modules)?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
+        guard::check(&library.compose("kernels/image", T::PRECISION)?, &constants(&features, &own))?;
+        // Now that reading the modules is known to end.
         self.check_constants::<T>(&own)?;
         let start = Instant::now();
         let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
@@ -120,7 +122,7 @@ impl Trial<'_> {
     ) -> Result<String, Error> {
         let depth = if view.is_deep() { features.max_depth } else { features.max_depth.min(1) };
         let features = Features { max_depth: depth, ..*features };
-        let follower = Follower::<T>::new(self.gpu, &files::library(self.modules)?, &features, own)?;
+        let follower = self.follower::<T>(&features, own)?;
         let by_cpu = Picture { max_depth: depth, ..picture.clone() };
         let (mut wgsl, mut cpu, mut marks) = (Vec::new(), Vec::new(), Vec::new());
         follower.follow(picture, 0, picture.size.pixels(), |index, steps| {
@@ -147,6 +149,13 @@ impl Trial<'_> {
         ))
     }
 
+    /// A follower by the person's modules, compiled in the guarded process first.
+    fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
+        let library = files::library(self.modules)?;
+        guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
+        Follower::new(self.gpu, &library, features, own)
+    }
+
     /// The way of the pixel at `index` on both sides.
     fn follow<T: Held>(
         &self,
@@ -155,7 +164,7 @@ impl Trial<'_> {
         own: &[(&str, f64)],
         picture: &Picture<T>,
     ) -> Result<String, Error> {
-        let follower = Follower::<T>::new(self.gpu, &files::library(self.modules)?, features, own)?;
+        let follower = self.follower::<T>(features, own)?;
         let expected = Picture { max_depth: features.max_depth, ..picture.clone() }.steps(index);
         let mut text = String::new();
         follower.follow(picture, index, 1, |_, steps| text = pixel::side_by_side(&expected, steps))?;
@@ -175,6 +184,10 @@ impl Trial<'_> {
             }
         }
     }
+}
+
+fn constants<'a>(features: &Features, own: &[(&'a str, f64)]) -> Vec<(&'a str, f64)> {
+    [&features.constants()[..], own].concat()
 }
 
 fn enlarged<T: Float>(one: &[Vec3<T>], other: &[Vec3<T>]) -> Vec<[u8; 3]> {
