@@ -98,7 +98,10 @@ mod tests {
         assert_eq!(read(&file.0, 6).expect("it is smaller"), b"12345");
         assert_eq!(read(&file.0, 5).expect("it is as large"), b"12345");
         let error = read(&file.0, 4).expect_err("it is larger");
-        assert_eq!((error.kind(), error.to_string()), (io::ErrorKind::FileTooLarge, "it is larger than 4 bytes".into()));
+        assert_eq!(
+            (error.kind(), error.to_string()),
+            (io::ErrorKind::FileTooLarge, "it is larger than 4 bytes".into())
+        );
         assert_eq!(read(&Temporary::new("empty", b"").0, 0).expect("nothing is no more than nothing"), b"");
     }
 

@@ -121,7 +121,8 @@ mod tests {
 
     #[test]
     fn of_a_long_line_the_part_about_the_fault_is_shown() {
-        let message = message(&format!("const a = {}; const b = missing; const c = {};", "1".repeat(999), "1".repeat(999)));
+        let message =
+            message(&format!("const a = {}; const b = missing; const c = {};", "1".repeat(999), "1".repeat(999)));
         let lines: Vec<_> = message.lines().collect();
         let [_, text, carets] = lines[..] else { panic!("{message}") };
         assert_eq!(text.chars().count(), "1 | ".len() + super::SHOWN, "{message}");

@@ -15,7 +15,9 @@ pub enum Error {
     #[error("{0}")]
     Invalid(Box<Diagnostic>),
     /// There is no memory for the thread that naga runs on.
-    #[error("no thread with a stack of {bytes} bytes can be started: {cause}; raise the limits on memory and processes")]
+    #[error(
+        "no thread with a stack of {bytes} bytes can be started: {cause}; raise the limits on memory and processes"
+    )]
     NoStack {
         /// Bytes of the stack.
         bytes: usize,

@@ -56,8 +56,7 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
 }
 
 fn read_one(path: &Path) -> Result<UserModule, Error> {
-    let text =
-        cpu::input::read_text(path, MAX_BYTES).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
+    let text = cpu::input::read_text(path, MAX_BYTES).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
     let name = name(path, &text);
     if module::find(&name).is_none() {
         return Err(unknown(path, &text, &name));

@@ -102,11 +102,9 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
 fn limit_this_process() -> Result<(), Error> {
     use nix::sys::resource::{Resource, getrlimit, setrlimit};
 
-    for (resource, limit) in [
-        (Resource::RLIMIT_AS, MAX_MEMORY),
-        (Resource::RLIMIT_CPU, MAX_SECONDS),
-        (Resource::RLIMIT_CORE, 0),
-    ] {
+    for (resource, limit) in
+        [(Resource::RLIMIT_AS, MAX_MEMORY), (Resource::RLIMIT_CPU, MAX_SECONDS), (Resource::RLIMIT_CORE, 0)]
+    {
         let lowered = getrlimit(resource).and_then(|(_, most)| setrlimit(resource, limit.min(most), most));
         lowered.map_err(|error| Error::Request { message: format!("limits cannot be set: {error}") })?;
     }

@@ -176,7 +176,9 @@ mod tests {
     fn a_request_line_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
         let rest = " HTTP/1.1\r\nHost: localhost\r\n\r\n";
         let path = "x".repeat(MAX_LINE - "GET / HTTP/1.1".len());
-        assert!(read(format!("GET /{path}{rest}").as_bytes()).is_ok_and(|request| request.path.len() == path.len() + 1));
+        assert!(
+            read(format!("GET /{path}{rest}").as_bytes()).is_ok_and(|request| request.path.len() == path.len() + 1)
+        );
         assert_eq!(read(format!("GET /{path}x{rest}").as_bytes()), Err("414"));
         assert_eq!(read(&[b'x'; 3 * MAX_LINE]), Err("414"), "a line without an end is not read to its end");
     }
@@ -193,7 +195,8 @@ mod tests {
 
     #[test]
     fn a_body_has_a_limit_and_takes_a_share_of_one() {
-        let post = |length: usize| format!("POST /results/a HTTP/1.1\r\nHost: [::1]:1\r\nContent-Length: {length}\r\n\r\n");
+        let post =
+            |length: usize| format!("POST /results/a HTTP/1.1\r\nHost: [::1]:1\r\nContent-Length: {length}\r\n\r\n");
         let mut whole = post(MAX_BODY).into_bytes();
         whole.resize(whole.len() + MAX_BODY, b'x');
         assert!(read(&whole).is_ok_and(|request| request.body.len() == MAX_BODY));
@@ -210,7 +213,8 @@ mod tests {
         for host in ["127.0.0.1", "127.0.0.1:8000", "localhost:1", "LOCALHOST", "[::1]:65535"] {
             assert!(with_headers(&format!("Host: {host}\r\n")).is_ok(), "{host}");
         }
-        for host in ["evil.example", "127.0.0.1.evil.example", "localhost:", "localhost:x", "localhost@evil", "", "ä"] {
+        for host in ["evil.example", "127.0.0.1.evil.example", "localhost:", "localhost:x", "localhost@evil", "", "ä"]
+        {
             assert_eq!(with_headers(&format!("Host: {host}\r\n")), Err("403"), "{host}");
         }
         assert_eq!(with_headers(""), Err("400"), "it names no host");
@@ -221,7 +225,8 @@ mod tests {
 
     #[test]
     fn what_ends_early_is_broken_and_no_request() {
-        for text in ["", "GET / HTTP/1.1", "GET / HTTP/1.1\r\nHost: localhost", "GET / HTTP/1.1\r\nHost: localhost\r\n"] {
+        for text in ["", "GET / HTTP/1.1", "GET / HTTP/1.1\r\nHost: localhost", "GET / HTTP/1.1\r\nHost: localhost\r\n"]
+        {
             assert_eq!(read(text.as_bytes()), Err("broken"), "{text}");
         }
         assert!(read(b"\xff\xfe\r\nHost: localhost\r\n\r\n").is_ok(), "any bytes are read");

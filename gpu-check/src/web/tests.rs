@@ -51,7 +51,8 @@ fn nothing_else_is() {
 
 #[test]
 fn results_are_taken() {
-    let (_, posted) = asked("POST /results/kernels/sphere HTTP/1.1\r\nHost: localhost:8\r\nContent-Length: 3\r\n\r\nabc");
+    let (_, posted) =
+        asked("POST /results/kernels/sphere HTTP/1.1\r\nHost: localhost:8\r\nContent-Length: 3\r\n\r\nabc");
     let posted = posted.expect("it brought something");
     assert_eq!((posted.name.as_str(), &posted.body[..]), ("kernels/sphere", &b"abc"[..]));
 }

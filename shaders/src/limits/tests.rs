@@ -27,17 +27,8 @@ fn nested(kind: &str, count: usize) -> String {
     }
 }
 
-const KINDS: [&str; 9] = [
-    "not",
-    "complement",
-    "sum",
-    "parentheses",
-    "calls",
-    "else if",
-    "blocks",
-    "else if with conditions",
-    "arrays",
-];
+const KINDS: [&str; 9] =
+    ["not", "complement", "sum", "parentheses", "calls", "else if", "blocks", "else if with conditions", "arrays"];
 
 /// The largest count that the scan lets through.
 fn largest(kind: &str) -> usize {
