@@ -43,7 +43,7 @@ fn disturb(
     }
     let new = std::fs::read(&out)?;
     let old = old.map(|text| text.as_bytes().to_vec());
-    let job = tests::injection::Job { program: program.into(), arguments, out, old, new };
+    let job = tests::injection::Job { program: program.into(), arguments, out, old, new, graceful: false };
     println!("{} runs", job.disturb(disturbance)?);
     Ok(())
 }

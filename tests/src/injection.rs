@@ -42,8 +42,9 @@ const CALLS: [&str; 24] = [
 /// What each call fails with.
 const ERRORS: [&str; 4] = ["EIO", "ENOSPC", "EPERM", "EINTR"];
 
-/// The signal that meets each call, which has number 15.
+/// The signal that meets each call.
 const SIGNAL: &str = "TERM";
+const SIGNAL_NUMBER: i32 = 15;
 
 /// A program that makes the file `out`, alone in its folder.
 #[derive(Clone, Debug)]
@@ -58,6 +59,8 @@ pub struct Job {
     pub old: Option<Vec<u8>>,
     /// What stands there afterwards.
     pub new: Vec<u8>,
+    /// Whether the program may go on to a good end after a request to stop. Else it ends by the signal at once.
+    pub graceful: bool,
 }
 
 /// How a call is disturbed.
@@ -101,8 +104,8 @@ impl Job {
                 for call in &calls {
                     let inject = format!("inject={}:signal={SIGNAL}:when={}", call.name, call.number);
                     let output = self.run(&["unshare", "-pf", "strace", "-D"], &["-e", &inject])?;
-                    self.check(&output, output.status.code() == Some(128 + 15))
-                        .map_err(|error| format!("{inject}: {error}"))?;
+                    let ended = output.status.code() == Some(128 + SIGNAL_NUMBER);
+                    self.check_stopped(&output, ended).map_err(|error| format!("{inject}: {error}"))?;
                     runs += 1;
                 }
                 Ok(runs)
@@ -144,7 +147,8 @@ impl Job {
             let inject = format!("inject={}:signal={SIGNAL}:when={}", call.name, call.number);
             let output = self.run(&["strace"], &[more, &["-e", &inject]].concat())?;
             // strace ends as the program did.
-            self.check(&output, output.status.signal() == Some(15)).map_err(|error| format!("{inject}: {error}"))?;
+            let ended = output.status.signal() == Some(SIGNAL_NUMBER);
+            self.check_stopped(&output, ended).map_err(|error| format!("{inject}: {error}"))?;
             runs += 1;
         }
         Ok(runs)
@@ -177,6 +181,15 @@ impl Job {
         let mut command = Command::new(tracer[0]);
         command.args(&tracer[1..]).args(["-f", "-qq", "-o", log]).args(more);
         command.arg(&self.program).args(&self.arguments).output().map_err(|error| error.to_string())
+    }
+
+    /// Checks a run that a signal met.
+    fn check_stopped(&self, output: &Output, ended_by_signal: bool) -> Result<(), String> {
+        if ended_by_signal || self.graceful {
+            self.check(output, ended_by_signal)
+        } else {
+            Err(format!("the signal did not end it: {output:?}"))
+        }
     }
 
     /// Checks what stands after a run, which a signal may have ended.
@@ -244,7 +257,17 @@ mod tests {
         let folder = tempfile::tempdir().expect("the temporary folder is writable");
         let out = folder.path().join("out");
         let arguments = ["-c", script, "job", out.to_str().expect("the name is ours")].map(OsString::from).to_vec();
-        (folder, Job { program: "bash".into(), arguments, out, old: Some(b"old".to_vec()), new: b"new\n".to_vec() })
+        (
+            folder,
+            Job {
+                program: "bash".into(),
+                arguments,
+                out,
+                old: Some(b"old".to_vec()),
+                new: b"new\n".to_vec(),
+                graceful: false,
+            },
+        )
     }
 
     #[test]
