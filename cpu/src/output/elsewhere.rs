@@ -11,6 +11,7 @@ pub enum Place {
     /// Takes the bytes as they come.
     Direct(File),
     /// A pipe with a name.
+    #[allow(dead_code, reason = "a file system of Unix alone has these")]
     Pipe(PathBuf),
     /// A regular file, to be replaced or made.
     Regular(Temporary),

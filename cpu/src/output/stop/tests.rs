@@ -45,10 +45,10 @@ fn a_signal_meets_the_process() {
     // Set, not taken as it is: whoever runs the tests under nohup hands on an ignored signal.
     // SAFETY: neither runs any code of this process.
     unsafe { signal(number, if before == "ignored" { IGNORE } else { DEFAULT }) };
-    if before == "noted" {
-        note_first_request()
-    } else {
-        remove_temporary_when_stopped()
+    match &before[..] {
+        "unhandled" => {}
+        "noted" => note_first_request(),
+        _ => remove_temporary_when_stopped(),
     }
     let files: Vec<Remembered> =
         variable("RENDER_STOP_FILES").split(':').map(|path| remember(Path::new(path))).collect();
