@@ -21,6 +21,7 @@ its first line names, as in: // module: kernels/image
                           max_depth, or one that your module declares with `override`
   --show VIEW             lambda, normal, object, side, steps or difference, in false colours
   --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
+  --no-sync               do not wait until pictures are on the disk: a loss of power may then damage them
   --watch                 render again whenever a file changes, until interrupted
   --template FILE         write a module to start from
   --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
@@ -69,6 +70,8 @@ pub struct Options {
     pub pixel: Option<[usize; 2]>,
     /// Whether to go on when files change.
     pub watch: bool,
+    /// Whether to wait until pictures are on the disk.
+    pub sync: bool,
 }
 
 /// Reads the arguments that follow the program's name. Names of files may be any bytes.
@@ -79,7 +82,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
     let (mut precision, mut port) = (Precision::F64, None);
-    let (mut constants, mut view, mut pixel, mut watch) = (Vec::new(), None, None, false);
+    let (mut constants, mut view, mut pixel, mut watch, mut sync) = (Vec::new(), None, None, false, true);
     while let Some(argument) = arguments.next() {
         let name = shown(&argument);
         let mut value = |what: &str| arguments.next().ok_or(format!("{name} needs {what} after it"));
@@ -105,6 +108,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
                 pixel = Some([number("a column")?, number("a row")?]);
             }
             Some("--watch") => watch = true,
+            Some("--no-sync") => sync = false,
             _ if argument.as_encoded_bytes().starts_with(b"-") => return Err(format!("there is no option [{name}]")),
             _ if modules.is_some() => return Err(format!("[{name}] is one name too many")),
             _ => modules = Some(PathBuf::from(&argument)),
@@ -118,7 +122,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
     let (config, scene) = files()?;
     let out = out.ok_or("--out is missing")?;
-    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch }))
+    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, sync }))
 }
 
 /// An argument as text; bytes that are not UTF-8 become replacement characters.

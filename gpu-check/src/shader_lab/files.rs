@@ -73,7 +73,7 @@ fn unknown(path: &Path, text: &str, name: &str) -> Error {
             let before = line.len() - rest.trim_start().len();
             let (column, spaces) = (before + 1, " ".repeat(before));
             let carets = "^".repeat(name.chars().count().max(1));
-            let place = PathBuf::from(format!("{}:1:{column}", path.display()));
+            let place = PathBuf::from(format!("{}:1:{column}", shown(path)));
             let line = line.trim_end();
             fault(&place, format!("no module is called [{name}]; there are: {known}\n1 | {line}\n    {spaces}{carets}"))
         }
@@ -94,6 +94,12 @@ fn name(path: &Path, text: &str) -> String {
     if in_kernels { format!("kernels/{stem}") } else { stem.into_owned() }
 }
 
+/// The name of a file, with control characters escaped.
+#[must_use]
+pub fn shown(path: &Path) -> String {
+    cpu::text::escape(path.as_os_str().as_encoded_bytes())
+}
+
 fn fault(path: &Path, message: String) -> Error {
     Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
 }
@@ -105,7 +111,7 @@ fn fault(path: &Path, message: String) -> Error {
 pub fn library(modules: &[UserModule]) -> Result<Library, Error> {
     let mut library = Library::standard();
     for module in modules {
-        library.replace(&module.name, &module.path.display().to_string(), module.text.as_str())?;
+        library.replace(&module.name, &shown(&module.path), module.text.as_str())?;
     }
     Ok(library)
 }

@@ -9,7 +9,8 @@ use std::time::Duration;
 use shaders::Precision;
 
 use super::args::Options;
-use super::files::UserModule;
+use super::files::{UserModule, shown};
+use super::png::Places;
 use super::sources::{Sources, Text};
 use super::trial::Trial;
 use super::truth::Truth;
@@ -53,6 +54,8 @@ impl Lab {
     }
 
     fn render_with(&mut self, modules: &[UserModule], sources: &Sources) -> Result<String, Error> {
+        // Before anything long: a place that cannot be written ends the trial.
+        let places = Places::open(&self.options, modules)?;
         if self.truth.is_none() || self.texts.as_ref() != Some(&sources.texts) {
             self.truth = None;
             let (config, scene) = sources.parse(&self.options)?;
@@ -65,8 +68,8 @@ impl Lab {
         let (Some(gpu), Some(truth)) = (&self.gpu, &self.truth) else { unreachable!("both were just made") };
         let trial = Trial { gpu, options: &self.options, modules, truth };
         match self.options.precision {
-            Precision::F32 => trial.run::<f32>(),
-            Precision::F64 => trial.run::<f64>(),
+            Precision::F32 => trial.run::<f32>(places),
+            Precision::F64 => trial.run::<f64>(places),
         }
     }
 
@@ -97,12 +100,12 @@ fn explain(error: &Error, modules: &[UserModule]) -> String {
     }
     let names: Vec<(PathBuf, &str)> =
         modules.iter().map(|module| (module.path.clone(), module.name.as_str())).collect();
-    let is_named = |path: &PathBuf| message.starts_with(&format!("{}:", path.display()));
+    let is_named = |path: &PathBuf| message.starts_with(&format!("{}:", shown(path)));
     if names.iter().any(|(path, _)| is_named(path)) {
         return message;
     }
     for (path, name) in names {
-        let path = path.display();
+        let path = shown(&path);
         message.push_str(&format!("\n{path}:1: stands in for [{name}], and may lack a name that others need of it"));
     }
     message
