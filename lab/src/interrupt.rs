@@ -22,7 +22,6 @@ impl Interrupt {
     }
 
     /// Goes on, or breaks off after a request.
-    #[must_use]
     pub fn flow(&self) -> ControlFlow<()> {
         if self.listens && stop::requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }

@@ -28,11 +28,26 @@ use clap::Parser;
 
 pub use failure::Failure;
 
+/// Stack of the thread that does all work, in bytes.
+const STACK_BYTES: usize = 8 << 20;
+
 /// Runs the command on this process' arguments; an error goes to standard error.
 #[must_use]
 pub fn main() -> ExitCode {
     // From here on a signal that ends the process leaves no temporary file.
     cpu::output::stop::remove_temporary_when_stopped();
+    // The limit on the main thread's stack may be smaller than rendering needs, which is some 300 kB in a debug build.
+    let thread = std::thread::Builder::new().name("main".to_owned()).stack_size(STACK_BYTES);
+    match thread.spawn(run).map(std::thread::JoinHandle::join) {
+        Ok(Ok(status)) => status,
+        // A panic has said what it had to say.
+        Ok(Err(_)) => ExitCode::from(2),
+        // There is too little memory for another stack.
+        Err(_) => run(),
+    }
+}
+
+fn run() -> ExitCode {
     match command_line().and_then(|cli| cli.run()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

@@ -165,6 +165,15 @@ fn closed_full_and_readable_outputs_are_errors_and_no_panic() {
 }
 
 #[test]
+fn a_small_limit_on_the_stack_does_not_end_a_rendering() {
+    let folder = Folder::new();
+    let line =
+        "ulimit -s 256; $lab render $root/scenes/grid/config.txt $root/scenes/grid/scene.txt o.png --set image_width=8";
+    let output = bash(&folder, line);
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
 fn names_cannot_command_a_terminal() {
     let folder = Folder::new();
     let lines = [
