@@ -1,6 +1,6 @@
 //! Measured data, and what follows from them.
 
-mod check;
+pub mod check;
 mod files;
 mod merge;
 
