@@ -1,9 +1,10 @@
 //! What `render-aos` and `render-soa` share: arguments in, messages and exit status out.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
-/// Runs the program on this process' arguments. An error goes to standard error, byte for byte, and gives status 1.
+/// Runs the program on this process' arguments. An error goes to standard error and gives status
+/// 1: byte for byte, but escaped where standard error is a terminal.
 #[must_use]
 pub fn main<L: cpu::Layout>() -> ExitCode {
     #[cfg(unix)]
@@ -11,9 +12,10 @@ pub fn main<L: cpu::Layout>() -> ExitCode {
     match cpu::program::run::<L>(std::env::args_os().skip(1)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            let message = [b"Error: ", &error.message()[..], b"\n"].concat();
-            // Where standard error is closed there is nobody left to tell; the status still says it.
-            let _ = std::io::stderr().write_all(&message);
+            let mut stderr = std::io::stderr();
+            let message = if stderr.is_terminal() { error.message_for_terminal() } else { error.message() };
+            // Where standard error is closed nothing can be said; the status still tells.
+            let _ = stderr.write_all(&[b"Error: ", &message[..], b"\n"].concat());
             ExitCode::FAILURE
         }
     }

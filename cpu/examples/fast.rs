@@ -14,13 +14,13 @@ fn main() -> Result<(), Error> {
         _ => return Err(Error::ArgumentCount(names.len())),
     };
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
-    let output = cpu::output::Output::open(Path::new(out))?;
+    let output = cpu::output::Output::open(Path::new(out), cpu::output::Options::default())?;
     let image = if textbook {
         render(&Prepared::<Aos, Textbook>::new(&config, &scene, Scatter::Statement)?)?
     } else {
         render(&Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?)?
     };
-    output.write(|file| cpu::ppm::write_ppm(&image, file))
+    output.fill(|file| cpu::ppm::write_ppm(&image, file))
 }
 
 fn render<P: Intersect>(prepared: &Prepared<Aos, P>) -> Result<<Aos as Layout>::Image, Error> {

@@ -14,12 +14,12 @@ fn main() -> Result<(), Error> {
         _ => return Err(Error::ArgumentCount(names.len())),
     };
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
-    let output = cpu::output::Output::open(Path::new(out))?;
+    let output = cpu::output::Output::open(Path::new(out), cpu::output::Options::default())?;
     let render = if certified {
         cpu::reference::render_with::<<Aos as Layout>::Image, Certified>
     } else {
         cpu::reference::render_with::<<Aos as Layout>::Image, Textbook>
     };
     let image = render(&config, &scene, Scatter::Statement)?;
-    output.write(|file| cpu::ppm::write_ppm(&image, file))
+    output.fill(|file| cpu::ppm::write_ppm(&image, file))
 }

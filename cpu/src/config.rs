@@ -1,11 +1,11 @@
 //! The configuration file: `key: values` lines to a checked [`Config`] (statement, section 2.2; SPEC.md).
 
-use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 use crate::error::{Error, Picture};
 use crate::image::Size;
+use crate::input::Input;
 use crate::text::{self, Tokens};
 use crate::vec3::Vec3;
 
@@ -122,9 +122,9 @@ impl Config {
     /// # Errors
     /// As [`Config::parse`], and [`Error::Read`] with the file's name.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        File::open(path)
+        Input::open(path, text::MAX_FILE_BYTES)
             .map_err(Error::from)
-            .and_then(|file| Self::parse(BufReader::new(file)))
+            .and_then(|input| Self::parse(BufReader::new(input)))
             .map_err(|error| error.in_file(path))
     }
 

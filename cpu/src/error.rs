@@ -154,29 +154,45 @@ impl Error {
     /// The message, byte for byte, without the leading `Error: ` and without a closing line end.
     #[must_use]
     pub fn message(&self) -> Vec<u8> {
+        self.message_with(<[u8]>::to_vec)
+    }
+
+    /// The message for a terminal: what comes from files and names is [escaped](crate::text::escape).
+    #[must_use]
+    pub fn message_for_terminal(&self) -> Vec<u8> {
+        self.message_with(|text| crate::text::escape(text).into_bytes())
+    }
+
+    /// The message, with what comes from files and names as `show` gives it.
+    fn message_with(&self, show: fn(&[u8]) -> Vec<u8>) -> Vec<u8> {
+        let about_file = |what: &str, path: &Path, cause: &dyn fmt::Display| {
+            let cause = show(cause.to_string().as_bytes());
+            [what.as_bytes(), b" [", &show(path.as_os_str().as_encoded_bytes()), b"]: ", &cause].concat()
+        };
         let text = match self {
             Self::UnknownKey { key } => {
                 let colon: &[u8] = if key.ends_with(b":") { b"" } else { b":" };
-                return [b"Unknown configuration key: [", &key[..], colon, b"]"].concat();
+                return [b"Unknown configuration key: [", &show(key)[..], colon, b"]"].concat();
             }
             Self::InvalidValue { key, line } => {
-                return [b"Invalid value for key: [", key.as_bytes(), b"]\nLine: \"", line, b"\""].concat();
+                return [b"Invalid value for key: [", key.as_bytes(), b"]\nLine: \"", &show(line), b"\""].concat();
             }
-            Self::ExtraValue { key, extra } => return extra_data(key, extra),
+            Self::ExtraValue { key, extra } => return extra_data(key, &show(extra)),
             Self::UnknownEntity { name } => {
-                return [b"Unknown scene entity: ", name.strip_suffix(b":").unwrap_or(name)].concat();
+                return [b"Unknown scene entity: ", &show(name.strip_suffix(b":").unwrap_or(name))[..]].concat();
             }
             Self::InvalidParameters { entity, line } => {
-                return [b"Invalid ", entity.as_bytes(), b" parameters\nLine: \"", line, b"\""].concat();
+                return [b"Invalid ", entity.as_bytes(), b" parameters\nLine: \"", &show(line), b"\""].concat();
             }
             Self::ExtraParameters { tag, extra, line } => {
-                return [&extra_data(tag, extra)[..], b"\nLine: \"", line, b"\""].concat();
+                return [&extra_data(tag, &show(extra))[..], b"\nLine: \"", &show(line), b"\""].concat();
             }
             Self::MaterialExists { name, line } => {
-                return [b"Material with name [", &name[..], b"] already exists\nLine: \"", line, b"\""].concat();
+                let (name, line) = (show(name), show(line));
+                return [b"Material with name [", &name[..], b"] already exists\nLine: \"", &line, b"\""].concat();
             }
             Self::MaterialNotFound { name, line } => {
-                return [b"Material not found: [", &name[..], b"]\nLine: \"", line, b"\""].concat();
+                return [b"Material not found: [", &show(name)[..], b"]\nLine: \"", &show(line), b"\""].concat();
             }
             Self::ArgumentCount(count) => format!("Invalid number of arguments: {count}"),
             Self::Read { path, cause } => return about_file("Cannot read file", path, cause),
@@ -192,10 +208,6 @@ impl Error {
 
 fn extra_data(key: &str, extra: &[u8]) -> Vec<u8> {
     [b"Extra data after configuration value for key: [", key.as_bytes(), b"]\nExtra: \"", extra, b"\""].concat()
-}
-
-fn about_file(what: &str, path: &Path, cause: &dyn fmt::Display) -> Vec<u8> {
-    [what.as_bytes(), b" [", path.as_os_str().as_encoded_bytes(), b"]: ", cause.to_string().as_bytes()].concat()
 }
 
 impl fmt::Display for Error {

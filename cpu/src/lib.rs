@@ -27,6 +27,7 @@ pub mod counters;
 pub mod cylinder;
 pub mod error;
 pub mod image;
+pub mod input;
 pub mod layout;
 pub mod material;
 pub mod output;

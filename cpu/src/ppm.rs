@@ -40,7 +40,8 @@ const CHUNK: usize = 64 << 10;
 /// What `out` returns.
 pub fn write_ppm(image: &impl Image, mut out: impl Write) -> io::Result<()> {
     let size = image.size();
-    write!(out, "P3\n{} {}\n255\n", size.width(), size.height())?;
+    // In one piece, which is one call of the system.
+    out.write_all(format!("P3\n{} {}\n255\n", size.width(), size.height()).as_bytes())?;
     let mut chunk = [0; CHUNK];
     let mut length = 0;
     for index in 0..size.pixels() {

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::config::Config;
 use crate::error::Error;
 use crate::layout::Layout;
-use crate::output::Output;
+use crate::output::{self, Options, Output};
 use crate::ppm::write_ppm;
 use crate::scatter::Scatter;
 use crate::scene::Scene;
@@ -14,8 +14,8 @@ use crate::scene::Scene;
 /// Renders `SCENE` as `CONFIG` asks into `OUT.ppm`, given these three names.
 ///
 /// # Errors
-/// [`Error::ArgumentCount`] for another number of arguments, then whatever is wrong with the configuration, the scene,
-/// the picture or the output, in this order. The output is as it was.
+/// [`Error::ArgumentCount`] for another number of arguments, then an output that is one of the inputs, then whatever is
+/// wrong with the configuration, the scene, the picture or the output, in this order. The output is as it was.
 pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let [config, scene, out] = &arguments[..] else {
@@ -29,15 +29,16 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
 /// # Errors
 /// As [`run`], but for the number of arguments.
 pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
+    output::refuse_inputs(out, &[config, scene])?;
     let config_path = config;
     let config = Config::read(config_path)?;
     let scene = Scene::read(scene)?;
     // A camera that cannot be is a fault of the configuration: say so before the output is touched.
     crate::Camera::new(&config, config.image_size().map_err(|error| Error::from(error).in_file(config_path))?)
         .map_err(|error| Error::from(error).in_file(config_path))?;
-    let output = Output::open(out)?;
+    let output = Output::open(out, Options::default())?;
     let image = crate::render::<L>(&config, &scene, scatter).map_err(|error| error.in_file(config_path))?;
-    output.write(|file| write_ppm(&image, file))
+    output.fill(|file| write_ppm(&image, file))
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! The scene file: materials and objects, one a line, to a checked [`Scene`] (statement, section 2.1.3; SPEC.md).
 
 use std::collections::HashMap;
-use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 use crate::config::color;
 use crate::error::Error;
+use crate::input::Input;
 use crate::material::Material;
 use crate::text::{self, Tokens};
 use crate::vec3::Vec3;
@@ -215,9 +215,9 @@ impl Scene {
     /// # Errors
     /// As [`Scene::parse`], and [`Error::Read`] with the file's name.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        File::open(path)
+        Input::open(path, text::MAX_FILE_BYTES)
             .map_err(Error::from)
-            .and_then(|file| Self::parse(BufReader::with_capacity(1 << 16, file)))
+            .and_then(|input| Self::parse(BufReader::with_capacity(1 << 16, input)))
             .map_err(|error| error.in_file(path))
     }
 }

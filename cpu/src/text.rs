@@ -58,6 +58,25 @@ const fn is_blank(byte: u8) -> bool {
     byte == b' ' || byte == b'\t'
 }
 
+/// `text` for a terminal: control characters, those that turn the direction of writing, and bytes that are no UTF-8 are
+/// shown as `\u{1b}` or `\x9b`, since a terminal would obey them. Tabs stay.
+#[must_use]
+pub fn escape(text: &[u8]) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for chunk in text.utf8_chunks() {
+        for letter in chunk.valid().chars() {
+            let turns = matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+            if letter != '\t' && (letter.is_control() || turns) {
+                shown.extend(letter.escape_default());
+            } else {
+                shown.push(letter);
+            }
+        }
+        shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
+    }
+    shown
+}
+
 /// `text` without blanks and tabs at both ends.
 #[must_use]
 pub fn trim(text: &[u8]) -> &[u8] {
@@ -193,6 +212,14 @@ mod tests {
         assert!(read(MAX_FILE_BYTES).is_ok());
         let error = read(u64::MAX).unwrap_err();
         assert_eq!(error.to_string(), "it is larger than 1073741824 bytes");
+    }
+
+    #[test]
+    fn control_characters_and_bytes_that_are_no_text_are_escaped() {
+        assert_eq!(escape("a\tb ñ \\ \"x\"".as_bytes()), "a\tb ñ \\ \"x\"");
+        assert_eq!(escape(b"\x1b[2Jx\r\n\0\x7f"), r"\u{1b}[2Jx\r\n\u{0}\u{7f}");
+        assert_eq!(escape("\u{9b}1m \u{202e}".as_bytes()), r"\u{9b}1m \u{202e}");
+        assert_eq!(escape(b"\x9b1m \xff\xc3"), r"\x9b1m \xff\xc3");
     }
 
     #[test]

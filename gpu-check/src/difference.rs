@@ -1,13 +1,13 @@
 //! Two pictures' linear colours beside each other: how far apart, in how many pixels, and where.
 
 use std::fmt;
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use cpu::Vec3;
 use cpu::image::Size;
+use cpu::output::{Options, Output};
 
+use crate::shader_lab::png::encoded;
 use crate::{Error, Float};
 
 /// How far two pictures are apart, in linear channels.
@@ -55,10 +55,26 @@ pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Dif
     result
 }
 
-/// Writes a picture of three parts below each other, `one`, `other` and their difference twentyfold, and gives its name.
+/// A picture of three parts below each other: `one`, `other` and their difference twentyfold.
+#[must_use]
+pub fn three_parts<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Vec<[u8; 3]> {
+    const ENLARGED: f64 = 20.0;
+    let byte = |channel: f64| (255.0 * channel.max(0.0).sqrt()) as u8;
+    let apart = one.iter().zip(other).map(|(a, b)| {
+        let (a, b) = (a.to_array(), b.to_array());
+        std::array::from_fn(|channel| byte(distance(a[channel].wide(), b[channel].wide()) * ENLARGED))
+    });
+    let mut pixels: Vec<[u8; 3]> = Vec::with_capacity(3 * one.len());
+    pixels.extend(one.iter().map(|color| color.to_array().map(|channel| byte(channel.wide()))));
+    pixels.extend(other.iter().map(|color| color.to_array().map(|channel| byte(channel.wide()))));
+    pixels.extend(apart);
+    pixels
+}
+
+/// Writes the picture of [`three_parts`] into `folder`, which is made if it is not there, and gives its name.
 ///
 /// # Errors
-/// [`Error::File`].
+/// [`Error::File`] for the folder, [`Error::Scene`] for the picture.
 pub fn write_png<A: Float, B: Float>(
     folder: &Path,
     name: &str,
@@ -66,24 +82,12 @@ pub fn write_png<A: Float, B: Float>(
     one: &[Vec3<A>],
     other: &[Vec3<B>],
 ) -> Result<PathBuf, Error> {
-    const ENLARGED: f64 = 20.0;
     let tame: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     let path = folder.join(format!("{}.png", tame.trim_matches('-')));
     let failed = |cause| Error::File { path: path.clone(), cause };
-    let byte = |channel: f64| (255.0 * channel.max(0.0).sqrt()) as u8;
-    let mut bytes: Vec<u8> =
-        one.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))).collect();
-    bytes.extend(other.iter().flat_map(|color| color.to_array().map(|channel| byte(channel.wide()))));
-    for (a, b) in one.iter().zip(other) {
-        let pairs = a.to_array().into_iter().zip(b.to_array());
-        bytes.extend(pairs.map(|(a, b)| byte(distance(a.wide(), b.wide()) * ENLARGED)));
-    }
     std::fs::create_dir_all(folder).map_err(failed)?;
-    let file = BufWriter::new(File::create(&path).map_err(failed)?);
-    let mut encoder = png::Encoder::new(file, size.width() as u32, 3 * size.height() as u32);
-    encoder.set_color(png::ColorType::Rgb);
-    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes));
-    written.map_err(|error| failed(std::io::Error::other(error)))?;
+    let bytes = encoded(size.width(), &three_parts(one, other)).map_err(failed)?;
+    Output::open(&path, Options::default())?.fill(|file| file.write_all(&bytes))?;
     Ok(path)
 }
 
@@ -117,7 +121,7 @@ mod tests {
         let one = [Vec3::ONE, Vec3::ZERO];
         let path = write_png(&folder, "a/b", size, &one, &[Vec3::ONE, Vec3::ONE]).expect("the folder is writable");
         assert_eq!(path, folder.join("a-b.png"));
-        let decoder = png::Decoder::new(std::io::BufReader::new(File::open(&path).expect("it was written")));
+        let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&path).expect("it was written")));
         let mut reader = decoder.read_info().expect("it is a PNG");
         let mut bytes = vec![0; reader.output_buffer_size().expect("it is small")];
         reader.next_frame(&mut bytes).expect("it has a picture");

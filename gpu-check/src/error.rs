@@ -101,11 +101,11 @@ pub enum Error {
     /// The shader is wrong.
     #[error(transparent)]
     Shader(#[from] shaders::Error),
-    /// The configuration, the scene or the picture is wrong.
-    #[error(transparent)]
+    /// The configuration, the scene or the picture is wrong, or a file cannot be written.
+    #[error("{}", String::from_utf8_lossy(&.0.message_for_terminal()))]
     Scene(#[from] cpu::Error),
     /// A file cannot be read or written.
-    #[error("{}: {cause}", path.display())]
+    #[error("{}: {cause}", cpu::text::escape(path.as_os_str().as_encoded_bytes()))]
     File {
         /// Its name.
         path: PathBuf,

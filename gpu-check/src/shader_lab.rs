@@ -1,6 +1,7 @@
 //! Trying one's own WGSL: what the program `shader-lab` does, in parts that tests can call.
 //!
-//! - [`args`] reads the command line, [`files`] the person's modules;
+//! - [`args`] reads the command line, [`files`] and [`sources`] the person's files;
+//! - [`guard`] compiles them in a process whose memory and time are limited;
 //! - [`truth`] is the picture by the CPU, computed once for many trials;
 //! - [`trial`] renders with the modules and measures the distance from it;
 //! - [`view`] shows in false colours what a ray meets, [`pixel`] one pixel's way on both sides;
@@ -8,8 +9,10 @@
 
 pub mod args;
 pub mod files;
+pub mod guard;
 pub mod pixel;
 pub mod png;
+pub mod sources;
 pub mod trial;
 pub mod truth;
 pub mod view;

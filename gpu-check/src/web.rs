@@ -1,16 +1,20 @@
 //! A server of one page, to this machine only: `web/` and the data that it asks for.
 //!
 //! A page from a file may not fetch, and WebGPU wants a trusted origin, which the loopback address is. A request is
-//! answered and its connection closed; nothing here is for the open network.
+//! answered and its connection closed; nothing here is for the open network. [`request`] reads requests within limits.
 
 pub mod data;
+pub mod request;
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
-use std::io::{self, BufRead, BufReader, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::io::{self, Read, Write};
+use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
+
+use request::{Refusal, Request};
 
 /// The page's files.
 const FILES: [(&str, &str, &str); 7] = [
@@ -22,14 +26,25 @@ const FILES: [(&str, &str, &str); 7] = [
     ("/gpu.js", "text/javascript", include_str!("../web/gpu.js")),
     ("/drive.js", "text/javascript", include_str!("../web/drive.js")),
 ];
-/// Most bytes that the page may send.
-const MOST: usize = 256 << 20;
+
+/// Most connections at a time. A browser opens six to one address.
+pub const MAX_CONNECTIONS: usize = 32;
+
+/// How long the client may take for an answer's next bytes.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// How long the server waits for a resource, such as a free file descriptor, before it accepts again.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// The server, ready to be asked.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
     data: BTreeMap<String, Vec<u8>>,
+    /// Connections being served.
+    connections: AtomicUsize,
+    /// Bytes of all bodies that are being received.
+    bodies: AtomicUsize,
 }
 
 /// What the page sent under `results/`.
@@ -41,13 +56,31 @@ pub struct Posted {
     pub body: Vec<u8>,
 }
 
+/// A share of a counter, given back when it is dropped.
+struct Share<'a>(&'a AtomicUsize, usize);
+
+impl<'a> Share<'a> {
+    /// `amount` of what `counter` counts, unless there would be more than `most` in all.
+    fn take(counter: &'a AtomicUsize, amount: usize, most: usize) -> Option<Self> {
+        let add = |taken: usize| taken.checked_add(amount).filter(|&sum| sum <= most);
+        counter.fetch_update(Ordering::SeqCst, Ordering::SeqCst, add).ok().map(|_| Self(counter, amount))
+    }
+}
+
+impl Drop for Share<'_> {
+    fn drop(&mut self) {
+        self.0.fetch_sub(self.1, Ordering::SeqCst);
+    }
+}
+
 impl Server {
     /// A server of `data`, by what stands after `data/` in the address, at `port`, or at any that is free for zero.
     ///
     /// # Errors
     /// When the port is taken.
     pub fn new(port: u16, data: BTreeMap<String, Vec<u8>>) -> io::Result<Self> {
-        Ok(Self { listener: TcpListener::bind(("127.0.0.1", port))?, data })
+        let listener = TcpListener::bind(("127.0.0.1", port))?;
+        Ok(Self { listener, data, connections: AtomicUsize::new(0), bodies: AtomicUsize::new(0) })
     }
 
     /// Where it listens.
@@ -58,62 +91,90 @@ impl Server {
         self.listener.local_addr()
     }
 
-    /// Answers whoever asks, each in a thread of its own, since browsers open connections that they may use later.
-    /// What is sent under `results/` goes to `take`.
+    /// Answers every client, each in a thread of its own, since browsers open connections that they may use later.
+    /// `take` is given what the page sends.
     ///
     /// # Errors
-    /// When no further connection can come. A fault of one connection is that connection's end and nothing else.
+    /// When the system takes no more connections, for another reason than a lack that may pass.
     pub fn serve(self, take: impl Fn(Posted) + Send + Sync + 'static) -> io::Result<Infallible> {
         let shared = Arc::new((self, take));
         loop {
-            let (stream, _) = shared.0.listener.accept()?;
-            let shared = Arc::clone(&shared);
-            std::thread::spawn(move || shared.0.talk(stream, &shared.1));
+            let stream = match shared.0.listener.accept() {
+                Ok((stream, _)) => stream,
+                Err(error) if may_pass(&error) => {
+                    std::thread::sleep(PAUSE);
+                    continue;
+                }
+                Err(error) => return Err(error),
+            };
+            if shared.0.connections.fetch_add(1, Ordering::SeqCst) >= MAX_CONNECTIONS {
+                // So short an answer fits the system's buffer, and the server does not wait for the client.
+                drop(respond(&stream, "503 Service Unavailable", "text/plain", b"too many connections"));
+                shared.0.connections.fetch_sub(1, Ordering::SeqCst);
+                continue;
+            }
+            let connection = Arc::clone(&shared);
+            let talk = move || {
+                let (server, take) = &*connection;
+                let _share = Share(&server.connections, 1);
+                // A client that breaks off has no use for an error.
+                drop(server.talk(&stream, take));
+            };
+            if std::thread::Builder::new().name("connection".to_owned()).spawn(talk).is_err() {
+                // The connection is closed, and the client may try again.
+                shared.0.connections.fetch_sub(1, Ordering::SeqCst);
+            }
         }
     }
 
     /// Answers one request. What it brought is taken before the answer, so that what follows cannot overtake it.
-    fn talk(&self, mut stream: TcpStream, take: impl Fn(Posted)) -> io::Result<()> {
-        stream.set_read_timeout(Some(Duration::from_secs(10)))?;
-        let mut reader = BufReader::new(stream.try_clone()?);
-        let mut line = String::new();
-        reader.read_line(&mut line)?;
-        let mut words = line.split(' ').map(str::to_owned);
-        let (method, path) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
-        let length = content_length(&mut reader)?.min(MOST);
+    fn talk(&self, stream: &TcpStream, take: impl Fn(Posted)) -> io::Result<()> {
+        let mut share = None;
+        let reserve = |length| {
+            share = Share::take(&self.bodies, length, request::MAX_BODY);
+            share.is_some()
+        };
+        let request = match Request::read(stream, reserve) {
+            Ok(request) => request,
+            Err(Refusal::Broken(error)) => return Err(error),
+            Err(Refusal::Status(status)) => {
+                respond(stream, status, "text/plain", status.as_bytes())?;
+                return drain(stream);
+            }
+        };
+        let Request { method, path, body } = request;
         if let ("POST", Some(name)) = (method.as_str(), path.strip_prefix("/results/")) {
-            let mut body = vec![0; length];
-            reader.read_exact(&mut body)?;
             take(Posted { name: name.to_owned(), body });
-            return respond(&mut stream, "200 OK", "text/plain", b"");
+            return respond(stream, "200 OK", "text/plain", b"");
         }
         let file = FILES.iter().find(|(name, ..)| *name == path);
         let data = path.strip_prefix("/data/").and_then(|name| self.data.get(name));
         match (file, data) {
-            (Some((_, kind, text)), _) => respond(&mut stream, "200 OK", kind, text.as_bytes()),
-            (None, Some(bytes)) => respond(&mut stream, "200 OK", "application/octet-stream", bytes),
-            (None, None) => respond(&mut stream, "404 Not Found", "text/plain", b"there is nothing here"),
+            (Some((_, kind, text)), _) => respond(stream, "200 OK", kind, text.as_bytes()),
+            (None, Some(bytes)) => respond(stream, "200 OK", "application/octet-stream", bytes),
+            (None, None) => respond(stream, "404 Not Found", "text/plain", b"there is nothing here"),
         }
     }
 }
 
-/// Reads the headers to their end.
-fn content_length(reader: &mut impl BufRead) -> io::Result<usize> {
-    let mut length = 0;
-    loop {
-        let mut line = String::new();
-        if reader.read_line(&mut line)? == 0 || line.trim().is_empty() {
-            return Ok(length);
-        }
-        if let Some((name, value)) = line.split_once(':')
-            && name.eq_ignore_ascii_case("content-length")
-        {
-            length = value.trim().parse().unwrap_or(0);
+/// Whether accepting may work again later: a client broke off, or file descriptors or memory are short.
+fn may_pass(error: &io::Error) -> bool {
+    #[cfg(unix)]
+    {
+        use nix::errno::Errno;
+        let short = [Errno::EMFILE, Errno::ENFILE, Errno::ENOBUFS, Errno::ENOMEM].map(|errno| Some(errno as i32));
+        if short.contains(&error.raw_os_error()) {
+            return true;
         }
     }
+    matches!(
+        error.kind(),
+        io::ErrorKind::ConnectionAborted | io::ErrorKind::ConnectionReset | io::ErrorKind::Interrupted
+    )
 }
 
-fn respond(stream: &mut TcpStream, status: &str, kind: &str, body: &[u8]) -> io::Result<()> {
+fn respond(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8]) -> io::Result<()> {
+    stream.set_write_timeout(Some(PATIENCE))?;
     let length = body.len();
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {length}\r\n\
@@ -123,41 +184,18 @@ fn respond(stream: &mut TcpStream, status: &str, kind: &str, body: &[u8]) -> io:
     stream.write_all(body)
 }
 
-#[cfg(test)]
-mod tests {
-    use std::cell::Cell;
-
-    use super::*;
-
-    fn asked(request: &str) -> (String, Option<Posted>) {
-        let server = Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free");
-        let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-        client.write_all(request.as_bytes()).expect("it reads");
-        let (stream, _) = server.listener.accept().expect("there is a connection");
-        let posted = Cell::new(None);
-        server.talk(stream, |taken| posted.set(Some(taken))).expect("it is a request");
-        let mut answer = String::new();
-        client.read_to_string(&mut answer).expect("it answers in text");
-        (answer, posted.into_inner())
-    }
-
-    #[test]
-    fn the_page_and_its_data_are_handed_out() {
-        assert!(asked("GET / HTTP/1.1\r\n\r\n").0.contains("<title>shader-lab</title>"));
-        assert!(asked("GET /data/a HTTP/1.1\r\n\r\n").0.ends_with("\r\n\r\nnumbers"));
-    }
-
-    #[test]
-    fn nothing_else_is() {
-        for path in ["/data/b", "/../Cargo.toml", "//etc/passwd", ""] {
-            assert!(asked(&format!("GET {path} HTTP/1.1\r\n\r\n")).0.starts_with("HTTP/1.1 404"), "{path}");
+/// Reads what a refused client still sends, for a moment: closing at once could take the answer from it.
+fn drain(mut stream: &TcpStream) -> io::Result<()> {
+    stream.shutdown(Shutdown::Write)?;
+    stream.set_read_timeout(Some(PAUSE))?;
+    let mut bytes = [0; 4096];
+    for _ in 0..16 {
+        if stream.read(&mut bytes)? == 0 {
+            break;
         }
     }
-
-    #[test]
-    fn results_are_taken() {
-        let (_, posted) = asked("POST /results/kernels/sphere HTTP/1.1\r\nContent-Length: 3\r\n\r\nabc");
-        let posted = posted.expect("it brought something");
-        assert_eq!((posted.name.as_str(), &posted.body[..]), ("kernels/sphere", &b"abc"[..]));
-    }
+    Ok(())
 }
+
+#[cfg(test)]
+mod tests;

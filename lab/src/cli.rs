@@ -1,6 +1,7 @@
 //! The command line: every command with its options, in one place.
 
 use clap::{CommandFactory, Parser, Subcommand};
+use cpu::output::Options;
 
 use crate::Failure;
 use crate::commands::{bench, compare, completions, generate, inspect, render, report};
@@ -20,6 +21,19 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Do not wait until files are on the disk: faster, but a loss of power may damage them
+    #[arg(long, global = true)]
+    pub no_sync: bool,
+}
+
+impl Cli {
+    /// Runs the command.
+    ///
+    /// # Errors
+    /// Whatever ends it early.
+    pub fn run(&self) -> Result<(), Failure> {
+        self.command.run(Options { sync: !self.no_sync })
+    }
 }
 
 /// The commands.
@@ -44,20 +58,20 @@ pub enum Command {
 }
 
 impl Command {
-    /// Runs the command.
+    /// Runs the command, which writes its files as `options` say.
     ///
     /// # Errors
     /// Whatever ends it early.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, options: Options) -> Result<(), Failure> {
         match self {
-            Self::Render(arguments) => arguments.run(),
-            Self::Compare(arguments) => arguments.run(),
+            Self::Render(arguments) => arguments.run(options),
+            Self::Compare(arguments) => arguments.run(options),
             Self::Inspect(arguments) => arguments.run(),
-            Self::Generate(arguments) => arguments.run(),
-            Self::Bench(arguments) => arguments.run(),
-            Self::Report(arguments) => arguments.run(),
+            Self::Generate(arguments) => arguments.run(options),
+            Self::Bench(arguments) => arguments.run(options),
+            Self::Report(arguments) => arguments.run(options),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
-            Self::Man(arguments) => arguments.run(Cli::command()),
+            Self::Man(arguments) => arguments.run(Cli::command(), options),
         }
     }
 }

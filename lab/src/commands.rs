@@ -10,14 +10,12 @@ pub mod report;
 
 use serde::Serialize;
 
-use crate::Failure;
+use crate::{Failure, terminal};
 
 /// Writes a value as JSON to standard output.
 ///
 /// # Errors
 /// Standard output takes no more.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
-    use std::io::Write;
-    let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
-    Ok(writeln!(std::io::stdout(), "{text}")?)
+    terminal::print(&serde_json::to_string_pretty(value).map_err(|error| error.to_string())?)
 }

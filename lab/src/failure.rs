@@ -11,6 +11,10 @@ pub enum Failure {
     Other(String),
     /// Someone stopped it.
     Interrupted,
+    /// A command line that is not understood; a message has been written.
+    CommandLine,
+    /// Help was asked for and written: the end, and no failure.
+    Help,
 }
 
 impl Failure {
@@ -19,19 +23,20 @@ impl Failure {
     pub const fn status(&self) -> u8 {
         match self {
             Self::Rejected => 1,
-            Self::Renderer(_) | Self::Other(_) => 2,
+            Self::Help => 0,
+            Self::Renderer(_) | Self::Other(_) | Self::CommandLine => 2,
             Self::Interrupted => 130,
         }
     }
 
-    /// What to say about it; nothing where the output has said it already. Names of files need not be UTF-8.
+    /// What to say about it; nothing where the output has said it already. Control characters are escaped.
     #[must_use]
-    pub fn message(&self) -> Option<Vec<u8>> {
+    pub fn message(&self) -> Option<String> {
         match self {
-            Self::Rejected => None,
-            Self::Renderer(error) => Some(error.message()),
-            Self::Other(text) => Some(text.clone().into_bytes()),
-            Self::Interrupted => Some(b"interrupted; nothing was written".to_vec()),
+            Self::Rejected | Self::CommandLine | Self::Help => None,
+            Self::Renderer(error) => Some(String::from_utf8_lossy(&error.message_for_terminal()).into_owned()),
+            Self::Other(text) => Some(text.clone()),
+            Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
     }
 }

@@ -1,17 +1,20 @@
 //! A picture of where two pictures differ.
 
 use crate::difference::of_pixels;
-use crate::picture::Picture;
+use crate::picture::{Picture, with_room};
 
 /// Colours from no difference to the largest, dark to light, so that it reads in grey too (after the map "inferno").
 const COLORS: [[u8; 3]; 6] = [[0, 0, 4], [66, 10, 104], [147, 38, 103], [221, 81, 58], [252, 165, 10], [252, 255, 164]];
 
 /// The differences of two pictures of one size as colours, `scale` levels being the brightest.
-#[must_use]
-pub fn heatmap(first: &Picture, second: &Picture, scale: f64) -> Picture {
+///
+/// # Errors
+/// There is too little memory for it.
+pub fn heatmap(first: &Picture, second: &Picture, scale: f64) -> Result<Picture, String> {
     let pairs = first.pixels.iter().zip(&second.pixels);
-    let pixels = pairs.map(|(&a, &b)| color(if scale > 0.0 { of_pixels(a, b) / scale } else { 0.0 })).collect();
-    Picture { width: first.width, height: first.height, pixels }
+    let mut pixels = with_room(first.pixels.len())?;
+    pixels.extend(pairs.map(|(&a, &b)| color(if scale > 0.0 { of_pixels(a, b) / scale } else { 0.0 })));
+    Ok(Picture { width: first.width, height: first.height, pixels })
 }
 
 /// The colour at `position` from 0 to 1 along the map.
@@ -41,7 +44,7 @@ mod tests {
     fn equal_pixels_are_dark_and_the_largest_difference_is_light() {
         let first = Picture { width: 2, height: 1, pixels: vec![[5; 3], [5; 3]] };
         let second = Picture { width: 2, height: 1, pixels: vec![[5; 3], [9; 3]] };
-        assert_eq!(heatmap(&first, &second, 4.0).pixels, [COLORS[0], COLORS[5]]);
-        assert_eq!(heatmap(&first, &first, 0.0).pixels, [COLORS[0], COLORS[0]]);
+        assert_eq!(heatmap(&first, &second, 4.0).expect("it is small").pixels, [COLORS[0], COLORS[5]]);
+        assert_eq!(heatmap(&first, &first, 0.0).expect("it is small").pixels, [COLORS[0], COLORS[0]]);
     }
 }

@@ -1,45 +1,35 @@
 //! Ctrl-C, and a request to end, as something to ask for instead of the end itself.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+
+use cpu::output::stop;
 
 use crate::Failure;
 
-/// Whether somebody has asked to stop.
+/// Whether the process has been asked to stop.
 #[derive(Clone, Debug, Default)]
-pub struct Interrupt(Arc<AtomicBool>);
+pub struct Interrupt {
+    listens: bool,
+}
 
 impl Interrupt {
-    /// Listens to SIGINT, SIGTERM and SIGHUP from now on.
-    ///
-    /// # Errors
-    /// The system does not let it.
-    pub fn listen() -> Result<Self, Failure> {
-        let interrupt = Self::default();
-        let flag = Arc::clone(&interrupt.0);
-        ctrlc::set_handler(move || {
-            // Asked a second time: whoever waits does not want to wait for the end of a row.
-            if flag.swap(true, Ordering::SeqCst) {
-                // Nor for the end of a file, which then goes.
-                #[cfg(unix)]
-                cpu::output::stop::remove_temporary();
-                std::process::exit(130);
-            }
-        })
-        .map_err(|error| Failure::Other(error.to_string()))?;
-        Ok(interrupt)
+    /// Listens to SIGHUP, SIGINT and SIGTERM from now on. The first of them is only noted. The second ends the process, for
+    /// whoever sends it does not want to wait for the end of a row.
+    #[must_use]
+    pub fn listen() -> Self {
+        stop::note_first_request();
+        Self { listens: true }
     }
 
-    /// Goes on, or breaks off once somebody has asked.
+    /// Goes on, or breaks off after a request.
     pub fn flow(&self) -> ControlFlow<()> {
-        if self.0.load(Ordering::SeqCst) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.listens && stop::requested() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// As a result.
     ///
     /// # Errors
-    /// [`Failure::Interrupted`] once somebody has asked.
+    /// [`Failure::Interrupted`] after a request.
     pub fn check(&self) -> Result<(), Failure> {
         if self.flow().is_break() { Err(Failure::Interrupted) } else { Ok(()) }
     }

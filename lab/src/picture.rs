@@ -3,16 +3,19 @@
 //! `tests::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must take any
 //! valid picture, so this reader follows the PPM format with its comments and free white space.
 
-use std::fs::File;
 use std::io::{self, Cursor, Read, Write};
 use std::path::Path;
 
+use cpu::input::Input;
 use cpu::{Error, Image, Rgb, Size};
 
-use crate::Failure;
+use crate::{Failure, terminal};
 
-/// Largest file that is read, in bytes: PPM text of more than 300 million pixels.
-pub const MAX_FILE_BYTES: u64 = 4 << 30;
+/// Largest file that is read, in bytes: more than the longest PPM text of [`MAX_PIXELS`].
+pub const MAX_FILE_BYTES: u64 = 1 << 30;
+
+/// Most pixels of a picture from a file, for a PNG of a few thousand bytes may announce any number: 8192 x 8192.
+pub const MAX_PIXELS: usize = 1 << 26;
 
 /// Most that deflate can grow: a PNG that announces more pixels than this holds lies about them.
 const DEFLATE_GROWTH: usize = 1032;
@@ -34,8 +37,9 @@ impl Picture {
     /// # Errors
     /// The file cannot be read, is larger than [`MAX_FILE_BYTES`], or is neither PPM nor an 8-bit PNG.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let read = |path| Self::parse(&picture_bytes(File::open(path).map_err(|error| error.to_string())?)?);
-        read(path).map_err(|reason| format!("{}: {reason}", path.display()).into())
+        let open = || Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
+        let read = || Self::parse(&picture_bytes(open()?)?);
+        read().map_err(|reason| format!("{}: {reason}", terminal::name(path)).into())
     }
 
     /// The picture that `bytes` are the file of.
@@ -69,12 +73,17 @@ impl Picture {
     ///
     /// # Panics
     /// When it goes beyond the picture.
-    #[must_use]
-    pub fn crop(&self, [x, y, width, height]: [usize; 4]) -> Self {
-        let rows = self.pixels.chunks(self.width).skip(y).take(height);
-        let pixels: Vec<_> = rows.flat_map(|row| row[x..x + width].iter().copied()).collect();
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn crop(&self, [x, y, width, height]: [usize; 4]) -> Result<Self, Error> {
+        let mut pixels =
+            with_room(width * height).map_err(|_| Error::OutOfMemory { what: "the part of the picture" })?;
+        for row in self.pixels.chunks(self.width).skip(y).take(height) {
+            pixels.extend_from_slice(&row[x..x + width]);
+        }
         assert_eq!(pixels.len(), width * height, "the part lies within the picture");
-        Self { width, height, pixels }
+        Ok(Self { width, height, pixels })
     }
 
     /// Writes it as PNG.
@@ -87,7 +96,10 @@ impl Picture {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         let mut writer = encoder.write_header()?;
-        writer.write_image_data(self.pixels.as_flattened())?;
+        // In pieces, so that the compressed picture is not held in memory.
+        let mut stream = writer.stream_writer_with_size(PIECE)?;
+        stream.write_all(self.pixels.as_flattened())?;
+        stream.finish()?;
         Ok(writer.finish()?)
     }
 
@@ -106,11 +118,13 @@ impl Picture {
     }
 }
 
+/// Bytes of compressed pixels that are written at once.
+const PIECE: usize = 1 << 16;
+
 const NEITHER: &str = "neither PPM (P3 or P6) nor PNG";
 
 /// The bytes of a file that begins as a picture does. One that does not, such as `/dev/zero`, is not read to its end.
-fn picture_bytes(file: impl Read) -> Result<Vec<u8>, String> {
-    let mut file = file.take(MAX_FILE_BYTES + 1);
+fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let mut read = |limit, bytes: &mut Vec<u8>| {
         // `read_to_end` reports it as an error where memory is short.
@@ -121,17 +135,20 @@ fn picture_bytes(file: impl Read) -> Result<Vec<u8>, String> {
         return Err(NEITHER.to_owned());
     }
     read(u64::MAX, &mut bytes)?;
-    if bytes.len() as u64 > MAX_FILE_BYTES {
-        return Err(format!("it is larger than {MAX_FILE_BYTES} bytes"));
-    }
     Ok(bytes)
 }
 
 /// An empty list with room for `count` items, or words where memory is short.
-fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
+pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
     list.try_reserve_exact(count).map_err(|_| "not enough memory for the picture".to_owned())?;
     Ok(list)
+}
+
+/// The number of pixels that a picture announces, unless it is more than [`MAX_PIXELS`].
+fn check_pixels(announced: Option<usize>) -> Result<usize, String> {
+    let is_allowed = |count: &usize| *count <= MAX_PIXELS;
+    announced.filter(is_allowed).ok_or_else(|| format!("it has more than {MAX_PIXELS} pixels"))
 }
 
 fn from_png(bytes: &[u8]) -> Result<Picture, String> {
@@ -139,6 +156,11 @@ fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
     // Before any memory is taken for it: a few bytes can announce a picture of any size.
+    let info = reader.info();
+    check_pixels((info.width as usize).checked_mul(info.height as usize))?;
+    if reader.output_color_type().1 != png::BitDepth::Eight {
+        return Err("a PNG of more than 8 bits a channel".to_owned());
+    }
     let announced = reader.info().raw_bytes();
     if announced > bytes.len().saturating_mul(DEFLATE_GROWTH) {
         return Err(format!("a PNG that announces {announced} bytes of pixels and cannot hold them"));
@@ -151,9 +173,6 @@ fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     let mut buffer = with_room(length)?;
     buffer.resize(length, 0);
     let frame = reader.next_frame(&mut buffer).map_err(|error| error.to_string())?;
-    if frame.bit_depth != png::BitDepth::Eight {
-        return Err("a PNG of more than 8 bits a channel".to_owned());
-    }
     let samples = frame.color_type.samples();
     let colors = buffer[..frame.buffer_size()].chunks_exact(samples);
     let mut pixels = with_room(colors.len())?;
@@ -171,7 +190,10 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
     if number(&mut rest)? != 255 {
         return Err("a PPM whose largest value is not 255".to_owned());
     }
-    let count = width.checked_mul(height).filter(|&count| count > 0).ok_or("a PPM of no possible size")?;
+    let count = check_pixels(width.checked_mul(height))?;
+    if count == 0 {
+        return Err("a PPM without pixels".to_owned());
+    }
     let mut pixels;
     if bytes[1] == b'6' {
         // One white-space byte ends the header.

@@ -11,31 +11,75 @@ pub mod findings;
 pub mod html;
 pub mod style;
 
+use std::collections::HashSet;
 use std::path::Path;
 
-use cpu::output::Output;
+use cpu::output::{Options, Output};
 
-use crate::Failure;
 use crate::bench::results::Results;
+use crate::{Failure, terminal};
+use chart::Chart;
+
+/// What is written beside the charts.
+pub const FILES: [&str; 2] = ["index.html", "findings.json"];
 
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`.
 ///
 /// # Errors
 /// A file cannot be written, or there is nothing to draw.
-pub fn write(results: &Results, folder: &Path) -> Result<(), Failure> {
+pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), Failure> {
     let charts = charts::all(results);
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
     let figures = folder.join("charts");
-    std::fs::create_dir_all(&figures).map_err(|error| format!("{}: {error}", figures.display()))?;
+    std::fs::create_dir_all(&figures).map_err(|error| format!("{}: {error}", terminal::name(&figures)))?;
     let findings = findings::of(results);
-    for (chart, svg) in &drawn {
-        put(&figures.join(format!("{}.svg", chart.name)), svg)?;
+    for (name, (_, svg)) in file_names(&charts).into_iter().zip(&drawn) {
+        put(&figures.join(format!("{name}.svg")), svg, options)?;
     }
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())?;
-    put(&folder.join("findings.json"), &format!("{json}\n"))?;
-    put(&folder.join("index.html"), &html::page(results, &findings, &drawn))
+    put(&folder.join("findings.json"), &format!("{json}\n"), options)?;
+    put(&folder.join("index.html"), &html::page(results, &findings, &drawn), options)
 }
 
-fn put(path: &Path, text: &str) -> Result<(), Failure> {
-    Ok(Output::open(path)?.write(|file| file.write_all(text.as_bytes()))?)
+fn put(path: &Path, text: &str, options: Options) -> Result<(), Failure> {
+    Ok(Output::open(path, options)?.fill(|file| file.write_all(text.as_bytes()))?)
+}
+
+/// Names for the charts' files, without an ending, all different. A chart's own name may hold the name of a scene, which
+/// comes from the data: only letters, digits, `-` and `_` of it are kept, so that no file lies outside the folder.
+fn file_names(charts: &[Chart]) -> Vec<String> {
+    const LONGEST: usize = 100;
+
+    let mut taken = HashSet::new();
+    let mut names = Vec::new();
+    for chart in charts {
+        let tame = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };
+        let base: String = chart.name.chars().take(LONGEST).map(tame).collect();
+        let numbered = (2..).map(|number| format!("{base}-{number}"));
+        names.extend(std::iter::once(base.clone()).chain(numbered).find(|name| taken.insert(name.clone())));
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::chart::Axis;
+    use super::*;
+
+    #[test]
+    fn names_of_scenes_lead_to_no_other_folder_and_stay_different() {
+        let axis = Axis { label: "", format: |value| value.to_string() };
+        let chart = |name: &str| Chart {
+            name: name.to_owned(),
+            title: String::new(),
+            x: axis,
+            y: axis,
+            series: Vec::new(),
+            rows: Vec::new(),
+        };
+        let names = ["error-time-grid", "../../x", "..\\..\\x", "a\0\u{1b}\n/ä", &"long".repeat(99)];
+        let found = file_names(&names.map(chart));
+        assert_eq!(found[..4], ["error-time-grid", "------x", "------x-2", "a-----"].map(str::to_owned));
+        assert_eq!(found[4].len(), 100);
+    }
 }

@@ -109,6 +109,13 @@ struct Part {
 }
 
 impl Composition {
+    /// A text that was composed elsewhere, as one file.
+    #[must_use]
+    pub fn of_text(source: String, precision: Precision) -> Self {
+        let part = Part { path: "standard input".to_owned(), first_line: 1 };
+        Self { source, precision, root: "standard input", parts: vec![part] }
+    }
+
     /// The whole text.
     #[must_use]
     pub fn source(&self) -> &str {

@@ -9,6 +9,10 @@ use naga::front::wgsl::ParseError;
 use naga::valid::ValidationError;
 
 use crate::Composition;
+use crate::limits::Excess;
+
+/// Most characters of a line that a message shows.
+const SHOWN: usize = 160;
 
 /// What naga found wrong, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +47,17 @@ impl Diagnostic {
         Self { message, place: Place::new(error.location(composition.source()), composition) }
     }
 
+    pub(crate) fn of_excess(excess: &Excess, composition: &Composition) -> Self {
+        // naga counts lines and bytes in lines from 1.
+        let before = &composition.source()[..excess.offset];
+        let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        let [line_number, line_position, offset] =
+            [line, excess.offset - start + 1, excess.offset].map(|number| u32::try_from(number).unwrap_or(u32::MAX));
+        let location = SourceLocation { line_number, line_position, offset, length: 1 };
+        Self { message: excess.message.clone(), place: Place::new(Some(location), composition) }
+    }
+
     pub(crate) fn of_validation(error: &WithSpan<ValidationError>, composition: &Composition) -> Self {
         let mut message = error.as_inner().to_string();
         let mut cause = error.as_inner().source();
@@ -74,8 +89,12 @@ impl fmt::Display for Diagnostic {
         let Some(place) = &self.place else { return f.write_str(&self.message) };
         writeln!(f, "{}:{}:{}: {}", place.file, place.line, place.column, self.message)?;
         let margin = format!("{} | ", place.line);
-        writeln!(f, "{margin}{}", place.text)?;
-        write!(f, "{:indent$}{}", "", "^".repeat(place.length), indent = margin.len() + place.column - 1)
+        // Of a long line, the part about the fault.
+        let skipped = (place.column - 1).saturating_sub(SHOWN / 2);
+        let text: String = place.text.chars().skip(skipped).take(SHOWN).collect();
+        writeln!(f, "{margin}{text}")?;
+        let (indent, room) = (place.column - 1 - skipped, SHOWN.saturating_sub(place.column - 1 - skipped));
+        write!(f, "{:indent$}{}", "", "^".repeat(place.length.min(room.max(1))), indent = margin.len() + indent)
     }
 }
 
@@ -98,6 +117,17 @@ mod tests {
         let message = message("// One.\nfn f() -> real {\n    return vec3_dat(1.0);\n}\n");
         assert!(message.starts_with("mine.wgsl:3:12: no definition in scope for identifier"), "{message}");
         assert!(message.ends_with("3 |     return vec3_dat(1.0);\n               ^^^^^^^^"), "{message}");
+    }
+
+    #[test]
+    fn of_a_long_line_the_part_about_the_fault_is_shown() {
+        let message =
+            message(&format!("const a = {}; const b = missing; const c = {};", "1".repeat(999), "1".repeat(999)));
+        let lines: Vec<_> = message.lines().collect();
+        let [_, text, carets] = lines[..] else { panic!("{message}") };
+        assert_eq!(text.chars().count(), "1 | ".len() + super::SHOWN, "{message}");
+        let place = carets.find('^').expect("there is a caret");
+        assert!(text[place..].starts_with('1') || text[place..].starts_with("missing"), "{message}");
     }
 
     #[test]

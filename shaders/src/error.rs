@@ -14,6 +14,16 @@ pub enum Error {
     /// naga does not accept the text.
     #[error("{0}")]
     Invalid(Box<Diagnostic>),
+    /// There is no memory for the thread that naga runs on.
+    #[error(
+        "no thread with a stack of {bytes} bytes can be started: {cause}; raise the limits on memory and processes"
+    )]
+    NoStack {
+        /// Bytes of the stack.
+        bytes: usize,
+        /// The system's words.
+        cause: String,
+    },
     /// The target cannot calculate in this precision.
     #[error("{target} cannot take {precision}: {reason}; compose for f32 instead")]
     Unsupported {

@@ -7,6 +7,7 @@
 //! - [`module`] lists the modules and what each needs;
 //! - [`compose`] puts a module and its needs into one text, with any of them replaced;
 //! - [`validate`] has naga read and check that text, and points at faults in the module's own file;
+//! - [`limits`] bounds what naga is given;
 //! - [`features`] are the scene's needs as pipeline-overridable constants;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!
@@ -23,6 +24,7 @@ pub mod compose;
 pub mod diagnostic;
 pub mod error;
 pub mod features;
+pub mod limits;
 pub mod module;
 pub mod precision;
 pub mod translate;

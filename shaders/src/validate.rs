@@ -3,7 +3,7 @@
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, Type};
 
-use crate::{Composition, Diagnostic, Error, Precision};
+use crate::{Composition, Diagnostic, Error, Precision, limits};
 
 /// A buffer that a shader binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +38,12 @@ pub struct Validated {
 
 impl Validated {
     pub(crate) fn new(composition: &Composition) -> Result<Self, Error> {
+        limits::check(composition.source())
+            .map_err(|excess| Error::Invalid(Box::new(Diagnostic::of_excess(&excess, composition))))?;
+        on_a_large_stack(|| Self::by_naga(composition))?
+    }
+
+    fn by_naga(composition: &Composition) -> Result<Self, Error> {
         let module = naga::front::wgsl::parse_str(composition.source())
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
         // No more than what a device offers: f64 only where it was asked for.
@@ -72,6 +78,17 @@ impl Validated {
     pub fn entry_points(&self) -> Vec<&str> {
         self.module.entry_points.iter().map(|entry| entry.name.as_str()).collect()
     }
+}
+
+/// Runs `work` on a thread of [`limits::STACK_BYTES`], for the caller's stack may be of any size.
+fn on_a_large_stack<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, Error> {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().name("naga".to_owned()).stack_size(limits::STACK_BYTES);
+        match thread.spawn_scoped(scope, work) {
+            Ok(thread) => thread.join().map_err(|panic| std::panic::resume_unwind(panic)),
+            Err(cause) => Err(Error::NoStack { bytes: limits::STACK_BYTES, cause: cause.to_string() }),
+        }
+    })
 }
 
 #[cfg(test)]

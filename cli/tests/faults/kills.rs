@@ -1,6 +1,7 @@
 //! Processes ended from outside at random moments.
 
-use std::fs;
+use std::fs::{self, Permissions};
+use std::os::unix::fs::PermissionsExt;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
@@ -85,14 +86,17 @@ fn every_request_to_stop_in_the_middle_of_writing_removes_the_half_picture() {
     let workshop = Workshop::new(config, "");
     let out = workshop.path("d/out.ppm");
     let mut met = 0;
-    for signal in [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT, Signal::SIGXCPU] {
+    let requests = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT, Signal::SIGXCPU, Signal::SIGABRT];
+    let others = [Signal::SIGALRM, Signal::SIGUSR1, Signal::SIGUSR2, Signal::SIGVTALRM, Signal::SIGPROF];
+    #[cfg(target_os = "linux")]
+    let linux = [Signal::SIGPWR, Signal::SIGIO, Signal::SIGSTKFLT];
+    #[cfg(not(target_os = "linux"))]
+    let linux = [];
+    for signal in requests.into_iter().chain(others).chain(linux) {
         for program in PROGRAMS {
             fs::write(&out, "old").expect("the folder is writable");
             let mut child = Running::start(&mut workshop.command(program));
-            let is_half = |name: &String| {
-                fs::metadata(workshop.path("d").join(name)).is_ok_and(|metadata| metadata.len() > 1 << 16)
-            };
-            wait_until("a half picture", || workshop.outputs().iter().any(is_half));
+            wait_until("a half picture", || workshop.half(&child).is_some_and(|file| file.len() > 1 << 16));
             send(&child, signal);
             let status = child.wait().expect("it ends");
             assert_eq!(workshop.outputs(), ["out.ppm"], "{signal}");
@@ -112,10 +116,30 @@ fn a_signal_that_is_ignored_stays_ignored() {
     // As under nohup.
     shell.args(["-c", "trap '' HUP; exec \"$@\"", "ignoring", PROGRAMS[0], "config.txt", "scene.txt", "d/out.ppm"]);
     let mut child = Running::start(shell.current_dir(workshop.path("")));
-    wait_until("a half picture", || workshop.outputs().iter().any(|name| name.starts_with('.')));
+    wait_until("a half picture", || workshop.half(&child).is_some());
     send(&child, Signal::SIGHUP);
     assert!(child.wait().expect("it ends").success());
     assert_eq!(workshop.outputs(), ["out.ppm"]);
+}
+
+#[test]
+fn a_private_picture_is_private_while_it_is_written() {
+    let workshop = Workshop::new("image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n", "");
+    let out = workshop.path("d/out.ppm");
+    for program in PROGRAMS {
+        fs::write(&out, "old").expect("the folder is writable");
+        fs::set_permissions(&out, Permissions::from_mode(0o600)).expect("it is ours");
+        let mut child = Running::start(&mut workshop.command(program));
+        let mut modes = Vec::new();
+        wait_until("a half picture", || {
+            let half = workshop.half(&child);
+            modes.extend(half.iter().map(|file| file.permissions().mode() & 0o777));
+            half.is_some_and(|file| file.len() > 1 << 16)
+        });
+        assert!(child.wait().expect("it ends").success());
+        modes.push(fs::metadata(&out).expect("it stands").permissions().mode() & 0o777);
+        assert!(modes.iter().all(|&mode| mode == 0o600), "{modes:?}");
+    }
 }
 
 #[test]

@@ -38,6 +38,15 @@ impl Workshop {
         names
     }
 
+    /// The picture that a process is writing, which need not have a name: an open file of the picture's folder.
+    pub fn half(&self, child: &Child) -> Option<fs::Metadata> {
+        let folder = fs::canonicalize(self.path("d")).expect("it is there");
+        let descriptors = fs::read_dir(format!("/proc/{}/fd", child.id())).ok()?;
+        let links = descriptors.filter_map(|entry| Some(entry.ok()?.path()));
+        let mut files = links.filter(|link| fs::read_link(link).is_ok_and(|file| file.parent() == Some(&*folder)));
+        files.find_map(|link| fs::metadata(link).ok())
+    }
+
     /// `program config.txt scene.txt d/out.ppm`, run in the folder.
     pub fn command(&self, program: &str) -> Command {
         self.command_with(program, ["config.txt", "scene.txt", "d/out.ppm"])

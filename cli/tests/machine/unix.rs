@@ -8,6 +8,8 @@ use std::process::{Command, Output};
 
 use libtest_mimic::{Failed, Trial};
 
+mod rights;
+
 const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
 /// A picture of 40,000 pixels takes more than 64 kB.
@@ -19,7 +21,7 @@ const NOBODY: u32 = 65_534;
 pub fn trials() -> Vec<Trial> {
     let is_root = fs::metadata("/proc/self").is_ok_and(|metadata| metadata.uid() == 0);
     let can_mount = is_root && mounts();
-    vec![
+    let mut trials = vec![
         Trial::test("a_limit_on_file_sizes_leaves_the_old_file", a_limit_on_file_sizes_leaves_the_old_file),
         Trial::test("too_little_memory_is_an_error", too_little_memory_is_an_error),
         Trial::test("a_read_only_folder_takes_no_file", move || a_read_only_folder_takes_no_file(is_root)),
@@ -27,7 +29,9 @@ pub fn trials() -> Vec<Trial> {
         Trial::test("a_full_disk_leaves_the_old_file", a_full_disk_leaves_the_old_file)
             .with_kind(if can_mount { "" } else { "needs the right to mount" })
             .with_ignored_flag(!can_mount),
-    ]
+    ];
+    trials.extend(rights::trials(is_root, can_mount));
+    trials
 }
 
 /// A folder that everyone can enter, with a configuration, an empty scene, and the programs themselves, which may lie

@@ -22,6 +22,31 @@ fn nul_and_invalid_utf8_are_shown_as_they_stand() {
     Bench::new(SMALL, line).refuses(&[b"Material not found: [\xc3\x28]\nLine: \"".as_slice(), line, b"\""].concat());
 }
 
+/// Only a terminal obeys control characters; whoever reads the message through a pipe gets the bytes.
+#[cfg(unix)]
+#[test]
+fn control_characters_are_escaped_on_a_terminal() {
+    use std::io::Read;
+    use std::process::Stdio;
+
+    let bench = Bench::new(b"\x1b[2J\x9b: 1\x07", "");
+    bench.refuses(b"Unknown configuration key: [\x1b[2J\x9b:]");
+    let bench = Bench::new(b"gamma: \x1b[31m\r2", "");
+    for program in PROGRAMS {
+        let terminal = nix::pty::openpty(None, None).expect("the system has terminals");
+        let mut command = bench.command(program, "out\x1b.ppm");
+        let mut child = command.stderr(Stdio::from(terminal.slave)).spawn().expect("the program runs");
+        // Holds the terminal's other end.
+        drop(command);
+        assert_eq!(child.wait().expect("it ends").code(), Some(1));
+        let mut shown = Vec::new();
+        // The end of a terminal is an error.
+        let _ = fs::File::from(terminal.master).read_to_end(&mut shown);
+        let expected = "Error: Invalid value for key: [gamma:]\r\nLine: \"gamma: \\u{1b}[31m\\r2\"\r\n";
+        assert_eq!(String::from_utf8_lossy(&shown), expected);
+    }
+}
+
 #[test]
 fn a_byte_order_mark_belongs_to_the_first_key() {
     Bench::new("\u{feff}gamma: 2", "").refuses("Unknown configuration key: [\u{feff}gamma:]".as_bytes());

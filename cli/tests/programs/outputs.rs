@@ -1,7 +1,7 @@
 //! Where the picture goes, and that it goes there whole or not at all.
 
 use std::fs::{self, File};
-use std::process::{Output, Stdio};
+use std::process::{Command, Output, Stdio};
 
 use crate::bench::{Bench, PROGRAMS, SMALL, assert_failed, assert_succeeded};
 
@@ -10,6 +10,16 @@ const LARGE: &str = "image_width: 150\naspect_ratio: 1 1\nsamples_per_pixel: 1\n
 
 fn run(bench: &Bench, program: &str, out: &str) -> Output {
     bench.command(program, out).output().expect("the program runs")
+}
+
+/// A picture that takes for ever: what refuses it does so before rendering.
+const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
+
+/// The same, ended after a minute.
+fn run_promptly(bench: &Bench, program: &str, out: &str, redirection: &str) -> Output {
+    let script = format!("exec timeout 60 \"$0\" config.txt scene.txt {out} {redirection}");
+    let output = Command::new("bash").current_dir(bench.path("")).args(["-c", &script, program]).output();
+    output.expect("the program runs")
 }
 
 fn assert_cannot_write(output: &Output, out: &str, reason: &str) {
@@ -72,6 +82,98 @@ fn a_link_stays_a_link_to_the_new_picture() {
             assert!(fs::read(bench.path("folder/out.ppm")).expect("it was written") == expected);
             assert_eq!(bench.outputs(), ["folder", "link.ppm"]);
         }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_dangling_chain_of_links_leads_to_the_new_picture() {
+    use std::os::unix::fs::symlink;
+
+    let bench = Bench::new(SMALL, "");
+    let expected = bench.render();
+    for program in PROGRAMS {
+        symlink("l2", bench.path("l1")).expect("links are allowed");
+        symlink("t", bench.path("l2")).expect("links are allowed");
+        assert_succeeded(&run(&bench, program, "l1"));
+        assert!(bench.path("l1").is_symlink() && bench.path("l2").is_symlink() && !bench.path("t").is_symlink());
+        assert!(fs::read(bench.path("t")).expect("it was written") == expected);
+        assert_eq!(bench.outputs(), ["l1", "l2", "t"]);
+        for name in ["l1", "l2", "t"] {
+            fs::remove_file(bench.path(name)).expect("it is ours");
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_output_that_is_an_input_is_refused_before_it_is_read() {
+    use std::os::unix::fs::symlink;
+
+    // Neither is text that could be read: the refusal comes first.
+    let bench = Bench::new("no key", "no entity");
+    symlink("scene.txt", bench.path("link")).expect("links are allowed");
+    fs::hard_link(bench.path("config.txt"), bench.path("hard")).expect("links are allowed");
+    for program in PROGRAMS {
+        for (out, input) in [("scene.txt", "scene.txt"), ("link", "scene.txt"), ("hard", "config.txt")] {
+            let reason = format!("it is the same file as the input [{input}]; choose another file for the output\n");
+            assert_cannot_write(&run(&bench, program, out), out, &reason);
+        }
+        assert_eq!(fs::read(bench.path("config.txt")).expect("it stands"), b"no key");
+        assert_eq!(fs::read(bench.path("scene.txt")).expect("it stands"), b"no entity");
+        assert_eq!(bench.outputs(), ["hard", "link"]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_may_be_input_and_output() {
+    let bench = Bench::new(SMALL, "");
+    for program in PROGRAMS {
+        let output =
+            Command::new(program).current_dir(bench.path("")).args(["config.txt", "/dev/null", "/dev/null"]).output();
+        assert_succeeded(&output.expect("the program runs"));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_socket_is_refused_at_once() {
+    let bench = Bench::new(ENDLESS, "");
+    let _socket = std::os::unix::net::UnixListener::bind(bench.path("socket")).expect("the folder is writable");
+    for program in PROGRAMS {
+        assert_cannot_write(&run_promptly(&bench, program, "socket", ""), "socket", "it is a socket");
+        assert_eq!(bench.outputs(), ["socket"]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_standard_output_that_takes_nothing_is_refused_at_once() {
+    let bench = Bench::new(ENDLESS, "");
+    std::os::unix::fs::symlink("/dev/stdout", bench.path("link")).expect("links are allowed");
+    for program in PROGRAMS {
+        for (redirection, reason) in
+            [(">&-", "standard output is closed"), ("1</dev/null", "standard output is open for")]
+        {
+            for out in ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1", "link"] {
+                assert_cannot_write(&run_promptly(&bench, program, out, redirection), out, reason);
+            }
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_standard_output_that_appends_is_appended_to() {
+    let bench = Bench::new(SMALL, "");
+    let expected = [b"before\n", &bench.render()[..]].concat();
+    for program in PROGRAMS {
+        fs::write(bench.path("redirected"), "before\n").expect("the folder is writable");
+        let file = File::options().append(true).open(bench.path("redirected")).expect("it is ours");
+        let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
+        assert!(status.success());
+        assert!(fs::read(bench.path("redirected")).expect("it was written") == expected);
     }
 }
 

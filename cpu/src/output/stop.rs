@@ -1,31 +1,55 @@
-//! A process that is asked to stop takes its temporary file with it.
+//! A signal that ends the process removes its temporary files first.
 //!
-//! A picture under a temporary name is half a picture: nobody wants it, and nobody would ever remove it. The name of the
-//! one file that is being written is kept where a signal handler may look; the programs install such a handler, the
-//! library alone changes nothing about signals. Against SIGKILL nothing helps: the old picture stands, and a hidden
-//! `.render-*.tmp` may stay beside it.
+//! The names of the files that are being written are kept where a signal handler may look. The programs install such a
+//! handler; the library alone changes nothing about signals. Against SIGKILL nothing helps: the old file stands, and a
+//! hidden `.render-*.tmp` may stay beside it, where the file system makes no files without a name.
 
 #![allow(unsafe_code)]
 
-use std::ffi::{CString, c_char, c_int};
-use std::os::unix::ffi::OsStrExt;
-use std::path::Path;
+use std::ffi::{CStr, CString, c_int};
+use std::io;
 use std::ptr;
-use std::sync::atomic::{AtomicPtr, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
 
-/// The file that is being written.
-static TEMPORARY: Slot = Slot(AtomicPtr::new(ptr::null_mut()));
+use super::folder;
 
-/// A place for one path, as `unlink` takes it, or null. Whoever swaps it out owns it.
-struct Slot(AtomicPtr<c_char>);
+/// The files that are being written and have a temporary name.
+static FILES: [Slot; 16] = [const { Slot(AtomicPtr::new(ptr::null_mut())) }; 16];
+/// Whether the first request to stop is only noted, and whether there was one.
+static NOTES_REQUESTS: AtomicBool = AtomicBool::new(false);
+static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// Hangup, interruption, quit and termination have these numbers on every Unix.
-const STOPS: [c_int; 4] = [1, 2, 3, 15];
-/// The limit on processor time, and the one on file sizes, whose signal is better an error of the write.
-#[cfg(any(target_os = "linux", target_os = "macos"))]
-const LIMITS: Option<[c_int; 2]> = Some([24, 25]);
+/// A place for one file, or null. Whoever swaps it out removes it or forgets it.
+#[derive(Debug)]
+struct Slot(AtomicPtr<Named>);
+
+/// A name in an open folder.
+#[derive(Debug)]
+struct Named {
+    folder: c_int,
+    name: CString,
+}
+
+/// Requests to stop: hangup, interruption and termination have these numbers on every Unix.
+const REQUESTS: [c_int; 3] = [1, 2, 15];
+/// Other signals that end a process, with the same numbers on every Unix: quit, illegal instruction, trap, abort,
+/// floating-point error, pipe, alarm. SIGSEGV and SIGBUS are left to the standard library, which tells a stack overflow
+/// from other faults.
+const FATAL: [c_int; 7] = [3, 4, 5, 6, 8, 13, 14];
+/// Those of Linux: two for users, a coprocessor's fault, processor time, two timers, input, power, system call, and the
+/// real-time signals from 34 on.
+#[cfg(target_os = "linux")]
+const MORE: &[c_int] = &[
+    10, 12, 16, 24, 26, 27, 29, 30, 31, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53,
+    54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
+];
+/// Those of macOS: emulation, system call, processor time, two timers, two for users.
+#[cfg(target_os = "macos")]
+const MORE: &[c_int] = &[7, 12, 24, 26, 27, 30, 31];
 #[cfg(not(any(target_os = "linux", target_os = "macos")))]
-const LIMITS: Option<[c_int; 2]> = None;
+const MORE: &[c_int] = &[];
+/// The limit on file sizes, whose signal is better an error of the write.
+const FILE_SIZE: Option<c_int> = if cfg!(any(target_os = "linux", target_os = "macos")) { Some(25) } else { None };
 
 /// What a signal may be set to beside the address of a function.
 const DEFAULT: usize = 0;
@@ -35,61 +59,66 @@ const IGNORE: usize = 1;
 unsafe extern "C" {
     fn signal(number: c_int, handler: usize) -> usize;
     fn raise(number: c_int) -> c_int;
-    fn unlink(path: *const c_char) -> c_int;
+    fn getpid() -> c_int;
+    fn _exit(status: c_int) -> !;
 }
 
-impl Slot {
-    fn remember(&self, path: &Path) {
-        // A path with a NUL byte names no file that could be there.
-        let name = CString::new(path.as_os_str().as_bytes()).map_or(ptr::null_mut(), CString::into_raw);
-        free(self.0.swap(name, Ordering::SeqCst));
+/// A file that is removed when this is dropped, and when a signal ends the process.
+#[derive(Debug)]
+pub(super) struct Remembered {
+    slot: &'static Slot,
+    named: &'static Named,
+}
+
+impl Remembered {
+    /// Remembers `name` in the open `folder`, which must stay open as long as this lives.
+    ///
+    /// # Errors
+    /// Too many files are being written at once.
+    pub fn new(folder: c_int, name: &CStr) -> io::Result<Self> {
+        // Never freed, because a signal handler on another thread may still be looking at it: some 60 bytes a file.
+        let named: &'static Named = Box::leak(Box::new(Named { folder, name: name.to_owned() }));
+        let slot = FILES.iter().find(|slot| slot.exchange(ptr::null(), named));
+        slot.map(|slot| Self { slot, named })
+            .ok_or_else(|| io::Error::other("too many files are being written at once"))
     }
 
-    fn forget(&self) {
-        free(self.0.swap(ptr::null_mut(), Ordering::SeqCst));
+    /// The file has its place, or was never made: it is not removed.
+    pub fn forget(self) {
+        self.slot.exchange(self.named, ptr::null());
     }
+}
 
-    /// Calls nothing but what a signal handler may call.
-    fn remove(&self) {
-        // Not freed: the process ends, and a signal handler may not free.
-        let name = self.0.swap(ptr::null_mut(), Ordering::SeqCst);
-        if !name.is_null() {
-            // SAFETY: it is a C string from `remember` that only this swap took out, and it is never freed.
-            unsafe { unlink(name) };
+impl Drop for Remembered {
+    fn drop(&mut self) {
+        // Not so after `forget`, and where a signal handler has removed the file.
+        if self.slot.exchange(self.named, ptr::null()) {
+            folder::unlink(self.named.folder, &self.named.name);
         }
     }
 }
 
-fn free(name: *mut c_char) {
-    if !name.is_null() {
-        // SAFETY: it comes from `CString::into_raw` in `remember`, and having swapped it out nobody else has it.
-        drop(unsafe { CString::from_raw(name) });
+impl Slot {
+    /// Puts `new` in the place of `old`, and says whether `old` was there.
+    fn exchange(&self, old: *const Named, new: *const Named) -> bool {
+        self.0.compare_exchange(old.cast_mut(), new.cast_mut(), Ordering::SeqCst, Ordering::SeqCst).is_ok()
+    }
+
+    /// Removes the file. Calls nothing but what a signal handler may call.
+    fn remove(&self) {
+        let named = self.0.swap(ptr::null_mut(), Ordering::SeqCst);
+        // SAFETY: it is null or comes from a `&'static Named`, which nothing ever changes.
+        if let Some(named) = unsafe { named.as_ref() } {
+            folder::unlink(named.folder, &named.name);
+        }
     }
 }
 
-/// From now on the file at `path` is removed when the process is asked to stop. One file at a time: a second takes the
-/// place of the first.
-pub(super) fn remember(path: &Path) {
-    TEMPORARY.remember(path);
-}
-
-/// The file has its place or is gone.
-pub(super) fn forget() {
-    TEMPORARY.forget();
-}
-
-/// Removes the file that is being written, if any: for whoever is about to end the process. Does nothing that a signal
-/// handler may not do.
-pub fn remove_temporary() {
-    TEMPORARY.remove();
-}
-
-/// From now on a signal that asks this process to stop removes the temporary file first; the process then ends by the
-/// signal, as it would have. Signals that are ignored stay ignored, as `nohup` wants it. A write beyond the limit on file
-/// sizes becomes an error and not a signal.
+/// From now on a signal that ends this process removes its temporary files first. The process then ends by the signal, as
+/// it would have; as process 1, which no default action ends, with status 128 and the signal's number. Signals that are
+/// ignored stay ignored, as `nohup` wants it. A write beyond the limit on file sizes becomes an error and not a signal.
 pub fn remove_temporary_when_stopped() {
-    let [processor_time, file_size] = LIMITS.map_or([None; 2], |limits| limits.map(Some));
-    for number in STOPS.into_iter().chain(processor_time) {
+    for &number in REQUESTS.iter().chain(&FATAL).chain(MORE) {
         // SAFETY: `stop` has the type of a handler, and calls nothing but what a handler may call.
         unsafe {
             if signal(number, stop as extern "C" fn(c_int) as usize) == IGNORE {
@@ -97,117 +126,41 @@ pub fn remove_temporary_when_stopped() {
             }
         }
     }
-    if let Some(number) = file_size {
+    if let Some(number) = FILE_SIZE {
         // SAFETY: ignoring a signal runs no code.
         unsafe { signal(number, IGNORE) };
     }
 }
 
+/// The same, but the first SIGHUP, SIGINT or SIGTERM only makes [`requested`] true: the program is to end by itself soon. A
+/// second one ends it as above.
+pub fn note_first_request() {
+    NOTES_REQUESTS.store(true, Ordering::SeqCst);
+    remove_temporary_when_stopped();
+}
+
+/// Whether a request to stop came since [`note_first_request`].
+#[must_use]
+pub fn requested() -> bool {
+    REQUESTED.load(Ordering::SeqCst)
+}
+
 extern "C" fn stop(number: c_int) {
-    remove_temporary();
-    // SAFETY: both may be called in a handler. The signal waits until the handler returns, and then ends the process.
+    let is_request = REQUESTS.contains(&number) && NOTES_REQUESTS.load(Ordering::SeqCst);
+    if is_request && !REQUESTED.swap(true, Ordering::SeqCst) {
+        return;
+    }
+    FILES.iter().for_each(Slot::remove);
+    // SAFETY: all may be called in a handler. A raised signal waits until the handler returns, and then ends the process,
+    // unless it is process 1.
     unsafe {
+        if getpid() == 1 {
+            _exit(128 + number);
+        }
         signal(number, DEFAULT);
         raise(number);
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::os::unix::process::ExitStatusExt;
-    use std::path::PathBuf;
-    use std::process::{Command, ExitStatus};
-
-    /// A file that a test may lose, under a name of its own.
-    fn file(name: &str) -> PathBuf {
-        let path = std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
-        std::fs::write(&path, "text").expect("the temporary folder is writable");
-        path
-    }
-
-    #[test]
-    fn the_last_file_that_is_remembered_is_removed_and_no_other() {
-        // A slot of its own: other tests write files, and what they remember is not to be removed.
-        let slot = Slot(AtomicPtr::new(ptr::null_mut()));
-        let [first, second, third] = ["first", "second", "third"].map(file);
-        slot.remove();
-        slot.remember(&first);
-        slot.remember(&second);
-        slot.remove();
-        assert!(first.exists(), "it was forgotten for the second");
-        assert!(!second.exists());
-        slot.remember(&third);
-        slot.forget();
-        slot.remove();
-        assert!(third.exists(), "it was forgotten");
-        for path in [first, third] {
-            std::fs::remove_file(path).expect("it is there");
-        }
-    }
-
-    /// What a child of the tests below does with the file and the signal that its environment names.
-    #[test]
-    #[ignore = "ends its process: other tests start it"]
-    fn a_signal_meets_the_process() {
-        let variable = |name| std::env::var(name).expect("another test started this one");
-        let number: c_int = variable("RENDER_STOP_SIGNAL").parse().expect("it is a number");
-        let before = variable("RENDER_STOP_BEFORE");
-        // Set, not taken as it is: whoever runs the tests under nohup hands on an ignored signal.
-        // SAFETY: neither runs any code of this process.
-        unsafe { signal(number, if before == "ignored" { IGNORE } else { DEFAULT }) };
-        remove_temporary_when_stopped();
-        remember(Path::new(&variable("RENDER_STOP_FILE")));
-        if before == "forgotten" {
-            forget();
-        }
-        // SAFETY: whatever handles the signal may run now.
-        assert_eq!(unsafe { raise(number) }, 0);
-        println!("it goes on");
-    }
-
-    /// How a process ended that was writing `file` when the signal came.
-    fn met(number: c_int, before: &str, file: &Path) -> ExitStatus {
-        let output = Command::new(std::env::current_exe().expect("this process has a program"))
-            .args(["--exact", "--ignored", "--nocapture", "output::stop::tests::a_signal_meets_the_process"])
-            .env("RENDER_STOP_SIGNAL", number.to_string())
-            .env("RENDER_STOP_BEFORE", before)
-            .env("RENDER_STOP_FILE", file)
-            .output()
-            .expect("the program runs");
-        let went_on = String::from_utf8_lossy(&output.stdout).contains("it goes on");
-        assert_eq!(went_on, output.status.success(), "{output:?}");
-        output.status
-    }
-
-    #[test]
-    fn a_process_that_is_asked_to_stop_ends_by_the_signal_and_takes_its_file_along() {
-        for number in STOPS.into_iter().chain(LIMITS.map(|[processor_time, _]| processor_time)) {
-            let file = file(&format!("asked-{number}"));
-            assert_eq!(met(number, "", &file).signal(), Some(number));
-            assert!(!file.exists(), "signal {number}");
-        }
-    }
-
-    #[test]
-    fn a_file_that_has_its_place_stays() {
-        let file = file("forgotten");
-        assert_eq!(met(STOPS[3], "forgotten", &file).signal(), Some(STOPS[3]));
-        std::fs::remove_file(file).expect("it is there");
-    }
-
-    #[test]
-    fn signals_that_were_ignored_stay_ignored() {
-        let file = file("ignored");
-        assert!(met(STOPS[0], "ignored", &file).success());
-        std::fs::remove_file(file).expect("it is there");
-    }
-
-    #[cfg(any(target_os = "linux", target_os = "macos"))]
-    #[test]
-    fn the_limit_on_file_sizes_ends_no_process() {
-        let file = file("size");
-        assert!(met(LIMITS.expect("it has limits")[1], "", &file).success());
-        std::fs::remove_file(file).expect("it is there");
-    }
-}
+mod tests;

@@ -1,5 +1,8 @@
 //! Files that come into being whole or not at all, special files, and what stands there afterwards.
 
+use std::fs::Permissions;
+use std::os::unix::fs::{PermissionsExt, symlink};
+
 use super::*;
 
 /// A folder of its own for each test, removed at its end.
@@ -28,7 +31,15 @@ impl Drop for Folder {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {
-    Output::open(path)?.write(|out| out.write_all(text.as_bytes()))
+    open(path)?.fill(|out| out.write_all(text.as_bytes()))
+}
+
+fn open(path: &Path) -> Result<Output, Error> {
+    Output::open(path, Options::default())
+}
+
+fn mode(path: &Path) -> u32 {
+    fs::metadata(path).expect("it is there").permissions().mode() & 0o7777
 }
 
 #[test]
@@ -46,7 +57,7 @@ fn after_a_failure_the_old_file_stands_alone() {
     let folder = Folder::new("failure");
     let path = folder.0.join("out.ppm");
     write(&path, "old").expect("the folder is writable");
-    let result = Output::open(&path).expect("the folder is writable").write(|out| {
+    let result = open(&path).expect("the folder is writable").fill(|out| {
         out.write_all(b"half of the ne")?;
         Err(io::ErrorKind::StorageFull.into())
     });
@@ -59,23 +70,29 @@ fn after_a_failure_the_old_file_stands_alone() {
 fn opening_changes_nothing() {
     let folder = Folder::new("open");
     let path = folder.0.join("out.ppm");
-    Output::open(&path).expect("the folder is writable");
+    let output = open(&path).expect("the folder is writable");
+    drop(output);
     assert!(folder.names().is_empty());
+    write(&path, "old").expect("the folder is writable");
+    let mut output = open(&path).expect("the folder is writable");
+    output.write_all(b"half").expect("the disk has room");
+    drop(output);
+    assert_eq!(fs::read_to_string(&path).expect("still there"), "old");
+    assert_eq!(folder.names(), ["out.ppm"]);
 }
 
 #[test]
 fn folders_and_missing_folders_are_refused_at_once() {
     let folder = Folder::new("refused");
-    assert!(Output::open(&folder.0).is_err());
-    assert!(Output::open(&folder.0.join("missing/out.ppm")).is_err());
-    assert!(Output::open(&folder.0.join("out.ppm/")).is_err());
-    assert!(Output::open(Path::new("")).is_err());
+    assert!(open(&folder.0).is_err());
+    assert!(open(&folder.0.join("missing/out.ppm")).is_err());
+    assert!(open(&folder.0.join("out.ppm/")).is_err());
+    assert!(open(&folder.0.join("out.ppm/.")).is_err());
+    assert!(open(Path::new("")).is_err());
 }
 
-#[cfg(unix)]
 #[test]
 fn links_are_followed_and_permissions_kept() {
-    use std::os::unix::fs::{PermissionsExt, symlink};
     let folder = Folder::new("links");
     let (path, link) = (folder.0.join("out.ppm"), folder.0.join("link.ppm"));
     symlink("out.ppm", &link).expect("links are allowed");
@@ -85,6 +102,127 @@ fn links_are_followed_and_permissions_kept() {
     assert_eq!(fs::read_to_string(&path).expect("written"), "through a link");
     assert!(fs::symlink_metadata(&link).expect("there").is_symlink());
     assert_eq!(fs::metadata(&path).expect("there").permissions().mode() & 0o777, 0o640);
+}
+
+#[test]
+fn a_dangling_chain_of_links_is_followed_to_its_end() {
+    let folder = Folder::new("chain");
+    fs::create_dir(folder.0.join("below")).expect("the folder is writable");
+    for (link, target) in [("l1", "below/l2"), ("below/l2", "../l3"), ("l3", "t")] {
+        symlink(target, folder.0.join(link)).expect("links are allowed");
+    }
+    for text in ["first", "second"] {
+        write(&folder.0.join("l1"), text).expect("the folder is writable");
+        assert_eq!(folder.names(), ["below", "l1", "l3", "t"]);
+        assert!(["l1", "below/l2", "l3"].iter().all(|name| folder.0.join(name).is_symlink()));
+        assert!(!folder.0.join("t").is_symlink());
+        assert_eq!(fs::read_to_string(folder.0.join("t")).expect("written"), text);
+    }
+    symlink("loop", folder.0.join("loop")).expect("links are allowed");
+    assert!(open(&folder.0.join("loop")).is_err());
+}
+
+#[test]
+fn a_file_that_is_being_written_is_for_its_owner_alone() {
+    use super::temporary::Temporary;
+
+    let folder = Folder::new("private");
+    let path = folder.0.join("out.ppm");
+    let half = |folder: &Folder| folder.names().into_iter().find(|name| name.starts_with(".render-"));
+    let common = {
+        File::create(folder.0.join("common")).expect("the folder is writable");
+        mode(&folder.0.join("common"))
+    };
+    // With a temporary name and without one, for a new file and for an old one.
+    for named in [true, false] {
+        for (old, new) in [(None, common), (Some(0o600), 0o600), (Some(0o640), 0o640), (Some(0o4755), 0o4755)] {
+            let _ = fs::remove_file(&path);
+            if let Some(old) = old {
+                fs::write(&path, "old").expect("the folder is writable");
+                fs::set_permissions(&path, Permissions::from_mode(old)).expect("it is ours");
+            }
+            let file = if named { Temporary::named(&path, false) } else { Temporary::new(&path, false) };
+            let mut file = file.expect("the folder is writable");
+            file.write_all(b"half").expect("the disk has room");
+            match half(&folder) {
+                Some(name) => assert_eq!(mode(&folder.0.join(name)), 0o600),
+                None => assert!(!named, "where is it?"),
+            }
+            file.commit().expect("the folder is writable");
+            assert_eq!(mode(&path), new);
+            assert_eq!(fs::read_to_string(&path).expect("written"), "half");
+            assert_eq!(half(&folder), None);
+        }
+    }
+}
+
+#[test]
+fn a_named_temporary_file_goes_when_it_is_dropped() {
+    use super::temporary::Temporary;
+
+    let folder = Folder::new("named");
+    let path = folder.0.join("out.ppm");
+    let files: Vec<_> = (0..16).map(|_| Temporary::named(&path, true).expect("the folder is writable")).collect();
+    assert!(folder.names().len() >= 16);
+    drop(files);
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_file_that_came_up_meanwhile_is_replaced() {
+    let folder = Folder::new("meanwhile");
+    let path = folder.0.join("out.ppm");
+    for sync in [false, true] {
+        let mut output = Output::open(&path, Options { sync }).expect("the folder is writable");
+        fs::write(&path, "another's").expect("the folder is writable");
+        output.write_all(b"new").expect("the disk has room");
+        output.commit().expect("the folder is writable");
+        assert_eq!(fs::read_to_string(&path).expect("written"), "new");
+        assert_eq!(folder.names(), ["out.ppm"]);
+        fs::remove_file(&path).expect("it is ours");
+    }
+}
+
+#[test]
+fn a_folder_that_is_renamed_meanwhile_gets_the_file() {
+    let folder = Folder::new("renamed");
+    let [before, after] = ["before", "after"].map(|name| folder.0.join(name));
+    fs::create_dir(&before).expect("the folder is writable");
+    let mut output = open(&before.join("out.ppm")).expect("the folder is writable");
+    fs::rename(&before, &after).expect("it is ours");
+    fs::create_dir(&before).expect("the folder is writable");
+    output.write_all(b"text").expect("the disk has room");
+    output.commit().expect("the folder is writable");
+    assert_eq!(fs::read_to_string(after.join("out.ppm")).expect("written"), "text");
+    assert_eq!(fs::read_dir(&before).expect("it is there").count(), 0);
+}
+
+#[test]
+fn sockets_and_pipes_without_permission_are_refused_at_once() {
+    let folder = Folder::new("sockets");
+    let path = folder.0.join("socket");
+    let _socket = std::os::unix::net::UnixListener::bind(&path).expect("the folder is writable");
+    let error = open(&path).expect_err("it is a socket").to_string();
+    assert!(error.ends_with(": it is a socket"), "{error}");
+}
+
+#[test]
+fn an_output_that_is_an_input_is_refused_under_any_name() {
+    let folder = Folder::new("inputs");
+    let [scene, link, hard, other] = ["scene", "link", "hard", "other"].map(|name| folder.0.join(name));
+    fs::write(&scene, "text").expect("the folder is writable");
+    fs::write(&other, "text").expect("the folder is writable");
+    symlink("scene", &link).expect("links are allowed");
+    fs::hard_link(&scene, &hard).expect("links are allowed");
+    for out in [&scene, &link, &hard] {
+        let error = refuse_inputs(out, &[&other, &scene]).expect_err("it is the scene").to_string();
+        let expected =
+            format!("Cannot write file [{}]: it is the same file as the input [{}]", out.display(), scene.display());
+        assert!(error.starts_with(&expected), "{error}");
+    }
+    assert!(refuse_inputs(&other, &[&scene]).is_ok());
+    assert!(refuse_inputs(&folder.0.join("new"), &[&scene]).is_ok());
+    assert!(refuse_inputs(Path::new("/dev/null"), &[Path::new("/dev/null")]).is_ok());
 }
 
 /// Even root may not write to a program while it runs; renaming over it would go round that.
@@ -102,7 +240,7 @@ fn what_may_not_be_written_to_is_not_replaced() {
             start().ok()
         })
         .expect("the copy runs");
-    let result = Output::open(&path);
+    let result = open(&path);
     running.kill().expect("it is ours");
     running.wait().expect("it ends");
     let message = result.expect_err("it was running").to_string();
@@ -111,7 +249,6 @@ fn what_may_not_be_written_to_is_not_replaced() {
 
 /// A pipe with a name, of the test's own: where this module is wrong it renames files over whatever it is given, and
 /// the devices of the machine belong to all.
-#[cfg(unix)]
 #[test]
 fn special_files_take_the_bytes_directly() {
     use std::io::Read;

@@ -9,6 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use cpu::output::{Options, Output};
 use cpu::{Config, Scatter, Scene};
 use gpu_check::Gpu;
 use stability::methods::{self, CERTIFIED, PROJECTED};
@@ -39,13 +40,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     print_costs(&spheres);
     print_costs(&cylinders);
     let kinds: [(&str, &[Section]); 2] = [("sphere", &spheres), ("cylinder", &cylinders)];
-    fs::write(folder.join("table.csv"), report::csv(&kinds))?;
+    put(&folder.join("table.csv"), &report::csv(&kinds))?;
     for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
         let wrong =
             run::plot(&format!("{kind}: wrong decisions (no mark: none)"), "share of rays", (-5, 0), sections, |row| {
                 row.wrong as f64 / row.cases as f64
             });
-        fs::write(folder.join(format!("{name}-wrong.svg")), wrong.svg())?;
+        put(&folder.join(format!("{name}-wrong.svg")), &wrong.svg())?;
         let errors = run::plot(
             &format!("{kind}: largest relative error of lambda where the decision is right"),
             "relative error",
@@ -53,11 +54,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             sections,
             |row| row.lambda_error[2],
         );
-        fs::write(folder.join(format!("{name}-lambda.svg")), errors.svg())?;
+        put(&folder.join(format!("{name}-lambda.svg")), &errors.svg())?;
     }
 
     let large = LargeSpheres::new(&methods, seed, rays)?;
-    fs::write(folder.join("large-spheres.svg"), large.plot().svg())?;
+    put(&folder.join("large-spheres.svg"), &large.plot().svg())?;
     let pictures = pictures(&root, arguments.get(2..).unwrap_or_default())?;
 
     let mut command = format!("cargo run --release -p gpu-check --bin stress -- {rays} {seed}");
@@ -87,7 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     ] {
         text = replaced(&text, mark, &block)?;
     }
-    fs::write(document, text)?;
+    put(&document, &text)?;
 
     for (kind, regimes, proven) in [
         ("spheres", &regimes::SPHERES[..], run::PROVEN_ERRORS[0]),
@@ -102,6 +103,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("certified: 0 wrong; textbook: {} spheres and {} cylinders wrong", textbook[0], textbook[1]);
     Ok(())
+}
+
+/// Replaces a file by one with this text.
+fn put(path: &Path, text: &str) -> Result<(), cpu::Error> {
+    Output::open(path, Options { sync: true })?.fill(|file| file.write_all(text.as_bytes()))
 }
 
 fn print_costs(sections: &[Section]) {

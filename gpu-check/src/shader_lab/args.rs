@@ -1,5 +1,6 @@
 //! The command line of `shader-lab`.
 
+use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 use shaders::{Features, Precision};
@@ -20,6 +21,7 @@ its first line names, as in: // module: kernels/image
                           max_depth, or one that your module declares with `override`
   --show VIEW             lambda, normal, object, side, steps or difference, in false colours
   --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
+  --no-sync               do not wait until pictures are on the disk: a loss of power may then damage them
   --watch                 render again whenever a file changes, until interrupted
   --template FILE         write a module to start from
   --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
@@ -68,43 +70,47 @@ pub struct Options {
     pub pixel: Option<[usize; 2]>,
     /// Whether to go on when files change.
     pub watch: bool,
+    /// Whether to wait until pictures are on the disk.
+    pub sync: bool,
 }
 
-/// Reads the arguments that follow the program's name.
+/// Reads the arguments that follow the program's name. Names of files may be any bytes.
 ///
 /// # Errors
 /// A message for the person who typed them.
-pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, String> {
+pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
     let (mut precision, mut port) = (Precision::F64, None);
-    let (mut constants, mut view, mut pixel, mut watch) = (Vec::new(), None, None, false);
+    let (mut constants, mut view, mut pixel, mut watch, mut sync) = (Vec::new(), None, None, false, true);
     while let Some(argument) = arguments.next() {
-        let mut value = |what: &str| arguments.next().ok_or(format!("{argument} needs {what} after it"));
-        match argument.as_str() {
-            "--help" | "-h" => return Ok(Command::Help),
-            "--template" => return Ok(Command::Template(value("a file to write")?.into())),
-            "--config" => config = Some(PathBuf::from(value("a file")?)),
-            "--scene" => scene = Some(PathBuf::from(value("a file")?)),
-            "--out" => out = Some(PathBuf::from(value("a file")?)),
-            "--serve" => {
-                let text = value("a port")?;
+        let name = shown(&argument);
+        let mut value = |what: &str| arguments.next().ok_or(format!("{name} needs {what} after it"));
+        match argument.to_str() {
+            Some("--help" | "-h") => return Ok(Command::Help),
+            Some("--template") => return Ok(Command::Template(value("a file to write")?.into())),
+            Some("--config") => config = Some(PathBuf::from(value("a file")?)),
+            Some("--scene") => scene = Some(PathBuf::from(value("a file")?)),
+            Some("--out") => out = Some(PathBuf::from(value("a file")?)),
+            Some("--serve") => {
+                let text = shown(&value("a port")?);
                 port = Some(text.parse().map_err(|_| format!("--serve: [{text}] is not a port"))?);
             }
-            "--f32" => precision = Precision::F32,
-            "--f64" => precision = Precision::F64,
-            "--set" => constants.push(constant(&value("NAME=VALUE")?)?),
-            "--show" => view = Some(value("a view")?.parse::<View>()?),
-            "--pixel" => {
+            Some("--f32") => precision = Precision::F32,
+            Some("--f64") => precision = Precision::F64,
+            Some("--set") => constants.push(constant(&shown(&value("NAME=VALUE")?))?),
+            Some("--show") => view = Some(shown(&value("a view")?).parse::<View>()?),
+            Some("--pixel") => {
                 let mut number = |what: &str| {
-                    let text = value(what)?;
+                    let text = shown(&value(what)?);
                     text.parse().map_err(|_| format!("--pixel: [{text}] is not {what}"))
                 };
                 pixel = Some([number("a column")?, number("a row")?]);
             }
-            "--watch" => watch = true,
-            other if other.starts_with('-') => return Err(format!("there is no option [{other}]")),
-            _ if modules.is_some() => return Err(format!("[{argument}] is one name too many")),
+            Some("--watch") => watch = true,
+            Some("--no-sync") => sync = false,
+            _ if argument.as_encoded_bytes().starts_with(b"-") => return Err(format!("there is no option [{name}]")),
+            _ if modules.is_some() => return Err(format!("[{name}] is one name too many")),
             _ => modules = Some(PathBuf::from(&argument)),
         }
     }
@@ -116,7 +122,12 @@ pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, Str
     let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
     let (config, scene) = files()?;
     let out = out.ok_or("--out is missing")?;
-    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch }))
+    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, sync }))
+}
+
+/// An argument as text; bytes that are not UTF-8 become replacement characters.
+fn shown(argument: &OsStr) -> String {
+    argument.to_string_lossy().into_owned()
 }
 
 fn constant(text: &str) -> Result<(String, f64), String> {
@@ -168,7 +179,7 @@ mod tests {
     const NEEDED: &str = "mine.wgsl --config c --scene s --out o.png";
 
     fn parsed(text: &str) -> Result<Command, String> {
-        parse(text.split_whitespace().map(str::to_owned))
+        parse(text.split_whitespace().map(OsString::from))
     }
 
     fn options(text: &str) -> Options {
@@ -184,6 +195,18 @@ mod tests {
         assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
         assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
         assert_eq!(parsed("--frobnicate"), Err("there is no option [--frobnicate]".to_owned()));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_of_files_may_be_any_bytes() {
+        use std::os::unix::ffi::OsStringExt;
+
+        let name = OsString::from_vec(b"m\xff.wgsl".to_vec());
+        let options = [name.clone()].into_iter().chain("--config c --scene s --out o".split(' ').map(OsString::from));
+        assert!(matches!(parse(options), Ok(Command::Render(options)) if options.modules.as_os_str() == name));
+        let unknown = OsString::from_vec(b"--\xff".to_vec());
+        assert_eq!(parse([unknown]), Err("there is no option [--\u{fffd}]".to_owned()));
     }
 
     #[test]

@@ -1,7 +1,6 @@
 //! A person's modules, and which of the crate's each stands in for.
 
-use std::fs::{self, File};
-use std::io::Read;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use shaders::{Library, module};
@@ -11,8 +10,11 @@ use crate::Error;
 /// Where a file says which module it is.
 const MARK: &str = "// module:";
 
-/// Largest module that is read, in bytes.
-const MAX_BYTES: u64 = 1 << 24;
+/// Largest module that is read, in bytes. naga's own limit is on tokens, of which a text this long has too many.
+pub const MAX_BYTES: u64 = 1 << 20;
+
+/// Most WGSL files of a folder.
+pub const MAX_FILES: usize = 256;
 
 /// A person's module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,23 +40,23 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
         if folder.is_dir() {
             let entries = fs::read_dir(&folder).map_err(|cause| Error::File { path: folder.clone(), cause })?;
             let paths = entries.filter_map(Result::ok).map(|entry| entry.path());
-            files.extend(paths.filter(|path| path.extension().is_some_and(|ending| ending == "wgsl")));
+            let modules = paths.filter(|path| path.extension().is_some_and(|ending| ending == "wgsl"));
+            // One more than allowed tells that there are too many.
+            files.extend(modules.take(MAX_FILES + 1));
         }
     }
     files.sort();
     if files.is_empty() {
         return Err(fault(path, "there is no WGSL file here; shader-lab --template FILE writes one".to_owned()));
     }
+    if files.len() > MAX_FILES {
+        return Err(fault(path, format!("it holds more than {MAX_FILES} WGSL files; move the modules elsewhere")));
+    }
     files.iter().map(|path| read_one(path)).collect()
 }
 
 fn read_one(path: &Path) -> Result<UserModule, Error> {
-    let mut text = String::new();
-    let file = File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_string(&mut text));
-    file.map_err(|cause| Error::File { path: path.to_owned(), cause })?;
-    if text.len() as u64 > MAX_BYTES {
-        return Err(fault(path, format!("it is larger than {MAX_BYTES} bytes")));
-    }
+    let text = cpu::input::read_text(path, MAX_BYTES).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
     let name = name(path, &text);
     if module::find(&name).is_none() {
         return Err(unknown(path, &text, &name));
@@ -71,7 +73,7 @@ fn unknown(path: &Path, text: &str, name: &str) -> Error {
             let before = line.len() - rest.trim_start().len();
             let (column, spaces) = (before + 1, " ".repeat(before));
             let carets = "^".repeat(name.chars().count().max(1));
-            let place = PathBuf::from(format!("{}:1:{column}", path.display()));
+            let place = PathBuf::from(format!("{}:1:{column}", shown(path)));
             let line = line.trim_end();
             fault(&place, format!("no module is called [{name}]; there are: {known}\n1 | {line}\n    {spaces}{carets}"))
         }
@@ -92,6 +94,12 @@ fn name(path: &Path, text: &str) -> String {
     if in_kernels { format!("kernels/{stem}") } else { stem.into_owned() }
 }
 
+/// The name of a file, with control characters escaped.
+#[must_use]
+pub fn shown(path: &Path) -> String {
+    cpu::text::escape(path.as_os_str().as_encoded_bytes())
+}
+
 fn fault(path: &Path, message: String) -> Error {
     Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
 }
@@ -103,7 +111,7 @@ fn fault(path: &Path, message: String) -> Error {
 pub fn library(modules: &[UserModule]) -> Result<Library, Error> {
     let mut library = Library::standard();
     for module in modules {
-        library.replace(&module.name, &module.path.display().to_string(), module.text.as_str())?;
+        library.replace(&module.name, &shown(&module.path), module.text.as_str())?;
     }
     Ok(library)
 }
@@ -127,7 +135,31 @@ mod tests {
     #[test]
     fn an_endless_file_is_refused() {
         let error = read_one(Path::new("/dev/zero")).expect_err("it has no end");
-        assert!(error.to_string().contains("larger than 16777216 bytes"), "{error}");
+        assert!(error.to_string().contains("larger than 1048576 bytes"), "{error}");
+    }
+
+    #[test]
+    fn a_module_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("sphere.wgsl");
+        fs::write(&path, " ".repeat(MAX_BYTES as usize)).expect("the folder is writable");
+        assert_eq!(read(&path).expect("it is as large as may be").len(), 1);
+        fs::write(&path, " ".repeat(MAX_BYTES as usize + 1)).expect("the folder is writable");
+        assert!(read(&path).is_err_and(|error| error.to_string().ends_with("larger than 1048576 bytes")));
+    }
+
+    #[test]
+    fn a_folder_may_hold_a_limited_number_of_modules() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let put = |index: usize| {
+            let path = folder.path().join(format!("{index}.wgsl"));
+            fs::write(path, "// module: sphere\n").expect("the folder is writable");
+        };
+        (0..MAX_FILES).for_each(put);
+        assert_eq!(read(folder.path()).expect("they are as many as may be").len(), MAX_FILES);
+        put(MAX_FILES);
+        let message = read(folder.path()).expect_err("it is one too many").to_string();
+        assert!(message.contains("more than 256 WGSL files"), "{message}");
     }
 
     #[test]

@@ -1,18 +1,18 @@
 //! One rendering with a person's modules: the pictures it writes and what it has to say.
 
 use std::fmt::Write as _;
-use std::path::Path;
 use std::time::Instant;
 
 use cpu::Vec3;
 use shaders::Features;
 
 use super::args::Options;
-use super::files::{self, UserModule};
+use super::files::{self, UserModule, shown};
+use super::png::{Place, Places};
 use super::truth::Truth;
 use super::view::{View, mark};
-use super::{pixel, png};
-use crate::difference::{difference, write_png};
+use super::{guard, pixel, png};
+use crate::difference::{difference, three_parts};
 use crate::steps::Follower;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
 
@@ -52,12 +52,14 @@ impl Trial<'_> {
     ///
     /// # Errors
     /// [`Error::Shader`] with the place in the person's file, or what the device finds wrong.
-    pub fn run<T: Held>(&self) -> Result<String, Error> {
+    pub fn run<T: Held>(&self, places: Places) -> Result<String, Error> {
         let Self { gpu, options, modules, truth } = *self;
-        let out = &options.out;
+        let Places { out, difference: beside, view: both } = places;
         let library = files::library(modules)?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
+        guard::check(&library.compose("kernels/image", T::PRECISION)?, &constants(&features, &own))?;
+        // Now that reading the modules is known to end.
         self.check_constants::<T>(&own)?;
         let start = Instant::now();
         let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
@@ -66,7 +68,7 @@ impl Trial<'_> {
         let rendering = renderer.render(&picture)?;
         let mut report = format!("in {} on {gpu}\n", T::PRECISION);
         for UserModule { name, path, .. } in modules {
-            let _ = writeln!(report, "{} stands in for [{name}]", path.display());
+            let _ = writeln!(report, "{} stands in for [{name}]", shown(path));
         }
         let size = rendering.size;
         let _ = writeln!(
@@ -82,22 +84,23 @@ impl Trial<'_> {
         if size_of::<T>() < size_of::<f64>() {
             let _ = writeln!(report, "from the CPU in f64: {}", difference(&rendering.pixels, &truth.wide));
         }
-        let (folder, name) = (out.parent().unwrap_or(Path::new("")), png::beside(out, "difference"));
-        let name = name.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        let three = write_png(folder, &name, size, &rendering.pixels, held)?;
+        let mut wrote = String::new();
+        if let Some(place) = beside {
+            wrote = format!("wrote {} (WGSL, CPU, twenty times their difference)\n", shown(&place.path));
+            place.write(size, &three_parts(&rendering.pixels, held))?;
+        }
         match options.view {
             None | Some(View::Difference) => {
                 let bytes = match options.view {
                     None => png::bytes(&rendering.pixels, truth.config.gamma),
                     Some(_) => enlarged(&rendering.pixels, held),
                 };
-                png::write(out, size, &bytes)?;
-                let _ = writeln!(report, "wrote {}", out.display());
+                let _ = writeln!(report, "wrote {}", shown(&out.path));
+                out.write(size, &bytes)?;
             }
-            Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture)?),
+            Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture, (out, both))?),
         }
-        let _ = writeln!(report, "wrote {} (WGSL, CPU, twenty times their difference)", three.display());
+        report.push_str(&wrote);
         if let Some([x, y]) = options.pixel {
             if x >= size.width() || y >= size.height() {
                 let message = format!("--pixel: the picture has {} x {} pixels", size.width(), size.height());
@@ -117,10 +120,11 @@ impl Trial<'_> {
         features: &Features,
         own: &[(&str, f64)],
         picture: &Picture<T>,
+        (out, both): (Place, Option<Place>),
     ) -> Result<String, Error> {
         let depth = if view.is_deep() { features.max_depth } else { features.max_depth.min(1) };
         let features = Features { max_depth: depth, ..*features };
-        let follower = Follower::<T>::new(self.gpu, &files::library(self.modules)?, &features, own)?;
+        let follower = self.follower::<T>(&features, own)?;
         let by_cpu = Picture { max_depth: depth, ..picture.clone() };
         let (mut wgsl, mut cpu, mut marks) = (Vec::new(), Vec::new(), Vec::new());
         follower.follow(picture, 0, picture.size.pixels(), |index, steps| {
@@ -129,9 +133,6 @@ impl Trial<'_> {
             cpu.push(view.color(&expected, depth));
             marks.push(mark(&expected, steps));
         })?;
-        let out = &self.options.out;
-        png::write(out, picture.size, &wgsl)?;
-        let both = png::beside(out, &view.to_string());
         let count = marks.iter().filter(|mark| **mark != [0; 3]).count();
         let total = marks.len();
         let first = marks.iter().position(|mark| *mark != [0; 3]).map(|index| {
@@ -139,12 +140,24 @@ impl Trial<'_> {
             format!(", the first of them --pixel {} {}", index % width, index / width)
         });
         let first = first.unwrap_or_default();
-        png::write(&both, picture.size, &[wgsl, cpu, marks].concat())?;
-        let (out, both) = (out.display(), both.display());
-        Ok(format!(
-            "{count} of {total} pixels have another bit on their way{first}\nwrote {out} ({view} by WGSL)\n\
-             wrote {both} ({view} by WGSL, by the CPU, and white where any number's bits differ)\n"
-        ))
+        let mut report = format!(
+            "{count} of {total} pixels have another bit on their way{first}\nwrote {} ({view} by WGSL)\n",
+            shown(&out.path)
+        );
+        out.write(picture.size, &wgsl)?;
+        if let Some(both) = both {
+            let words = "by WGSL, by the CPU, and white where any number's bits differ";
+            let _ = writeln!(report, "wrote {} ({view} {words})", shown(&both.path));
+            both.write(picture.size, &[wgsl, cpu, marks].concat())?;
+        }
+        Ok(report)
+    }
+
+    /// A follower by the person's modules, compiled in the guarded process first.
+    fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
+        let library = files::library(self.modules)?;
+        guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
+        Follower::new(self.gpu, &library, features, own)
     }
 
     /// The way of the pixel at `index` on both sides.
@@ -155,7 +168,7 @@ impl Trial<'_> {
         own: &[(&str, f64)],
         picture: &Picture<T>,
     ) -> Result<String, Error> {
-        let follower = Follower::<T>::new(self.gpu, &files::library(self.modules)?, features, own)?;
+        let follower = self.follower::<T>(features, own)?;
         let expected = Picture { max_depth: features.max_depth, ..picture.clone() }.steps(index);
         let mut text = String::new();
         follower.follow(picture, index, 1, |_, steps| text = pixel::side_by_side(&expected, steps))?;
@@ -175,6 +188,10 @@ impl Trial<'_> {
             }
         }
     }
+}
+
+fn constants<'a>(features: &Features, own: &[(&'a str, f64)]) -> Vec<(&'a str, f64)> {
+    [&features.constants()[..], own].concat()
 }
 
 fn enlarged<T: Float>(one: &[Vec3<T>], other: &[Vec3<T>]) -> Vec<[u8; 3]> {

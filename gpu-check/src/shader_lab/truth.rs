@@ -1,11 +1,27 @@
 //! The picture as the CPU has it, computed once and kept while the person's modules change.
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
 use crate::{Error, Picture};
+
+/// Most pixels of a picture here, which is held a dozen times: as many as 4K has, and a little more.
+pub const MAX_PIXELS: usize = 1 << 23;
+
+/// Refuses a configuration whose picture has more than [`MAX_PIXELS`].
+///
+/// # Errors
+/// [`Error::Request`], or [`Error::Scene`] when the configuration makes no picture.
+pub fn check_size(config: &Config) -> Result<(), Error> {
+    let size = config.image_size().map_err(cpu::Error::from)?;
+    if size.pixels() <= MAX_PIXELS {
+        return Ok(());
+    }
+    let [width, height] = [size.width(), size.height()];
+    let message = format!("the picture has {width} x {height} pixels, more than {MAX_PIXELS}; lower image_width");
+    Err(Error::Request { message })
+}
 
 /// A configuration, a scene, and the picture of it in deterministic mode.
 #[derive(Clone, Debug)]
@@ -23,19 +39,12 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Reads both files and renders.
-    ///
-    /// # Errors
-    /// [`Error::Scene`] with the file's name and line.
-    pub fn read(config: &Path, scene: &Path) -> Result<Self, Error> {
-        Self::new(Config::read(config)?, Scene::read(scene)?)
-    }
-
     /// Renders.
     ///
     /// # Errors
-    /// [`Error::Scene`] when the configuration makes no picture.
+    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than [`MAX_PIXELS`].
     pub fn new(config: Config, scene: Scene) -> Result<Self, Error> {
+        check_size(&config)?;
         let mut wide = Vec::new();
         let start = Instant::now();
         reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| wide.push(color))?;
@@ -43,5 +52,18 @@ impl Truth {
         let picture = Picture::<f32>::new(&config, &scene)?;
         let single = (0..picture.size.pixels()).map(|index| picture.color(index)).collect();
         Ok(Self { config, scene, wide, single, time })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_of_exactly_the_limit_is_taken_and_one_row_more_refused() {
+        let config = |height| Config { image_width: 4096, aspect_ratio: [4096, height], ..Config::default() };
+        assert!(check_size(&config(2048)).is_ok());
+        let message = check_size(&config(2049)).expect_err("it is a row too many").to_string();
+        assert_eq!(message, "the picture has 4096 x 2049 pixels, more than 8388608; lower image_width");
     }
 }

@@ -3,25 +3,21 @@
 //! Texts are compared, several times a second, and not the times of their last change: every editor and every file
 //! system is noticed that way, and saving without a change renders nothing.
 
-use std::fs;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use shaders::Precision;
 
 use super::args::Options;
-use super::files::{self, UserModule};
+use super::files::{UserModule, shown};
+use super::png::Places;
+use super::sources::{Sources, Text};
 use super::trial::Trial;
 use super::truth::Truth;
 use crate::{Error, Gpu};
 
 /// How often files are looked at.
 const INTERVAL: Duration = Duration::from_millis(150);
-
-/// Files that a rendering depends on: the modules, then the configuration and the scene.
-type State = (Result<Vec<UserModule>, String>, Texts);
-/// Of the configuration and the scene.
-type Texts = Vec<Option<Vec<u8>>>;
 
 /// A shader lab between two renderings.
 #[derive(Debug)]
@@ -30,14 +26,14 @@ pub struct Lab {
     gpu: Option<Gpu>,
     truth: Option<Truth>,
     /// The texts that the truth was computed from.
-    scene: Texts,
+    texts: Option<[Text; 2]>,
 }
 
 impl Lab {
     /// A lab in which nothing has been rendered yet.
     #[must_use]
     pub const fn new(options: Options) -> Self {
-        Self { options, gpu: None, truth: None, scene: Vec::new() }
+        Self { options, gpu: None, truth: None, texts: None }
     }
 
     /// Renders once and gives the report.
@@ -45,19 +41,26 @@ impl Lab {
     /// # Errors
     /// A message that names the person's file.
     pub fn render(&mut self) -> Result<String, String> {
-        let modules = files::read(&self.options.modules).map_err(|error| error.to_string())?;
-        let result = self.render_with(&modules);
+        self.render_from(&Sources::read(&self.options, None))
+    }
+
+    fn render_from(&mut self, sources: &Sources) -> Result<String, String> {
+        let modules = sources.modules.as_ref().map_err(Clone::clone)?;
+        let result = self.render_with(modules, sources);
         if matches!(result, Err(Error::DeviceLost { .. } | Error::Timeout { .. } | Error::OutOfMemory { .. })) {
             self.gpu = None;
         }
-        result.map_err(|error| explain(&error, &modules))
+        result.map_err(|error| explain(&error, modules))
     }
 
-    fn render_with(&mut self, modules: &[UserModule]) -> Result<String, Error> {
-        let scene = self.scene_texts();
-        if self.truth.is_none() || scene != self.scene {
-            self.truth = Some(Truth::read(&self.options.config, &self.options.scene)?);
-            self.scene = scene;
+    fn render_with(&mut self, modules: &[UserModule], sources: &Sources) -> Result<String, Error> {
+        // Before anything long: a place that cannot be written ends the trial.
+        let places = Places::open(&self.options, modules)?;
+        if self.truth.is_none() || self.texts.as_ref() != Some(&sources.texts) {
+            self.truth = None;
+            let (config, scene) = sources.parse(&self.options)?;
+            self.truth = Some(Truth::new(config, scene)?);
+            self.texts = Some(sources.texts.clone());
         }
         if self.gpu.is_none() {
             self.gpu = Some(Gpu::open()?);
@@ -65,32 +68,27 @@ impl Lab {
         let (Some(gpu), Some(truth)) = (&self.gpu, &self.truth) else { unreachable!("both were just made") };
         let trial = Trial { gpu, options: &self.options, modules, truth };
         match self.options.precision {
-            Precision::F32 => trial.run::<f32>(),
-            Precision::F64 => trial.run::<f64>(),
+            Precision::F32 => trial.run::<f32>(places),
+            Precision::F64 => trial.run::<f64>(places),
         }
-    }
-
-    fn scene_texts(&self) -> Texts {
-        [&self.options.config, &self.options.scene].map(|path| fs::read(path).ok()).to_vec()
     }
 
     /// Hands a report or a message to `say` now and after every change, until `say` answers no.
     pub fn watch(&mut self, mut say: impl FnMut(Result<String, String>) -> bool) {
+        let mut sources = Sources::read(&self.options, None);
         loop {
-            let before = self.state();
-            let result = self.render();
+            let result = self.render_from(&sources);
             if !say(result) {
                 return;
             }
-            while self.state() == before {
+            sources = loop {
+                let now = Sources::read(&self.options, Some(&sources));
+                if now != sources {
+                    break now;
+                }
                 std::thread::sleep(INTERVAL);
-            }
+            };
         }
-    }
-
-    /// All that a rendering depends on, as it is now.
-    fn state(&self) -> State {
-        (files::read(&self.options.modules).map_err(|error| error.to_string()), self.scene_texts())
     }
 }
 
@@ -102,12 +100,12 @@ fn explain(error: &Error, modules: &[UserModule]) -> String {
     }
     let names: Vec<(PathBuf, &str)> =
         modules.iter().map(|module| (module.path.clone(), module.name.as_str())).collect();
-    let is_named = |path: &PathBuf| message.starts_with(&format!("{}:", path.display()));
+    let is_named = |path: &PathBuf| message.starts_with(&format!("{}:", shown(path)));
     if names.iter().any(|(path, _)| is_named(path)) {
         return message;
     }
     for (path, name) in names {
-        let path = path.display();
+        let path = shown(&path);
         message.push_str(&format!("\n{path}:1: stands in for [{name}], and may lack a name that others need of it"));
     }
     message

@@ -1,5 +1,6 @@
 //! Measured data, and what follows from them.
 
+pub mod check;
 mod files;
 mod merge;
 

@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
+use cpu::output::{self, Options};
 
 use crate::Failure;
 use crate::bench::machine::Machine;
 use crate::bench::matrix::{PARAMETERS, Plan, Task, tasks};
 use crate::bench::results::{Growth, Results};
 use crate::interrupt::Interrupt;
+use crate::terminal;
 
 /// Options of `bench`.
 #[derive(Debug, Args)]
@@ -107,38 +109,50 @@ impl Arguments {
     ///
     /// # Errors
     /// What is wrong with a file, or [`Failure::Interrupted`].
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, options: Options) -> Result<(), Failure> {
         let all = tasks();
         match &self.what {
             What::Scale { parameter, how } => {
                 let is_wanted = |name: &str| parameter.as_ref().is_none_or(|parameter| parameter == name);
-                how.run(all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
+                how.run(options, all.iter().filter(|task| matches!(task, Task::Scale(name) if is_wanted(name))))
             }
             What::Error { how } => {
-                how.run(all.iter().filter(|task| matches!(task, Task::Error(_) | Task::Intersection(_))))
+                how.run(options, all.iter().filter(|task| matches!(task, Task::Error(_) | Task::Intersection(_))))
             }
-            What::Gain { how } => how.run(all.iter().filter(|task| matches!(task, Task::Gain(_)))),
-            What::Energy { how } => how.run(all.iter().filter(|task| matches!(task, Task::Energy(_)))),
-            What::All { part: (part, parts), how } => how.run(all.iter().skip(part - 1).step_by(*parts)),
+            What::Gain { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Gain(_)))),
+            What::Energy { how } => how.run(options, all.iter().filter(|task| matches!(task, Task::Energy(_)))),
+            What::All { part: (part, parts), how } => how.run(options, all.iter().skip(part - 1).step_by(*parts)),
             What::Tasks => {
-                all.iter().for_each(|task| println!("{task}"));
-                Ok(())
+                let names: Vec<_> = all.iter().map(ToString::to_string).collect();
+                terminal::print(&names.join("\n"))
             }
-            What::Merge { out, parts } => merge(out, parts),
+            What::Merge { out, parts } => merge(out, parts, options),
         }
     }
 }
 
-fn merge(out: &Path, parts: &[PathBuf]) -> Result<(), Failure> {
-    let results: Result<Vec<_>, _> = parts.iter().map(|path| Results::read(path)).collect();
-    Results::merge(results?)?.write(out)
+fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure> {
+    let inputs: Vec<&Path> = parts.iter().map(PathBuf::as_path).collect();
+    for path in Results::files(out) {
+        output::refuse_inputs(&path, &inputs)?;
+    }
+    let mut all = Results::default();
+    for (index, path) in parts.iter().enumerate() {
+        let part = Results::read(path)?;
+        // Joined one by one, so that the limits hold for all parts together.
+        all = if index == 0 { Results::merge(vec![part])? } else { Results::merge(vec![all, part])? };
+        all.check().map_err(|reason| format!("the parts together: {reason}"))?;
+    }
+    all.write(out, options)
 }
 
 impl How {
-    fn run<'a>(&self, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
-        let interrupt = Interrupt::listen()?;
+    fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
+        let interrupt = Interrupt::listen();
         // Before minutes are spent on figures that could not be kept.
-        cpu::output::Output::open(&self.out)?;
+        for path in Results::files(&self.out) {
+            output::Output::open(&path, options)?;
+        }
         let plan = Plan {
             quick: self.quick,
             repeats: usize::from(self.repeats),
@@ -148,15 +162,16 @@ impl How {
         };
         let mut results = Results { quick: self.quick, machines: vec![Machine::here()], ..Results::default() };
         for task in tasks {
-            eprintln!("measuring {task}");
+            terminal::note(&format!("measuring {task}"));
             plan.run(task, &mut results, &interrupt)?;
         }
         results.complete();
         for Growth { parameter, engine, law, .. } in &results.growth {
             let error = law.exponent_error.map_or_else(String::new, |error| format!(" +- {error:.2}"));
-            eprintln!("{engine}: time grows with {parameter} to the power {:.2}{error}", law.exponent);
+            let power = format!("{:.2}{error}", law.exponent);
+            terminal::note(&format!("{engine}: time grows with {parameter} to the power {power}"));
         }
-        results.write(&self.out)
+        results.write(&self.out, options)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::output::Output;
+use cpu::output::{self, Options, Output};
 
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
@@ -18,7 +18,7 @@ Examples:
   render-lab compare a.ppm b.ppm --json | jq .rmse
 
 Limits:
-  A picture's file has at most 4294967296 bytes; both pictures are held in memory
+  A picture has at most 67108864 pixels, its file at most 1073741824 bytes; both pictures are held in memory
 
 Exit status: 0 accepted (maximum < 150 and RMSE < 10), 1 not accepted, 2 an error";
 
@@ -43,17 +43,21 @@ impl Arguments {
     ///
     /// # Errors
     /// [`Failure::Rejected`], or what is wrong with a file.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, options: Options) -> Result<(), Failure> {
+        if let Some(path) = &self.heatmap {
+            output::refuse_inputs(path, &[&self.first, &self.second])?;
+        }
+        let heatmap_output = self.heatmap.as_ref().map(|path| Output::open(path, options)).transpose()?;
         let (first, second) = (Picture::read(&self.first)?, Picture::read(&self.second)?);
         let difference = Difference::between(&first, &second)?;
-        if let Some(path) = &self.heatmap {
-            let map = heatmap(&first, &second, difference.maximum);
-            Output::open(path)?.write(|file| map.write_png(file))?;
+        if let Some(output) = heatmap_output {
+            let map = heatmap(&first, &second, difference.maximum)?;
+            output.fill(|file| map.write_png(file))?;
         }
         if self.json {
             super::print_json(&difference)?;
         } else {
-            println!("{}", Words(&difference));
+            crate::terminal::print(&Words(&difference).to_string())?;
         }
         if difference.accepted { Ok(()) } else { Err(Failure::Rejected) }
     }

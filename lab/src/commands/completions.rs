@@ -1,12 +1,12 @@
 //! `render-lab completions` and `render-lab man`: what packages install beside a program.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
 use clap_complete::Shell;
+use cpu::output::{Options, Output};
 
-use crate::Failure;
+use crate::{Failure, terminal};
 
 /// Options of `completions`.
 #[derive(Debug, Args)]
@@ -28,7 +28,7 @@ impl Completions {
     pub fn run(&self, command: &mut clap::Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, command, "render-lab", &mut script);
-        Ok(std::io::stdout().write_all(&script)?)
+        terminal::write(&script)
     }
 }
 
@@ -47,9 +47,22 @@ impl Man {
     ///
     /// # Errors
     /// A file cannot be written.
-    pub fn run(&self, command: clap::Command) -> Result<(), Failure> {
-        let explain = |error: std::io::Error| format!("{}: {error}", self.folder.display());
+    pub fn run(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
+        let explain = |error: std::io::Error| format!("{}: {error}", terminal::name(&self.folder));
         std::fs::create_dir_all(&self.folder).map_err(explain)?;
-        Ok(clap_mangen::generate_to(command, &self.folder).map_err(explain)?)
+        let mut command = command.disable_help_subcommand(true);
+        command.build();
+        self.write_page(command, options)
+    }
+
+    /// Writes the pages of the commands below `command`, then its own.
+    fn write_page(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
+        for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
+            self.write_page(below.clone(), options)?;
+        }
+        let page = clap_mangen::Man::new(command);
+        let mut text = Vec::new();
+        page.render(&mut text)?;
+        Ok(Output::open(&self.folder.join(page.get_filename()), options)?.fill(|file| file.write_all(&text))?)
     }
 }

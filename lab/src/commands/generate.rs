@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ::tests::generator::{self, Arrangement, Options};
 use clap::{Args, ValueEnum};
-use cpu::output::Output;
+use cpu::output::{self, Output};
 
 use crate::Failure;
 
@@ -107,13 +107,30 @@ impl Arguments {
     ///
     /// # Errors
     /// A file cannot be written, or no material is asked for.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, how: output::Options) -> Result<(), Failure> {
         let options = self.options()?;
+        output::refuse_inputs(&self.scene, &[&self.config])?;
+        if self.scene == self.config {
+            return Err("the configuration and the scene need a file each; choose another name for one of them".into());
+        }
+        check_memory(options.objects)?;
         // Both places are looked at before either file is written.
-        let (config, scene) = (Output::open(&self.config)?, Output::open(&self.scene)?);
-        config.write(|file| file.write_all(::tests::write::config(&generator::view(&options)).as_bytes()))?;
-        scene.write(|file| file.write_all(::tests::write::scene(&generator::scene(&options)).as_bytes()))?;
+        let (config, scene) = (Output::open(&self.config, how)?, Output::open(&self.scene, how)?);
+        config.fill(|file| file.write_all(::tests::write::config(&generator::view(&options)).as_bytes()))?;
+        scene.fill(|file| file.write_all(::tests::write::scene(&generator::scene(&options)).as_bytes()))?;
         Ok(())
+    }
+}
+
+/// Refuses a number of objects for which there is too little memory, as far as that can be known before.
+fn check_memory(objects: usize) -> Result<(), cpu::Error> {
+    /// Of an object and of its line, both in lists that may have grown to twice what they need.
+    const BYTES: usize = 512;
+
+    let room = objects.checked_mul(BYTES).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes));
+    match room {
+        Some(Ok(())) => Ok(()),
+        _ => Err(cpu::Error::OutOfMemory { what: "so many objects" }),
     }
 }
 

@@ -89,7 +89,7 @@ impl Arguments {
         if self.json {
             super::print_json(&inspection)?;
         } else {
-            println!("{inspection}");
+            crate::terminal::print(&inspection.to_string())?;
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use cpu::output::Output;
+use cpu::output::{self, Options, Output};
 use cpu::{Aos, Config, Error, Layout, Prepared, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -13,6 +13,7 @@ use crate::Failure;
 use crate::engine::{self, LayoutName, ScatterName};
 use crate::interrupt::Interrupt;
 use crate::sources;
+use crate::terminal;
 use crate::usage::Usage;
 
 /// Examples.
@@ -86,13 +87,14 @@ impl Arguments {
     ///
     /// # Errors
     /// What is wrong with a file, or [`Failure::Interrupted`].
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, options: Options) -> Result<(), Failure> {
+        output::refuse_inputs(&self.out, &[&self.config, &self.scene])?;
         let config = sources::config(&self.config, &self.set)?;
         let scene = sources::scene(&self.scene)?;
-        let interrupt = Interrupt::listen()?;
+        let interrupt = Interrupt::listen();
         let mut taken = match self.layout {
-            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, &interrupt)?,
-            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, &interrupt)?,
+            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, options, &interrupt)?,
+            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, options, &interrupt)?,
         };
         if self.count {
             let counts = cpu::reference::render_counted::<cpu::certified::Certified>(
@@ -110,7 +112,7 @@ impl Arguments {
         if self.json {
             super::print_json(&taken)?;
         } else if std::io::stderr().is_terminal() || self.count {
-            eprintln!("{taken}");
+            terminal::note(&taken.to_string());
         }
         Ok(())
     }
@@ -120,6 +122,7 @@ impl Arguments {
         &self,
         config: &Config,
         scene: &Scene,
+        options: Options,
         interrupt: &Interrupt,
     ) -> Result<Taken, Failure> {
         let in_file = |error: Error| error.in_file(&self.config);
@@ -127,7 +130,7 @@ impl Arguments {
         let size = prepared.size;
         let part = self.crop.unwrap_or([0, 0, size.width(), size.height()]);
         let rows = rows_of(part, size.width(), size.height())?;
-        let output = Output::open(&self.out)?;
+        let output = Output::open(&self.out, options)?;
         let before = Usage::now();
         let bar = progress(rows);
         let picture = engine::render_rows::<L>(&prepared, rows, |row| {
@@ -136,9 +139,9 @@ impl Arguments {
         })?;
         bar.finish_and_clear();
         let picture = picture.ok_or(Failure::Interrupted)?;
-        let picture = if self.crop.is_some() { picture.crop(part) } else { picture };
+        let picture = if self.crop.is_some() { picture.crop(part)? } else { picture };
         let write_png = is_png(&self.out);
-        output.write(|file| if write_png { picture.write_png(file) } else { picture.write_ppm(file) })?;
+        output.fill(|file| if write_png { picture.write_png(file) } else { picture.write_ppm(file) })?;
         let after = Usage::now();
         let primary_rays = ((rows * size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = after.user - before.user;

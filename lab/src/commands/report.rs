@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use cpu::output::{self, Options};
 
 use crate::Failure;
 use crate::bench::results::Results;
@@ -26,7 +27,10 @@ impl Arguments {
     ///
     /// # Errors
     /// What is wrong with the data or the folder.
-    pub fn run(&self) -> Result<(), Failure> {
-        crate::report::write(&Results::read(&self.data)?, &self.out)
+    pub fn run(&self, options: Options) -> Result<(), Failure> {
+        for name in crate::report::FILES {
+            output::refuse_inputs(&self.out.join(name), &[&self.data])?;
+        }
+        crate::report::write(&Results::read(&self.data)?, &self.out, options)
     }
 }

@@ -90,6 +90,44 @@ fn crc32(bytes: &[u8]) -> u32 {
     })
 }
 
+/// A grey PNG of one bit a pixel, all black: far smaller than its pixels.
+fn black_png(width: u32, height: u32) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::One);
+    let mut writer = encoder.write_header().expect("memory takes all bytes");
+    let row = (width as usize).div_ceil(8);
+    writer.write_image_data(&vec![0; row * height as usize]).expect("memory takes all bytes");
+    writer.finish().expect("memory takes all bytes");
+    bytes
+}
+
+#[test]
+fn a_picture_of_exactly_the_limit_is_read_and_one_row_more_refused() {
+    let row = 8192;
+    let most = black_png(row, MAX_PIXELS as u32 / row);
+    assert!(most.len() < 100_000, "{} bytes", most.len());
+    assert_eq!(Picture::parse(&most).map(|picture| picture.pixels.len()), Ok(MAX_PIXELS));
+    let refused = Err("it has more than 67108864 pixels".to_owned());
+    assert_eq!(Picture::parse(&black_png(row, MAX_PIXELS as u32 / row + 1)), refused);
+    for text in ["P3 8192 8193 255 ", "P6 8192 8193 255\n", "P3 18446744073709551615 2 255 "] {
+        assert_eq!(Picture::parse(text.as_bytes()), refused, "{text}");
+    }
+    assert!(Picture::parse(b"P6 8192 8192 255\n").is_err_and(|message| message.starts_with("0 bytes of pixels")));
+}
+
+#[test]
+fn a_png_of_16_bits_is_refused_before_its_pixels_are_read() {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+    encoder.set_depth(png::BitDepth::Sixteen);
+    let mut writer = encoder.write_header().expect("memory takes all bytes");
+    writer.write_image_data(&[0; 2]).expect("memory takes all bytes");
+    writer.finish().expect("memory takes all bytes");
+    assert_eq!(Picture::parse(&bytes), Err("a PNG of more than 8 bits a channel".to_owned()));
+}
+
 #[test]
 fn an_endless_file_that_is_no_picture_is_not_read_to_its_end() {
     assert_eq!(picture_bytes(io::repeat(0)), Err(NEITHER.to_owned()));
@@ -100,6 +138,6 @@ fn an_endless_file_that_is_no_picture_is_not_read_to_its_end() {
 #[test]
 fn a_part_is_cut_out_row_by_row() {
     let right = Picture { width: 1, height: 2, pixels: vec![[1, 2, 3], [10, 20, 30]] };
-    assert_eq!(sample().crop([1, 0, 1, 2]), right);
-    assert_eq!(sample().crop([0, 0, 2, 2]), sample());
+    assert_eq!(sample().crop([1, 0, 1, 2]).expect("it is small"), right);
+    assert_eq!(sample().crop([0, 0, 2, 2]).expect("it is small"), sample());
 }

@@ -6,7 +6,8 @@ use plotters::coord::ranged1d::{KeyPointHint, Ranged, ValueFormatter};
 #[must_use]
 pub fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f64> {
     let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
-    low / room..high * room
+    // At the ends of the numbers there is no room left.
+    (low / room).max(f64::MIN_POSITIVE / 2.0_f64.powi(52))..(high * room).min(f64::MAX)
 }
 
 /// A logarithmic axis whose ticks are round: 1, 2, 5 in each decade where there are few, else powers of ten, or some.
@@ -33,7 +34,9 @@ impl Ranged for Logarithmic {
 impl ValueFormatter<f64> for Logarithmic {}
 
 fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
-    let decades = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
+    // All powers of ten that are numbers, however far a range goes.
+    let bounded = |decade: f64| (decade as i32).clamp(-323, 308);
+    let decades = bounded(range.start.log10().floor())..=bounded(range.end.log10().ceil());
     let with = |steps: &[f64]| -> Vec<f64> {
         let all = decades.clone().flat_map(|decade| steps.iter().map(move |step| step * 10_f64.powi(decade)));
         all.filter(|tick| range.contains(tick)).collect()
@@ -49,6 +52,13 @@ fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_range_from_zero_has_no_more_decades_than_there_are_numbers() {
+        for range in [0.0..1.0, 1.0..f64::INFINITY, f64::NAN..1.0, range([5e-324, f64::MAX].into_iter(), 2.0)] {
+            assert!(ticks(&range, 9).len() <= 640);
+        }
+    }
 
     #[test]
     fn ticks_are_round() {

@@ -4,6 +4,8 @@ mod draw;
 
 use plotters::prelude::*;
 
+use super::style::printable;
+
 /// What a chart shows.
 #[derive(Clone, Debug)]
 pub struct Chart {
@@ -65,12 +67,15 @@ pub enum Bounds {
 
 impl Point {
     /// Both ends of the bar that shows its bounds; both the point itself without any.
+    ///
+    /// A bound that a logarithmic axis cannot show, as 0, is replaced by the point: the bar has one half only.
     #[must_use]
     pub fn ends(&self) -> [(f64, f64); 2] {
+        let shown = |bound: f64, point: f64| if bound > 0.0 && bound.is_finite() { bound } else { point };
         match self.bounds {
             None => [(self.x, self.y); 2],
-            Some(Bounds::Horizontal(low, high)) => [(low, self.y), (high, self.y)],
-            Some(Bounds::Vertical(low, high)) => [(self.x, low), (self.x, high)],
+            Some(Bounds::Horizontal(low, high)) => [low, high].map(|bound| (shown(bound, self.x), self.y)),
+            Some(Bounds::Vertical(low, high)) => [low, high].map(|bound| (self.x, shown(bound, self.y))),
         }
     }
 }
@@ -89,9 +94,26 @@ impl Chart {
     /// It has no point, or something that a logarithmic axis cannot show.
     pub fn draw(&self) -> Result<String, String> {
         let points = || self.series.iter().flat_map(|series| &series.points);
-        if points().next().is_none() || points().any(|point| point.x <= 0.0 || point.y <= 0.0) {
-            return Err(format!("the chart {} has no points, or some that are not positive", self.name));
+        let is_shown = |value: f64| value > 0.0 && value.is_finite();
+        if points().next().is_none() || !points().all(|point| is_shown(point.x) && is_shown(point.y)) {
+            return Err(format!(
+                "the chart {:?} has no points, or some that are not positive; correct the data",
+                self.name
+            ));
         }
+        self.with_printable_text().draw_checked()
+    }
+
+    /// The chart without characters that SVG does not have.
+    fn with_printable_text(&self) -> Self {
+        let mut chart = self.clone();
+        chart.title = printable(&chart.title);
+        chart.rows.iter_mut().for_each(|row| *row = printable(row));
+        chart.series.iter_mut().for_each(|series| series.name = printable(&series.name));
+        chart
+    }
+
+    fn draw_checked(&self) -> Result<String, String> {
         let legend = self.legend();
         let rows = legend.iter().map(|&(row, _)| row + 1).max().unwrap_or(0);
         let head = TITLE + LEGEND_ROW * rows;
@@ -107,7 +129,7 @@ impl Chart {
         }
         // Scaled to where it is shown, and named for those who do not see it.
         let size = format!("width=\"{WIDTH}\" height=\"{}\" ", head + body);
-        let title = self.title.replace('&', "&amp;").replace('<', "&lt;");
+        let title = self.title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
         Ok(svg.replacen(&size, "role=\"img\" ", 1).replacen("viewBox", &format!("aria-label=\"{title}\" viewBox"), 1))
     }
 
@@ -149,6 +171,36 @@ mod tests {
     #[test]
     fn what_a_logarithmic_axis_cannot_show_is_refused() {
         assert!(chart(Vec::new()).draw().is_err());
-        assert!(chart(vec![Point { x: 0.0, y: 1.0, bounds: None }]).draw().is_err());
+        for (x, y) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {
+            assert!(chart(vec![Point { x, y, bounds: None }]).draw().is_err(), "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn a_bound_of_zero_takes_half_the_bar_and_no_endless_axis() {
+        for bounds in
+            [Bounds::Vertical(0.0, 3.0), Bounds::Horizontal(-1.0, f64::INFINITY), Bounds::Vertical(f64::NAN, 3.0)]
+        {
+            let point = Point { x: 1.0, y: 2.0, bounds: Some(bounds) };
+            assert!(point.ends().iter().all(|(x, y)| *x > 0.0 && *y > 0.0 && x.is_finite() && y.is_finite()));
+            assert!(chart(vec![point]).draw().is_ok(), "{bounds:?}");
+        }
+    }
+
+    #[test]
+    fn the_smallest_and_the_largest_numbers_are_drawn() {
+        let far = [5e-324, f64::MAX].map(|x| Point { x, y: x, bounds: Some(Bounds::Vertical(x, x)) });
+        assert!(chart(far.to_vec()).draw().is_ok());
+    }
+
+    #[test]
+    fn control_characters_and_quotes_leave_valid_svg() {
+        let mut chart = chart(vec![Point { x: 1.0, y: 2.0, bounds: None }]);
+        chart.title = "a\0b\u{1b}\" onload=\"x".to_owned();
+        chart.series[0].name = "s\u{8}\u{ffff}".to_owned();
+        let svg = chart.draw().expect("there is a point");
+        assert!(svg.contains("aria-label=\"a\u{fffd}b\u{fffd}&quot; onload=&quot;x\""), "{svg}");
+        assert!(svg.contains("s\u{fffd}\u{fffd}"), "{svg}");
+        assert!(!svg.chars().any(|c| c.is_control() && c != '\n'), "{svg}");
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::chart::Chart;
 use super::findings::Finding;
-use super::style::{for_screen, power_of_ten, seconds, short, variables, with_error};
+use super::style::{for_screen, power_of_ten, printable, seconds, short, variables, with_error};
 use crate::bench::results::Results;
 
 const STYLE: &str = "\
@@ -123,5 +123,5 @@ fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
 }
 
 fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
+    printable(text).replace('&', "&amp;").replace('<', "&lt;")
 }

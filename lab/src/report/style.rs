@@ -18,6 +18,13 @@ pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x4B, 0x3F, 0xB5), "#A79CF0"),
 ];
 
+/// `text` with a replacement character for each that XML does not have: most control characters.
+#[must_use]
+pub fn printable(text: &str) -> String {
+    let is_known = |c: char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
+    text.chars().map(|c| if is_known(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
+}
+
 /// A colour as SVG writes it.
 #[must_use]
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {

@@ -5,6 +5,8 @@ mod compare;
 mod files;
 #[cfg(unix)]
 mod hostile;
+#[cfg(unix)]
+mod limits;
 mod render;
 #[cfg(unix)]
 mod slurm;

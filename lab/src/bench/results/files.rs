@@ -1,13 +1,14 @@
 //! Results as files: JSON that holds everything, CSV for other programs.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use cpu::output::Output;
+use cpu::output::{Options, Output};
 
+use super::check::MAX_BYTES;
 use super::{Intersection, Results, Setting, Timing, Trial};
-use crate::Failure;
 use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
+use crate::{Failure, terminal};
 
 impl Results {
     /// Results from a JSON file.
@@ -15,32 +16,44 @@ impl Results {
     /// # Errors
     /// It cannot be read, or is something else.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-        let text = std::fs::read(path).map_err(|error| explain(&error))?;
-        Ok(serde_json::from_slice(&text).map_err(|error| explain(&error))?)
+        let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
+        let text = cpu::input::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
+        let results: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
+        results.check().map_err(|error| explain(&error))?;
+        Ok(results)
     }
 
     /// Writes the JSON file `path`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
     /// intersections as `NAME-intersections.csv`.
     ///
     /// # Errors
-    /// A file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), Failure> {
+    /// A file cannot be written. If one of the four cannot be opened, none is changed.
+    pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
+        let explain = |error: csv::Error| error.to_string();
         let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let beside = |ending: &str, csv: csv::Result<Vec<u8>>| {
-            csv.map(|bytes| (path.with_file_name(format!("{stem}{ending}.csv")), bytes)).map_err(|e| e.to_string())
-        };
-        let files = [
-            (path.to_owned(), format!("{json}\n").into_bytes()),
-            beside("", self.times_as_csv())?,
-            beside("-error", self.errors_as_csv())?,
-            beside("-intersections", self.intersections_as_csv())?,
+        let contents = [
+            format!("{json}\n").into_bytes(),
+            self.times_as_csv().map_err(explain)?,
+            self.errors_as_csv().map_err(explain)?,
+            self.intersections_as_csv().map_err(explain)?,
         ];
-        for (path, bytes) in files {
-            Output::open(&path)?.write(|file| file.write_all(&bytes))?;
+        let outputs: Result<Vec<_>, _> = Self::files(path).iter().map(|path| Output::open(path, options)).collect();
+        for (output, bytes) in outputs?.into_iter().zip(contents) {
+            output.fill(|file| file.write_all(&bytes))?;
         }
         Ok(())
+    }
+
+    /// The files that [`Results::write`] writes for `path`, itself first.
+    #[must_use]
+    pub fn files(path: &Path) -> [PathBuf; 4] {
+        let stem = path.file_stem().unwrap_or_default();
+        let beside = |ending: &str| {
+            let mut name = stem.to_owned();
+            name.push(ending);
+            path.with_file_name(name)
+        };
+        [path.to_owned(), beside(".csv"), beside("-error.csv"), beside("-intersections.csv")]
     }
 
     fn times_as_csv(&self) -> csv::Result<Vec<u8>> {
@@ -106,8 +119,9 @@ mod tests {
         let path = folder.path().join("bench.json");
         let mut results = results(vec![timing("a", 4, &[4.0, 5.0]), timing("a", 1, &[1.0])]);
         results.complete();
-        results.write(&path).expect("the folder is writable");
+        results.write(&path, Options::default()).expect("the folder is writable");
         assert_eq!(Results::read(&path).expect("it was written"), results);
+        assert!(Results::read(Path::new("/dev/zero")).is_err(), "it has no end");
         let csv = std::fs::read_to_string(folder.path().join("bench.csv")).expect("it was written");
         assert_eq!(csv.lines().nth(2), Some("scale,grid,samples,4,a,4.5,4.0,5.0,0.5,2"));
     }

@@ -1,0 +1,197 @@
+//! Places that only a user with rights can make: each is refused before rendering, or kept as it was.
+
+use std::ffi::OsStr;
+
+use std::os::unix::fs::chown;
+
+use super::*;
+
+/// A picture that takes for ever: what refuses it does so before rendering.
+const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
+
+pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
+    let can_append = is_root && append_only_is_known();
+    let trial = |name: &str, test: fn() -> Result<(), Failed>, can: bool, needs: &str| {
+        Trial::test(name, test).with_kind(if can { "" } else { needs }).with_ignored_flag(!can)
+    };
+    let root = "needs root";
+    vec![
+        trial("another_users_file_in_a_sticky_folder_is_refused_at_once", sticky, is_root, root),
+        trial("a_mounted_file_is_refused_at_once", mounted, can_mount, "needs the right to mount"),
+        trial("a_device_without_permission_is_refused_at_once", device, is_root, root),
+        trial("a_pipe_without_permission_is_refused_at_once", pipe, is_root, root),
+        trial("in_a_folder_for_appends_only_nothing_but_a_new_picture_is_left", appends, can_append, "needs chattr +a"),
+        trial("another_users_set_user_id_bit_goes", set_user_id, is_root, root),
+        trial("root_leaves_a_file_its_owner", owner, is_root, root),
+    ]
+}
+
+/// Runs a program for at most a minute, as nobody where that is asked.
+fn promptly(command: &Command, as_nobody: bool) -> std::io::Result<Output> {
+    let mut limited = Command::new("timeout");
+    limited.arg("60").arg(command.get_program()).args(command.get_args());
+    without_rights(limited, as_nobody).output()
+}
+
+fn set_mode(path: &Path, mode: u32) -> std::io::Result<()> {
+    fs::set_permissions(path, Permissions::from_mode(mode))
+}
+
+/// Checks that the programs, as nobody, refuse `out` before rendering.
+fn refuse_at_once(place: &Place, out: &Path, reason: &str, as_nobody: bool) -> Result<(), Failed> {
+    fs::write(place.path("config.txt"), ENDLESS)?;
+    for program in PROGRAMS {
+        check_refusal(&promptly(&place.render(program, out), as_nobody)?, out, reason)?;
+    }
+    Ok(())
+}
+
+fn sticky() -> Result<(), Failed> {
+    let place = Place::new()?;
+    fs::create_dir(place.path("d"))?;
+    set_mode(&place.path("d"), 0o1777)?;
+    let out = place.path("d/out.ppm");
+    fs::write(&out, "old")?;
+    // Anyone may write to it, and only its owner may replace it.
+    set_mode(&out, 0o666)?;
+    refuse_at_once(&place, &out, "Operation not permitted", true)?;
+    check_old(&out)
+}
+
+fn mounted() -> Result<(), Failed> {
+    let place = Place::new()?;
+    fs::create_dir(place.path("d"))?;
+    let out = place.path("d/out.ppm");
+    // On the same file system, and from another one.
+    let disk = Disk::mount(place.path("disk"))?;
+    for source in [place.path("source"), disk.0.join("source")] {
+        fs::write(&source, "old")?;
+        fs::write(&out, "")?;
+        let bound = Mount::bind(&source, &out)?;
+        refuse_at_once(&place, &out, "a file is mounted here", false)?;
+        check_old(&out)?;
+        drop(bound);
+    }
+    Ok(())
+}
+
+fn device() -> Result<(), Failed> {
+    let place = Place::new()?;
+    // `/dev/null` under another name, which nobody but root may write to.
+    let out = place.path("null");
+    run("mknod", [out.as_os_str(), "c".as_ref(), "1".as_ref(), "3".as_ref()])?;
+    set_mode(&out, 0o600)?;
+    refuse_at_once(&place, &out, "Permission denied", true)
+}
+
+fn pipe() -> Result<(), Failed> {
+    let place = Place::new()?;
+    let out = place.path("pipe");
+    run("mkfifo", [&out])?;
+    set_mode(&out, 0o600)?;
+    refuse_at_once(&place, &out, "Permission denied", true)
+}
+
+/// A folder for appends only takes a new file. No file in it can be replaced, renamed or removed.
+fn appends() -> Result<(), Failed> {
+    let place = Place::new()?;
+    fs::create_dir(place.path("d"))?;
+    for program in PROGRAMS {
+        let out = place.path("d/out.ppm");
+        {
+            let _appends = AppendOnly::new(place.path("d"))?;
+            let output = place.render(program, &out).output()?;
+            if !output.status.success() {
+                return Err(format!("{output:?}").into());
+            }
+            check_names(&place.path("d"), &["out.ppm"])?;
+            let output = promptly(&place.render(program, &out), false)?;
+            check_refusal(&output, &out, "Operation not permitted")?;
+            check_names(&place.path("d"), &["out.ppm"])?;
+        }
+        fs::remove_file(&out)?;
+    }
+    Ok(())
+}
+
+fn set_user_id() -> Result<(), Failed> {
+    let place = Place::new()?;
+    fs::create_dir(place.path("d"))?;
+    set_mode(&place.path("d"), 0o777)?;
+    let out = place.path("d/out.ppm");
+    for program in PROGRAMS {
+        let _ = fs::remove_file(&out);
+        fs::write(&out, "old")?;
+        set_mode(&out, 0o6757)?;
+        let output = without_rights(place.render(program, &out), true).output()?;
+        let metadata = fs::metadata(&out)?;
+        // The owner is another, and so is the group, which may now do what all may do.
+        if !output.status.success() || metadata.uid() != NOBODY || metadata.mode() & 0o7777 != 0o757 {
+            return Err(format!("{output:?}, mode {:o}", metadata.mode()).into());
+        }
+    }
+    Ok(())
+}
+
+fn owner() -> Result<(), Failed> {
+    let place = Place::new()?;
+    let out = place.path("out.ppm");
+    for program in PROGRAMS {
+        fs::write(&out, "old")?;
+        chown(&out, Some(NOBODY), Some(NOBODY))?;
+        set_mode(&out, 0o4750)?;
+        let output = place.render(program, &out).output()?;
+        let metadata = fs::metadata(&out)?;
+        let kept = (metadata.uid(), metadata.gid(), metadata.mode() & 0o7777) == (NOBODY, NOBODY, 0o4750);
+        if !output.status.success() || !kept || fs::read(&out)? == b"old" {
+            return Err(format!("{output:?}, {metadata:?}").into());
+        }
+        fs::remove_file(&out)?;
+    }
+    Ok(())
+}
+
+/// Runs a command of the system that must succeed.
+fn run<S: AsRef<OsStr>>(program: &str, arguments: impl IntoIterator<Item = S>) -> Result<(), Failed> {
+    let output = Command::new(program).args(arguments).output()?;
+    if output.status.success() { Ok(()) } else { Err(format!("{program}: {output:?}").into()) }
+}
+
+/// A file that is mounted over another until this is dropped.
+struct Mount<'a>(&'a Path);
+
+impl<'a> Mount<'a> {
+    fn bind(source: &Path, target: &'a Path) -> Result<Self, Failed> {
+        run("mount", [OsStr::new("--bind"), source.as_ref(), target.as_ref()])?;
+        Ok(Self(target))
+    }
+}
+
+impl Drop for Mount<'_> {
+    fn drop(&mut self) {
+        // One that stays mounted shows as a temporary folder that cannot be removed.
+        let _ = run("umount", [self.0]);
+    }
+}
+
+/// A folder that takes appends only until this is dropped.
+struct AppendOnly(PathBuf);
+
+impl AppendOnly {
+    fn new(folder: PathBuf) -> Result<Self, Failed> {
+        run("chattr", [OsStr::new("+a"), folder.as_os_str()])?;
+        Ok(Self(folder))
+    }
+}
+
+impl Drop for AppendOnly {
+    fn drop(&mut self) {
+        // One that stays so shows as a temporary folder that cannot be removed.
+        let _ = run("chattr", [OsStr::new("-a"), self.0.as_os_str()]);
+    }
+}
+
+/// Whether the file system of the temporary folder knows such folders.
+fn append_only_is_known() -> bool {
+    tempfile::tempdir().is_ok_and(|folder| AppendOnly::new(folder.path().to_owned()).is_ok())
+}

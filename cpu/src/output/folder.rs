@@ -1,0 +1,252 @@
+//! A folder that stays open, and what is done to the names in it.
+//!
+//! All names are looked up in the open folder. So a folder that is renamed or replaced meanwhile cannot send a file
+//! elsewhere. The standard library has no such functions; the C library of every Unix does.
+
+#![allow(unsafe_code)]
+
+use std::ffi::{CStr, CString, c_char, c_int, c_uint};
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{self, ErrorKind};
+use std::os::fd::{AsFd, AsRawFd, BorrowedFd, FromRawFd};
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+use std::path::{Path, PathBuf};
+
+// SAFETY: the C library of every Unix has these functions, with these types.
+unsafe extern "C" {
+    fn openat(folder: c_int, name: *const c_char, flags: c_int, ...) -> c_int;
+    fn linkat(old: c_int, from: *const c_char, new: c_int, to: *const c_char, flags: c_int) -> c_int;
+    fn renameat(old: c_int, from: *const c_char, new: c_int, to: *const c_char) -> c_int;
+    fn unlinkat(folder: c_int, name: *const c_char, flags: c_int) -> c_int;
+    fn faccessat(folder: c_int, path: *const c_char, mode: c_int, flags: c_int) -> c_int;
+}
+
+/// Flags of `openat` and their like, which differ from system to system.
+struct Flags {
+    write: c_int,
+    create: c_int,
+    exclusive: c_int,
+    close_on_exec: c_int,
+    no_follow: c_int,
+    nonblocking: c_int,
+    /// A folder that is only looked up in: needs no right to read it.
+    path: c_int,
+    /// A file without a name.
+    unnamed: c_int,
+    /// Follow the link, for `linkat`.
+    follow: c_int,
+    /// Remove a folder, for `unlinkat`.
+    folder: c_int,
+    /// Ask for the rights of the effective user, for `faccessat`.
+    effective: c_int,
+    /// Stands for the working folder.
+    here: c_int,
+}
+
+/// Known for Linux on these processors, from its header `asm-generic/fcntl.h`. Elsewhere files are opened by their path,
+/// and all have a name.
+const FLAGS: Option<Flags> = {
+    const KNOWN: bool =
+        cfg!(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "riscv64")));
+    // On ARM these two are other numbers than in the common header.
+    let (directory, no_follow) =
+        if cfg!(target_arch = "aarch64") { (0o40_000, 0o100_000) } else { (0o200_000, 0o400_000) };
+    if KNOWN {
+        Some(Flags {
+            write: 1,
+            create: 0o100,
+            exclusive: 0o200,
+            close_on_exec: 0o2_000_000,
+            no_follow,
+            nonblocking: 0o4_000,
+            path: 0o10_000_000,
+            unnamed: 0o20_000_000 | directory | 1,
+            follow: 0x400,
+            folder: 0x200,
+            effective: 0x200,
+            here: -100,
+        })
+    } else {
+        None
+    }
+};
+
+/// An open folder.
+#[derive(Debug)]
+pub struct Folder {
+    file: File,
+    path: PathBuf,
+}
+
+impl Folder {
+    /// Opens the folder at `path`. Only a folder that is to be [synced](Self::sync) must be readable.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn open(path: &Path, sync: bool) -> io::Result<Self> {
+        let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
+        let flags = FLAGS.filter(|_| !sync).map_or(0, |flags| flags.path);
+        Ok(Self { file: OpenOptions::new().read(true).custom_flags(flags).open(path)?, path: path.to_owned() })
+    }
+
+    /// Makes an empty file with no name in the folder's file system. It vanishes when it is closed without a name.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Unsupported`], or what the system says: not every file system can do it.
+    pub fn create_unnamed(&self, mode: u32) -> io::Result<File> {
+        let flags = FLAGS.ok_or(ErrorKind::Unsupported)?;
+        let file = self.open_at(c".", flags.unnamed | flags.close_on_exec, mode)?;
+        // Its name is given by way of this link, which is missing where /proc is not mounted.
+        let seen = std::fs::metadata(own_link(&file))?;
+        if is_same(&seen, &file.metadata()?) { Ok(file) } else { Err(ErrorKind::Unsupported.into()) }
+    }
+
+    /// Makes an empty file under a free name.
+    ///
+    /// # Errors
+    /// [`ErrorKind::AlreadyExists`], also for a link that leads nowhere, or what else the system says.
+    pub fn create(&self, name: &CStr, mode: u32) -> io::Result<File> {
+        match FLAGS {
+            Some(Flags { write, create, exclusive, close_on_exec, no_follow, .. }) => {
+                self.open_at(name, write | create | exclusive | close_on_exec | no_follow, mode)
+            }
+            None => OpenOptions::new().write(true).create_new(true).mode(mode).open(self.path_of(name)),
+        }
+    }
+
+    /// Opens an existing file for writing, without changing it. Does not follow a link and does not wait.
+    ///
+    /// # Errors
+    /// What the system says, which is why the file may not be written.
+    pub fn open_for_writing(&self, name: &CStr) -> io::Result<File> {
+        match FLAGS {
+            Some(Flags { write, close_on_exec, no_follow, nonblocking, .. }) => {
+                self.open_at(name, write | close_on_exec | no_follow | nonblocking, 0)
+            }
+            None => OpenOptions::new().write(true).open(self.path_of(name)),
+        }
+    }
+
+    fn open_at(&self, name: &CStr, flags: c_int, mode: u32) -> io::Result<File> {
+        // SAFETY: the folder is open and `name` a C string; a result that is no error is a descriptor that is ours.
+        retry(|| unsafe { openat(self.file.as_raw_fd(), name.as_ptr(), flags, c_uint::from(mode)) })
+            .map(|descriptor| unsafe { File::from_raw_fd(descriptor) })
+    }
+
+    fn path_of(&self, name: &CStr) -> PathBuf {
+        self.path.join(std::ffi::OsStr::from_bytes(name.to_bytes()))
+    }
+
+    /// Gives a file from [`Folder::create_unnamed`] a free name.
+    ///
+    /// # Errors
+    /// [`ErrorKind::AlreadyExists`], or what else the system says.
+    pub fn link(&self, file: &File, name: &CStr) -> io::Result<()> {
+        let flags = FLAGS.ok_or(ErrorKind::Unsupported)?;
+        let from = CString::new(own_link(file))?;
+        let folder = self.file.as_raw_fd();
+        // SAFETY: the folder is open, and both are C strings. The first is absolute: its folder is not looked at.
+        retry(|| unsafe { linkat(folder, from.as_ptr(), folder, name.as_ptr(), flags.follow) }).map(drop)
+    }
+
+    /// Gives the file `from` the name `to`, in the place of the file that has it.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn rename(&self, from: &CStr, to: &CStr) -> io::Result<()> {
+        let folder = self.file.as_raw_fd();
+        // SAFETY: the folder is open, and both are C strings.
+        retry(|| unsafe { renameat(folder, from.as_ptr(), folder, to.as_ptr()) }).map(drop)
+    }
+
+    /// Asks whether the existing file `name` may be replaced, and changes nothing.
+    ///
+    /// Linux checks the rights to remove a folder before it sees that this is no folder. So removing the file as a folder
+    /// fails in any case, and the error says whether the rights are there: the folder may take appends only, or be one
+    /// where each user may remove their own files only.
+    ///
+    /// # Errors
+    /// What replacing it would say.
+    pub fn may_replace(&self, name: &CStr) -> io::Result<()> {
+        let Some(flags) = FLAGS else { return Ok(()) };
+        // SAFETY: the folder is open and `name` a C string.
+        match retry(|| unsafe { unlinkat(self.file.as_raw_fd(), name.as_ptr(), flags.folder) }) {
+            Err(error) if error.kind() == ErrorKind::NotADirectory => Ok(()),
+            Err(error) => Err(error),
+            Ok(_) => Err(ErrorKind::IsADirectory.into()),
+        }
+    }
+
+    /// Whether a file system, or a single file, is mounted over `file` of this folder: then it cannot be replaced.
+    ///
+    /// # Errors
+    /// What the system says of the folder or the file.
+    pub fn is_mount_point(&self, file: &File) -> io::Result<bool> {
+        let other_device = self.file.metadata()?.dev() != file.metadata()?.dev();
+        let mounts = [mount_of(&self.file), mount_of(file)];
+        Ok(other_device || matches!(mounts, [Some(one), Some(other)] if one != other))
+    }
+
+    /// Waits until the names in the folder are on the disk.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn sync(&self) -> io::Result<()> {
+        self.file.sync_all()
+    }
+}
+
+impl AsFd for Folder {
+    fn as_fd(&self) -> BorrowedFd<'_> {
+        self.file.as_fd()
+    }
+}
+
+/// Removes a file, for a signal handler too: calls nothing but the system. Gives -1 for an error.
+pub fn unlink(folder: c_int, name: &CStr) -> c_int {
+    // SAFETY: `name` is a C string; a descriptor that is not open is an error.
+    unsafe { unlinkat(folder, name.as_ptr(), 0) }
+}
+
+/// Whether both are the same file.
+pub fn is_same(one: &Metadata, other: &Metadata) -> bool {
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+/// Asks whether a file may be opened for writing, without opening it.
+///
+/// # Errors
+/// What the system says.
+pub fn may_write(path: &Path) -> io::Result<()> {
+    const WRITE: c_int = 2;
+    let Some(flags) = FLAGS else { return Ok(()) };
+    let path = CString::new(path.as_os_str().as_bytes())?;
+    // SAFETY: `path` is a C string.
+    retry(|| unsafe { faccessat(flags.here, path.as_ptr(), WRITE, flags.effective) }).map(drop)
+}
+
+/// The link by which Linux leads to an open file.
+fn own_link(file: &File) -> String {
+    format!("/proc/self/fd/{}", file.as_raw_fd())
+}
+
+/// The number of the mount that an open file was reached by, where the system tells.
+fn mount_of(file: &File) -> Option<String> {
+    let text = std::fs::read_to_string(format!("/proc/self/fdinfo/{}", file.as_raw_fd())).ok()?;
+    text.lines().find_map(|line| line.strip_prefix("mnt_id:")).map(|number| number.trim().to_owned())
+}
+
+/// Calls the system again as long as a signal interrupts it.
+fn retry(mut call: impl FnMut() -> c_int) -> io::Result<c_int> {
+    loop {
+        let result = call();
+        if result != -1 {
+            return Ok(result);
+        }
+        let error = io::Error::last_os_error();
+        if error.kind() != ErrorKind::Interrupted {
+            return Err(error);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! What the name of an output stands for.
+
+use std::fs::{self, File, FileType, OpenOptions};
+use std::io::{self, ErrorKind};
+use std::os::unix::fs::FileTypeExt;
+use std::path::{Path, PathBuf};
+
+use super::folder::{is_same, may_write};
+use super::stdout;
+use super::temporary::Temporary;
+
+/// A place that was found writable.
+#[derive(Debug)]
+pub enum Place {
+    /// Takes the bytes as they come: standard output, a device, a pipe.
+    Direct(File),
+    /// A pipe with a name. It is opened when the first bytes come, because opening it waits for a reader.
+    Pipe(PathBuf),
+    /// A regular file, to be replaced or made.
+    Regular(Temporary),
+}
+
+const STDOUT_NAMES: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+
+/// As many links as Linux follows.
+const MAX_LINKS: u32 = 40;
+
+impl Place {
+    /// # Errors
+    /// Why nothing can be written there, as far as that is known before writing.
+    pub fn find(path: &Path, sync: bool) -> io::Result<Self> {
+        if is_stdout(path) {
+            return stdout::open().map(Self::Direct);
+        }
+        // The system follows links first: it may refuse to follow those of others.
+        let metadata = match fs::metadata(path) {
+            Ok(metadata) => Some(metadata),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        let target = follow(path)?;
+        if is_stdout(&target) {
+            return stdout::open().map(Self::Direct);
+        }
+        if let Some(kind) = metadata.as_ref().map(fs::Metadata::file_type).filter(|kind| !kind.is_file()) {
+            return special(path, kind);
+        }
+        let is_there = |metadata| fs::symlink_metadata(&target).is_ok_and(|found| is_same(&found, metadata));
+        if !metadata.as_ref().is_none_or(is_there) {
+            return Err(io::Error::new(ErrorKind::NotFound, "it is an open file that has lost its name"));
+        }
+        Temporary::new(&target, sync).map(Self::Regular)
+    }
+}
+
+fn is_stdout(path: &Path) -> bool {
+    STDOUT_NAMES.iter().any(|name| path == Path::new(name))
+}
+
+/// The path at the end of all links: a file that is no link, a free name, or standard output.
+fn follow(path: &Path) -> io::Result<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) if !is_stdout(&target) => target = target.parent().unwrap_or(Path::new("")).join(next),
+            // No link, or nothing there: what else may be wrong is seen when the file is made.
+            _ => return Ok(target),
+        }
+    }
+    Err(io::Error::other("too many links lead on from it"))
+}
+
+fn special(path: &Path, kind: FileType) -> io::Result<Place> {
+    if kind.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    if kind.is_socket() {
+        return Err(io::Error::new(ErrorKind::InvalidInput, "it is a socket"));
+    }
+    if kind.is_fifo() {
+        return may_write(path).map(|()| Place::Pipe(path.to_owned()));
+    }
+    let file = OpenOptions::new().write(true).open(path)?;
+    if file.metadata()?.is_file() {
+        return Err(io::Error::other("it was a device, and is a file now"));
+    }
+    Ok(Place::Direct(file))
+}

@@ -1,0 +1,66 @@
+//! This process' standard output as a file, and whether there was one when the process started.
+//!
+//! Where standard output is closed, the standard library opens `/dev/null` in its place before `main`, and it takes a write
+//! to a descriptor that is not writable for a success. Both would lose the picture and exit with status 0.
+
+#![allow(unsafe_code)]
+
+use std::ffi::c_int;
+use std::fs::File;
+use std::io::{self, Write};
+use std::os::fd::AsFd;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Whether descriptor 1 was closed when the process started.
+static CLOSED: AtomicBool = AtomicBool::new(false);
+
+const STDOUT: c_int = 1;
+/// Commands of `fcntl`: the flags of the descriptor, and those of the open file.
+const GET_DESCRIPTOR_FLAGS: c_int = 1;
+const GET_FILE_FLAGS: c_int = 3;
+/// The bits that say how a file is open, and their value for reading alone.
+const ACCESS: c_int = 3;
+const READ_ONLY: c_int = 0;
+
+// SAFETY: the C library of every Unix has this function, with this type, and these commands.
+unsafe extern "C" {
+    fn fcntl(descriptor: c_int, command: c_int, ...) -> c_int;
+}
+
+fn flags(command: c_int) -> c_int {
+    // SAFETY: these two commands take no further argument and change nothing.
+    unsafe { fcntl(STDOUT, command) }
+}
+
+/// The loader calls this before the standard library starts.
+// SAFETY: the section holds addresses of functions of this type, which need nothing of the standard library.
+#[cfg(any(target_os = "linux", target_os = "macos"))]
+#[used]
+#[cfg_attr(target_os = "linux", unsafe(link_section = ".init_array"))]
+#[cfg_attr(target_os = "macos", unsafe(link_section = "__DATA,__mod_init_func"))]
+static BEFORE_MAIN: extern "C" fn() = {
+    extern "C" fn look() {
+        CLOSED.store(flags(GET_DESCRIPTOR_FLAGS) == -1, Ordering::SeqCst);
+    }
+    look
+};
+
+/// Standard output, without the standard library's buffer and its silence.
+///
+/// # Errors
+/// It was closed when the process started, or it takes no bytes.
+pub fn open() -> io::Result<File> {
+    if CLOSED.load(Ordering::SeqCst) {
+        return Err(io::Error::new(io::ErrorKind::NotConnected, "standard output is closed"));
+    }
+    let file_flags = flags(GET_FILE_FLAGS);
+    if file_flags == -1 {
+        return Err(io::Error::last_os_error());
+    }
+    if file_flags & ACCESS == READ_ONLY {
+        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "standard output is open for reading only"));
+    }
+    let mut stdout = io::stdout();
+    stdout.flush()?;
+    Ok(File::from(stdout.as_fd().try_clone_to_owned()?))
+}

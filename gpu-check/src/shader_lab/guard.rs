@@ -1,0 +1,118 @@
+//! A shader is compiled by a process of its own first, whose memory and time are limited.
+//!
+//! A short module can make naga or the driver's compiler take any amount of memory or time, as by comparing arrays of
+//! 500,000,000 elements. Neither can be stopped from inside the process. So `shader-lab` starts itself again with
+//! [`FLAG`], hands over the text, and goes on only when that process has come to an end by itself.
+
+use std::ffi::OsString;
+use std::io::{self, Read, Write};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+
+use shaders::{Composition, Precision};
+
+use crate::{Error, Gpu, Pipeline};
+
+/// The argument by which the program knows that it is the process to compile in.
+pub const FLAG: &str = "--compile-standard-input";
+
+/// Address space of the process, in bytes. The largest of the project's own shaders needs a quarter of it.
+pub const MAX_MEMORY: u64 = 4 << 30;
+
+/// Processor time of the process, in seconds.
+pub const MAX_SECONDS: u64 = 20;
+
+/// Wall-clock time of the process: a machine with more to do may be this much slower.
+const PATIENCE: Duration = Duration::from_secs(6 * MAX_SECONDS);
+
+/// Largest text that the process reads, in bytes: all modules of a composition.
+const MAX_TEXT: u64 = 1 << 26;
+
+/// Compiles `composition` in a process of its own.
+///
+/// What is wrong with the text is no error here: compiling it once more tells it better.
+///
+/// # Errors
+/// [`Error::Request`] when the process was ended by a limit or a fault, or could not be started.
+pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(), Error> {
+    let failed = |cause: io::Error| Error::Request { message: format!("the process to compile in: {cause}") };
+    let program = std::env::current_exe().map_err(failed)?;
+    let mut command = Command::new(program);
+    command.arg(FLAG).arg(composition.precision().to_string());
+    command.args(constants.iter().map(|(name, value)| format!("{name}={value}")));
+    command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = command.spawn().map_err(failed)?;
+    if let Some(mut input) = child.stdin.take() {
+        // A process that has ended reads nothing; its status says why.
+        let _ = input.write_all(composition.source().as_bytes());
+    }
+    let status = wait(&mut child).map_err(failed)?;
+    // 1 stands for an error in words; a panic has another status.
+    if status.is_some_and(|status| matches!(status.code(), Some(0 | 1))) {
+        return Ok(());
+    }
+    let message = format!(
+        "the shader takes too much to compile: naga or the driver {}; at most {} MiB of memory and {MAX_SECONDS} s are \
+         allowed; simplify the modules",
+        status.map_or_else(|| "did not come to an end".to_owned(), |status| format!("ended by {status}")),
+        MAX_MEMORY >> 20,
+    );
+    Err(Error::Request { message })
+}
+
+/// How the process ended; `None` when it had to be ended.
+fn wait(child: &mut Child) -> io::Result<Option<ExitStatus>> {
+    let start = Instant::now();
+    while start.elapsed() < PATIENCE {
+        if let Some(status) = child.try_wait()? {
+            return Ok(Some(status));
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill()?;
+    child.wait()?;
+    Ok(None)
+}
+
+/// What the process does: limits itself, reads the text on standard input and compiles it.
+///
+/// # Errors
+/// What naga or the driver says, or that it was started in another way than by [`check`].
+pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
+    limit_this_process()?;
+    let wrong = |message: &str| Error::Request { message: message.to_owned() };
+    let mut arguments = arguments.into_iter().map(|argument| argument.to_string_lossy().into_owned());
+    let precision = arguments.next();
+    let precision = Precision::ALL.into_iter().find(|known| Some(known.to_string()) == precision);
+    let precision = precision.ok_or_else(|| wrong("the precision is missing"))?;
+    let constants: Option<Vec<(String, f64)>> = arguments
+        .map(|text| text.split_once('=').and_then(|(name, value)| Some((name.to_owned(), value.parse().ok()?))))
+        .collect();
+    let constants = constants.ok_or_else(|| wrong("a constant is not NAME=VALUE"))?;
+    let constants: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let mut text = String::new();
+    io::stdin().take(MAX_TEXT).read_to_string(&mut text).map_err(|error| wrong(&error.to_string()))?;
+    let composition = Composition::of_text(text, precision);
+    // Before the driver is there, so that its memory does not count.
+    composition.validate()?;
+    Pipeline::with_constants(&Gpu::open()?, &composition, &constants).map(drop)
+}
+
+#[cfg(unix)]
+fn limit_this_process() -> Result<(), Error> {
+    use nix::sys::resource::{Resource, getrlimit, setrlimit};
+
+    for (resource, limit) in
+        [(Resource::RLIMIT_AS, MAX_MEMORY), (Resource::RLIMIT_CPU, MAX_SECONDS), (Resource::RLIMIT_CORE, 0)]
+    {
+        let lowered = getrlimit(resource).and_then(|(_, most)| setrlimit(resource, limit.min(most), most));
+        lowered.map_err(|error| Error::Request { message: format!("limits cannot be set: {error}") })?;
+    }
+    Ok(())
+}
+
+/// Elsewhere the wall clock alone limits it.
+#[cfg(not(unix))]
+fn limit_this_process() -> Result<(), Error> {
+    Ok(())
+}

@@ -1,0 +1,106 @@
+//! The files that a rendering depends on, each opened once and read once for it.
+//!
+//! While watching, a file is read again to see whether it has changed. A pipe or a device is not: what it gave the first
+//! time stays.
+
+use std::path::Path;
+
+use cpu::{Config, Scene};
+
+use super::args::Options;
+use super::files::{self, UserModule};
+use crate::Error;
+
+/// Largest configuration or scene that is read, in bytes.
+pub const MAX_BYTES: u64 = 1 << 24;
+
+/// What one reading of all files gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sources {
+    /// The person's modules, or why there are none.
+    pub modules: Result<Vec<UserModule>, String>,
+    /// Of the configuration and the scene.
+    pub texts: [Text; 2],
+}
+
+/// The bytes of a file, or why there are none.
+pub type Text = Result<Vec<u8>, String>;
+
+impl Sources {
+    /// Reads all files; of those that give their content once, what `before` has of them.
+    #[must_use]
+    pub fn read(options: &Options, before: Option<&Self>) -> Self {
+        let modules = match before {
+            Some(before) if gives_once(&options.modules) => before.modules.clone(),
+            _ => files::read(&options.modules).map_err(|error| error.to_string()),
+        };
+        let paths = [&options.config, &options.scene];
+        let texts = [0, 1].map(|index| match before {
+            Some(before) if gives_once(paths[index]) => before.texts[index].clone(),
+            _ => text(paths[index]),
+        });
+        Self { modules, texts }
+    }
+
+    /// The configuration and the scene.
+    ///
+    /// # Errors
+    /// What is wrong with a file.
+    pub fn parse(&self, options: &Options) -> Result<(Config, Scene), Error> {
+        let bytes = |text: &Text| text.clone().map_err(|message| Error::Request { message });
+        let [config, scene] = [bytes(&self.texts[0])?, bytes(&self.texts[1])?];
+        let config = Config::parse(&config[..]).map_err(|error| error.in_file(&options.config))?;
+        Ok((config, Scene::parse(&scene[..]).map_err(|error| error.in_file(&options.scene))?))
+    }
+}
+
+/// Whether `path` is neither a file nor a folder: a pipe, a terminal or another device.
+fn gives_once(path: &Path) -> bool {
+    path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
+}
+
+fn text(path: &Path) -> Text {
+    cpu::input::read(path, MAX_BYTES).map_err(|cause| {
+        let error = cpu::Error::Read { path: path.to_owned(), cause };
+        String::from_utf8_lossy(&error.message_for_terminal()).into_owned()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    fn options(folder: &Path, config: &str) -> Options {
+        let text = format!("{0}/m.wgsl --config {config} --scene {0}/scene --out {0}/o.png", folder.display());
+        let Ok(super::super::args::Command::Render(options)) =
+            super::super::args::parse(text.split(' ').map(std::ffi::OsString::from))
+        else {
+            panic!("{text} is a command line");
+        };
+        options
+    }
+
+    #[test]
+    fn files_of_exactly_the_limit_are_read_and_one_byte_more_refused() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("config");
+        for (bytes, is_read) in [(MAX_BYTES, true), (MAX_BYTES + 1, false)] {
+            fs::File::create(&path).and_then(|file| file.set_len(bytes)).expect("the folder is writable");
+            assert_eq!(text(&path).is_ok(), is_read, "{bytes}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn endless_devices_are_refused_and_not_read_again() {
+        let folder = tempfile::tempdir().expect("there is room");
+        fs::write(folder.path().join("scene"), "").expect("the folder is writable");
+        let options = options(folder.path(), "/dev/zero");
+        let first = Sources::read(&options, None);
+        let message = first.parse(&options).expect_err("it has no end").to_string();
+        assert_eq!(message, "Cannot read file [/dev/zero]: it is larger than 16777216 bytes");
+        assert_eq!(Sources::read(&options, Some(&first)), first);
+    }
+}

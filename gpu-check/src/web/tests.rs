@@ -1,0 +1,107 @@
+//! A server and its clients over real connections.
+
+use std::cell::Cell;
+use std::io::Read;
+
+use super::*;
+
+fn server() -> Server {
+    Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free")
+}
+
+/// What a server that may close the connection before it has read the request says to it.
+fn answer_to(address: SocketAddr, request: &str) -> String {
+    let mut client = TcpStream::connect(address).expect("it listens");
+    let _ = client.write_all(request.as_bytes());
+    let mut answer = Vec::new();
+    let _ = client.read_to_end(&mut answer);
+    String::from_utf8_lossy(&answer).into_owned()
+}
+
+fn asked(request: &str) -> (String, Option<Posted>) {
+    let server = server();
+    let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
+    client.write_all(request.as_bytes()).expect("it reads");
+    let (stream, _) = server.listener.accept().expect("there is a connection");
+    let posted = Cell::new(None);
+    // A client that was refused keeps its end open while this one waits for it.
+    let _ = server.talk(&stream, |taken| posted.set(Some(taken)));
+    drop(stream);
+    let mut answer = String::new();
+    client.read_to_string(&mut answer).expect("it answers in text");
+    (answer, posted.into_inner())
+}
+
+fn get(path: &str) -> String {
+    format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+}
+
+#[test]
+fn the_page_and_its_data_are_handed_out() {
+    assert!(asked(&get("/")).0.contains("<title>shader-lab</title>"));
+    assert!(asked(&get("/data/a")).0.ends_with("\r\n\r\nnumbers"));
+}
+
+#[test]
+fn nothing_else_is() {
+    for path in ["/data/b", "/../Cargo.toml", "//etc/passwd", ""] {
+        assert!(asked(&get(path)).0.starts_with("HTTP/1.1 404"), "{path}");
+    }
+}
+
+#[test]
+fn results_are_taken() {
+    let (_, posted) =
+        asked("POST /results/kernels/sphere HTTP/1.1\r\nHost: localhost:8\r\nContent-Length: 3\r\n\r\nabc");
+    let posted = posted.expect("it brought something");
+    assert_eq!((posted.name.as_str(), &posted.body[..]), ("kernels/sphere", &b"abc"[..]));
+}
+
+#[test]
+fn a_foreign_name_for_this_server_gets_nothing() {
+    let (answer, _) = asked("GET /data/a HTTP/1.1\r\nHost: evil.example\r\n\r\n");
+    assert!(answer.starts_with("HTTP/1.1 403") && !answer.contains("numbers"), "{answer}");
+}
+
+#[test]
+fn bodies_share_one_limit_and_give_it_back() {
+    let counter = AtomicUsize::new(0);
+    let first = Share::take(&counter, 3, 5);
+    assert!(first.is_some() && Share::take(&counter, 3, 5).is_none() && Share::take(&counter, usize::MAX, 5).is_none());
+    assert!(Share::take(&counter, 2, 5).is_some(), "exactly the limit");
+    drop(first);
+    assert!(Share::take(&counter, 5, 5).is_some());
+}
+
+#[test]
+fn a_connection_more_than_allowed_is_told_so_and_later_ones_are_answered() {
+    let server = server();
+    let address = server.address().expect("it listens");
+    std::thread::spawn(move || server.serve(drop));
+    // Each holds its connection without a word.
+    let silent: Vec<_> = (0..MAX_CONNECTIONS).map(|_| TcpStream::connect(address).expect("it listens")).collect();
+    let until = |wanted: &str| {
+        for _ in 0..1000 {
+            let answer = answer_to(address, &get("/data/a"));
+            if answer.starts_with(wanted) {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        panic!("no answer starts with {wanted}");
+    };
+    until("HTTP/1.1 503");
+    drop(silent);
+    until("HTTP/1.1 200");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_lack_of_file_descriptors_may_pass_and_a_closed_socket_may_not() {
+    use nix::errno::Errno;
+
+    for errno in [Errno::EMFILE, Errno::ENFILE, Errno::ENOMEM, Errno::ECONNABORTED, Errno::EINTR] {
+        assert!(may_pass(&io::Error::from_raw_os_error(errno as i32)), "{errno}");
+    }
+    assert!(!may_pass(&io::Error::from_raw_os_error(Errno::EBADF as i32)));
+}

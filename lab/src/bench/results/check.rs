@@ -1,0 +1,75 @@
+//! What results from a file must be before anything is computed from them.
+
+use super::{Intersection, Results, Timing};
+
+/// Largest file of results, in bytes. The full matrix takes 270,000.
+pub const MAX_BYTES: u64 = 16 << 20;
+
+/// Most entries of each list, since joining and comparing them takes time that grows with the square of their number.
+/// The full matrix has 410.
+pub const MAX_ENTRIES: usize = 4096;
+
+impl Results {
+    /// Checks that no list has more than [`MAX_ENTRIES`], and that everything measured has a time.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn check(&self) -> Result<(), String> {
+        let lists = [
+            ("machines", self.machines.len()),
+            ("timings", self.timings.len()),
+            ("curves", self.curves.len()),
+            ("points of curves", self.curves.iter().map(|curve| curve.points.len()).sum()),
+            ("intersections", self.intersections.len()),
+            ("energy", self.energy.len()),
+            ("omitted", self.omitted.len()),
+            ("growth", self.growth.len()),
+            ("times_to_error", self.times_to_error.len()),
+            ("gains", self.gains.len()),
+        ];
+        if let Some((name, count)) = lists.iter().find(|(_, count)| *count > MAX_ENTRIES) {
+            return Err(format!("the list \"{name}\" has {count} entries, more than {MAX_ENTRIES}"));
+        }
+        if let Some(Timing { setting, .. }) = self.timings.iter().find(|timing| timing.seconds.is_empty()) {
+            let (scene, engine) = (&setting.scene, &setting.engine);
+            return Err(format!("the list \"seconds\" of {engine} for {scene} is empty; measure it again"));
+        }
+        if let Some(Intersection { trial, .. }) = self.intersections.iter().find(|one| one.nanoseconds.is_empty()) {
+            let (object, implementation) = (&trial.object, &trial.implementation);
+            return Err(format!(
+                "the list \"nanoseconds\" of {implementation} for a {object} is empty; measure it again"
+            ));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Trial;
+    use super::super::tests::{results, timing};
+    use super::*;
+    use crate::bench::statistics::Median;
+
+    #[test]
+    fn a_list_of_exactly_the_limit_is_taken_and_one_entry_more_refused() {
+        let with = |count| results(vec![timing("a", 1, &[1.0]); count]).check();
+        assert_eq!(with(MAX_ENTRIES), Ok(()));
+        assert_eq!(with(MAX_ENTRIES + 1), Err("the list \"timings\" has 4097 entries, more than 4096".to_owned()));
+    }
+
+    #[test]
+    fn what_was_measured_without_a_time_is_named() {
+        let mut without = timing("a", 1, &[1.0]);
+        without.seconds.clear();
+        let message = results(vec![without]).check().expect_err("there is no time");
+        assert_eq!(message, "the list \"seconds\" of a for grid is empty; measure it again");
+
+        let [object, rays, implementation] = ["sphere", "hard", "certified"].map(str::to_owned);
+        let trial = Trial { object, rays, implementation, seed: 1 };
+        let median = Median::of(&[1.0]);
+        let one = Intersection { trial, cases: 1, wrong: 0, lambda_error: [0.0; 3], nanoseconds: Vec::new(), median };
+        let message = Results { intersections: vec![one], ..Results::default() }.check().expect_err("there is no time");
+        assert_eq!(message, "the list \"nanoseconds\" of certified for a sphere is empty; measure it again");
+    }
+}

@@ -1,0 +1,208 @@
+//! Inputs beyond the limits of `docs/testing.md`, outputs that are inputs, and standard streams that take nothing.
+
+use std::fs;
+use std::process::{Command, Output};
+
+use crate::{Folder, complaint, lab, run};
+
+const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
+
+/// The committed results, with a part of their text replaced.
+fn results(folder: &Folder, from: &str, to: &str) -> String {
+    let path = tests::project_root().join("docs/report/data/bench.json");
+    let text = fs::read_to_string(path).expect("it is committed");
+    assert!(text.contains(from), "{from}");
+    let name = folder.name("bench.json");
+    fs::write(&name, text.replace(from, to)).expect("the folder is writable");
+    name
+}
+
+/// `$lab` in a line of bash.
+fn bash(folder: &Folder, line: &str) -> Output {
+    let mut bash = Command::new("bash");
+    bash.current_dir(folder.path()).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
+    bash.env("root", tests::project_root());
+    bash.output().expect("bash starts")
+}
+
+#[test]
+fn endless_results_are_refused() {
+    let folder = Folder::new();
+    let out = folder.name("out");
+    for arguments in [&["report", "/dev/zero", "--out", &out][..], &["bench", "merge", "--out", &out, "/dev/zero"]] {
+        assert!(complaint(arguments).contains("/dev/zero: it is larger than 16777216 bytes"));
+        assert!(folder.names().is_empty());
+    }
+}
+
+#[test]
+fn results_without_a_time_are_refused_with_a_reason() {
+    let folder = Folder::new();
+    let path = tests::project_root().join("docs/report/data/bench.json");
+    let mut value: serde_json::Value =
+        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
+    value["intersections"][0]["nanoseconds"] = serde_json::json!([]);
+    let part = folder.name("part.json");
+    fs::write(&part, value.to_string()).expect("the folder is writable");
+    let message = complaint(&["bench", "merge", "--out", &folder.name("all.json"), &part, &part]);
+    assert!(message.contains("part.json: the list \"nanoseconds\" of "), "{message}");
+    assert_eq!(folder.names(), ["part.json"]);
+}
+
+#[test]
+fn a_bound_of_zero_does_not_make_an_endless_axis() {
+    let folder = Folder::new();
+    let path = tests::project_root().join("docs/report/data/bench.json");
+    let mut value: serde_json::Value =
+        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
+    for timing in value["timings"].as_array_mut().expect("it is a list") {
+        timing["median"]["low"] = serde_json::json!(0.0);
+    }
+    let data = folder.name("bench.json");
+    fs::write(&data, value.to_string()).expect("the folder is writable");
+    let output = run(&["report", &data, "--out", &folder.name("report")]);
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
+fn scenes_with_odd_names_stay_in_the_folder_and_in_valid_svg() {
+    let folder = Folder::new();
+    let data = results(&folder, "\"materials\"", r#""../../../x\u0000\u001b\"<""#);
+    let report = folder.name("deep/report");
+    let output = run(&["report", &data, "--out", &report]);
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(folder.names(), ["bench.json", "deep"]);
+    let mut charts = 0;
+    for entry in fs::read_dir(folder.file("deep/report/charts")).expect("it was made") {
+        let svg = fs::read_to_string(entry.expect("it is readable").path()).expect("it is text");
+        assert!(!svg.chars().any(|c| c.is_control() && c != '\n'), "{svg}");
+        charts += 1;
+    }
+    assert!(charts > 5, "{charts}");
+    let page = fs::read_to_string(folder.file("deep/report/index.html")).expect("it was written");
+    assert!(!page.chars().any(|c| c.is_control() && c != '\n'));
+}
+
+#[test]
+fn a_small_file_of_many_pixels_is_refused_in_little_memory() {
+    let folder = Folder::new();
+    let name = folder.name("black.png");
+    let file = fs::File::create(&name).expect("the folder is writable");
+    // 32768 x 8192 pixels, four times as many as allowed, in 32 kB.
+    let mut encoder = png::Encoder::new(file, 32_768, 8192);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::One);
+    let mut writer = encoder.write_header().expect("the file takes it");
+    writer.write_image_data(&vec![0; 4096 * 8192]).expect("the file takes it");
+    writer.finish().expect("the file takes it");
+    assert!(fs::metadata(&name).expect("it exists").len() < 100_000);
+    let output = bash(&folder, "ulimit -v 200000; $lab compare black.png black.png");
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("black.png: it has more than 67108864 pixels"));
+}
+
+#[test]
+fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
+    let folder = Folder::new();
+    let lines = [
+        "$lab render config scene $OUT",
+        "$lab compare picture.ppm picture.ppm --heatmap $OUT",
+        "$lab bench merge --out $OUT bench.json",
+        "$lab generate config $OUT",
+    ];
+    for (line, input) in lines.iter().zip(["scene", "picture.ppm", "bench.json", "config"]) {
+        for out in [input, "hard", "soft"] {
+            let prepare = "cp $root/scenes/grid/config.txt config; cp $root/scenes/grid/scene.txt scene; \
+                           cp $root/docs/report/data/bench.json .; printf 'P3 1 1 255 0 0 0\n' > picture.ppm";
+            let links = format!("ln -f {input} hard; ln -sf {input} soft; cp {input} before");
+            let output =
+                bash(&folder, &format!("{prepare}; {links}; OUT={out}; {line}; s=$?; cmp {input} before && exit $s"));
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{line} {out}: {message}");
+            assert!(message.contains("it is the same file as the input ["), "{line} {out}: {message}");
+        }
+    }
+    let output = bash(&folder, "$lab generate new new");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("need a file each"), "{output:?}");
+    let output = bash(&folder, "mkdir r; cp bench.json r/findings.json; $lab report r/findings.json --out r");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("it is the same file as the input ["), "{output:?}");
+}
+
+#[test]
+fn a_pipe_gives_its_content_once_and_that_is_enough() {
+    let folder = Folder::new();
+    let inputs = "cat $root/scenes/grid/config.txt";
+    let line = format!("$lab render <({inputs}; echo image_width: 16) <(cat $root/scenes/grid/scene.txt) o.png --json");
+    let output = bash(&folder, &line);
+    assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("\"width\": 16"), "{output:?}");
+}
+
+#[test]
+fn closed_full_and_readable_outputs_are_errors_and_no_panic() {
+    let folder = Folder::new();
+    let commands = [
+        "compare $root/docs/materials.png $root/docs/materials.png",
+        "inspect $root/scenes/grid/scene.txt",
+        "bench tasks",
+        "completions bash",
+        "--help",
+        "render $root/scenes/grid/config.txt $root/scenes/grid/scene.txt /dev/stdout --set image_width=16",
+        "render $root/scenes/grid/config.txt $root/scenes/grid/scene.txt x.png --set image_width=16 --json",
+    ];
+    for command in commands {
+        for redirection in [">&-", ">/dev/full", "1</dev/null"] {
+            let output = bash(&folder, &format!("$lab {command} {redirection}"));
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{command} {redirection}: {message}");
+            assert!(message.starts_with("Error: Cannot write file [/dev/stdout]: "), "{command}: {message}");
+        }
+        for redirection in ["2>&-", "2>/dev/full", "<&-", "| head -c 1"] {
+            let output = bash(&folder, &format!("set -o pipefail; $lab {command} {redirection}"));
+            assert_eq!(output.status.code(), Some(0), "{command} {redirection}: {output:?}");
+        }
+    }
+    assert_eq!(bash(&folder, "$lab nonsense 2>/dev/full").status.code(), Some(2));
+}
+
+#[test]
+fn a_small_limit_on_the_stack_does_not_end_a_rendering() {
+    let folder = Folder::new();
+    let line =
+        "ulimit -s 256; $lab render $root/scenes/grid/config.txt $root/scenes/grid/scene.txt o.png --set image_width=8";
+    let output = bash(&folder, line);
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
+fn names_cannot_command_a_terminal() {
+    let folder = Folder::new();
+    let lines = [
+        r"$lab inspect $'\e[2J\nx'",
+        r"$lab compare $'\e[2J\nx' $'\e[2J\nx'",
+        r"$lab report $'\e[2J\nx' --out o",
+        r"$lab render $root/scenes/grid/config.txt $root/scenes/grid/scene.txt $'\e[2J\nx/y.png'",
+        r"printf 'sph\x1b[2Jere: 1\n' > scene; $lab inspect scene; $lab inspect $'\e[2J\nx'",
+    ];
+    for line in lines {
+        let output = bash(&folder, line);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(!message.contains('\u{1b}') && message.contains(r"\u{1b}[2J"), "{line}: {message}");
+    }
+    // What repeats the command line has lost the character already.
+    let output = bash(&folder, r"$lab $'\e[2J\nx'");
+    assert!(!output.stderr.contains(&0x1b), "{output:?}");
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn an_output_without_syncing_is_the_same_file() {
+    let folder = Folder::new();
+    let pictures = [&["--no-sync"][..], &[]].map(|more| {
+        let out = folder.name("out.png");
+        let arguments = [&["render", GRID[0], GRID[1], &out, "--set", "image_width=16"], more].concat();
+        assert!(lab(&arguments).status().expect("the program runs").success());
+        fs::read(out).expect("it was written")
+    });
+    assert_eq!(pictures[0], pictures[1]);
+}
