@@ -17,11 +17,22 @@ use crate::scene::Scene;
 /// [`Error::ArgumentCount`] for another number of arguments, then an output that is one of the inputs, then whatever is
 /// wrong with the configuration, the scene, the picture or the output, in this order. The output is as it was.
 pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
+    reserve_stack();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let [config, scene, out] = &arguments[..] else {
         return Err(Error::ArgumentCount(arguments.len()));
     };
     render_files::<L>(Path::new(config), Path::new(scene), Path::new(out), Scatter::Statement)
+}
+
+/// Makes the system give the stack all the memory that rendering needs, before anything else takes it.
+///
+/// The stack grows on demand, and where the address space is limited and used up it cannot: the process would end by SIGSEGV
+/// instead of with a message. Memory for everything else is asked for in ways that may be refused.
+#[inline(never)]
+fn reserve_stack() {
+    const BYTES: usize = 256 << 10;
+    std::hint::black_box(&mut [0_u8; BYTES]);
 }
 
 /// Renders the files named.

@@ -8,6 +8,9 @@
 //! out, but little of what it can do at a time. Where the ray is the last that its path may send, they are also tried as
 //! if it met something: then its surface takes one triple more, and nothing else. Where it is certain that it meets something,
 //! nobody asks what.
+//!
+//! A sample leaves only where the filter stops its ray, and the filter keeps every ray that it cannot judge: directions that
+//! are too short for it, and what is not a number.
 
 use super::queue::Queue;
 use super::shade::{load, select};

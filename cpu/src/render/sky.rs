@@ -5,6 +5,9 @@
 //! samples' places are known, and up to half of the slope's part without even these. Where all means in that interval give
 //! the same byte, that is the pixel's byte, and its rays need not be traced, its places mostly not even drawn.
 //!
+//! What is not a number, or not finite, is in no byte's interval, so such a pixel is traced. Where the magnitudes of camera
+//! and scene are extreme, lengths underflow and the slope means nothing: there every pixel is traced (`Painter::row`).
+//!
 //! A channel that is 1 at both ends, as the blue of the default sky, is at a byte's boundary, where no interval has one
 //! byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most `2^-54`, and
 //! the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are exact. Likewise 0.

@@ -3,6 +3,9 @@
 //! Spheres and cylinders are convex: a ray that starts on one and meets it again is inside in between. Where no other
 //! object reaches inside, none can be nearer, and none is asked. Half of what rough metal scatters goes inward, and all
 //! that glass lets through.
+//!
+//! Boxes are compared once a scene, with coordinates of up to 10^9 in single precision. A box that is not made of numbers
+//! overlaps nothing, but moderate scenes have none.
 
 use super::{Bounds, ObjectId, room};
 use crate::certified::{Intersect, Precision};

@@ -1,4 +1,7 @@
 //! A sphere much larger than all else, which nearly every ray would have to ask: it is asked apart.
+//!
+//! Rays are stopped before it by the test of [`super::touch`] alone, which keeps what it cannot judge. Which way a ray is expected
+//! to go decides how soon it is answered, and never what.
 
 use super::touch::Touch;
 use super::{Bounds, Found, ObjectId};

@@ -2,6 +2,9 @@
 //!
 //! Where the last ray of a path ends nobody asks, and where all objects scatter not even at which: it takes one random vector
 //! more, and nothing comes back along it.
+//!
+//! A ray is inside only where comparisons hold, which none does with what is not a number, and only if the length of its
+//! direction is between 2^-150 and 2^150: with coordinates of up to 10^9 nothing overflows then.
 
 use super::Few;
 use super::target::{CylinderTarget, SLACK, SphereTarget};
