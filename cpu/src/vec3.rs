@@ -97,12 +97,12 @@ impl<T: Real> Vec3<T> {
         self / self.length()
     }
 
-    /// The vector of length one in the same direction, and the length, for short vectors too.
+    /// The vector of length one in the same direction, and the length; for short vectors too, in f64 and double-double.
     ///
-    /// The square of a length below 2^-537 underflows in f64, and that of one below 2^-458 has no second half in
-    /// double-double. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is exact. All other
-    /// vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision has no such numbers: there nothing
-    /// is scaled.
+    /// The square of a length below 2^-537 underflows in f64. In double-double the low half of the square underflows already
+    /// for lengths below 2^-458. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is exact. All
+    /// other vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision cannot hold 2^600: there no
+    /// vector is scaled, and the square of a short one underflows.
     #[inline(always)]
     #[must_use]
     pub fn unit_and_length(self) -> (Self, T) {

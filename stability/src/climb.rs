@@ -1,7 +1,8 @@
 //! Hill climbing towards the largest error of lambda: what random rays do not find.
 //!
-//! A climb begins with a random case of a regime, changes some of its numbers a little, and keeps the change where the
-//! error of an accepted lambda grows. The largest error found is a sample's, and stays below what docs/accuracy.md proves.
+//! A climb begins with a random case of a regime, changes some of its numbers a little, and keeps the change unless the
+//! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum, and stays below the bound
+//! that docs/accuracy.md proves.
 
 use cpu::certified::{self, Verdict};
 use cpu::cylinder::{CylinderRecord, Part};
@@ -14,7 +15,7 @@ use crate::oracle;
 use crate::random::Random;
 use crate::regimes::Regime;
 
-/// What all decisions of certified intersections give for a case.
+/// The certified intersection of a case, with all its fallbacks.
 #[must_use]
 pub fn certified_answer(case: &Case) -> Option<(f64, Part)> {
     match &case.shape {
@@ -29,7 +30,7 @@ pub fn certified_answer(case: &Case) -> Option<(f64, Part)> {
     }
 }
 
-/// Whether the answer comes from f64 alone: double-double has no error to speak of.
+/// Whether the answer comes from f64, by the plain formulas or the compensated root. Double-double has no error to speak of.
 fn is_answered_in_f64(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
@@ -44,7 +45,7 @@ fn is_answered_in_f64(case: &Case) -> bool {
     }
 }
 
-/// The relative error of lambda; none where a decision is wrong.
+/// The relative error of lambda: 0 where double-double or exact arithmetic decided, `None` where a decision in f64 is wrong.
 fn error(case: &Case) -> Option<f64> {
     if !is_answered_in_f64(case) {
         return Some(0.0);

@@ -30,10 +30,10 @@ pub struct Hits<V: Lanes> {
 /// As many rays as there are lanes.
 pub struct Rays<'a, V: Lanes> {
     ray: &'a Ray<V>,
-    /// The squares of their directions.
+    /// The squared lengths of their directions.
     a: V,
     /// `a` times the relative bound of what rounding does to a discriminant; infinite for directions that are not
-    /// [in scale](in_scale), whose discriminants underflow or overflow.
+    /// [in scale](in_scale), so that no discriminant, which may have underflowed, is taken for a certain miss.
     noise: V,
     /// The lanes whose rays count, as bits.
     valid: u32,

@@ -7,13 +7,14 @@
 //!
 //! What multiplying out loses to cancellation is covered by the margins (docs/performance.md).
 //!
-//! Every test gives a number that is positive where the ray certainly misses, so that one maximum stands for several
-//! comparisons. What is not a number is not positive, so it keeps the object ([`misses`]).
+//! Every test gives a number that is positive where the ray certainly misses the object. The maximum of two tests is positive
+//! where one of them is, and replaces two comparisons. A NaN is not positive, so it keeps its object ([`misses`]).
 //!
 //! A direction may have any length that is not [too short](super::is_too_short). Glass, for example, turns the side's normal
-//! of a cylinder, which is as long as its radius `R`, into a direction about `R^2` times the index long. A long direction
-//! may overflow, and then stop the ray. That is right. Let `L` be the scene's reach. Points of the ray and of objects are at
-//! most `3.5 L` apart, so a ray with `|d| > 3500 L` is past all objects at the smallest lambda that counts. For a shorter one
+//! of a cylinder, which is as long as the cylinder's radius, into a direction about the square of the radius times the index
+//! long. With a long direction a product may overflow, and the test may report a miss. The miss is right, for this reason. Let
+//! `L` be the scene's [reach](crate::prepare::Extent::reach). Points of the ray and of objects are at most `3.5 L` apart, so a
+//! ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3. For a shorter direction
 //! `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene
 //! that is filtered ([`LARGEST_REACH`]), and single precision holds `3.4 10^38`.
 
@@ -146,8 +147,8 @@ impl<F: FilterLanes> FilterRay<F> {
         let minus_two_h = plus_dot(self.two_d_o, self.direction, minus_two_center);
         let c = plus_dot(F::load(&balls.constant[at..]) + self.constant, self.origin, minus_two_center);
         let minus_discriminant = minus_two_h.negative_mul_add(minus_two_h, self.four_a * c);
-        // A ray misses whose line does, or that has the centre behind it and the first point that counts outside the ball.
-        // Where `minus_two_h` is not a number, `at_first` is none either, and the minimum takes that one.
+        // A ray misses if its line does, or if the centre is behind it and its first point in range is outside the ball. If
+        // `minus_two_h` is NaN, `at_first` is NaN too; `min` and `max` return their second operand where one is NaN.
         let at_first = minus_two_h.mul_add(number(LAMBDA_MIN), self.a_t_t) + c;
         Ball { minus_two_h, c, miss: minus_discriminant.max(minus_two_h.min(at_first)) }
     }
@@ -168,7 +169,8 @@ impl<F: FilterLanes> FilterRay<F> {
     }
 }
 
-/// The lanes whose rays certainly miss, as bits: those where `miss` is positive.
+/// The objects that the ray certainly misses, a bit a lane: those where `miss` is positive. Lanes offer `<=` only, so `miss` is
+/// compared with the smallest positive number.
 #[inline(always)]
 pub fn misses<F: FilterLanes>(miss: F) -> u32 {
     const LEAST_POSITIVE: f32 = f32::from_bits(1);

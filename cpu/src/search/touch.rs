@@ -14,22 +14,22 @@ use crate::vec3::Vec3;
 /// By how much of its terms the constant of a quadratic is lowered: a thousand roundings.
 pub(super) const MARGIN: f64 = 512.0 * f64::EPSILON;
 
-/// Length squared of the shortest direction that tests are asked about. What underflow takes away from their products is
-/// nothing against their margins then, in single precision too: those are above 10^-31.
+/// The smallest squared length of a direction for which the tests are valid. From it on their margins exceed 10^-31, so that
+/// underflow is negligible, in single precision too.
 const SHORTEST: f64 = 1e-14;
 
-/// Whether directions of this length squared are too short for the tests: the caller asks every object about them.
+/// Whether directions of this squared length are too short for the tests. The caller must then intersect every object.
 #[inline(always)]
 pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
     length_squared.less(T::of(SHORTEST))
 }
 
-/// One ray or a lane of them, which start within the scene's reach, as targets see them.
+/// One ray or a lane of them, which start within the scene's reach.
 ///
 /// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::prepare::Extent::LARGEST)), but a direction may be of any
-/// length that is not [too short](is_too_short). A long direction may overflow, and then stop the ray. That is right: a
-/// direction longer than 10^13 takes the ray past all objects before the smallest lambda that counts. What is not a
-/// number stops nothing, for no comparison holds with it.
+/// length that is not [too short](is_too_short). With a long direction a product may overflow, and a test may reject the
+/// object. It does so rightly: a direction longer than 10^13 takes the ray past all objects before the smallest lambda in
+/// range, 10^-3. A NaN rejects no object, because every comparison with NaN is false.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch<T> {
     /// The ray.

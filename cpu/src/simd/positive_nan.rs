@@ -1,6 +1,6 @@
-//! Portable lanes on a machine whose default NaN is positive, as aarch64's is; x86's is negative.
+//! Portable lanes that emulate a machine whose default NaN is positive, as on aarch64; on x86 it is negative.
 //!
-//! For tests alone: no filter may rely on the sign of what is not a number.
+//! Used only by tests, which show that no filter depends on the sign of a NaN.
 
 use std::ops::{Add, Mul, Sub};
 

@@ -1,6 +1,6 @@
-//! Rays and objects of any magnitude that the parser accepts, for certified intersections in f64 alone.
+//! Rays and objects of extreme magnitudes, from 10^-162 to 10^150, for the certified intersections of `cpu`.
 //!
-//! The other regimes keep magnitudes that single precision holds as well, because WGSL is asked about them. Here squares of
+//! The other regimes keep magnitudes that single precision holds as well, because WGSL is tested with them. Here squares of
 //! lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
 
 use cpu::Vec3;
@@ -58,7 +58,7 @@ fn aimed(random: &mut Random, cylinder: Cylinder) -> Case {
         1 => (random.uniform(0.0, 1.1), edge * random.sign()),
         _ => (edge, edge * random.sign()),
     };
-    // The axis by its own size: its length may have no square.
+    // Not by `unit`: the square of the axis may underflow.
     let unit = cylinder.axis.unit_and_length().0;
     let across = random.perpendicular(unit) * (cylinder.radius * around);
     let target = cylinder.center + cylinder.axis * (along / 2.0) + across;
@@ -79,7 +79,7 @@ fn short_axes(random: &mut Random) -> Case {
     let size = if random.below(2) == 0 { random.decades(-6.0, 6.0) } else { near(random, height, 6.0) };
     let cylinder = cylinder(random, size, height);
     let mut case = aimed(random, cylinder);
-    // Half of the rays cross so flat a cylinder at a steep angle through its axis' coordinate plane.
+    // In half of the cases the axis is parallel to a coordinate axis.
     if random.below(2) == 0 {
         let axis = random.shuffled(Vec3::new(height, 0.0, 0.0));
         case = aimed(random, Cylinder { axis, ..cylinder });
@@ -99,7 +99,7 @@ fn long_directions(random: &mut Random) -> Case {
 }
 
 /// A point far out along some of the coordinate axes, or the origin of coordinates. Coordinates below 10^-60 are left out: the
-/// oracle takes numbers that agree to 1,000 bits for equal, and a fourth power of them beside one is that small.
+/// oracle treats numbers that agree to 1,000 bits as equal, and beside 1 fourth powers of smaller coordinates come near that.
 fn far_point(random: &mut Random) -> Vec3 {
     let mut far = || if random.below(2) == 0 { 0.0 } else { random.sign() * random.decades(-60.0, 140.0) };
     Vec3::new(far(), far(), far())

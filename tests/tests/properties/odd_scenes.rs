@@ -1,7 +1,7 @@
 //! Scenes of odd magnitudes give the reference's bytes, and its means to the last bit.
 //!
-//! Radii, heights, indices of refraction, diffusions and distances are of any magnitude that the parser accepts, so that
-//! their products come near the limits of f32 and f64. The camera is often inside a large glass cylinder: its side turns
+//! Radii, heights, indices of refraction, diffusions and distances are drawn over many decades, so that their products come
+//! near the limits of f32 and f64. The camera is often inside a large glass cylinder: its side turns
 //! the direction of a ray into one as long as the square of its radius.
 
 use std::cell::Cell;
@@ -55,7 +55,7 @@ fn height(draws: &mut Draws, size: f64) -> f64 {
 
 fn scene_and_config(seed: u64, objects: usize) -> (Scene, Config) {
     let mut draws = Draws(Uniform::new(seed));
-    // Some scenes are beyond what filters may judge, in either direction.
+    // Some scenes are too large or too small for the filters.
     let size = draws.decades(-8.0, 10.0);
     let materials: Vec<_> = (0..12).map(|_| material(&mut draws)).collect();
     let mut shapes = Vec::new();
@@ -96,7 +96,7 @@ fn scene_and_config(seed: u64, objects: usize) -> (Scene, Config) {
     (Scene { materials, objects }, config)
 }
 
-/// The bits of a mean; all that is not a number is alike.
+/// The bits of a mean; all NaNs are equal.
 fn bits(mean: Vec3) -> [u64; 3] {
     mean.to_array().map(|channel| if channel.is_nan() { f64::NAN.to_bits() } else { channel.to_bits() })
 }
@@ -104,7 +104,7 @@ fn bits(mean: Vec3) -> [u64; 3] {
 /// A picture and the bits of its means.
 type Expected = (AosImage, Vec<[u64; 3]>);
 
-/// What the reference renders; none where the camera has no window.
+/// What the reference renders; `None` where the camera has no window.
 fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Option<Expected> {
     let mut means = Vec::new();
     let linear = |_, mean| means.push(bits(mean));
