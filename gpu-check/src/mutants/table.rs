@@ -44,7 +44,7 @@ mutants! {
         "quadratic.discriminant < real(0.0)" => "quadratic.discriminant <= real(0.0)",
     ;
     "cylinder":
-        "height / real(2.0)" => "height / real(4.0)",
+        "unit.length / real(2.0)" => "unit.length / real(4.0)",
         "center - reach" => "center + reach",
         "- cylinder.radius_squared" => "+ cylinder.radius_squared",
         "cylinder.bottom - origin" => "cylinder.top - origin",
