@@ -11,6 +11,8 @@ pub enum Failure {
     Other(String),
     /// Someone stopped it.
     Interrupted,
+    /// Someone stopped it, and what was done is kept: how to go on.
+    Paused(String),
 }
 
 impl Failure {
@@ -20,7 +22,7 @@ impl Failure {
         match self {
             Self::Rejected => 1,
             Self::Renderer(_) | Self::Other(_) => 2,
-            Self::Interrupted => 130,
+            Self::Interrupted | Self::Paused(_) => 130,
         }
     }
 
@@ -30,7 +32,7 @@ impl Failure {
         match self {
             Self::Rejected => None,
             Self::Renderer(error) => Some(error.message()),
-            Self::Other(text) => Some(text.clone().into_bytes()),
+            Self::Other(text) | Self::Paused(text) => Some(text.clone().into_bytes()),
             Self::Interrupted => Some(b"interrupted; nothing was written".to_vec()),
         }
     }

@@ -1,7 +1,7 @@
 //! `render-lab render`: the renderer, with a view of what happens.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::Args;
 use cpu::output::Output;
@@ -22,6 +22,9 @@ Examples:
   render-lab render config.txt scene.txt out.ppm --set samples_per_pixel=500 --set gamma=2
   render-lab render config.txt scene.txt part.png --crop 100,40,64,64
   render-lab render config.txt scene.txt out.ppm --json --count
+  render-lab render config.txt scene.txt - --quiet | pnmtojpeg > out.jpg
+
+Keys of --set: render-lab help config. The bytes are those of render-aos and render-soa.
 
 Limits:
   A picture has at most 1073741824 pixels, a file at most 1073741824 bytes, a line at most 1048576";
@@ -30,11 +33,12 @@ Limits:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Configuration file
+    /// Configuration file; - is standard input
     config: PathBuf,
-    /// Scene file
+    /// Scene file; - is standard input
     scene: PathBuf,
-    /// Picture to write, PNG if its name ends in .png, else PPM; replaced when it is complete and not before
+    /// Picture to write, PNG or PPM by its name's ending; - is PPM on standard output. An old file is replaced when the
+    /// new one is complete and not before
     out: PathBuf,
     /// How objects and pixels lie in memory; changes no byte
     #[arg(long, value_enum, default_value_t)]
@@ -54,6 +58,9 @@ pub struct Arguments {
     /// Print what it took as JSON on standard output
     #[arg(long)]
     json: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    quiet: bool,
 }
 
 fn parse_crop(text: &str) -> Result<[usize; 4], String> {
@@ -72,6 +79,8 @@ struct Taken {
     samples_per_pixel: u64,
     /// Rays from the camera in the rows rendered.
     primary_rays: u64,
+    /// By the clock, with the file's writing.
+    seconds: f64,
     user_seconds: f64,
     nanoseconds_per_primary_ray: f64,
     peak_memory_bytes: u64,
@@ -87,12 +96,20 @@ impl Arguments {
     /// # Errors
     /// What is wrong with a file, or [`Failure::Interrupted`].
     pub fn run(&self) -> Result<(), Failure> {
+        let is_dash = |path: &Path| path == Path::new("-");
+        if is_dash(&self.config) && is_dash(&self.scene) {
+            return Err("standard input (-) can be only one of the two files".into());
+        }
+        if is_dash(&self.out) && self.json {
+            return Err("--json and the picture - both write to standard output; choose a file".into());
+        }
+        let kind = Kind::of(&self.out)?;
         let config = sources::config(&self.config, &self.set)?;
         let scene = sources::scene(&self.scene)?;
         let interrupt = Interrupt::listen()?;
         let mut taken = match self.layout {
-            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, &interrupt)?,
-            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, &interrupt)?,
+            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, kind, &interrupt)?,
+            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, kind, &interrupt)?,
         };
         if self.count {
             let counts = cpu::reference::render_counted::<cpu::certified::Certified>(
@@ -109,8 +126,10 @@ impl Arguments {
         }
         if self.json {
             super::print_json(&taken)?;
-        } else if std::io::stderr().is_terminal() || self.count {
-            eprintln!("{taken}");
+        }
+        if !self.quiet {
+            let name = if is_dash(&self.out) { "standard output".to_owned() } else { sources::shown::path(&self.out) };
+            eprintln!("{name}: {taken}");
         }
         Ok(())
     }
@@ -120,16 +139,17 @@ impl Arguments {
         &self,
         config: &Config,
         scene: &Scene,
+        kind: Kind,
         interrupt: &Interrupt,
     ) -> Result<Taken, Failure> {
-        let in_file = |error: Error| error.in_file(&self.config);
-        let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(in_file)?;
+        let explain = |error: Error| sources::about_picture(error, &self.config, &self.set);
+        let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(explain)?;
         let size = prepared.size;
         let part = self.crop.unwrap_or([0, 0, size.width(), size.height()]);
         let rows = rows_of(part, size.width(), size.height())?;
-        let output = Output::open(&self.out)?;
-        let before = Usage::now();
-        let bar = progress(rows);
+        let output = Output::open(&sources::output(&self.out))?;
+        let (before, start) = (Usage::now(), Instant::now());
+        let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) };
         let picture = engine::render_rows::<L>(&prepared, rows, |row| {
             bar.set_position(row as u64);
             interrupt.flow()
@@ -137,8 +157,10 @@ impl Arguments {
         bar.finish_and_clear();
         let picture = picture.ok_or(Failure::Interrupted)?;
         let picture = if self.crop.is_some() { picture.crop(part) } else { picture };
-        let write_png = is_png(&self.out);
-        output.write(|file| if write_png { picture.write_png(file) } else { picture.write_ppm(file) })?;
+        output.write(|file| match kind {
+            Kind::Png => picture.write_png(file),
+            Kind::Ppm => picture.write_ppm(file),
+        })?;
         let after = Usage::now();
         let primary_rays = ((rows * size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = after.user - before.user;
@@ -147,6 +169,7 @@ impl Arguments {
             height: picture.height,
             samples_per_pixel: prepared.samples,
             primary_rays,
+            seconds: start.elapsed().as_secs_f64(),
             user_seconds,
             nanoseconds_per_primary_ray: user_seconds * 1e9 / primary_rays as f64,
             peak_memory_bytes: after.peak_memory,
@@ -166,8 +189,26 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
     }
 }
 
-fn is_png(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"))
+/// What kind of file a picture becomes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Ppm,
+    Png,
+}
+
+impl Kind {
+    /// By the ending of the file's name. A name without one, as of a device or a pipe, is a PPM.
+    fn of(path: &Path) -> Result<Self, String> {
+        match path.extension().map(|ending| ending.to_ascii_lowercase()) {
+            None => Ok(Self::Ppm),
+            Some(ending) if ending == "ppm" => Ok(Self::Ppm),
+            Some(ending) if ending == "png" => Ok(Self::Png),
+            Some(ending) => {
+                let (path, ending) = (sources::shown::path(path), sources::shown::line(ending.as_encoded_bytes()));
+                Err(format!("{path}: a picture cannot be written as .{ending}; its name must end in .ppm or .png"))
+            }
+        }
+    }
 }
 
 /// A bar on standard error where that is a terminal; silent otherwise.
@@ -187,7 +228,8 @@ impl std::fmt::Display for Taken {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (seconds, memory) = (self.user_seconds, self.peak_memory_bytes as f64 / 1e6);
         write!(out, "{} x {} pixels, {} samples each: ", self.width, self.height, self.samples_per_pixel)?;
-        write!(out, "{seconds:.3} s of user time, {:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
+        write!(out, "{:.3} s, {seconds:.3} s of user time, ", self.seconds)?;
+        write!(out, "{:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
         write!(out, "peak memory {memory:.1} MB")?;
         if let (Some(rays), Some(hits)) = (self.rays, self.hits) {
             write!(out, "; {rays} rays, {hits} hits")?;
@@ -206,6 +248,15 @@ mod tests {
         for text in ["", "1,2,3", "1,2,3,4,5", "1,2,0,4", "1,2,3,x", "-1,2,3,4", "1,2,3,4,x"] {
             assert!(parse_crop(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn the_ending_of_a_name_decides_what_is_written() {
+        for (name, kind) in [("a.ppm", Kind::Ppm), ("a.PNG", Kind::Png), ("/dev/stdout", Kind::Ppm), ("-", Kind::Ppm)] {
+            assert_eq!(Kind::of(Path::new(name)), Ok(kind), "{name}");
+        }
+        let message = Kind::of(Path::new("o.jpg")).expect_err("there is no such writer");
+        assert_eq!(message, "o.jpg: a picture cannot be written as .jpg; its name must end in .ppm or .png");
     }
 
     #[test]

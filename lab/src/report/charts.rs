@@ -3,6 +3,7 @@
 use super::chart::{Axis, Bounds, Chart, Point, Series};
 use super::style::{power_of_ten, seconds, short};
 use crate::bench::results::{Results, Timing};
+use crate::bench::statistics::Median;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
 
@@ -148,7 +149,9 @@ fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIt
 }
 
 fn timed(timing: &Timing, x: f64) -> Point {
-    Point { x, y: timing.median.median, bounds: Some(Bounds::Vertical(timing.median.low, timing.median.high)) }
+    let Median { median, low, high, .. } = timing.median;
+    // One measurement has no bounds.
+    Point { x, y: median, bounds: (low < high).then_some(Bounds::Vertical(low, high)) }
 }
 
 fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {

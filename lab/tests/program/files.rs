@@ -26,12 +26,14 @@ fn a_file_that_cannot_be_written_stops_both() {
 
 #[test]
 fn a_scene_is_told_in_words_and_in_json() {
-    let text = printed(&["inspect", "scenes/ten-thousand/scene.txt", "scenes/ten-thousand/config.txt"]);
+    let text = printed(&["inspect", "scenes/ten-thousand/config.txt", "scenes/ten-thousand/scene.txt"]);
     assert!(text.contains("a tree of boxes") && text.contains("picture     400 x 225"), "{text}");
     let json = printed(&["inspect", "scenes/spheres/scene.txt", "--json"]);
     let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
     assert_eq!((&value["spheres"], &value["cylinders"]), (&15.into(), &0.into()));
-    assert!(complaint(&["inspect", "README.md"]).starts_with("Error: Unknown scene entity"));
+    assert!(complaint(&["inspect", "README.md"]).starts_with("Error: README.md:1:1: there is no scene entity [#]\n"));
+    let swapped = complaint(&["inspect", "scenes/grid/scene.txt", "scenes/grid/config.txt"]);
+    assert!(swapped.contains("this looks like a scene file; the configuration comes first: CONFIG SCENE"), "{swapped}");
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 mod bench;
 mod compare;
+#[cfg(unix)]
+mod completion;
 mod files;
 #[cfg(unix)]
 mod hostile;

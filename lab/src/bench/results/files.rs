@@ -1,5 +1,6 @@
 //! Results as files: JSON that holds everything, CSV for other programs.
 
+use std::io::Write;
 use std::path::Path;
 
 use cpu::output::Output;
@@ -10,23 +11,26 @@ use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
 
 impl Results {
-    /// Results from a JSON file.
+    /// Results from a JSON file; `-` is standard input.
     ///
     /// # Errors
     /// It cannot be read, or is something else.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-        let text = std::fs::read(path).map_err(|error| explain(&error))?;
+        let text = std::fs::read(crate::sources::input(path)).map_err(|error| explain(&error))?;
         Ok(serde_json::from_slice(&text).map_err(|error| explain(&error))?)
     }
 
-    /// Writes the JSON file `path`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
+    /// Writes the JSON file `path`, standard output for `-`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
     /// intersections as `NAME-intersections.csv`.
     ///
     /// # Errors
     /// A file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), Failure> {
         let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
+        if path == Path::new("-") {
+            return Ok(writeln!(std::io::stdout(), "{json}")?);
+        }
         let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let beside = |ending: &str, csv: csv::Result<Vec<u8>>| {
             csv.map(|bytes| (path.with_file_name(format!("{stem}{ending}.csv")), bytes)).map_err(|e| e.to_string())
