@@ -9,6 +9,8 @@ mod files;
 mod hostile;
 mod render;
 #[cfg(unix)]
+mod scripts;
+#[cfg(unix)]
 mod slurm;
 mod words;
 
