@@ -47,6 +47,7 @@ pub mod pipeline;
 pub mod renderer;
 pub mod rewrites;
 pub mod running;
+pub mod runtime;
 pub mod scenes;
 pub mod shader_lab;
 pub mod special;

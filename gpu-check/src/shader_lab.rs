@@ -10,6 +10,7 @@ pub mod args;
 pub mod files;
 pub mod pixel;
 pub mod png;
+pub mod progress;
 pub mod trial;
 pub mod truth;
 pub mod view;

@@ -143,7 +143,10 @@ mod tests {
 
     #[test]
     fn the_page_and_its_data_are_handed_out() {
-        assert!(asked("GET / HTTP/1.1\r\n\r\n").0.contains("<title>shader-lab</title>"));
+        let page = asked("GET / HTTP/1.1\r\n\r\n").0;
+        assert!(page.contains("<title>shader-lab</title>"));
+        // A browser asks for no other icon.
+        assert!(page.contains("<link rel=\"icon\" href=\"data:image/svg+xml,") && page.contains("width=device-width"));
         assert!(asked("GET /data/a HTTP/1.1\r\n\r\n").0.ends_with("\r\n\r\nnumbers"));
     }
 

@@ -38,9 +38,10 @@ fn report(folder: &Path, arguments: &str) -> String {
 
 fn fault(folder: &Path, arguments: &str) -> String {
     let output = run(folder, arguments);
-    assert!(!output.status.success() && output.stdout.is_empty());
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
     let text = String::from_utf8(output.stderr).expect("it is text");
-    // Mesa has something to say first.
+    assert!(!text.contains("XDG_RUNTIME_DIR"), "{text}");
     text[text.find("Error: ").expect("a message starts so")..].to_owned()
 }
 
@@ -153,6 +154,148 @@ fn views_of_both_sides_agree_and_show_where_a_module_does_not() {
 }
 
 #[test]
+fn an_option_that_is_not_understood_takes_one_line() {
+    let folder = folder();
+    let message = fault(folder.path(), "my.wgsl --wacht");
+    assert_eq!(message, "Error: there is no option [--wacht]; did you mean [--watch]?; see --help\n");
+    let output = Command::new(env!("CARGO_BIN_EXE_shader-lab")).arg("--help").output().expect("the program starts");
+    let text = String::from_utf8(output.stdout).expect("it is text");
+    assert!(output.status.success() && text.contains("Examples:\n  shader-lab --template my.wgsl\n"), "{text}");
+}
+
+#[test]
+fn a_difference_has_a_status_of_its_own_where_it_is_asked_for() {
+    let folder = folder();
+    let path = folder.path().join("background.wgsl");
+    fs::write(&path, standard("background")).expect("the folder is writable");
+    assert_eq!(run(folder.path(), "background.wgsl --check").status.code(), Some(0));
+    fs::write(&path, standard("background").replace("direction.y", "direction.x")).expect("the folder is writable");
+    assert_eq!(run(folder.path(), "background.wgsl --check").status.code(), Some(1));
+    assert_eq!(run(folder.path(), "background.wgsl").status.code(), Some(0));
+}
+
+#[test]
+fn the_difference_alone_is_one_file() {
+    let folder = folder();
+    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let text = report(folder.path(), "my.wgsl --show difference");
+    assert!(text.contains("wrote out.png (the difference of the colours)\n"), "{text}");
+    let mut names: Vec<_> = fs::read_dir(&folder).expect("it is readable").flatten().map(|e| e.file_name()).collect();
+    names.sort();
+    assert_eq!(names, ["config.txt", "my.wgsl", "out.png"]);
+}
+
+#[test]
+fn a_dash_is_standard_input_and_output() {
+    let folder = folder();
+    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    report(folder.path(), "my.wgsl");
+    let piped = command(folder.path(), "-");
+    let arguments: Vec<_> = piped.get_args().map(ToOwned::to_owned).collect();
+    // The last is OUT.
+    let (out, arguments) = arguments.split_last().expect("there are some");
+    assert_eq!(out, "out.png");
+    let module = fs::File::open(folder.path().join("my.wgsl")).expect("it was written");
+    let output = Command::new(piped.get_program())
+        .current_dir(&folder)
+        .args(arguments)
+        .arg("-")
+        .stdin(module)
+        .output()
+        .expect("the program starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stdout.starts_with(b"P6\n48 27\n255\n"));
+    assert_eq!(output.stdout.len(), b"P6\n48 27\n255\n".len() + 3 * 48 * 27);
+}
+
+#[test]
+fn a_pixel_is_told_in_words_and_whole_numbers() {
+    let folder = folder();
+    fs::write(folder.path().join("sphere.wgsl"), standard("sphere")).expect("the folder is writable");
+    let text = report(folder.path(), "sphere.wgsl --pixel 24 20");
+    assert!(!text.contains("Vec3") && text.contains("\ncolour\n  red  "), "{text}");
+    let object = text.lines().find(|line| line.starts_with("  object ")).expect("the ground is met");
+    assert!(!object.contains('.'), "{object}");
+}
+
+#[test]
+fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
+    let folder = folder();
+    fs::write(folder.path().join("background.wgsl"), standard("background")).expect("the folder is writable");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
+    // As the picture of scenes/ten-thousand, whose every run is as long as here, with fewer pixels.
+    fs::write(
+        folder.path().join("few"),
+        fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("there") + "image_width: 64\n",
+    )
+    .expect("the folder is writable");
+    command.current_dir(&folder).args(["background.wgsl", "--config", "few", "--out", "out.png", "--check", "--scene"]);
+    let output = command.arg(repository("scenes/ten-thousand/scene.txt")).output().expect("the program starts");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert!(text.contains(": 0 of 2304 pixels differ"), "{text}");
+}
+
+/// The lines of the first block of code in `text` that has a line which starts with `start`.
+fn block<'a>(text: &'a str, start: &str) -> Vec<&'a str> {
+    let blocks = text.split("```\n").skip(1).step_by(2).map(|block| block.lines().collect::<Vec<_>>());
+    let mut found = blocks.filter(|lines| lines.iter().any(|line| line.starts_with(start)));
+    found.next().unwrap_or_else(|| panic!("docs/shader-lab.md shows no [{start}]"))
+}
+
+#[test]
+fn the_figures_of_the_documentation_are_what_its_commands_print() {
+    if !common::gpu().is_lavapipe() {
+        println!("the figures are lavapipe's, so nothing was compared");
+        return;
+    }
+    let docs = fs::read_to_string(repository("docs/shader-lab.md")).expect("it is committed");
+    let folder = folder();
+    let changed = "let near = (h - root) * (real(1.0) / a);";
+    assert!(docs.contains(changed));
+    let sphere = standard("sphere").replace("let near = (h - root) / a;", changed);
+    fs::write(folder.path().join("sphere.wgsl"), sphere).expect("the folder is writable");
+    let shown = |options: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_shader-lab"))
+            .current_dir(&folder)
+            .args(["sphere.wgsl", "--config"])
+            .arg(repository("scenes/materials/config.txt"))
+            .arg("--scene")
+            .arg(repository("scenes/materials/scene.txt"))
+            .args(["--out", "out.png"])
+            .args(options)
+            .output()
+            .expect("the program starts");
+        String::from_utf8(output.stdout).expect("it is text")
+    };
+    let said = shown(&[]);
+    // Times and versions change; everything else must be there.
+    let stable = |line: &&&str| !line.starts_with("in f64 on") && !line.contains(" to compile; ");
+    let lines = block(&docs, "from the CPU in f64: ");
+    assert!(lines.iter().filter(stable).count() >= 4, "{lines:?}");
+    for line in lines.iter().filter(stable) {
+        assert!(
+            said.contains(&format!("{line}\n")),
+            "docs/shader-lab.md has [{line}], but the command prints:\n{said}"
+        );
+    }
+    let (_, pixel) = docs.split_once("`--pixel ").expect("the page has an example");
+    let (pixel, _) = pixel.split_once('`').expect("it ends");
+    let views = shown(&["--show", "lambda"]);
+    assert!(views.contains(&format!("the first of them --pixel {pixel}\n")), "{pixel}: {views}");
+    let numbers: Vec<_> = pixel.split(' ').collect();
+    let said = shown(&[&["--pixel"], &numbers[..]].concat());
+    let lines = block(&docs, "step 0 ");
+    assert!(lines.len() >= 8, "{lines:?}");
+    for line in lines.iter().filter(|line| line.trim() != "...") {
+        assert!(
+            said.contains(&format!("{line}\n")),
+            "docs/shader-lab.md has [{line}], but the command prints:\n{said}"
+        );
+    }
+}
+
+#[test]
 fn a_pixel_outside_is_refused() {
     let folder = folder();
     fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
@@ -203,7 +346,7 @@ fn watching_survives_a_broken_shader_and_keeps_the_last_good_picture() {
     let (path, out) = (folder.path().join("my.wgsl"), folder.path().join("out.png"));
     fs::write(&path, TEMPLATE).expect("the folder is writable");
     let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
-    watched.wait_for("wrote ./out-difference.png");
+    watched.wait_for("wrote out-difference.png");
     let good = fs::read(&out).expect("it was written");
 
     fs::write(&path, format!("{TEMPLATE}nonsense\n")).expect("the folder is writable");
@@ -215,6 +358,6 @@ fn watching_survives_a_broken_shader_and_keeps_the_last_good_picture() {
     assert_eq!(fs::read(&out).expect("it stays"), good);
 
     fs::write(&path, TEMPLATE.replace("return n *", "return n.zyx *")).expect("the folder is writable");
-    watched.wait_for("wrote ./out-difference.png");
+    watched.wait_for("wrote out-difference.png");
     assert!(fs::read(&out).expect("it was written") != good, "the new picture is another");
 }

@@ -11,10 +11,16 @@ use gpu_check::shader_lab::{TEMPLATE, watch::Lab};
 use gpu_check::web::{Server, data};
 use gpu_check::{Error, Gpu};
 
+/// Exit status for a picture that differs, where that is asked for; as of `diff` and `render-lab`.
+const DIFFERS: u8 = 1;
+/// Exit status for an error.
+const TROUBLE: u8 = 2;
+
 fn main() -> ExitCode {
+    gpu_check::runtime::ensure_folder();
     let command = match args::parse(std::env::args().skip(1)) {
         Ok(command) => command,
-        Err(message) => return failed(&format!("{message}\n\n{USAGE}")),
+        Err(message) => return failed(&format!("{message}; see --help")),
     };
     match command {
         Command::Help => {
@@ -27,17 +33,24 @@ fn main() -> ExitCode {
             Err(message) => failed(&message),
         },
         Command::Render(options) => {
-            let again = options.watch;
+            let (again, check) = (options.watch, options.check);
+            // A picture on standard output leaves no room for words there.
+            let is_output_taken = options.out.as_os_str() == "-";
+            let said = move |text: &str| if is_output_taken { noted(text) } else { said(text) };
             let mut lab = Lab::new(options);
             if !again {
                 return match lab.render() {
-                    Ok(report) => said(&report),
+                    Ok(outcome) if check && outcome.differs => {
+                        said(&outcome.report);
+                        ExitCode::from(DIFFERS)
+                    }
+                    Ok(outcome) => said(&outcome.report),
                     Err(message) => failed(&message),
                 };
             }
             lab.watch(|result| {
                 match result {
-                    Ok(report) => said(&report),
+                    Ok(outcome) => said(&outcome.report),
                     Err(message) => failed(&format!("{message}\nthe last good picture stays; save again to go on")),
                 };
                 true
@@ -77,7 +90,13 @@ fn said(text: &str) -> ExitCode {
     ExitCode::SUCCESS
 }
 
+/// The same on standard error.
+fn noted(text: &str) -> ExitCode {
+    let _ = std::io::stderr().write_all(text.as_bytes());
+    ExitCode::SUCCESS
+}
+
 fn failed(message: &str) -> ExitCode {
     let _ = writeln!(std::io::stderr(), "Error: {message}");
-    ExitCode::FAILURE
+    ExitCode::from(TROUBLE)
 }

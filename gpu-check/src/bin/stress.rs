@@ -54,6 +54,7 @@ fn count(text: &str) -> Result<usize, String> {
 }
 
 fn main() -> ExitCode {
+    gpu_check::runtime::ensure_folder();
     match run(&Arguments::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use shaders::{Features, Precision};
 
+use super::png;
 use super::view::View;
 
 /// How the program is called.
 pub const USAGE: &str = "\
-shader-lab MODULES --config CONFIG --scene SCENE --out OUT.png [options]
+shader-lab MODULES --config CONFIG --scene SCENE --out OUT [options]
 shader-lab --template NEW_FILE.wgsl
 shader-lab --serve PORT --config CONFIG --scene SCENE
 
@@ -21,8 +22,18 @@ its first line names, as in: // module: kernels/image
   --show VIEW             lambda, normal, object, side, steps or difference, in false colours
   --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
   --watch                 render again whenever a file changes, until interrupted
+  --check                 exit with status 1 when a bit of the picture differs from the CPU's
   --template FILE         write a module to start from
-  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
+  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted
+
+OUT ends in .png or .ppm. A name of - is standard input or, as OUT, a PPM on standard output.
+
+Examples:
+  shader-lab --template my.wgsl
+  shader-lab my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt --out out.png --watch
+  shader-lab my.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png --pixel 200 100
+
+Exit status: 0 done, 1 --check and a bit differs, 2 an error or a command line that is not understood, 130 interrupted";
 
 /// Constants that a person's module declares, by name.
 pub type Own<'a> = Vec<(&'a str, f64)>;
@@ -68,6 +79,8 @@ pub struct Options {
     pub pixel: Option<[usize; 2]>,
     /// Whether to go on when files change.
     pub watch: bool,
+    /// Whether a picture that differs from the CPU's in a bit has an exit status of its own.
+    pub check: bool,
 }
 
 /// Reads the arguments that follow the program's name.
@@ -78,7 +91,7 @@ pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, Str
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
     let (mut precision, mut port) = (Precision::F64, None);
-    let (mut constants, mut view, mut pixel, mut watch) = (Vec::new(), None, None, false);
+    let (mut constants, mut view, mut pixel, mut watch, mut check) = (Vec::new(), None, None, false, false);
     while let Some(argument) = arguments.next() {
         let mut value = |what: &str| arguments.next().ok_or(format!("{argument} needs {what} after it"));
         match argument.as_str() {
@@ -103,7 +116,8 @@ pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, Str
                 pixel = Some([number("a column")?, number("a row")?]);
             }
             "--watch" => watch = true,
-            other if other.starts_with('-') => return Err(format!("there is no option [{other}]")),
+            "--check" => check = true,
+            other if other.starts_with('-') && other != "-" => return Err(unknown(other)),
             _ if modules.is_some() => return Err(format!("[{argument}] is one name too many")),
             _ => modules = Some(PathBuf::from(&argument)),
         }
@@ -116,8 +130,49 @@ pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Command, Str
     let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
     let (config, scene) = files()?;
     let out = out.ok_or("--out is missing")?;
-    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch }))
+    png::check_name(&out)?;
+    let from_input = [&modules, &config, &scene].into_iter().filter(|path| path.as_os_str() == "-").count();
+    if from_input > 1 {
+        return Err("standard input (-) can be only one of the module, --config and --scene".to_owned());
+    }
+    if from_input == 1 && watch {
+        return Err("--watch needs files, and - is standard input".to_owned());
+    }
+    let [modules, config, scene] = [modules, config, scene].map(input);
+    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, check }))
 }
+
+/// Names standard input, as elsewhere: `-`.
+fn input(path: PathBuf) -> PathBuf {
+    if path.as_os_str() == "-" { PathBuf::from("/dev/stdin") } else { path }
+}
+
+/// That an option is not known, with the one that is most like it.
+fn unknown(option: &str) -> String {
+    /// Of Jaro and Winkler.
+    const LIKE: f64 = 0.8;
+    let known = OPTIONS.iter().map(|known| (strsim::jaro_winkler(option, known), known));
+    let nearest = known.filter(|(likeness, _)| *likeness > LIKE).max_by(|one, other| one.0.total_cmp(&other.0));
+    let hint = nearest.map_or_else(String::new, |(_, known)| format!("; did you mean [{known}]?"));
+    format!("there is no option [{option}]{hint}")
+}
+
+/// Every option.
+const OPTIONS: [&str; 13] = [
+    "--help",
+    "--template",
+    "--config",
+    "--scene",
+    "--out",
+    "--serve",
+    "--f32",
+    "--f64",
+    "--set",
+    "--show",
+    "--pixel",
+    "--watch",
+    "--check",
+];
 
 fn constant(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or_else(|| format!("--set: [{text}] is not NAME=VALUE"))?;
@@ -184,6 +239,10 @@ mod tests {
         assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
         assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
         assert_eq!(parsed("--frobnicate"), Err("there is no option [--frobnicate]".to_owned()));
+        assert_eq!(parsed("--secne s"), Err("there is no option [--secne]; did you mean [--scene]?".to_owned()));
+        assert!(parsed("mine.wgsl --config c --scene s --out o.jpg").is_err_and(|message| message.contains(".jpg")));
+        assert!(parsed("- --config - --scene s --out o.png").is_err_and(|message| message.contains("only one of")));
+        assert!(OPTIONS.iter().all(|option| USAGE.contains(option) || ["--help", "--f64"].contains(option)));
     }
 
     #[test]

@@ -11,7 +11,8 @@ use shaders::Precision;
 
 use super::args::Options;
 use super::files::{self, UserModule};
-use super::trial::Trial;
+use super::progress;
+use super::trial::{Outcome, Trial};
 use super::truth::Truth;
 use crate::{Error, Gpu};
 
@@ -44,7 +45,7 @@ impl Lab {
     ///
     /// # Errors
     /// A message that names the person's file.
-    pub fn render(&mut self) -> Result<String, String> {
+    pub fn render(&mut self) -> Result<Outcome, String> {
         let modules = files::read(&self.options.modules).map_err(|error| error.to_string())?;
         let result = self.render_with(&modules);
         if matches!(result, Err(Error::DeviceLost { .. } | Error::Timeout { .. } | Error::OutOfMemory { .. })) {
@@ -53,9 +54,10 @@ impl Lab {
         result.map_err(|error| explain(&error, &modules))
     }
 
-    fn render_with(&mut self, modules: &[UserModule]) -> Result<String, Error> {
+    fn render_with(&mut self, modules: &[UserModule]) -> Result<Outcome, Error> {
         let scene = self.scene_texts();
         if self.truth.is_none() || scene != self.scene {
+            progress::say("the CPU renders by the definition");
             self.truth = Some(Truth::read(&self.options.config, &self.options.scene)?);
             self.scene = scene;
         }
@@ -75,7 +77,7 @@ impl Lab {
     }
 
     /// Hands a report or a message to `say` now and after every change, until `say` answers no.
-    pub fn watch(&mut self, mut say: impl FnMut(Result<String, String>) -> bool) {
+    pub fn watch(&mut self, mut say: impl FnMut(Result<Outcome, String>) -> bool) {
         loop {
             let before = self.state();
             let result = self.render();
@@ -97,7 +99,7 @@ impl Lab {
 /// The error's own words; where they point elsewhere than to a person's file, that file too.
 fn explain(error: &Error, modules: &[UserModule]) -> String {
     let mut message = error.to_string();
-    if !matches!(error, Error::Shader(_) | Error::Refused { .. } | Error::Unwritten { .. } | Error::Timeout { .. }) {
+    if !matches!(error, Error::Shader(_) | Error::Refused { .. } | Error::Unwritten { .. }) {
         return message;
     }
     let names: Vec<(PathBuf, &str)> =
