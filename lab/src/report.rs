@@ -10,6 +10,7 @@ pub mod charts;
 pub mod findings;
 pub mod html;
 pub mod style;
+pub mod thumbnails;
 
 use std::path::Path;
 
@@ -31,9 +32,10 @@ pub fn write(results: &Results, folder: &Path) -> Result<(), Failure> {
     for (chart, svg) in &drawn {
         put(&figures.join(format!("{}.svg", chart.name)), svg)?;
     }
+    let pictures = thumbnails::of(results, &::tests::project_root().join("scenes"));
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())?;
     put(&folder.join("findings.json"), &format!("{json}\n"))?;
-    put(&folder.join("index.html"), &html::page(results, &findings, &drawn))
+    put(&folder.join("index.html"), &html::page(results, &findings, &drawn, &pictures))
 }
 
 fn put(path: &Path, text: &str) -> Result<(), Failure> {

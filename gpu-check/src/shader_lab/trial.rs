@@ -53,7 +53,7 @@ impl Held for f64 {
 
 impl Held for f32 {
     fn picture(truth: &Truth) -> &[Vec3<Self>] {
-        &truth.single
+        truth.single()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which charts the data give.
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
-use super::style::{power_of_ten, seconds, short};
+use super::style::{engine_name, power_of_ten, seconds, short};
 use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
 use crate::bench::statistics::Median;
@@ -35,7 +35,7 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for timing in results.timings.iter().filter(|t| t.setting.suite == "scale" && t.setting.parameter == parameter) {
         let point = timed(timing, timing.setting.value as f64);
-        push(&mut series, &timing.setting.engine, color(&timing.setting.engine), point);
+        push(&mut series, &engine_name(&timing.setting.engine), color(&timing.setting.engine), point);
     }
     order(&mut series);
     let x = Axis { label, format: short };
@@ -74,7 +74,12 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
         let error = curve.points.iter().find(|point| point.samples == timing.setting.value);
         if let (true, Some(error)) = (is_shown, error) {
             let bounds = Some(Bounds::Vertical(error.linear.low, error.linear.high));
-            push(&mut series, engine, color(engine), Point { x: timing.median.median, y: error.linear.median, bounds });
+            push(
+                &mut series,
+                &engine_name(engine),
+                color(engine),
+                Point { x: timing.median.median, y: error.linear.median, bounds },
+            );
         }
     }
     order(&mut series);
@@ -131,9 +136,10 @@ fn energy(results: &Results) -> Vec<Chart> {
         let (mut rows, mut series): (Vec<String>, Vec<Series>) = (Vec::new(), Vec::new());
         for energy in &results.energy {
             let Some(value) = figure(energy).filter(|&value| value > 0.0) else { continue };
-            let row = rows.iter().position(|row| *row == energy.engine).unwrap_or(rows.len());
+            let name = engine_name(&energy.engine);
+            let row = rows.iter().position(|row| *row == name).unwrap_or(rows.len());
             if row == rows.len() {
-                rows.push(energy.engine.clone());
+                rows.push(name);
             }
             let color = series.iter().position(|series| series.name == energy.scene).unwrap_or(series.len());
             push(&mut series, &energy.scene, color, Point { x: value, y: row as f64 + 1.0, bounds: None });
@@ -215,12 +221,15 @@ mod tests {
 
     #[test]
     fn energy_and_power_have_charts_where_they_were_measured() {
-        let energy = |engine: &str, joules| {
+        let energy = |engine: &str, joules: Option<f64>| {
             let [scene, engine] = ["grid", engine].map(str::to_owned);
-            let watts = joules.map(|joules: f64| 10.0 * joules);
+            let watts = joules.map(|joules| 10.0 * joules);
             Energy { scene, engine, joules, watts, idle_watts: None, reason: None }
         };
-        let measured = Results { energy: vec![energy("reference", Some(9.0)), energy("aos-avx2", Some(1.5))], ..Results::default() };
+        let measured = Results {
+            energy: vec![energy("reference", Some(9.0)), energy("aos-avx2", Some(1.5))],
+            ..Results::default()
+        };
         let charts = all(&measured);
         let names: Vec<_> = charts.iter().map(|chart| chart.name.as_str()).collect();
         assert_eq!(names, ["energy", "power"]);

@@ -61,8 +61,8 @@ fn spread(results: &Results) -> Option<String> {
     let repeats = results.timings.iter().map(|timing| timing.seconds.len()).min()?;
     if !results.timings.iter().all(|timing| timing.median.is_bounded()) {
         return Some(format!(
-            "Times were repeated {repeats} times or more. Bounds of a median with 95 % confidence need six repeats: where \
-             there are fewer, no difference is told from chance."
+            "The fewest repeats of a time are {repeats}. Bounds of a median that are worth a conclusion need three, and with \
+             95 % confidence six: where there are fewer, no difference is told from chance."
         ));
     }
     let confidence = results.timings.iter().map(|timing| timing.median.confidence).fold(1.0, f64::min);
@@ -130,7 +130,7 @@ mod tests {
         let unknown = text(&once, "Layouts");
         assert!(unknown.contains("no bounds to tell a difference from chance"), "{unknown}");
         let spread = text(&once, "Spread");
-        assert!(spread.contains("need six repeats") && !spread.contains("confidence ("), "{spread}");
+        assert!(spread.contains("no difference is told from chance") && !spread.contains("confidence ("), "{spread}");
         let literal = text(&results, "Literal renderer");
         assert!(literal.contains("4 times as fast"), "the geometric mean of 2 and 8: {literal}");
         assert!(literal.contains("least 2 times (board, 10 objects), most 8 times (board, 100 objects)"), "{literal}");

@@ -39,8 +39,11 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     printed(&["report", &folder.name("depth.json"), "--out", &folder.name("report")]);
     let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
     assert!(page.contains("Time against depth") && page.contains("aria-label"), "{page}");
-    let links = ["src=", "href=", "@import", "url("];
-    assert!(links.iter().all(|link| !page.contains(link)), "the page needs no other file");
+    let links = ["src=", "href=", "@import", "url("].map(|link| page.matches(link).count());
+    let own = ["src=\"data:image/png;base64,", "href=\"#"].map(|link| page.matches(link).count());
+    assert_eq!(links, [own[0], own[1], 0, 0], "the page needs no other file");
+    assert!(own[0] == 1 && page.contains("alt=\"The scene materials\""), "the scene is shown");
+    assert!(page.contains("literal renderer</td>") && page.contains("the yardstick"), "names are explained");
     let findings = fs::read_to_string(folder.file("report/findings.json")).expect("it was written");
     let findings: serde_json::Value = serde_json::from_str(&findings).expect("it is JSON");
     assert!(findings.as_array().is_some_and(|findings| findings.len() >= 4), "{findings}");

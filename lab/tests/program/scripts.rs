@@ -50,7 +50,9 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
 #[test]
 fn scripts_have_help_and_refuse_what_they_do_not_know() {
     let folder = programs(&["cargo"]);
-    for name in ["tests/run", "tests/slurm.sh", "lab/slurm/submit", "docs/build-report", "bench/instructions", "tests/ratio.sh"] {
+    for name in
+        ["tests/run", "tests/slurm.sh", "lab/slurm/submit", "docs/build-report", "bench/instructions", "tests/ratio.sh"]
+    {
         let output = script(name, &["--help"], &folder);
         let said = String::from_utf8(output.stdout).expect("it is text");
         assert!(output.status.success() && said.contains(name), "{name}: {said} {:?}", output.stderr);
