@@ -15,8 +15,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
 const STDOUT: c_int = 1;
-/// Commands of `fcntl`: the flags of the descriptor, and those of the open file.
+/// The command of `fcntl` that returns the flags of a descriptor. It fails where the descriptor is closed.
 const GET_DESCRIPTOR_FLAGS: c_int = 1;
+/// The command of `fcntl` that returns the flags of the open file, its access mode among them.
 const GET_FILE_FLAGS: c_int = 3;
 /// The bits that say how a file is open, and their value for reading alone.
 const ACCESS: c_int = 3;

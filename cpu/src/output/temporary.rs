@@ -133,12 +133,17 @@ impl Temporary {
         self.sync_folder()
     }
 
-    /// The permissions that the file is to have, where it has others, after it got the old file's owner if it may.
+    /// Gives the new file the owner of the old one, where this process may, and returns the permissions that the new file must
+    /// get when it is complete. `None` if it has them already.
+    ///
+    /// # Errors
+    /// The system's, where the rights of the new file cannot be read.
     fn mode_at_last(&self) -> io::Result<Option<u32>> {
         let Some(old) = self.old else { return Ok(self.mode) };
         let mut new = Rights::of(&self.file)?;
         if (new.user, new.group) != (old.user, old.group) {
-            // Only root gives files away, and an owner to a group of theirs. Whoever may not becomes the owner.
+            // Root may change the owner; others may change only the group, to one of their own. Where neither is allowed, the
+            // new file keeps the user of this process.
             let _ = fchown(&self.file, Some(old.user), Some(old.group))
                 .or_else(|_| fchown(&self.file, None, Some(old.group)));
             new = Rights::of(&self.file)?;

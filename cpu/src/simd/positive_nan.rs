@@ -25,7 +25,7 @@ impl Simd for PositiveNan {
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes(F32x4);
 
-/// The lanes with every NaN made positive.
+/// Returns the lanes, with the sign of every NaN made positive.
 fn positive(lanes: F32x4) -> Lanes {
     let mut numbers = [0.0; 4];
     lanes.store(&mut numbers);

@@ -111,7 +111,7 @@ fn limit_this_process() -> Result<(), Error> {
     Ok(())
 }
 
-/// Elsewhere the wall clock alone limits it.
+/// Does nothing: systems other than Unix have no such limits, so only the parent's limit on wall-clock time ends the process.
 #[cfg(not(unix))]
 fn limit_this_process() -> Result<(), Error> {
     Ok(())
