@@ -10,10 +10,6 @@ struct _mslBufferSizes {
 };
 
 typedef float real;
-struct UnitAndLength {
-    metal::packed_float3 direction;
-    real length;
-};
 struct Ray {
     metal::float3 origin;
     metal::float3 direction;
@@ -28,6 +24,10 @@ struct Hit {
     metal::packed_float3 normal;
     bool front;
     char _pad3[3];
+};
+struct UnitAndLength {
+    metal::packed_float3 direction;
+    real length;
 };
 struct CylinderRecord {
     metal::float3 center;
@@ -109,40 +109,27 @@ metal::float3 vec3_unit(
     return v_1 / metal::float3(_e1);
 }
 
-UnitAndLength vec3_unit_and_length(
-    metal::float3 v_2
-) {
-    real _e1 = vec3_dot(v_2, v_2);
-    if (_e1 < SHORT_SQUARED) {
-        metal::float3 scaled = v_2 * SHORT_SCALE;
-        real _e6 = vec3_length(scaled);
-        return UnitAndLength {scaled / metal::float3(_e6), _e6 * SHORT_SQUARED};
-    }
-    real _e12 = vec3_length(v_2);
-    return UnitAndLength {v_2 / metal::float3(_e12), _e12};
-}
-
 metal::float3 vec3_perpendicular_to(
-    metal::float3 v_3,
+    metal::float3 v_2,
     metal::float3 axis
 ) {
-    real _e2 = vec3_dot(v_3, axis);
-    return v_3 - (axis * _e2);
+    real _e2 = vec3_dot(v_2, axis);
+    return v_2 - (axis * _e2);
 }
 
 bool vec3_is_negligible(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
     bool local = {};
     bool local_1 = {};
-    if (metal::abs(v_4.x) < 0.00000001) {
-        local = metal::abs(v_4.y) < 0.00000001;
+    if (metal::abs(v_3.x) < 0.00000001) {
+        local = metal::abs(v_3.y) < 0.00000001;
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = metal::abs(v_4.z) < 0.00000001;
+        local_1 = metal::abs(v_3.z) < 0.00000001;
     } else {
         local_1 = false;
     }
@@ -179,6 +166,19 @@ Hit hit_facing(
         return Hit {point, outward, front};
     }
     return Hit {point, -(outward), front};
+}
+
+UnitAndLength vec3_unit_and_length(
+    metal::float3 v_4
+) {
+    real _e1 = vec3_dot(v_4, v_4);
+    if (_e1 < SHORT_SQUARED) {
+        metal::float3 scaled = v_4 * SHORT_SCALE;
+        real _e6 = vec3_length(scaled);
+        return UnitAndLength {scaled / metal::float3(_e6), _e6 * SHORT_SQUARED};
+    }
+    real _e12 = vec3_length(v_4);
+    return UnitAndLength {v_4 / metal::float3(_e12), _e12};
 }
 
 CylinderRecord cylinder_new(

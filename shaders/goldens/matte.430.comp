@@ -3,10 +3,6 @@
 #extension GL_ARB_shader_storage_buffer_object : require
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
-struct UnitAndLength {
-    vec3 direction;
-    float length_;
-};
 struct Ray {
     vec3 origin;
     vec3 direction;
@@ -55,33 +51,22 @@ vec3 vec3_unit(vec3 v_1) {
     return (v_1 / vec3(_e1));
 }
 
-UnitAndLength vec3_unit_and_length(vec3 v_2) {
-    float _e1 = vec3_dot(v_2, v_2);
-    if ((_e1 < SHORT_SQUARED)) {
-        vec3 scaled = (v_2 * SHORT_SCALE);
-        float _e6 = vec3_length(scaled);
-        return UnitAndLength((scaled / vec3(_e6)), (_e6 * SHORT_SQUARED));
-    }
-    float _e12 = vec3_length(v_2);
-    return UnitAndLength((v_2 / vec3(_e12)), _e12);
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
 }
 
-vec3 vec3_perpendicular_to(vec3 v_3, vec3 axis) {
-    float _e2 = vec3_dot(v_3, axis);
-    return (v_3 - (axis * _e2));
-}
-
-bool vec3_is_negligible(vec3 v_4) {
+bool vec3_is_negligible(vec3 v_3) {
     bool local = false;
     bool local_1 = false;
-    if ((abs(v_4.x) < 1e-8)) {
-        local = (abs(v_4.y) < 1e-8);
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = (abs(v_4.z) < 1e-8);
+        local_1 = (abs(v_3.z) < 1e-8);
     } else {
         local_1 = false;
     }
@@ -149,12 +134,12 @@ vec3 scatter_refract(vec3 direction_4, vec3 normal_4, float ratio) {
     return (beyond ? _e12 : refracted);
 }
 
-vec3 vec3_load(PackedVec3_ v_5) {
-    return vec3(v_5.x, v_5.y, v_5.z);
+vec3 vec3_load(PackedVec3_ v_4) {
+    return vec3(v_4.x, v_4.y, v_4.z);
 }
 
-PackedVec3_ vec3_store(vec3 v_6) {
-    return PackedVec3_(v_6.x, v_6.y, v_6.z);
+PackedVec3_ vec3_store(vec3 v_5) {
+    return PackedVec3_(v_5.x, v_5.y, v_5.z);
 }
 
 Ray ray_load(PackedRay ray_1) {

@@ -10,10 +10,6 @@ struct _mslBufferSizes {
 };
 
 typedef float real;
-struct UnitAndLength {
-    metal::packed_float3 direction;
-    real length;
-};
 struct Ray {
     metal::float3 origin;
     metal::float3 direction;
@@ -68,40 +64,27 @@ metal::float3 vec3_unit(
     return v_1 / metal::float3(_e1);
 }
 
-UnitAndLength vec3_unit_and_length(
-    metal::float3 v_2
-) {
-    real _e1 = vec3_dot(v_2, v_2);
-    if (_e1 < SHORT_SQUARED) {
-        metal::float3 scaled = v_2 * SHORT_SCALE;
-        real _e6 = vec3_length(scaled);
-        return UnitAndLength {scaled / metal::float3(_e6), _e6 * SHORT_SQUARED};
-    }
-    real _e12 = vec3_length(v_2);
-    return UnitAndLength {v_2 / metal::float3(_e12), _e12};
-}
-
 metal::float3 vec3_perpendicular_to(
-    metal::float3 v_3,
+    metal::float3 v_2,
     metal::float3 axis
 ) {
-    real _e2 = vec3_dot(v_3, axis);
-    return v_3 - (axis * _e2);
+    real _e2 = vec3_dot(v_2, axis);
+    return v_2 - (axis * _e2);
 }
 
 bool vec3_is_negligible(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
     bool local = {};
     bool local_1 = {};
-    if (metal::abs(v_4.x) < 0.00000001) {
-        local = metal::abs(v_4.y) < 0.00000001;
+    if (metal::abs(v_3.x) < 0.00000001) {
+        local = metal::abs(v_3.y) < 0.00000001;
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = metal::abs(v_4.z) < 0.00000001;
+        local_1 = metal::abs(v_3.z) < 0.00000001;
     } else {
         local_1 = false;
     }
@@ -197,15 +180,15 @@ metal::float3 scatter_refract(
 }
 
 metal::float3 vec3_load(
-    PackedVec3_ v_5
+    PackedVec3_ v_4
 ) {
-    return metal::float3(v_5.x, v_5.y, v_5.z);
+    return metal::float3(v_4.x, v_4.y, v_4.z);
 }
 
 PackedVec3_ vec3_store(
-    metal::float3 v_6
+    metal::float3 v_5
 ) {
-    return PackedVec3_ {v_6.x, v_6.y, v_6.z};
+    return PackedVec3_ {v_5.x, v_5.y, v_5.z};
 }
 
 Ray ray_load(

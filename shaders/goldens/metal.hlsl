@@ -1,8 +1,3 @@
-struct UnitAndLength {
-    float3 direction;
-    float length_;
-};
-
 struct Ray {
     float3 origin;
     int _pad1_0;
@@ -62,46 +57,25 @@ float3 vec3_unit(float3 v_1)
     return (v_1 / (_e1).xxx);
 }
 
-UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
-    UnitAndLength ret = (UnitAndLength)0;
-    ret.direction = arg0;
-    ret.length_ = arg1;
-    return ret;
-}
-
-UnitAndLength vec3_unit_and_length(float3 v_2)
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 {
-    const float _e1 = vec3_dot(v_2, v_2);
-    if ((_e1 < SHORT_SQUARED)) {
-        float3 scaled = (v_2 * SHORT_SCALE);
-        const float _e6 = vec3_length(scaled);
-        const UnitAndLength unitandlength = ConstructUnitAndLength((scaled / (_e6).xxx), (_e6 * SHORT_SQUARED));
-        return unitandlength;
-    }
-    const float _e12 = vec3_length(v_2);
-    const UnitAndLength unitandlength_1 = ConstructUnitAndLength((v_2 / (_e12).xxx), _e12);
-    return unitandlength_1;
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
 }
 
-float3 vec3_perpendicular_to(float3 v_3, float3 axis)
-{
-    const float _e2 = vec3_dot(v_3, axis);
-    return (v_3 - (axis * _e2));
-}
-
-bool vec3_is_negligible(float3 v_4)
+bool vec3_is_negligible(float3 v_3)
 {
     bool local = (bool)0;
     bool local_1 = (bool)0;
 
-    if ((abs(v_4.x) < 1e-8)) {
-        local = (abs(v_4.y) < 1e-8);
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = (abs(v_4.z) < 1e-8);
+        local_1 = (abs(v_3.z) < 1e-8);
     } else {
         local_1 = false;
     }
@@ -196,9 +170,9 @@ float3 scatter_refract(float3 direction_4, float3 normal_4, float ratio)
     return (beyond ? _e12 : refracted);
 }
 
-float3 vec3_load(PackedVec3_ v_5)
+float3 vec3_load(PackedVec3_ v_4)
 {
-    return float3(v_5.x, v_5.y, v_5.z);
+    return float3(v_4.x, v_4.y, v_4.z);
 }
 
 PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
@@ -209,9 +183,9 @@ PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
     return ret;
 }
 
-PackedVec3_ vec3_store(float3 v_6)
+PackedVec3_ vec3_store(float3 v_5)
 {
-    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_6.x, v_6.y, v_6.z);
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
     return packedvec3_;
 }
 

@@ -5,10 +5,6 @@ precision highp int;
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 
-struct UnitAndLength {
-    vec3 direction;
-    float length_;
-};
 struct Ray {
     vec3 origin;
     vec3 direction;
@@ -34,6 +30,10 @@ struct SphereView {
 struct SphereQuadratic {
     float h;
     float discriminant;
+};
+struct UnitAndLength {
+    vec3 direction;
+    float length_;
 };
 struct CylinderRecord {
     vec3 center;
@@ -113,33 +113,22 @@ vec3 vec3_unit(vec3 v_1) {
     return (v_1 / vec3(_e1));
 }
 
-UnitAndLength vec3_unit_and_length(vec3 v_2) {
-    float _e1 = vec3_dot(v_2, v_2);
-    if ((_e1 < SHORT_SQUARED)) {
-        vec3 scaled = (v_2 * SHORT_SCALE);
-        float _e6 = vec3_length(scaled);
-        return UnitAndLength((scaled / vec3(_e6)), (_e6 * SHORT_SQUARED));
-    }
-    float _e12 = vec3_length(v_2);
-    return UnitAndLength((v_2 / vec3(_e12)), _e12);
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
 }
 
-vec3 vec3_perpendicular_to(vec3 v_3, vec3 axis) {
-    float _e2 = vec3_dot(v_3, axis);
-    return (v_3 - (axis * _e2));
-}
-
-bool vec3_is_negligible(vec3 v_4) {
+bool vec3_is_negligible(vec3 v_3) {
     bool local = false;
     bool local_1 = false;
-    if ((abs(v_4.x) < 1e-8)) {
-        local = (abs(v_4.y) < 1e-8);
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = (abs(v_4.z) < 1e-8);
+        local_1 = (abs(v_3.z) < 1e-8);
     } else {
         local_1 = false;
     }
@@ -207,6 +196,17 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_1) {
     }
     Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
     return _e15;
+}
+
+UnitAndLength vec3_unit_and_length(vec3 v_4) {
+    float _e1 = vec3_dot(v_4, v_4);
+    if ((_e1 < SHORT_SQUARED)) {
+        vec3 scaled = (v_4 * SHORT_SCALE);
+        float _e6 = vec3_length(scaled);
+        return UnitAndLength((scaled / vec3(_e6)), (_e6 * SHORT_SQUARED));
+    }
+    float _e12 = vec3_length(v_4);
+    return UnitAndLength((v_4 / vec3(_e12)), _e12);
 }
 
 CylinderRecord cylinder_new(vec3 center_1, float radius_1, vec3 axis_1) {

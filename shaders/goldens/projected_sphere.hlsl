@@ -1,8 +1,3 @@
-struct UnitAndLength {
-    float3 direction;
-    float length_;
-};
-
 struct Ray {
     float3 origin;
     int _pad1_0;
@@ -39,6 +34,11 @@ struct SphereView {
 struct SphereQuadratic {
     float h;
     float discriminant;
+};
+
+struct UnitAndLength {
+    float3 direction;
+    float length_;
 };
 
 struct CylinderRecord {
@@ -135,46 +135,25 @@ float3 vec3_unit(float3 v_1)
     return (v_1 / (_e1).xxx);
 }
 
-UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
-    UnitAndLength ret = (UnitAndLength)0;
-    ret.direction = arg0;
-    ret.length_ = arg1;
-    return ret;
-}
-
-UnitAndLength vec3_unit_and_length(float3 v_2)
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 {
-    const float _e1 = vec3_dot(v_2, v_2);
-    if ((_e1 < SHORT_SQUARED)) {
-        float3 scaled = (v_2 * SHORT_SCALE);
-        const float _e6 = vec3_length(scaled);
-        const UnitAndLength unitandlength = ConstructUnitAndLength((scaled / (_e6).xxx), (_e6 * SHORT_SQUARED));
-        return unitandlength;
-    }
-    const float _e12 = vec3_length(v_2);
-    const UnitAndLength unitandlength_1 = ConstructUnitAndLength((v_2 / (_e12).xxx), _e12);
-    return unitandlength_1;
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
 }
 
-float3 vec3_perpendicular_to(float3 v_3, float3 axis)
-{
-    const float _e2 = vec3_dot(v_3, axis);
-    return (v_3 - (axis * _e2));
-}
-
-bool vec3_is_negligible(float3 v_4)
+bool vec3_is_negligible(float3 v_3)
 {
     bool local = (bool)0;
     bool local_1 = (bool)0;
 
-    if ((abs(v_4.x) < 1e-8)) {
-        local = (abs(v_4.y) < 1e-8);
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
     } else {
         local = false;
     }
     bool _e11 = local;
     if (_e11) {
-        local_1 = (abs(v_4.z) < 1e-8);
+        local_1 = (abs(v_3.z) < 1e-8);
     } else {
         local_1 = false;
     }
@@ -298,6 +277,27 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
     const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
     const Root root_4 = _e15;
     return root_4;
+}
+
+UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
+    UnitAndLength ret = (UnitAndLength)0;
+    ret.direction = arg0;
+    ret.length_ = arg1;
+    return ret;
+}
+
+UnitAndLength vec3_unit_and_length(float3 v_4)
+{
+    const float _e1 = vec3_dot(v_4, v_4);
+    if ((_e1 < SHORT_SQUARED)) {
+        float3 scaled = (v_4 * SHORT_SCALE);
+        const float _e6 = vec3_length(scaled);
+        const UnitAndLength unitandlength = ConstructUnitAndLength((scaled / (_e6).xxx), (_e6 * SHORT_SQUARED));
+        return unitandlength;
+    }
+    const float _e12 = vec3_length(v_4);
+    const UnitAndLength unitandlength_1 = ConstructUnitAndLength((v_4 / (_e12).xxx), _e12);
+    return unitandlength_1;
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {

@@ -31,7 +31,8 @@ modules! {
     "exact" in "wgsl/exact.wgsl" needs [];
     "ray" in "wgsl/ray.wgsl" needs ["vec3"];
     "sphere" in "wgsl/sphere.wgsl" needs ["ray"];
-    "cylinder" in "wgsl/cylinder.wgsl" needs ["ray"];
+    "unit_and_length" in "wgsl/unit_and_length.wgsl" needs ["vec3"];
+    "cylinder" in "wgsl/cylinder.wgsl" needs ["ray" "unit_and_length"];
     "projected" in "wgsl/projected.wgsl" needs ["sphere" "cylinder"];
     "camera" in "wgsl/camera.wgsl" needs ["ray"];
     "background" in "wgsl/background.wgsl" needs ["vec3"];

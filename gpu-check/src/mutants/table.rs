@@ -43,6 +43,10 @@ mutants! {
         "(point - sphere.center) / sphere.radius" => "(point - sphere.center) * sphere.radius",
         "quadratic.discriminant < real(0.0)" => "quadratic.discriminant <= real(0.0)",
     ;
+    "unit_and_length":
+        "vec3_dot(v, v) < SHORT_SQUARED" => "vec3_dot(v, v) < real(0.0)",
+        "length * SHORT_SQUARED" => "length * SHORT_SCALE",
+    ;
     "cylinder":
         "unit.length / real(2.0)" => "unit.length / real(4.0)",
         "center - reach" => "center + reach",
