@@ -4,7 +4,7 @@
 
 use cpu::certified::{Certified, Intersect};
 use cpu::cylinder::{CylinderRecord, Part};
-use cpu::scene::Cylinder;
+use cpu::scene::{Cylinder, Shape};
 use cpu::sphere::SphereRecord;
 use cpu::{Ray, Vec3};
 use stability::case::Case;
@@ -29,16 +29,18 @@ fn hex(bits: u64) -> f64 {
 fn every_decision_is_right_and_every_lambda_within_its_bound() {
     let (rays, seed) = (number("RENDER_REGIME_RAYS", RAYS) as usize, number("RENDER_REGIME_SEED", 3));
     for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES) {
-        let (mut hits, mut worst) = (0, 0.0_f64);
+        // The worst error as a share of the bound that is proven for the case's kind of object.
+        let (mut hits, mut worst, mut share) = (0, 0.0_f64, 0.0_f64);
         for case in regime.cases(seed, rays) {
             let (judgement, answer) = (oracle::judge(&case), certified_answer(&case));
             let error = lambda_error(&judgement, answer, f64::EPSILON / 2.0);
             let error = error.unwrap_or_else(|| panic!("{}: {case:?} gives {answer:?}", regime.name));
             hits += usize::from(judgement.truth.is_some());
             worst = worst.max(error);
+            share = share.max(error / PROVEN_ERRORS[usize::from(matches!(case.shape, Shape::Cylinder(_)))]);
         }
         println!("{}: {hits} hits of {rays}, largest error of lambda {worst:.2e}", regime.name);
-        assert!(worst < PROVEN_ERRORS[1], "{}: {worst:e}", regime.name);
+        assert!(share < 1.0, "{}: {worst:e}", regime.name);
         assert!(50 * hits > rays, "{}: {hits} hits of {rays}", regime.name);
     }
 }
