@@ -86,7 +86,7 @@ pub fn write_png<A: Float, B: Float>(
     let path = folder.join(format!("{}.png", tame.trim_matches('-')));
     let failed = |cause| Error::File { path: path.clone(), cause };
     std::fs::create_dir_all(folder).map_err(failed)?;
-    let bytes = encoded(size.width(), &three_parts(one, other)).map_err(failed)?;
+    let bytes = encoded(&path, size.width(), &three_parts(one, other)).map_err(failed)?;
     Output::open(&path, Options::default())?.fill(|file| file.write_all(&bytes))?;
     Ok(path)
 }

@@ -63,7 +63,9 @@ pub enum Error {
         limit: u64,
     },
     /// The work did not end in time.
-    #[error("the device did not finish within {seconds} seconds; use fewer rays or objects, or another adapter")]
+    #[error(
+        "the device did not finish a run within {seconds} seconds, which takes some seconds at most; has a loop no end?"
+    )]
     Timeout {
         /// How long it was waited for.
         seconds: u64,

@@ -47,10 +47,12 @@ pub mod pipeline;
 pub mod renderer;
 pub mod rewrites;
 pub mod running;
+pub mod runtime;
 pub mod scenes;
 pub mod shader_lab;
 pub mod special;
 pub mod steps;
+pub mod terminal;
 pub mod twin;
 pub mod web;
 

@@ -15,6 +15,13 @@ use crate::{Error, Float, Gpu, Picture, Pipeline};
 /// Pixels in one run, unless the limit on a binding asks for fewer.
 pub(crate) const BATCH: u64 = 1 << 18;
 
+/// Most tests of a ray with an object in one run, as far as they can be foretold: seconds on a CPU that plays a GPU. So a
+/// large scene is many runs, each within the time that a run may take, and progress can be told between them.
+const TESTS: u64 = 1 << 28;
+
+/// Fewer pixels in a run would leave most of a device idle.
+const LEAST_BATCH: u64 = 1 << 10;
+
 /// Most iterations that all loops of an invocation may have together. Beyond 65,535 lavapipe leaves them without a word,
 /// and rays lose their way.
 pub(crate) const MAX_ITERATIONS: u64 = 65_535;
@@ -81,13 +88,24 @@ impl<'a, T: Float> Renderer<'a, T> {
     /// # Errors
     /// As [`Pipeline::run`].
     pub fn render(&self, picture: &Picture<T>) -> Result<Rendering<T>, Error> {
+        self.render_telling(picture, |_, _| ())
+    }
+
+    /// The same, and calls `tell` after each run with the pixels that are done and all that there are.
+    ///
+    /// # Errors
+    /// As [`Pipeline::run`].
+    pub fn render_telling(&self, picture: &Picture<T>, mut tell: impl FnMut(u64, u64)) -> Result<Rendering<T>, Error> {
         let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
         let materials = buffer(&picture.materials);
         let count = picture.size.pixels() as u64;
         let color = size_of::<Vec3<T>>() as u64;
         let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
         // At least one pixel: a path too long for a binding is then an error that says so.
+        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
+        let tests = (objects * u64::from(self.features.max_depth)).max(1);
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
+        let batch = batch.min((TESTS / tests).max(LEAST_BATCH));
         let depths = self.depths(picture)?;
         let mut rendering = Rendering { size: picture.size, pixels: Vec::new(), time: Duration::ZERO };
         for first in (0..count).step_by(batch as usize) {
@@ -107,6 +125,7 @@ impl<'a, T: Float> Renderer<'a, T> {
             rendering.time += run.time;
             let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
             rendering.pixels.extend(numbers.chunks(3).map(|rgb| Vec3::new(rgb[0], rgb[1], rgb[2])));
+            tell(first + pixels, count);
         }
         Ok(rendering)
     }

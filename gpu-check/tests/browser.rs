@@ -215,6 +215,24 @@ fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Faile
     assert!(results["shown"].chunks(4).any(|pixel| pixel[..3] != [0; 3]), "the canvas shows something");
     let error = String::from_utf8_lossy(&results["error"]);
     println!("{error}");
+    // The table of the page: formula, cases, as f32, flushed, otherwise.
+    let table = String::from_utf8_lossy(&results["table"]);
+    let rows: Vec<Vec<String>> = table
+        .trim_matches(['[', ']', '"'])
+        .split("\"],[\"")
+        .map(|row| row.split("\",\"").map(str::to_owned).collect())
+        .collect();
+    assert_eq!(rows.len(), KERNELS.len(), "{table}");
+    for row in &rows {
+        println!("page: {row:?}");
+        let numbers: Vec<usize> = row[1..].iter().map(|text| text.parse().expect("a count")).collect();
+        assert_eq!((numbers[0], numbers[3]), (numbers[1] + numbers[2], 0), "{row:?}");
+    }
+    let width = String::from_utf8_lossy(&results["width"]);
+    let (needed, shown) = width.split_once(' ').ok_or("two widths are posted")?;
+    println!("the page is {needed} pixels wide in a window of {shown}");
+    assert!(needed.parse::<u32>()? <= shown.parse::<u32>()?, "a phone shows all of its width");
+    assert!(shown.parse::<u32>()? <= 390, "a phone is meant");
     assert!(error.starts_with("shaders/wgsl/background.wgsl:11:") && error.ends_with('^'), "{error}");
     assert!(error.contains("direktion") && results["kept"] == b"true", "the last good picture stays beside the error");
     Ok(())

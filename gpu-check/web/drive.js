@@ -18,6 +18,21 @@ const canvas = () => {
     return find("here").getContext("2d").getImageData(0, 0, width, height).data;
 };
 
+// The width that the page takes and the one that it has, on a phone, with pictures wider than that.
+async function onPhone() {
+    const frame = document.createElement("iframe");
+    frame.style = "width: 390px; height: 844px; border: 0";
+    frame.src = "/";
+    document.body.append(frame);
+    await new Promise((resolve) => { frame.onload = resolve; });
+    const inside = frame.contentDocument;
+    while (!inside.getElementById("difference").textContent) await new Promise((resolve) => { setTimeout(resolve, 50); });
+    ["here", "native", "apart"].forEach((id) => { inside.getElementById(id).width = 480; });
+    const { scrollWidth, clientWidth } = inside.documentElement;
+    frame.remove();
+    return [scrollWidth, clientWidth];
+}
+
 export async function drive(started) {
     try {
         const first = next("rendered");
@@ -40,6 +55,12 @@ export async function drive(started) {
         const healed = next("rendered");
         type(good);
         await post("healed", await healed);
+        const checked = next("checked");
+        find("check").click();
+        await checked;
+        const rows = [...find("kernels").rows].slice(1).map((row) => [...row.cells].map((cell) => cell.textContent));
+        await post("table", JSON.stringify(rows));
+        await post("width", (await onPhone()).join(" "));
         await post("done", find("error").textContent);
     } catch (error) {
         await post("failed", `${error.message}\n${error.stack}`);

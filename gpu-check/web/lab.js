@@ -51,6 +51,18 @@ export function differing(one, other) {
     return places;
 }
 
+// Rows of `outputs` numbers by a kernel, counted: those as Rust's f32 has them, those as f32 has them whose subnormal
+// numbers are zeros, which WGSL allows, and all others.
+export function compared(results, expected, flushed, outputs) {
+    const counts = { rows: results.length / outputs, flushed: 0, otherwise: 0 };
+    const rows = new Set(differing(results, expected).map((i) => Math.floor(i / outputs)));
+    for (const row of rows) {
+        const [here, there] = [results, flushed].map((numbers) => numbers.subarray(row * outputs, (row + 1) * outputs));
+        counts[differing(here, there).length === 0 ? "flushed" : "otherwise"] += 1;
+    }
+    return counts;
+}
+
 const ended = (text) => (text.endsWith("\n") ? text : `${text}\n`);
 
 // File, line, column, message, and the line with a caret.

@@ -1,6 +1,6 @@
 // The page: pictures, the editor, and the table of formulas.
 
-import { differing, openLab, render, tabulate } from "./lab.js";
+import { compared, differing, openLab, render, tabulate } from "./lab.js";
 
 const find = (id) => document.getElementById(id);
 const show = (id, text) => { find(id).textContent = text; };
@@ -54,13 +54,22 @@ async function start() {
         refresh();
     });
     find("check").addEventListener("click", async () => {
+        const table = find("kernels");
+        table.replaceChildren();
+        const line = (...texts) => {
+            const row = table.insertRow();
+            texts.forEach((text) => { row.insertCell().textContent = text; });
+        };
+        line("formula", "cases", "as Rust's f32", "subnormal numbers as zeros (WGSL allows it)", "otherwise");
+        const numbers = async (name) => new Float32Array(await (await fetch(`data/${name}`)).arrayBuffer());
         for (const kernel of lab.kernels) {
-            const results = await tabulate(lab, kernel);
-            const expected = new Float32Array(await (await fetch(`data/expected/${kernel.module}`)).arrayBuffer());
-            const count = `${differing(results, expected).length} of ${results.length} numbers differ from Rust's f32`;
-            const row = find("kernels").insertRow();
-            [kernel.module, count].forEach((text) => { row.insertCell().textContent = text; });
+            const { module, outputs } = kernel;
+            const [expected, flushed] = await Promise.all([numbers(`expected/${module}`), numbers(`flushed/${module}`)]);
+            const counts = compared(await tabulate(lab, kernel), expected, flushed, outputs);
+            const same = counts.rows - counts.flushed - counts.otherwise;
+            line(module, counts.rows, same, counts.flushed, counts.otherwise);
         }
+        document.dispatchEvent(new CustomEvent("checked", { detail: table.innerText }));
     });
     select.value = parts.findIndex((part) => part.path.endsWith("background.wgsl"));
     choose();

@@ -62,7 +62,8 @@ impl Library {
             let (path, text) = self.text(module);
             // A text without its last line end would otherwise run into the next module.
             let end = if text.ends_with('\n') { "" } else { "\n" };
-            parts.push(Part { path: path.into_owned(), first_line: line });
+            let is_replaced = self.replaced.contains_key(module.name);
+            parts.push(Part { path: path.into_owned(), first_line: line, is_replaced });
             source.push_str(text);
             source.push_str(end);
             line += text.lines().count();
@@ -106,13 +107,15 @@ pub struct Composition {
 struct Part {
     path: String,
     first_line: usize,
+    /// Whether it is another text than the crate's own: where a fault most likely is.
+    is_replaced: bool,
 }
 
 impl Composition {
     /// A text that was composed elsewhere, as one file.
     #[must_use]
     pub fn of_text(source: String, precision: Precision) -> Self {
-        let part = Part { path: "standard input".to_owned(), first_line: 1 };
+        let part = Part { path: "standard input".to_owned(), first_line: 1, is_replaced: true };
         Self { source, precision, root: "standard input", parts: vec![part] }
     }
 
@@ -148,6 +151,17 @@ impl Composition {
     pub fn origin(&self, line: usize) -> (&str, usize) {
         let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
         (&part.path, (line + 1).saturating_sub(part.first_line))
+    }
+
+    /// Whether the composition's line `line` is one of a replaced module.
+    pub(crate) fn is_replaced(&self, line: usize) -> bool {
+        let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
+        part.is_replaced
+    }
+
+    /// The lines of the replaced modules, with their numbers in the composition.
+    pub(crate) fn replaced_lines(&self) -> impl Iterator<Item = (usize, &str)> {
+        (1..).zip(self.source.lines()).filter(|(line, _)| self.is_replaced(*line))
     }
 
     /// Has naga read and check the text.

@@ -1,18 +1,27 @@
 //! Renders with a person's own WGSL modules and tells how far that is from the truth.
 
 use std::convert::Infallible;
-use std::io::Write;
+use std::ffi::OsStr;
 use std::path::Path;
 use std::process::ExitCode;
 
 use cpu::output::{Options, Output, stop};
 use gpu_check::shader_lab::args::{self, Command, USAGE};
 use gpu_check::shader_lab::files::shown;
+use gpu_check::shader_lab::png::STANDARD_OUTPUT;
 use gpu_check::shader_lab::{TEMPLATE, guard, truth, watch::Lab};
 use gpu_check::web::{Server, data};
-use gpu_check::{Error, Gpu};
+use gpu_check::{Error, Gpu, terminal};
+
+/// Exit status for a picture that differs, where that is asked for; as of `diff` and `render-lab`.
+const DIFFERS: u8 = 1;
+/// Exit status for an error.
+const TROUBLE: u8 = 2;
+/// Exit status for a panic, as of the standard library: by it [`guard::check`] tells a panic from an error in words.
+const PANICKED: u8 = 101;
 
 fn main() -> ExitCode {
+    gpu_check::runtime::ensure_folder();
     // From here on a signal that ends the process leaves no temporary file.
     stop::remove_temporary_when_stopped();
     // naga, wgpu and drivers read nested text by recursion, and the stack of the main thread may be of any size.
@@ -20,7 +29,7 @@ fn main() -> ExitCode {
     match thread.spawn(run).map(std::thread::JoinHandle::join) {
         Ok(Ok(status)) => status,
         // It has said why.
-        Ok(Err(_)) => ExitCode::FAILURE,
+        Ok(Err(_)) => ExitCode::from(PANICKED),
         Err(cause) => failed(&format!("no thread with a stack of {} bytes: {cause}", shaders::limits::STACK_BYTES)),
     }
 }
@@ -35,7 +44,7 @@ fn run() -> ExitCode {
     }
     let command = match args::parse(arguments) {
         Ok(command) => command,
-        Err(message) => return failed(&format!("{message}\n\n{USAGE}")),
+        Err(message) => return failed(&format!("{message}; see --help")),
     };
     match command {
         Command::Help => said(&format!("{USAGE}\n")),
@@ -45,17 +54,30 @@ fn run() -> ExitCode {
             Err(message) => failed(&message),
         },
         Command::Render(options) => {
-            let again = options.watch;
+            let (again, check) = (options.watch, options.check);
+            // A picture on standard output leaves no room for words there.
+            let is_output_taken = [OsStr::new("-"), OsStr::new(STANDARD_OUTPUT)].contains(&options.out.as_os_str());
+            let said = move |text: &str| {
+                if is_output_taken {
+                    terminal::note(text.trim_end());
+                    return ExitCode::SUCCESS;
+                }
+                said(text)
+            };
             let mut lab = Lab::new(options);
             if !again {
                 return match lab.render() {
-                    Ok(report) => said(&report),
+                    Ok(outcome) if check && outcome.differs => {
+                        said(&outcome.report);
+                        ExitCode::from(DIFFERS)
+                    }
+                    Ok(outcome) => said(&outcome.report),
                     Err(message) => failed(&message),
                 };
             }
             lab.watch(|result| {
                 match result {
-                    Ok(report) => said(&report),
+                    Ok(outcome) => said(&outcome.report),
                     Err(message) => failed(&format!("{message}\nthe last good picture stays; save again to go on")),
                 };
                 true
@@ -96,22 +118,14 @@ fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     server.serve(drop).map_err(at_port)
 }
 
-/// Output that nobody reads any more, as after `| head`, is no fault; closed or full output is one.
 fn said(text: &str) -> ExitCode {
-    let output = Output::open(Path::new("/dev/stdout"), Options::default());
-    match output.and_then(|output| output.fill(|file| file.write_all(escaped(text).as_bytes()))) {
-        Err(cpu::Error::Write { cause, .. }) if cause.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-        Err(error) => failed(&error.to_string()),
+    match terminal::print(text) {
         Ok(()) => ExitCode::SUCCESS,
+        Err(error) => failed(&error.to_string()),
     }
 }
 
 fn failed(message: &str) -> ExitCode {
-    let _ = std::io::stderr().write_all(format!("Error: {}\n", escaped(message)).as_bytes());
-    ExitCode::FAILURE
-}
-
-/// Text of several lines without characters that a terminal would obey.
-fn escaped(text: &str) -> String {
-    text.split('\n').map(|line| cpu::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
+    terminal::note(&format!("Error: {message}"));
+    ExitCode::from(TROUBLE)
 }

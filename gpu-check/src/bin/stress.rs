@@ -1,44 +1,105 @@
-//! `stress [RAYS [SEED [NAME CONFIG SCENE]...]]`: runs the whole stress test of the intersections, in Rust and in WGSL,
-//! and writes `docs/accuracy/` and the tables of `docs/accuracy.md`.
-//!
-//! RAYS (100,000) is the number of rays a regime of spheres; cylinders get three fifths of it. Beside the pictures of
-//! `tests/cases`, those named on the command line are rendered.
+//! `stress --out FOLDER`: runs the whole stress test of the intersections, in Rust and in WGSL, and writes its tables and
+//! plots into a folder. `stress --help` says what else there is.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitCode};
 
+use clap::Parser;
 use cpu::output::{Options, Output};
 use cpu::{Config, Scatter, Scene};
-use gpu_check::Gpu;
+use gpu_check::{Gpu, terminal};
 use stability::methods::{self, CERTIFIED, PROJECTED};
 use stability::observed::Counts;
 use stability::regimes;
 use stability::report::{self, Picture, Section};
 use stability::run::{self, LargeSpheres};
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let rays: usize = arguments.first().map_or(Ok(100_000), |text| text.parse())?;
-    let seed: u64 = arguments.get(1).map_or(Ok(1), |text| text.parse())?;
-    let root = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
-    let folder = root.join("docs/accuracy");
-    fs::create_dir_all(&folder)?;
+/// Holds the intersections, in Rust and in WGSL, to exact arithmetic, and writes tables and plots of what it finds.
+#[derive(Debug, Parser)]
+#[command(
+    name = "stress",
+    max_term_width = 120,
+    after_help = "\
+Examples:
+  stress --out /tmp/accuracy                 minutes; nothing else is written
+  stress --out /tmp/accuracy --rays 2000     seconds, to see what it writes
+  stress --out docs --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
+                                             rewrites the tables of docs/accuracy.md; name every case that they have
+
+Exit status: 0 all decisions are as they should be, 2 an error or a wrong decision"
+)]
+struct Arguments {
+    /// Folder to write: accuracy.md, and accuracy/ with a CSV file and plots. An accuracy.md that is there keeps its
+    /// words: only its tables are replaced
+    #[arg(long, value_name = "FOLDER")]
+    out: PathBuf,
+    /// Rays of each regime of spheres; a regime of cylinders gets three fifths of it
+    #[arg(long, default_value_t = 100_000, value_parser = count)]
+    rays: usize,
+    /// Where all random numbers come from
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// A picture to render beside those of tests/cases; may be repeated
+    #[arg(long, num_args = 3, value_names = ["NAME", "CONFIG", "SCENE"])]
+    case: Vec<String>,
+}
+
+/// Fewer rays leave regimes without a single hit.
+const FEWEST_RAYS: usize = 1000;
+
+fn count(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|&count| count >= FEWEST_RAYS);
+    number.ok_or_else(|| format!("a whole number from {FEWEST_RAYS} on is needed"))
+}
+
+fn main() -> ExitCode {
+    gpu_check::runtime::ensure_folder();
+    // From here on a signal that ends the process leaves no temporary file.
+    cpu::output::stop::remove_temporary_when_stopped();
+    let result = match Arguments::try_parse() {
+        Ok(arguments) => run(&arguments),
+        Err(message) if message.use_stderr() => {
+            // It repeats what was typed, which could command the terminal.
+            terminal::note(message.render().to_string().trim_end());
+            return ExitCode::from(2);
+        }
+        Err(help) => terminal::print(&help.render().to_string()).map_err(Into::into),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            terminal::note(&format!("Error: {error}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let Arguments { out, rays, seed, case } = arguments;
+    let (rays, seed) = (*rays, *seed);
+    let document = out.join("accuracy.md");
+    let text = document_text(&document)?;
+    // Before minutes are spent on tables that would replace others.
+    check_that_no_row_goes(&text, case).map_err(|message| format!("{}: {message}", document.display()))?;
+    let folder = out.join("accuracy");
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    Output::open(&document, Options { sync: true })?;
 
     let gpu = Gpu::open()?;
     let device = gpu.to_string();
-    println!("{device}");
+    terminal::print(&format!("{device}\n"))?;
     if !gpu.has_f64() {
-        println!("it has no f64 in shaders: WGSL is held to exact arithmetic in f32 only");
+        terminal::print("it has no f64 in shaders: WGSL is held to exact arithmetic in f32 only\n")?;
     }
     let mut methods = methods::all();
     methods.extend(gpu_check::methods::all(gpu)?);
 
     let spheres = run::sections(&methods, &regimes::SPHERES, seed, rays)?;
     let cylinders = run::sections(&methods, &regimes::CYLINDERS, seed, rays * 3 / 5)?;
-    print_costs(&spheres);
-    print_costs(&cylinders);
+    print_costs(&spheres)?;
+    print_costs(&cylinders)?;
     let kinds: [(&str, &[Section]); 2] = [("sphere", &spheres), ("cylinder", &cylinders)];
     put(&folder.join("table.csv"), &report::csv(&kinds))?;
     for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
@@ -59,11 +120,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let large = LargeSpheres::new(&methods, seed, rays)?;
     put(&folder.join("large-spheres.svg"), &large.plot().svg())?;
-    let pictures = pictures(&root, arguments.get(2..).unwrap_or_default())?;
+    let pictures = pictures(case)?;
 
-    let mut command = format!("cargo run --release -p gpu-check --bin stress -- {rays} {seed}");
-    for triple in arguments.get(2..).unwrap_or_default().chunks_exact(3) {
-        command += &format!(" {} CONFIG SCENE", triple[0]);
+    let mut command =
+        format!("cargo run --release -p gpu-check --bin stress -- --out FOLDER --rays {rays} --seed {seed}");
+    for triple in case.chunks_exact(3) {
+        command += &format!(" --case {} CONFIG SCENE", triple[0]);
     }
     let limits = format!(
         "Of {rays} rays that leave a sphere, up to which radius at most none, and at most one in a thousand, is \
@@ -76,8 +138,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         large.limit(CERTIFIED, 0.0),
     );
     let today = String::from_utf8(Command::new("date").args(["-u", "+%F"]).output()?.stdout)?;
-    let document = root.join("docs/accuracy.md");
-    let mut text = fs::read_to_string(&document)?;
+    let mut text = text;
     for (mark, block) in [
         ("command", format!("`{command}`\n\nRun on {}, the seed is {seed}; WGSL ran on {device}.\n", today.trim())),
         ("spheres", report::markdown(&spheres)),
@@ -89,20 +150,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         text = replaced(&text, mark, &block)?;
     }
     put(&document, &text)?;
+    terminal::print(&format!("wrote {} and {}\n", document.display(), folder.display()))?;
 
     for (kind, regimes, proven) in [
         ("spheres", &regimes::SPHERES[..], run::PROVEN_ERRORS[0]),
         ("cylinders", &regimes::CYLINDERS[..], run::PROVEN_ERRORS[1]),
     ] {
         let largest = run::climb(regimes, proven, seed, rays.div_ceil(1000), 1000)?;
-        println!("{kind}: climbing reached an error of lambda of {largest:.2e}; {proven:.1e} is proven");
+        terminal::print(&format!(
+            "{kind}: climbing reached an error of lambda of {largest:.2e}; {proven:.1e} is proven\n"
+        ))?;
     }
     let textbook = [run::check(&spheres, [run::PROVEN_ERRORS[0]; 2])?, run::check(&cylinders, [1e-11, 1e-9])?];
     for row in [&spheres, &cylinders].into_iter().flat_map(|sections| run::parted_from_their_twins(sections)) {
-        println!("{}, {}: not the figures of the same formulas in Rust", row.regime, row.method);
+        let (regime, method) = (row.regime, row.method);
+        terminal::print(&format!("{regime}, {method}: not the figures of the same formulas in Rust\n"))?;
     }
-    println!("certified: 0 wrong; textbook: {} spheres and {} cylinders wrong", textbook[0], textbook[1]);
-    Ok(())
+    let [spheres, cylinders] = textbook;
+    let summary = format!("certified: 0 wrong; textbook: {spheres} spheres and {cylinders} cylinders wrong\n");
+    Ok(terminal::print(&summary)?)
 }
 
 /// Replaces a file by one with this text.
@@ -110,17 +176,50 @@ fn put(path: &Path, text: &str) -> Result<(), cpu::Error> {
     Output::open(path, Options { sync: true })?.fill(|file| file.write_all(text.as_bytes()))
 }
 
-fn print_costs(sections: &[Section]) {
-    for row in sections.iter().flat_map(|section| &section.rows) {
-        println!("{:36} {:18} {:8.1} ns a test", row.regime, row.method, row.nanoseconds);
+/// Largest document that is read, in bytes. docs/accuracy.md has 33,000.
+const MAX_BYTES: u64 = 1 << 22;
+
+/// The document as it is, or an empty one with all marks.
+fn document_text(path: &Path) -> Result<String, String> {
+    if path.exists() {
+        return cpu::input::read_text(path, MAX_BYTES).map_err(|error| format!("{}: {error}", path.display()));
     }
+    let mut text = "# Accuracy of the intersections\n".to_owned();
+    for mark in ["command", "spheres", "cylinders", "costs", "large", "pictures"] {
+        text += &format!("\n## {mark}\n\n<!-- begin: {mark} -->\n<!-- end: {mark} -->\n");
+    }
+    Ok(text)
+}
+
+/// An error for a picture that has a row in the document and would have none after this run.
+fn check_that_no_row_goes(text: &str, case: &[String]) -> Result<(), String> {
+    let (_, rest) = text.split_once("<!-- begin: pictures -->\n").ok_or("it lacks the mark pictures")?;
+    let block = rest.split_once("<!-- end: pictures -->").map_or(rest, |(block, _)| block);
+    // A row is `| NAME | ...`; the first two lines are the head of the table.
+    let rows = block.lines().skip(2).filter_map(|line| line.split('|').nth(1)).map(str::trim);
+    let is_rendered = |row: &&str| *row == CASES_OF_THE_TESTS || case.chunks_exact(3).any(|triple| triple[0] == **row);
+    let lost: Vec<_> = rows.filter(|row| !is_rendered(row)).collect();
+    if lost.is_empty() {
+        return Ok(());
+    }
+    let lost = lost.join(", ");
+    Err(format!("its rows for {lost} would go; give each as --case NAME CONFIG SCENE, or choose another --out"))
+}
+
+/// What the row of all pictures of `tests/cases` is called.
+const CASES_OF_THE_TESTS: &str = "tests/cases, all";
+
+fn print_costs(sections: &[Section]) -> Result<(), cpu::Error> {
+    let rows = sections.iter().flat_map(|section| &section.rows);
+    let lines = rows.map(|row| format!("{:36} {:18} {:8.1} ns a test\n", row.regime, row.method, row.nanoseconds));
+    terminal::print(&lines.collect::<String>())
 }
 
 /// The pictures of `tests/cases` and those asked for.
-fn pictures(root: &Path, others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
+fn pictures(others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
     let mut pictures = Vec::new();
-    let mut all = Picture { name: "tests/cases, all".into(), counts: Counts::default(), same_bytes: true };
-    for entry in fs::read_dir(root.join("tests/cases"))? {
+    let mut all = Picture { name: CASES_OF_THE_TESTS.into(), counts: Counts::default(), same_bytes: true };
+    for entry in fs::read_dir(gpu_check::scenes::repository("tests/cases"))? {
         let path = entry?.path();
         if path.is_dir() {
             let picture = render("", &path.join("config.txt"), &path.join("scene.txt"))?;
@@ -142,7 +241,7 @@ fn render(name: &str, config: &Path, scene: &Path) -> Result<Picture, cpu::Error
 /// The text with what stands between a mark's two comments replaced.
 fn replaced(text: &str, mark: &str, block: &str) -> Result<String, String> {
     let (begin, end) = (format!("<!-- begin: {mark} -->\n"), format!("<!-- end: {mark} -->"));
-    let missing = || format!("docs/accuracy.md lacks the mark {mark}");
+    let missing = || format!("the document lacks the mark {mark}");
     let (before, rest) = text.split_once(&begin).ok_or_else(missing)?;
     let (_, after) = rest.split_once(&end).ok_or_else(missing)?;
     Ok(format!("{before}{begin}{block}{end}{after}"))

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 
 use shaders::{Features, Precision};
 
+use super::png;
 use super::view::View;
 
 /// How the program is called.
 pub const USAGE: &str = "\
-shader-lab MODULES --config CONFIG --scene SCENE --out OUT.png [options]
+shader-lab MODULES --config CONFIG --scene SCENE --out OUT [options]
 shader-lab --template NEW_FILE.wgsl
 shader-lab --serve PORT --config CONFIG --scene SCENE
 
@@ -23,8 +24,18 @@ its first line names, as in: // module: kernels/image
   --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
   --no-sync               do not wait until pictures are on the disk: a loss of power may then damage them
   --watch                 render again whenever a file changes, until interrupted
+  --check                 exit with status 1 when a bit of the picture differs from the CPU's
   --template FILE         write a module to start from
-  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted";
+  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted
+
+OUT ends in .png or .ppm. A name of - is standard input or, as OUT, a PPM on standard output.
+
+Examples:
+  shader-lab --template my.wgsl
+  shader-lab my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt --out out.png --watch
+  shader-lab my.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png --pixel 200 100
+
+Exit status: 0 done, 1 --check and a bit differs, 2 an error or a command line that is not understood, 130 interrupted";
 
 /// Constants that a person's module declares, by name.
 pub type Own<'a> = Vec<(&'a str, f64)>;
@@ -72,6 +83,8 @@ pub struct Options {
     pub watch: bool,
     /// Whether to wait until pictures are on the disk.
     pub sync: bool,
+    /// Whether a picture that differs from the CPU's in a bit has an exit status of its own.
+    pub check: bool,
 }
 
 /// Reads the arguments that follow the program's name. Names of files may be any bytes.
@@ -82,7 +95,8 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
     let (mut precision, mut port) = (Precision::F64, None);
-    let (mut constants, mut view, mut pixel, mut watch, mut sync) = (Vec::new(), None, None, false, true);
+    let (mut constants, mut view, mut pixel) = (Vec::new(), None, None);
+    let (mut watch, mut check, mut sync) = (false, false, true);
     while let Some(argument) = arguments.next() {
         let name = shown(&argument);
         let mut value = |what: &str| arguments.next().ok_or(format!("{name} needs {what} after it"));
@@ -108,8 +122,9 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
                 pixel = Some([number("a column")?, number("a row")?]);
             }
             Some("--watch") => watch = true,
+            Some("--check") => check = true,
             Some("--no-sync") => sync = false,
-            _ if argument.as_encoded_bytes().starts_with(b"-") => return Err(format!("there is no option [{name}]")),
+            _ if argument.as_encoded_bytes().starts_with(b"-") && argument != "-" => return Err(unknown(&name)),
             _ if modules.is_some() => return Err(format!("[{name}] is one name too many")),
             _ => modules = Some(PathBuf::from(&argument)),
         }
@@ -122,13 +137,55 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
     let (config, scene) = files()?;
     let out = out.ok_or("--out is missing")?;
-    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, sync }))
+    png::check_name(&out)?;
+    let from_input = [&modules, &config, &scene].into_iter().filter(|path| path.as_os_str() == "-").count();
+    if from_input > 1 {
+        return Err("standard input (-) can be only one of the module, --config and --scene".to_owned());
+    }
+    if from_input == 1 && watch {
+        return Err("--watch needs files, and - is standard input".to_owned());
+    }
+    let [modules, config, scene] = [modules, config, scene].map(input);
+    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, check, sync }))
 }
 
 /// An argument as text; bytes that are not UTF-8 become replacement characters.
 fn shown(argument: &OsStr) -> String {
     argument.to_string_lossy().into_owned()
 }
+
+/// Names standard input, as elsewhere: `-`.
+fn input(path: PathBuf) -> PathBuf {
+    if path.as_os_str() == "-" { PathBuf::from("/dev/stdin") } else { path }
+}
+
+/// That an option is not known, with the one that is most like it.
+fn unknown(option: &str) -> String {
+    /// Of Jaro and Winkler.
+    const LIKE: f64 = 0.8;
+    let known = OPTIONS.iter().map(|known| (strsim::jaro_winkler(option, known), known));
+    let nearest = known.filter(|(likeness, _)| *likeness > LIKE).max_by(|one, other| one.0.total_cmp(&other.0));
+    let hint = nearest.map_or_else(String::new, |(_, known)| format!("; did you mean [{known}]?"));
+    format!("there is no option [{option}]{hint}")
+}
+
+/// Every option.
+const OPTIONS: [&str; 14] = [
+    "--help",
+    "--template",
+    "--config",
+    "--scene",
+    "--out",
+    "--serve",
+    "--f32",
+    "--f64",
+    "--set",
+    "--show",
+    "--pixel",
+    "--no-sync",
+    "--watch",
+    "--check",
+];
 
 fn constant(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or_else(|| format!("--set: [{text}] is not NAME=VALUE"))?;
@@ -173,67 +230,4 @@ impl Options {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const NEEDED: &str = "mine.wgsl --config c --scene s --out o.png";
-
-    fn parsed(text: &str) -> Result<Command, String> {
-        parse(text.split_whitespace().map(OsString::from))
-    }
-
-    fn options(text: &str) -> Options {
-        match parsed(&format!("{NEEDED} {text}")) {
-            Ok(Command::Render(options)) => options,
-            other => panic!("{other:?}"),
-        }
-    }
-
-    #[test]
-    fn what_is_needed_is_asked_for() {
-        assert!(parsed("--config c").is_err_and(|message| message.contains("--template writes one")));
-        assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
-        assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
-        assert_eq!(parsed("--frobnicate"), Err("there is no option [--frobnicate]".to_owned()));
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn names_of_files_may_be_any_bytes() {
-        use std::os::unix::ffi::OsStringExt;
-
-        let name = OsString::from_vec(b"m\xff.wgsl".to_vec());
-        let options = [name.clone()].into_iter().chain("--config c --scene s --out o".split(' ').map(OsString::from));
-        assert!(matches!(parse(options), Ok(Command::Render(options)) if options.modules.as_os_str() == name));
-        let unknown = OsString::from_vec(b"--\xff".to_vec());
-        assert_eq!(parse([unknown]), Err("there is no option [--\u{fffd}]".to_owned()));
-    }
-
-    #[test]
-    fn a_page_needs_no_modules() {
-        let expected = Command::Serve { port: 8000, config: "c".into(), scene: "s".into() };
-        assert_eq!(parsed("--serve 8000 --config c --scene s"), Ok(expected));
-        assert_eq!(parsed("--serve x"), Err("--serve: [x] is not a port".to_owned()));
-    }
-
-    #[test]
-    fn options_are_read() {
-        let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
-        assert_eq!((read.precision, read.view, read.watch), (Precision::F32, Some(View::Normal), true));
-        assert_eq!((read.pixel, read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
-    }
-
-    #[test]
-    fn features_are_set_and_other_constants_left() {
-        let options = options("--set has_metal=false --set max_depth=2 --set brightness=2");
-        let (features, own) = options.apply(Features::all(5)).expect("they are valid");
-        assert_eq!(features, Features { has_metal: false, ..Features::all(2) });
-        assert_eq!(own, [("brightness", 2.0)]);
-    }
-
-    #[test]
-    fn a_depth_that_is_no_count_is_refused() {
-        let message = options("--set max_depth=1.5").apply(Features::all(5)).expect_err("it is a fraction");
-        assert!(message.starts_with("--set max_depth: 1.5 is not a whole number"), "{message}");
-    }
-}
+mod tests;

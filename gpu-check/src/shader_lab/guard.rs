@@ -47,8 +47,8 @@ pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(),
         let _ = input.write_all(composition.source().as_bytes());
     }
     let status = wait(&mut child).map_err(failed)?;
-    // 1 stands for an error in words; a panic has another status.
-    if status.is_some_and(|status| matches!(status.code(), Some(0 | 1))) {
+    // 2 stands for an error in words; a panic has another status.
+    if status.is_some_and(|status| matches!(status.code(), Some(0 | 2))) {
         return Ok(());
     }
     let message = format!(

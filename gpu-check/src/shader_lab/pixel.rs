@@ -31,7 +31,7 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
         for place in places {
             let (a, b) = (a.0[place], b.0[place]);
             let mark = if a.same(b) { "" } else { "  <- differs" };
-            let columns = (format!("{a:?}"), format!("{b:?}"));
+            let columns = (number(place, a), number(place, b));
             let _ = writeln!(text, "  {:<13} {:<26} {}{mark}", NAMES[place], columns.0, columns.1);
         }
         first = first.or_else(|| first_difference(a, b).map(|place| (depth, place, a.0[place], b.0[place])));
@@ -42,6 +42,23 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
             let _ = writeln!(text, "first difference: step {depth}, {}", NAMES[place]);
             text.push_str(&bits(a, b));
         }
+    }
+    text
+}
+
+/// A number as it is read: what counts or names things without a point.
+fn number<T: Float>(place: usize, value: T) -> String {
+    let is_name = matches!(NAMES[place], "met" | "object" | "part" | "front" | "material");
+    if is_name && value.wide().fract() == 0.0 { format!("{:.0}", value.wide()) } else { format!("{value:?}") }
+}
+
+/// A colour by both, channel below channel.
+#[must_use]
+pub fn colors<T: Float>(cpu: [T; 3], wgsl: [T; 3]) -> String {
+    let mut text = String::from("colour\n");
+    for (name, (a, b)) in ["red", "green", "blue"].into_iter().zip(cpu.into_iter().zip(wgsl)) {
+        let mark = if a.same(b) { "" } else { "  <- differs" };
+        let _ = writeln!(text, "  {name:<13} {:<26} {b:?}{mark}", format!("{a:?}"));
     }
     text
 }
@@ -72,7 +89,15 @@ mod tests {
     fn equal_ways_say_so() {
         let text = side_by_side(&way(2.5), &way(2.5));
         assert!(text.contains("  lambda        2.5                        2.5\n"), "{text}");
+        assert!(text.contains("  object        0                          0\n"), "{text}");
         assert!(text.ends_with("no bit differs\n") && !text.contains("step 1"), "{text}");
+    }
+
+    #[test]
+    fn colours_stand_channel_by_channel() {
+        let text = colors([0.5, 0.25, 1.0], [0.5, 0.25, 0.75]);
+        assert!(text.starts_with("colour\n  red           0.5                        0.5\n"), "{text}");
+        assert!(text.ends_with("  blue          1.0                        0.75  <- differs\n"), "{text}");
     }
 
     #[test]

@@ -12,7 +12,7 @@ use cpu::output::{self, Output};
 use cpu::quantize::quantize;
 
 use super::args::Options;
-use super::files::UserModule;
+use super::files::{UserModule, shown};
 use super::view::View;
 use crate::{Error, Float};
 
@@ -29,7 +29,7 @@ pub struct Place {
 pub struct Places {
     /// The picture that was asked for.
     pub out: Place,
-    /// The picture of differences; none beside a device or a pipe, where a new file would be a surprise.
+    /// The picture of differences; none beside a view, nor beside a device or a pipe, where a new file would be a surprise.
     pub difference: Option<Place>,
     /// Both sides of a view.
     pub view: Option<Place>,
@@ -45,7 +45,8 @@ impl Places {
         inputs.extend(modules.iter().map(|module| module.path.as_path()));
         let open = |path: PathBuf| -> Result<Place, Error> {
             output::refuse_inputs(&path, &inputs)?;
-            let output = Output::open(&path, output::Options { sync: options.sync })?;
+            let named = if path.as_os_str() == "-" { Path::new(STANDARD_OUTPUT) } else { &path };
+            let output = Output::open(named, output::Options { sync: options.sync })?;
             Ok(Place { path, output })
         };
         let takes_neighbours = takes_neighbours(&options.out);
@@ -53,7 +54,7 @@ impl Places {
         let view = options.view.filter(|view| *view != View::Difference);
         Ok(Self {
             out: open(options.out.clone())?,
-            difference: neighbour("difference")?,
+            difference: if options.view.is_none() { neighbour("difference")? } else { None },
             view: view.map_or(Ok(None), |view| neighbour(&view.to_string()))?,
         })
     }
@@ -65,19 +66,47 @@ impl Place {
     /// # Errors
     /// [`Error::Scene`] when the system does not take it.
     pub fn write(self, size: Size, pixels: &[[u8; 3]]) -> Result<(), Error> {
-        let bytes = encoded(size.width(), pixels).map_err(|cause| Error::File { path: self.path, cause })?;
+        self.write_rows(size.width(), pixels)
+    }
+
+    /// Writes panels of `width` below each other, each with its caption.
+    ///
+    /// # Errors
+    /// As [`Place::write`], or too little memory.
+    pub fn write_panels(self, panels: &[(&str, &[[u8; 3]])], width: usize) -> Result<(), Error> {
+        let canvas = annotate::panels(panels, width);
+        let canvas = canvas.map_err(|_| cpu::Error::OutOfMemory { what: "the panels" })?;
+        self.write_rows(canvas.width, &canvas.pixels)
+    }
+
+    fn write_rows(self, width: usize, pixels: &[[u8; 3]]) -> Result<(), Error> {
+        let bytes = encoded(&self.path, width, pixels).map_err(|cause| Error::File { path: self.path, cause })?;
         Ok(self.output.fill(|file| file.write_all(&bytes))?)
+    }
+
+    /// The name for a message, without characters that a terminal would obey.
+    #[must_use]
+    pub fn name(&self) -> String {
+        if self.path.as_os_str() == "-" { "- (standard output)".to_owned() } else { shown(&self.path) }
     }
 }
 
-/// A PNG of rows of `width` pixels.
+/// Standard output, which a person calls `-`.
+pub const STANDARD_OUTPUT: &str = "/dev/stdout";
+
+/// The file of rows of `width` pixels: PNG where its name says so, else PPM.
 ///
 /// # Errors
 /// It has more rows or columns than a PNG may have.
-pub fn encoded(width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
+pub(crate) fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
+    let height = pixels.len() / width.max(1);
+    if !is_png(path) {
+        let head = format!("P6\n{width} {height}\n255\n");
+        return Ok([head.as_bytes(), pixels.as_flattened()].concat());
+    }
     let side = |pixels: usize| u32::try_from(pixels).map_err(std::io::Error::other);
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, side(width)?, side(pixels.len() / width.max(1))?);
+    let mut encoder = png::Encoder::new(&mut bytes, side(width)?, side(height)?);
     encoder.set_color(png::ColorType::Rgb);
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels.as_flattened())?;
@@ -88,7 +117,7 @@ pub fn encoded(width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
 /// Whether other pictures may be written beside `out`: not where it is a device or a pipe.
 fn takes_neighbours(out: &Path) -> bool {
     let is_of_the_system = ["/dev", "/proc"].iter().any(|folder| out.starts_with(folder));
-    !is_of_the_system && out.metadata().map_or(true, |metadata| metadata.is_file())
+    !is_of_the_system && out.as_os_str() != "-" && out.metadata().map_or(true, |metadata| metadata.is_file())
 }
 
 /// `out` with `-suffix` before its ending.
@@ -105,6 +134,25 @@ pub fn bytes<T: Float>(pixels: &[Vec3<T>], gamma: f64) -> Vec<[u8; 3]> {
     pixels.iter().map(|color| color.to_array().map(|channel| quantize(channel.wide(), gamma))).collect()
 }
 
+/// That a picture can be written under this name: `.png`, `.ppm`, or a name without an ending, which is a PPM.
+///
+/// # Errors
+/// A message for the person who typed it.
+pub fn check_name(path: &Path) -> Result<(), String> {
+    match path.extension() {
+        None => Ok(()),
+        Some(ending) if ["png", "ppm"].iter().any(|known| ending.eq_ignore_ascii_case(known)) => Ok(()),
+        Some(ending) => {
+            let ending = ending.to_string_lossy();
+            Err(format!("--out: a picture cannot be written as .{ending}; its name must end in .png or .ppm"))
+        }
+    }
+}
+
+fn is_png(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,9 +163,22 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_written_beside_devices() {
+    fn nothing_is_written_beside_devices_and_standard_output() {
         assert!(takes_neighbours(Path::new("new.png")));
-        assert!(!takes_neighbours(Path::new("/dev/null")) && !takes_neighbours(Path::new("/dev/stdout")));
+        assert!(["/dev/null", "/dev/stdout", STANDARD_OUTPUT].iter().all(|out| !takes_neighbours(Path::new(out))));
+    }
+
+    #[test]
+    fn the_ending_of_a_name_decides_what_is_written() {
+        let pixels = [[1, 2, 3], [4, 5, 6]];
+        let file = |name: &str| encoded(Path::new(name), 2, &pixels).expect("it fits in memory");
+        assert!(file("a.PNG").starts_with(b"\x89PNG"));
+        assert_eq!(file("a.ppm"), b"P6\n2 1\n255\n\x01\x02\x03\x04\x05\x06");
+        assert_eq!(file("-"), file("a.ppm"));
+        for name in ["a.png", "a.ppm", "-", "/dev/stdout"] {
+            assert_eq!(check_name(Path::new(name)), Ok(()), "{name}");
+        }
+        assert!(check_name(Path::new("a.jpg")).is_err_and(|message| message.contains("must end in .png or .ppm")));
     }
 
     #[test]

@@ -7,13 +7,16 @@ use cpu::Vec3;
 use shaders::Features;
 
 use super::args::Options;
-use super::files::{self, UserModule, shown};
+use super::differences::differences;
+use super::files::{self, UserModule};
 use super::png::{Place, Places};
+use super::progress::Progress;
 use super::truth::Truth;
 use super::view::{View, mark};
 use super::{guard, pixel, png};
-use crate::difference::{difference, three_parts};
+use crate::difference::difference;
 use crate::steps::Follower;
+use crate::terminal;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
 
 /// What one trial is made from.
@@ -27,6 +30,15 @@ pub struct Trial<'a> {
     pub modules: &'a [UserModule],
     /// What it is held against.
     pub truth: &'a Truth,
+}
+
+/// What a trial found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// The report for a person.
+    pub report: String,
+    /// Whether a bit of the picture differs from the CPU's in the same precision.
+    pub differs: bool,
 }
 
 /// A precision that trials are made in: where to find what it is held against.
@@ -43,7 +55,7 @@ impl Held for f64 {
 
 impl Held for f32 {
     fn picture(truth: &Truth) -> &[Vec3<Self>] {
-        &truth.single
+        truth.single()
     }
 }
 
@@ -52,7 +64,7 @@ impl Trial<'_> {
     ///
     /// # Errors
     /// [`Error::Shader`] with the place in the person's file, or what the device finds wrong.
-    pub fn run<T: Held>(&self, places: Places) -> Result<String, Error> {
+    pub fn run<T: Held>(&self, places: Places) -> Result<Outcome, Error> {
         let Self { gpu, options, modules, truth } = *self;
         let Places { out, difference: beside, view: both } = places;
         let library = files::library(modules)?;
@@ -65,10 +77,15 @@ impl Trial<'_> {
         let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
         let compiled = start.elapsed();
         let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
-        let rendering = renderer.render(&picture)?;
+        let mut progress = Progress::start();
+        let rendering = renderer.render_telling(&picture, |done, of| {
+            if let Some(text) = progress.tell(done, of) {
+                terminal::note(&text);
+            }
+        })?;
         let mut report = format!("in {} on {gpu}\n", T::PRECISION);
         for UserModule { name, path, .. } in modules {
-            let _ = writeln!(report, "{} stands in for [{name}]", shown(path));
+            let _ = writeln!(report, "{} stands in for [{name}]", files::shown(path));
         }
         let size = rendering.size;
         let _ = writeln!(
@@ -80,27 +97,32 @@ impl Trial<'_> {
             truth.time,
         );
         let held = T::picture(truth);
-        let _ = writeln!(report, "from the CPU in {}: {}", T::PRECISION, difference(&rendering.pixels, held));
+        let apart = difference(&rendering.pixels, held);
+        let _ = writeln!(report, "from the CPU in {}: {apart}", T::PRECISION);
         if size_of::<T>() < size_of::<f64>() {
             let _ = writeln!(report, "from the CPU in f64: {}", difference(&rendering.pixels, &truth.wide));
         }
-        let mut wrote = String::new();
-        if let Some(place) = beside {
-            wrote = format!("wrote {} (WGSL, CPU, twenty times their difference)\n", shown(&place.path));
-            place.write(size, &three_parts(&rendering.pixels, held))?;
-        }
         match options.view {
-            None | Some(View::Difference) => {
-                let bytes = match options.view {
-                    None => png::bytes(&rendering.pixels, truth.config.gamma),
-                    Some(_) => enlarged(&rendering.pixels, held),
-                };
-                let _ = writeln!(report, "wrote {}", shown(&out.path));
-                out.write(size, &bytes)?;
+            None => {
+                let [by_wgsl, by_cpu] =
+                    [&rendering.pixels[..], held].map(|pixels| png::bytes(pixels, truth.config.gamma));
+                let _ = writeln!(report, "wrote {}", out.name());
+                if let Some(place) = beside {
+                    let (colors, words) = differences(&rendering.pixels, held);
+                    let panels = [("WGSL", &by_wgsl[..]), ("CPU", &by_cpu[..]), (&words, &colors[..])];
+                    let _ = writeln!(report, "wrote {} (WGSL, CPU, their difference)", place.name());
+                    place.write_panels(&panels, size.width())?;
+                }
+                out.write(size, &by_wgsl)?;
+            }
+            Some(View::Difference) => {
+                let (colors, words) = differences(&rendering.pixels, held);
+                let panel = [(&words[..], &colors[..])];
+                let _ = writeln!(report, "wrote {} (the difference of the colours)", out.name());
+                out.write_panels(&panel, size.width())?;
             }
             Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture, (out, both))?),
         }
-        report.push_str(&wrote);
         if let Some([x, y]) = options.pixel {
             if x >= size.width() || y >= size.height() {
                 let message = format!("--pixel: the picture has {} x {} pixels", size.width(), size.height());
@@ -108,9 +130,9 @@ impl Trial<'_> {
             }
             let index = y * size.width() + x;
             report.push_str(&self.follow(index, &features, &own, &picture)?);
-            let _ = writeln!(report, "colour: {:?} by the CPU, {:?} by WGSL", held[index], rendering.pixels[index]);
+            report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));
         }
-        Ok(report)
+        Ok(Outcome { report, differs: apart.differing > 0 })
     }
 
     /// Writes a view of both sides and where their numbers differ.
@@ -140,15 +162,15 @@ impl Trial<'_> {
             format!(", the first of them --pixel {} {}", index % width, index / width)
         });
         let first = first.unwrap_or_default();
-        let mut report = format!(
-            "{count} of {total} pixels have another bit on their way{first}\nwrote {} ({view} by WGSL)\n",
-            shown(&out.path)
-        );
+        let mut report = format!("{count} of {total} pixels have another bit on their way{first}\n");
+        let _ = writeln!(report, "wrote {} ({view} by WGSL)", out.name());
         out.write(picture.size, &wgsl)?;
         if let Some(both) = both {
             let words = "by WGSL, by the CPU, and white where any number's bits differ";
-            let _ = writeln!(report, "wrote {} ({view} {words})", shown(&both.path));
-            both.write(picture.size, &[wgsl, cpu, marks].concat())?;
+            let _ = writeln!(report, "wrote {} ({view} {words})", both.name());
+            let [by_wgsl, by_cpu] = ["WGSL", "CPU"].map(|side| format!("{view}, {side}"));
+            let panels = [(&by_wgsl[..], &wgsl[..]), (&by_cpu, &cpu), ("white: another bit", &marks)];
+            both.write_panels(&panels, picture.size.width())?;
         }
         Ok(report)
     }
@@ -192,10 +214,4 @@ impl Trial<'_> {
 
 fn constants<'a>(features: &Features, own: &[(&'a str, f64)]) -> Vec<(&'a str, f64)> {
     [&features.constants()[..], own].concat()
-}
-
-fn enlarged<T: Float>(one: &[Vec3<T>], other: &[Vec3<T>]) -> Vec<[u8; 3]> {
-    let byte = |apart: f64| (255.0 * (20.0 * apart.abs()).sqrt()) as u8;
-    let pairs = one.iter().zip(other).map(|(one, other)| (one.to_array(), other.to_array()));
-    pairs.map(|(one, other)| [0, 1, 2].map(|place| byte(one[place].wide() - other[place].wide()))).collect()
 }

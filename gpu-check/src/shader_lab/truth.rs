@@ -1,5 +1,6 @@
 //! The picture as the CPU has it, computed once and kept while the person's modules change.
 
+use std::cell::OnceCell;
 use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
@@ -32,8 +33,8 @@ pub struct Truth {
     pub scene: Scene,
     /// Linear colours in f64, by the definition.
     pub wide: Vec<Vec3>,
-    /// The same with every formula in f32: what a device may at best give in f32.
-    pub single: Vec<Vec3<f32>>,
+    /// The scene for f32, and its picture once that is asked for.
+    single: (Picture<f32>, OnceCell<Vec<Vec3<f32>>>),
     /// What the first took, on one core.
     pub time: Duration,
 }
@@ -49,9 +50,16 @@ impl Truth {
         let start = Instant::now();
         reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| wide.push(color))?;
         let time = start.elapsed();
-        let picture = Picture::<f32>::new(&config, &scene)?;
-        let single = (0..picture.size.pixels()).map(|index| picture.color(index)).collect();
+        let single = (Picture::<f32>::new(&config, &scene)?, OnceCell::new());
         Ok(Self { config, scene, wide, single, time })
+    }
+
+    /// The picture with every formula in f32: what a device may at best give in f32. Computed when it is first asked for:
+    /// with many objects it takes as long as the one in f64.
+    #[must_use]
+    pub fn single(&self) -> &[Vec3<f32>] {
+        let (picture, colors) = &self.single;
+        colors.get_or_init(|| (0..picture.size.pixels()).map(|index| picture.color(index)).collect())
     }
 }
 

@@ -12,9 +12,9 @@ use super::args::Options;
 use super::files::{UserModule, shown};
 use super::png::Places;
 use super::sources::{Sources, Text};
-use super::trial::Trial;
+use super::trial::{Outcome, Trial};
 use super::truth::Truth;
-use crate::{Error, Gpu};
+use crate::{Error, Gpu, terminal};
 
 /// How often files are looked at.
 const INTERVAL: Duration = Duration::from_millis(150);
@@ -40,11 +40,11 @@ impl Lab {
     ///
     /// # Errors
     /// A message that names the person's file.
-    pub fn render(&mut self) -> Result<String, String> {
+    pub fn render(&mut self) -> Result<Outcome, String> {
         self.render_from(&Sources::read(&self.options, None))
     }
 
-    fn render_from(&mut self, sources: &Sources) -> Result<String, String> {
+    fn render_from(&mut self, sources: &Sources) -> Result<Outcome, String> {
         let modules = sources.modules.as_ref().map_err(Clone::clone)?;
         let result = self.render_with(modules, sources);
         if matches!(result, Err(Error::DeviceLost { .. } | Error::Timeout { .. } | Error::OutOfMemory { .. })) {
@@ -53,12 +53,13 @@ impl Lab {
         result.map_err(|error| explain(&error, modules))
     }
 
-    fn render_with(&mut self, modules: &[UserModule], sources: &Sources) -> Result<String, Error> {
+    fn render_with(&mut self, modules: &[UserModule], sources: &Sources) -> Result<Outcome, Error> {
         // Before anything long: a place that cannot be written ends the trial.
         let places = Places::open(&self.options, modules)?;
         if self.truth.is_none() || self.texts.as_ref() != Some(&sources.texts) {
             self.truth = None;
             let (config, scene) = sources.parse(&self.options)?;
+            terminal::note("the CPU renders by the definition ...");
             self.truth = Some(Truth::new(config, scene)?);
             self.texts = Some(sources.texts.clone());
         }
@@ -74,7 +75,7 @@ impl Lab {
     }
 
     /// Hands a report or a message to `say` now and after every change, until `say` answers no.
-    pub fn watch(&mut self, mut say: impl FnMut(Result<String, String>) -> bool) {
+    pub fn watch(&mut self, mut say: impl FnMut(Result<Outcome, String>) -> bool) {
         let mut sources = Sources::read(&self.options, None);
         loop {
             let result = self.render_from(&sources);
@@ -95,7 +96,7 @@ impl Lab {
 /// The error's own words; where they point elsewhere than to a person's file, that file too.
 fn explain(error: &Error, modules: &[UserModule]) -> String {
     let mut message = error.to_string();
-    if !matches!(error, Error::Shader(_) | Error::Refused { .. } | Error::Unwritten { .. } | Error::Timeout { .. }) {
+    if !matches!(error, Error::Shader(_) | Error::Refused { .. } | Error::Unwritten { .. }) {
         return message;
     }
     let names: Vec<(PathBuf, &str)> =

@@ -50,6 +50,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
         let source = library.compose(module, Precision::F32)?.source().to_owned();
         let cases = cases(kernel);
         data.insert(format!("expected/{module}"), bytemuck::cast_slice(&expected(kernel, &cases)).to_vec());
+        data.insert(format!("flushed/{module}"), bytemuck::cast_slice(&flushed(kernel, &cases)).to_vec());
         data.insert(format!("cases/{module}"), bytemuck::cast_slice(&cases).to_vec());
         data.insert(format!("wgsl/{module}"), source.into_bytes());
     }
@@ -72,6 +73,12 @@ pub fn expected(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
         f32::formula(kernel)(case, result);
     }
     results
+}
+
+/// What f32 whose subnormal numbers are zeros makes of them: WGSL allows a driver to have it so.
+#[must_use]
+pub fn flushed(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
+    cases.chunks(kernel.inputs).flat_map(|case| kernel.flushed(case)).collect()
 }
 
 fn facts_of(kernel: &Kernel) -> String {

@@ -38,7 +38,10 @@ fn get(path: &str) -> String {
 
 #[test]
 fn the_page_and_its_data_are_handed_out() {
-    assert!(asked(&get("/")).0.contains("<title>shader-lab</title>"));
+    let page = asked(&get("/")).0;
+    assert!(page.contains("<title>shader-lab</title>"));
+    // A browser asks for no other icon.
+    assert!(page.contains("<link rel=\"icon\" href=\"data:image/svg+xml,") && page.contains("width=device-width"));
     assert!(asked(&get("/data/a")).0.ends_with("\r\n\r\nnumbers"));
 }
 

@@ -1,0 +1,182 @@
+//! Words on pictures: captions above panels, and numbers below a bar of colours.
+//!
+//! A [`Canvas`] is a picture in memory with eight bits a channel. Letters come from the fixed-width font of
+//! `embedded-graphics`, so that a picture looks the same on every machine.
+
+use std::collections::TryReserveError;
+use std::convert::Infallible;
+
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::iso_8859_1::FONT_7X13;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::{Dimensions, DrawTarget, Drawable, OriginDimensions, Pixel, Point, RgbColor, Size};
+use embedded_graphics::text::{Baseline, Text};
+
+/// Red, green and blue.
+pub type Color = [u8; 3];
+
+/// Background of words.
+pub const PAPER: Color = [255; 3];
+/// Colour of words.
+pub const INK: Color = [32; 3];
+/// Height of a line of words with the room around it, in pixels.
+pub const LINE: usize = 17;
+
+/// A picture to draw on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Canvas {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Row by row from the top left.
+    pub pixels: Vec<Color>,
+}
+
+impl Canvas {
+    /// An empty sheet.
+    ///
+    /// # Errors
+    /// There is too little memory for it.
+    pub fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
+        let mut pixels = Vec::new();
+        // A number of pixels that does not fit in a `usize` does not fit in memory either.
+        let count = width.saturating_mul(height);
+        pixels.try_reserve_exact(count)?;
+        pixels.resize(count, PAPER);
+        Ok(Self { width, pixels })
+    }
+
+    /// Rows.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.pixels.len().checked_div(self.width).unwrap_or(0)
+    }
+
+    /// Sets a pixel; one outside the canvas changes nothing.
+    pub fn set(&mut self, x: usize, y: usize, color: Color) {
+        if x < self.width && y < self.height() {
+            self.pixels[y * self.width + x] = color;
+        }
+    }
+
+    /// Puts a picture, `width` pixels wide, with its top left corner at `x` and `y`.
+    pub fn paste(&mut self, (x, y): (usize, usize), picture: &[Color], width: usize) {
+        for (index, color) in picture.iter().enumerate() {
+            self.set(x + index % width, y + index / width, *color);
+        }
+    }
+
+    /// Writes words with their top left corner at `x` and `y`; what does not fit is cut.
+    pub fn write(&mut self, (x, y): (usize, usize), words: &str) {
+        let [red, green, blue] = INK;
+        let style = MonoTextStyle::new(&FONT_7X13, Rgb888::new(red, green, blue));
+        let place = Point::new(x as i32, y as i32);
+        let Ok(_) = Text::with_baseline(words, place, style, Baseline::Top).draw(self);
+    }
+}
+
+/// Width of words in pixels.
+#[must_use]
+pub fn width_of(words: &str) -> usize {
+    let style = MonoTextStyle::new(&FONT_7X13, Rgb888::BLACK);
+    Text::new(words, Point::zero(), style).bounding_box().size.width as usize
+}
+
+/// Panels of one size below each other, each with its caption above it. The canvas is as wide as the widest caption needs.
+///
+/// # Errors
+/// There is too little memory for it.
+pub fn panels(panels: &[(&str, &[Color])], width: usize) -> Result<Canvas, TryReserveError> {
+    let widest = panels.iter().map(|(caption, _)| width_of(caption) + 4).max().unwrap_or(0);
+    let height: usize = panels.iter().map(|(_, picture)| LINE + picture.len() / width).sum();
+    let mut canvas = Canvas::new(width.max(widest), height)?;
+    let mut y = 0;
+    for (caption, picture) in panels {
+        canvas.write((2, y + 2), caption);
+        canvas.paste((0, y + LINE), picture, width);
+        y += LINE + picture.len() / width;
+    }
+    Ok(canvas)
+}
+
+/// A bar of colours, left to right, with a number below each fifth of it.
+pub fn color_bar(
+    canvas: &mut Canvas,
+    (x, y): (usize, usize),
+    (width, height): (usize, usize),
+    color: impl Fn(f64) -> Color,
+    number: impl Fn(f64) -> String,
+) {
+    const STEPS: usize = 4;
+    let last = width.saturating_sub(1).max(1);
+    for column in 0..width {
+        let color = color(column as f64 / last as f64);
+        (0..height).for_each(|row| canvas.set(x + column, y + row, color));
+    }
+    for step in 0..=STEPS {
+        let share = step as f64 / STEPS as f64;
+        let middle = x + last * step / STEPS;
+        (height..height + 4).for_each(|row| canvas.set(middle, y + row, INK));
+        let words = number(share);
+        // Within the canvas at both ends.
+        let most = canvas.width.saturating_sub(width_of(&words));
+        canvas.write((middle.saturating_sub(width_of(&words) / 2).min(most), y + height + 4), &words);
+    }
+}
+
+impl OriginDimensions for Canvas {
+    fn size(&self) -> Size {
+        Size::new(self.width as u32, self.height() as u32)
+    }
+}
+
+impl DrawTarget for Canvas {
+    type Color = Rgb888;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(Point { x, y }, color) in pixels {
+            if let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y)) {
+                self.set(x, y, [color.r(), color.g(), color.b()]);
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_stand_below_their_captions() {
+        let (black, red) = ([[0; 3]; 6], [[255, 0, 0]; 6]);
+        let canvas = panels(&[("one", &black), ("another", &red)], 3).expect("it is small");
+        assert_eq!((canvas.width, canvas.height()), (7 * 7 + 4, 2 * (LINE + 2)));
+        assert_eq!(canvas.pixels[LINE * canvas.width], [0; 3]);
+        assert_eq!(canvas.pixels[(2 * LINE + 2) * canvas.width], [255, 0, 0]);
+        assert_eq!(canvas.pixels[(2 * LINE + 2) * canvas.width + 3], PAPER, "a picture has its own width");
+        assert!(canvas.pixels[..LINE * canvas.width].contains(&INK), "the caption is written");
+    }
+
+    #[test]
+    fn a_bar_goes_from_the_first_colour_to_the_last_with_numbers_below() {
+        let mut canvas = Canvas::new(120, 40).expect("it is small");
+        color_bar(&mut canvas, (10, 0), (100, 8), |share| [(255.0 * share) as u8; 3], |share| format!("{share}"));
+        assert_eq!((canvas.pixels[10], canvas.pixels[109]), ([0; 3], [255; 3]));
+        let words = &canvas.pixels[13 * 120..26 * 120];
+        assert!(words.contains(&INK));
+    }
+
+    #[test]
+    fn a_canvas_without_room_is_an_error() {
+        assert!(Canvas::new(usize::MAX / 4, 2).is_err() && Canvas::new(usize::MAX, usize::MAX).is_err());
+    }
+
+    #[test]
+    fn what_lies_outside_is_cut() {
+        let mut canvas = Canvas::new(5, 5).expect("it is small");
+        canvas.write((3, 3), "words that do not fit");
+        canvas.paste((4, 4), &[[1; 3]; 4], 2);
+        assert_eq!((canvas.pixels.len(), canvas.pixels[24]), (25, [1; 3]));
+    }
+}

@@ -1,0 +1,87 @@
+//! `shader-lab --watch` while a person edits.
+
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
+
+use super::*;
+
+/// How long the program may take to notice a change.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A program that ends with its guard, and the lines that it writes.
+struct Watched(Child, Receiver<String>);
+
+impl Drop for Watched {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+impl Watched {
+    fn start(mut command: Command) -> Self {
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
+        let (sender, receiver) = mpsc::channel();
+        let pipes: [Option<Box<dyn Read + Send>>; 2] = [
+            child.stdout.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
+            child.stderr.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
+        ];
+        for pipe in pipes.into_iter().flatten() {
+            let sender = sender.clone();
+            std::thread::spawn(move || {
+                BufReader::new(pipe).lines().map_while(Result::ok).all(|line| sender.send(line).is_ok())
+            });
+        }
+        Self(child, receiver)
+    }
+
+    fn wait_for(&self, start: &str) -> String {
+        loop {
+            let line = self.1.recv_timeout(PATIENCE).unwrap_or_else(|_| panic!("no line starts with [{start}]"));
+            if line.starts_with(start) {
+                return line;
+            }
+        }
+    }
+}
+
+#[test]
+fn watching_survives_a_broken_shader_and_keeps_the_last_good_picture() {
+    let folder = folder();
+    let (path, out) = (folder.path().join("my.wgsl"), folder.path().join("out.png"));
+    fs::write(&path, TEMPLATE).expect("the folder is writable");
+    let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
+    watched.wait_for("wrote out-difference.png");
+    let good = fs::read(&out).expect("it was written");
+
+    fs::write(&path, format!("{TEMPLATE}nonsense\n")).expect("the folder is writable");
+    let line = TEMPLATE.lines().count() + 1;
+    watched.wait_for(&format!("Error: my.wgsl:{line}:1: "));
+    fs::remove_file(&path).expect("it is there");
+    watched.wait_for("Error: my.wgsl: ");
+    assert!(watched.0.try_wait().expect("it can be asked").is_none(), "the program goes on");
+    assert_eq!(fs::read(&out).expect("it stays"), good);
+
+    fs::write(&path, TEMPLATE.replace("return n *", "return n.zyx *")).expect("the folder is writable");
+    watched.wait_for("wrote out-difference.png");
+    assert!(fs::read(&out).expect("it was written") != good, "the new picture is another");
+}
+
+#[test]
+fn watching_survives_a_module_that_is_refused_and_one_that_takes_all_memory() {
+    let folder = folder();
+    let path = folder.path().join("my.wgsl");
+    fs::write(&path, format!("{TEMPLATE}const deep = {}1;\n", "-".repeat(30_000))).expect("the folder is writable");
+    let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
+    assert!(watched.wait_for("Error: my.wgsl:").contains("more than 500 brackets, operators or branches"));
+
+    // naga compares the elements one by one, and holds them all.
+    let bomb = "const many = array<i32, 500000000>();\nconst_assert many == many;\n";
+    fs::write(&path, format!("{TEMPLATE}{bomb}")).expect("the folder is writable");
+    watched.wait_for("Error: the shader takes too much to compile: naga or the driver ended by signal");
+    fs::write(&path, TEMPLATE).expect("the folder is writable");
+    watched.wait_for("wrote out-difference.png");
+    assert!(watched.0.try_wait().expect("it can be asked").is_none(), "the program goes on");
+}

@@ -1,0 +1,60 @@
+//! The program `stress`, as a person runs it: what it says of itself, and that it writes where it was told to alone.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use gpu_check::scenes::repository;
+
+fn stress(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stress")).args(arguments).output().expect("the program starts")
+}
+
+fn in_text(path: &Path) -> &str {
+    path.to_str().expect("temporary names are text")
+}
+
+#[test]
+fn help_has_examples_and_a_folder_is_asked_for() {
+    let help = stress(&["--help"]);
+    assert!(help.status.success());
+    let text = String::from_utf8(help.stdout).expect("it is text");
+    assert!(text.contains("Examples:\n  stress --out ") && text.contains("Exit status:"), "{text}");
+    for arguments in [&[][..], &["100000", "1"], &["--out", "x", "--rays", "many"]] {
+        let output = stress(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
+        assert!(output.stdout.is_empty(), "{output:?}");
+    }
+}
+
+#[test]
+fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let document = folder.path().join("accuracy.md");
+    fs::copy(repository("docs/accuracy.md"), &document).expect("it is committed");
+    let output = stress(&["--out", in_text(folder.path()), "--case", "case-2", "c", "s"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = String::from_utf8(output.stderr).expect("it is text");
+    assert!(
+        message.contains("accuracy.md: its rows for case-1, case-3, case-4 would go; give each as --case"),
+        "{message}"
+    );
+    assert_eq!(fs::read(&document).ok(), fs::read(repository("docs/accuracy.md")).ok());
+}
+
+#[test]
+fn tables_and_plots_are_written_into_the_folder_alone() {
+    common::gpu();
+    let folder = tempfile::tempdir().expect("there is room");
+    let before = fs::read(repository("docs/accuracy.md")).expect("it is committed");
+    let output = stress(&["--out", in_text(folder.path()), "--rays", "1000"]);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let text = fs::read_to_string(folder.path().join("accuracy.md")).expect("it was written");
+    assert!(text.contains("--rays 1000 --seed 1") && text.contains("| **ordinary** ("), "{text}");
+    let plots = fs::read_dir(folder.path().join("accuracy")).expect("it was made").count();
+    assert_eq!(plots, 1 + 5, "a table and five plots");
+    assert_eq!(fs::read(repository("docs/accuracy.md")).ok(), Some(before), "the project's own file stays");
+}

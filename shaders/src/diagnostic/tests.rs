@@ -1,0 +1,84 @@
+//! What is said about faults in a module, and where.
+
+use crate::{Error, Library, Precision};
+
+fn message(source: &str) -> String {
+    let mut library = Library::standard();
+    library.replace("scatter", "mine.wgsl", source).expect("it exists");
+    let error = library.compose("scatter", Precision::F32).expect("it exists").validate();
+    match error.expect_err("the text is wrong") {
+        Error::Invalid(diagnostic) => diagnostic.to_string(),
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn a_fault_of_grammar_is_shown_with_a_caret() {
+    let message = message("// One.\nfn f() -> real {\n    return vec3_dat(1.0);\n}\n");
+    assert!(message.starts_with("mine.wgsl:3:12: no definition in scope for identifier"), "{message}");
+    assert!(message.ends_with("3 |     return vec3_dat(1.0);\n               ^^^^^^^^"), "{message}");
+}
+
+#[test]
+fn of_a_long_line_the_part_about_the_fault_is_shown() {
+    let message = message(&format!("const a = {}; const b = missing; const c = {};", "1".repeat(999), "1".repeat(999)));
+    let lines: Vec<_> = message.lines().collect();
+    let [_, text, carets] = lines[..] else { panic!("{message}") };
+    assert_eq!(text.chars().count(), "1 | ".len() + super::SHOWN, "{message}");
+    let place = carets.find('^').expect("there is a caret");
+    assert!(text[place..].starts_with('1') || text[place..].starts_with("missing"), "{message}");
+}
+
+#[test]
+fn every_fault_of_a_person_names_their_file_and_wgsls_own_types() {
+    let faults = [
+        "fn f() -> real {\n    return 1u;\n}\n",
+        "fn f() -> vec3<real> {\n    return real(1.0);\n}\n",
+        "fn f() -> real {\n    let x = 1u;\n}\n",
+        "fn g(x: real) -> real { return x; }\nfn f() -> real {\n    return g(vec3<real>());\n}\n",
+        "fn f() {\n    if real(1.0) { return; }\n}\n",
+        "var<private> x: real = 1u;\n",
+        "struct S { x: array<real> , y: real }\n",
+        "fn f() -> real {\n    var x: vec2<real>;\n    x.x = 1u;\n    return x.x;\n}\n",
+        "@compute @workgroup_size(1) fn f(x: real) {}\n",
+        "fn f() -> bool {\n    return real(1.0);\n}\n",
+        "fn f() -> real {",
+        "fn f(x: nothing) {}",
+        "fn f() -> real { return f(); }",
+    ];
+    for precision in Precision::ALL {
+        for fault in faults {
+            let mut library = Library::standard();
+            library.replace("scatter", "mine.wgsl", fault).expect("it exists");
+            let result = library.compose("scatter", precision).expect("it exists").validate();
+            let message = result.err().unwrap_or_else(|| panic!("{fault} is wrong")).to_string();
+            println!("{fault}{message}\n");
+            assert!(message.starts_with("mine.wgsl:"), "{fault}{message}");
+            let first = message.lines().next().unwrap_or_default();
+            assert!(
+                !first.contains("kind:")
+                    && !first.contains("Scalar")
+                    && !first.contains("Some(")
+                    && !first.contains(" ["),
+                "{message}"
+            );
+            if first.contains("real_") || precision == Precision::F32 {
+                assert!(!first.contains("f64"), "{message}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_type_is_named_as_wgsl_names_it() {
+    let naga = "Vector { size: Tri, scalar: Scalar { kind: Float, width: 8 } } for Function [7] 'f' of [x]";
+    assert_eq!(super::plain(naga), "vec3<f64> for Function 'f' of [x]");
+    assert_eq!(super::plain("Scalar(Scalar { kind: Uint, width: 4 })"), "u32");
+}
+
+#[test]
+fn a_fault_of_types_is_shown_with_a_caret() {
+    let message = message("fn f(v: vec3<real>) -> real {\n    return v + v;\n}\n");
+    assert!(message.starts_with("mine.wgsl:2:12: Function"), "{message}");
+    assert!(message.ends_with("2 |     return v + v;\n               ^^^^^"), "{message}");
+}
