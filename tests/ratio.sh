@@ -8,6 +8,10 @@
 # the two, by a command each, as in YARDSTICK="env RENDER_INSTRUCTION_SET=sse2 target/release/render-aos".
 set -euo pipefail
 
+if [ "${1:-}" = --help ]; then
+    sed -n '2,8s/^# \{0,1\}//p' "$0"
+    exit
+fi
 top=$(cd "$(dirname "$0")/.." && pwd)
 cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p cpu --bins --examples
 program=${PROGRAM:-$top/target/release/render-aos}

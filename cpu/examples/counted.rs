@@ -6,8 +6,19 @@ use std::path::Path;
 use cpu::counters::{self, Counter};
 use cpu::{Aos, Config, Error, InstructionSet, Prepared, Scatter, Scene};
 
+const USAGE: &str = "\
+counted CONFIG SCENE
+Renders and prints how often each thing was done: rays, tests, nodes, ...
+
+Example:
+  cargo run --release -p cpu --features counters --example counted scenes/grid/config.txt scenes/grid/scene.txt";
+
 fn main() -> Result<(), Error> {
     let names: Vec<_> = std::env::args_os().skip(1).collect();
+    if names.iter().any(|name| name == "--help") {
+        println!("{USAGE}");
+        return Ok(());
+    }
     let [config, scene] = &names[..] else {
         return Err(Error::ArgumentCount(names.len()));
     };

@@ -6,8 +6,19 @@ use std::path::Path;
 use cpu::certified::{Intersect, Textbook};
 use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene};
 
+const USAGE: &str = "\
+fast CONFIG SCENE OUT.ppm [textbook]
+Renders as render-aos does, or with the textbook's intersections, to time one against the other.
+
+Example:
+  cargo run --release -p cpu --example fast scenes/grid/config.txt scenes/grid/scene.txt out.ppm textbook";
+
 fn main() -> Result<(), Error> {
     let names: Vec<_> = std::env::args_os().skip(1).collect();
+    if names.iter().any(|name| name == "--help") {
+        println!("{USAGE}");
+        return Ok(());
+    }
     let (config, scene, out, textbook) = match &names[..] {
         [config, scene, out] => (config, scene, out, false),
         [config, scene, out, word] if word == "textbook" => (config, scene, out, true),

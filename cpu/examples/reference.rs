@@ -6,8 +6,19 @@ use std::path::Path;
 use cpu::certified::{Certified, Textbook};
 use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
 
+const USAGE: &str = "\
+reference CONFIG SCENE OUT.ppm [certified]
+Renders by the definition, line by line, to time the real programs against it.
+
+Example:
+  cargo run --release -p cpu --example reference scenes/grid/config.txt scenes/grid/scene.txt out.ppm";
+
 fn main() -> Result<(), Error> {
     let names: Vec<_> = std::env::args_os().skip(1).collect();
+    if names.iter().any(|name| name == "--help") {
+        println!("{USAGE}");
+        return Ok(());
+    }
     let (config, scene, out, certified) = match &names[..] {
         [config, scene, out] => (config, scene, out, false),
         [config, scene, out, word] if word == "certified" => (config, scene, out, true),

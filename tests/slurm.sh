@@ -1,0 +1,126 @@
+#!/usr/bin/env bash
+# Tries lab/slurm on a real Slurm of one node, which this script starts on this machine and stops at the end.
+#
+#   tests/slurm.sh
+#
+# Two runs: one whose 21 tasks and join must end well, and one with a task that fails, whose join must be cancelled and
+# which is then finished as `submit` says. Needs root, and Debian's slurm-wlm and munge (tests/run --slurm installs them).
+# Nothing outside a temporary folder is written, except Slurm's folder for the host's groups of processes.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+[ "${1:-}" != --help ] || { sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 0; }
+say() { echo "tests/slurm.sh: $*"; }
+fail() { say "FAILED: $*" >&2; tail -n 20 "$work"/*.log >&2 2>/dev/null || true; exit 1; }
+for program in munged slurmctld slurmd sbatch; do
+    command -v $program >/dev/null || { say "$program is missing: apt-get install slurm-wlm munge" >&2; exit 2; }
+done
+[ "$(id -u)" -eq 0 ] || { say "root is needed to start slurmd" >&2; exit 2; }
+
+work=$(mktemp -d /tmp/slurm.XXXXXX)
+started=()
+stop() {
+    for process in "${started[@]}"; do kill "$process" 2>/dev/null || true; done
+    for process in "${started[@]}"; do wait "$process" 2>/dev/null || true; done
+    rm -rf "$work"
+}
+trap stop EXIT
+
+# munged refuses folders that others may change, and slurm finds it by its socket.
+chmod 755 "$work"
+install -d -m 755 "$work"/{munge,state,spool}
+dd if=/dev/urandom of="$work/munge/key" bs=1024 count=1 status=none
+chmod 400 "$work/munge/key"
+munged --foreground --force --key-file="$work/munge/key" --socket="$work/munge/socket" --pid-file="$work/munge/pid" \
+    --log-file="$work/munge/log" --seed-file="$work/munge/seed" >"$work/munged.log" 2>&1 &
+started+=($!)
+
+cat >"$work/slurm.conf" <<END
+ClusterName=tests
+SlurmctldHost=$(hostname)(127.0.0.1)
+SlurmUser=root
+SlurmctldPort=16817
+SlurmdPort=16818
+AuthType=auth/munge
+AuthInfo=socket=$work/munge/socket
+CryptoType=crypto/munge
+StateSaveLocation=$work/state
+SlurmdSpoolDir=$work/spool
+SlurmctldPidFile=$work/slurmctld.pid
+SlurmdPidFile=$work/slurmd.pid
+SlurmctldLogFile=$work/slurmctld.log
+SlurmdLogFile=$work/slurmd.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SchedulerParameters=sched_interval=2,batch_sched_delay=1
+ReturnToService=2
+MpiDefault=none
+NodeName=$(hostname) NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+END
+sed -i 's/^CryptoType=.*/CredType=cred\/munge/' "$work/slurm.conf"
+echo "CgroupPlugin=cgroup/v1" >"$work/cgroup.conf"
+export SLURM_CONF="$work/slurm.conf"
+
+until [ -S "$work/munge/socket" ]; do
+    kill -0 "${started[0]}" 2>/dev/null || fail "munged does not start"
+    sleep 0.2
+done
+slurmctld -D -f "$SLURM_CONF" >"$work/slurmctld-out.log" 2>&1 &
+started+=($!)
+sleep 2
+slurmd -D -f "$SLURM_CONF" >"$work/slurmd-out.log" 2>&1 &
+started+=($!)
+for try in $(seq 60); do
+    [ "$(sinfo -h -o %T 2>/dev/null)" = idle ] && break
+    [ "$try" -lt 60 ] || fail "the node does not become idle: $(sinfo 2>&1)"
+    sleep 1
+done
+say "$(sinfo --version) runs on $(hostname)"
+
+# Waits until no job is left; the last line of squeue tells what hangs.
+drain() {
+    for try in $(seq "$1"); do
+        [ -n "$(squeue -h 2>/dev/null)" ] || return 0
+        sleep 1
+    done
+    squeue >&2
+    return 1
+}
+
+export RENDER_LAB=${RENDER_LAB:-$PWD/target/release/render-lab}
+[ -x "$RENDER_LAB" ] || cargo build --release --bin render-lab
+tasks=$("$RENDER_LAB" bench tasks | wc -l)
+
+say "run 1: $tasks tasks and a join"
+lab/slurm/submit "$work/good" --quick --repeats 1 | tee "$work/said.log"
+drain 1200 || fail "run 1 does not end"
+[ "$(ls "$work"/good/part-*.json | wc -l)" -eq "$tasks" ] || fail "run 1 has not $tasks parts"
+[ -s "$work/good/bench.json" ] || fail "run 1 has no bench.json"
+
+say "run 2: a task that fails"
+# The last task is energy, which needs no time where there is no meter; here it stands for all others.
+cat >"$work/render-lab" <<END
+#!/usr/bin/env bash
+case "\$*" in
+    "bench all --part 1/"*) [ -e "$work/healed" ] || exit 3 ;;
+    "bench all --part "*) part=\${4%%/*}; cp "$work/good/part-\$part.json" "$work/bad/"; exit ;;
+esac
+exec "$RENDER_LAB" "\$@"
+END
+chmod 755 "$work/render-lab"
+RENDER_LAB="$work/render-lab" lab/slurm/submit "$work/bad" --quick --repeats 1 >"$work/said.log"
+drain 300 || fail "the join waits for ever"
+[ ! -e "$work/bad/bench.json" ] || fail "run 2 was joined without its first task"
+touch "$work/healed"
+export RENDER_LAB="$work/render-lab"
+# As the submission said.
+again=$(sed -n 's/^Run a failed task N again: *//p' "$work/said.log" | sed 's/--array=N/--array=1/')
+join=$(sed -n 's/^Then join them: *//p' "$work/said.log")
+bash -c "$again" && drain 600 && bash -c "$join" && drain 60 || fail "what submit says does not work: $again; $join"
+[ -s "$work/bad/bench.json" ] || fail "run 2 has no bench.json in the end"
+say "passed: $tasks tasks joined; a failed task cancelled the join, was run again and joined"
