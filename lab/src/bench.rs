@@ -11,6 +11,7 @@ pub mod gain;
 pub mod intersections;
 pub mod machine;
 pub mod matrix;
+pub mod progress;
 pub mod results;
 pub mod statistics;
 pub mod timing;

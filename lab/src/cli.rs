@@ -4,7 +4,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use cpu::output::Options;
 
 use crate::Failure;
-use crate::commands::{bench, compare, completions, generate, inspect, render, report};
+use crate::commands::{bench, compare, completions, generate, help, inspect, render, report};
 
 /// Exit statuses, shown with every help.
 pub const EXIT_STATUS: &str = "\
@@ -16,7 +16,7 @@ Exit status:
 
 /// Renders spheres and cylinders, compares pictures, and measures how long it all takes.
 #[derive(Debug, Parser)]
-#[command(name = "render-lab", version, after_help = EXIT_STATUS, max_term_width = 120)]
+#[command(name = "render-lab", version, disable_help_subcommand = true, after_help = EXIT_STATUS, max_term_width = 120)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -55,6 +55,8 @@ pub enum Command {
     Completions(completions::Completions),
     /// Write manual pages into a folder
     Man(completions::Man),
+    /// Explain a command, or the lines of a file: help config, help scene
+    Help(help::Arguments),
 }
 
 impl Command {
@@ -72,6 +74,7 @@ impl Command {
             Self::Report(arguments) => arguments.run(options),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
             Self::Man(arguments) => arguments.run(Cli::command(), options),
+            Self::Help(arguments) => arguments.run(Cli::command()),
         }
     }
 }

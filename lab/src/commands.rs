@@ -4,6 +4,7 @@ pub mod bench;
 pub mod compare;
 pub mod completions;
 pub mod generate;
+pub mod help;
 pub mod inspect;
 pub mod render;
 pub mod report;

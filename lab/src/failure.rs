@@ -11,6 +11,8 @@ pub enum Failure {
     Other(String),
     /// Someone stopped it.
     Interrupted,
+    /// Someone stopped it, and what was done is kept: how to go on.
+    Paused(String),
     /// A command line that is not understood; a message has been written.
     CommandLine,
     /// Help was asked for and written: the end, and no failure.
@@ -25,7 +27,7 @@ impl Failure {
             Self::Rejected => 1,
             Self::Help => 0,
             Self::Renderer(_) | Self::Other(_) | Self::CommandLine => 2,
-            Self::Interrupted => 130,
+            Self::Interrupted | Self::Paused(_) => 130,
         }
     }
 
@@ -35,7 +37,7 @@ impl Failure {
         match self {
             Self::Rejected | Self::CommandLine | Self::Help => None,
             Self::Renderer(error) => Some(String::from_utf8_lossy(&error.message_for_terminal()).into_owned()),
-            Self::Other(text) => Some(text.clone()),
+            Self::Other(text) | Self::Paused(text) => Some(text.clone()),
             Self::Interrupted => Some("interrupted; nothing was written".to_owned()),
         }
     }

@@ -1,50 +1,137 @@
-//! A picture of where two pictures differ.
+//! A picture of where two pictures differ, with the scale of its colours below it.
+
+use annotate::Canvas;
+use colorous::{Gradient, INFERNO, RED_BLUE};
 
 use crate::difference::of_pixels;
 use crate::picture::{Picture, with_room};
 
-/// Colours from no difference to the largest, dark to light, so that it reads in grey too (after the map "inferno").
-const COLORS: [[u8; 3]; 6] = [[0, 0, 4], [66, 10, 104], [147, 38, 103], [221, 81, 58], [252, 165, 10], [252, 255, 164]];
+/// How differences become colours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The difference that has the last colour, in levels from 0 to 255; larger ones have it too.
+    pub most: f64,
+    /// Whether the sign is shown: red where the second picture is brighter, blue where it is darker.
+    pub is_signed: bool,
+}
 
-/// The differences of two pictures of one size as colours, `scale` levels being the brightest.
+/// Height of the bar of colours and what is written around it, in pixels.
+const LEGEND: usize = 60;
+/// Narrowest canvas that the legend's words fit on.
+const LEAST_WIDTH: usize = 370;
+/// What the legend says of a scale without the sign, and of one with it.
+const CAPTIONS: [&str; 2] =
+    ["difference, mean over channels, in levels", "second minus first, mean over channels, in levels"];
+const BAR: usize = 12;
+const MARGIN: usize = 10;
+
+impl Scale {
+    /// The scale on which the largest difference has the last colour; for equal pictures, one level has it.
+    #[must_use]
+    pub fn automatic(first: &Picture, second: &Picture, is_signed: bool) -> Self {
+        let distance = |(a, b): (&[u8; 3], &[u8; 3])| if is_signed { signed(*a, *b).abs() } else { of_pixels(*a, *b) };
+        let most = first.pixels.iter().zip(&second.pixels).map(distance).fold(0.0, f64::max);
+        Self { most: if most > 0.0 { most } else { 1.0 }, is_signed }
+    }
+
+    /// The colour of the difference of two pixels. Perceptual maps of matplotlib and ColorBrewer: dark to light, or blue
+    /// and red from white.
+    fn color(&self, first: [u8; 3], second: [u8; 3]) -> [u8; 3] {
+        if self.is_signed {
+            at(RED_BLUE, 0.5 - signed(first, second) / self.most / 2.0)
+        } else {
+            at(INFERNO, of_pixels(first, second) / self.most)
+        }
+    }
+
+    /// The colour at `share` of the bar, and the number that belongs there.
+    fn bar(&self, share: f64) -> ([u8; 3], f64) {
+        if self.is_signed {
+            (at(RED_BLUE, 1.0 - share), self.most * (2.0 * share - 1.0))
+        } else {
+            (at(INFERNO, share), self.most * share)
+        }
+    }
+}
+
+/// How much brighter the second pixel is: the mean of its channels' differences, with their signs.
+fn signed(first: [u8; 3], second: [u8; 3]) -> f64 {
+    let sum = |pixel: [u8; 3]| pixel.iter().map(|&channel| i32::from(channel)).sum::<i32>();
+    f64::from(sum(second) - sum(first)) / 3.0
+}
+
+fn at(map: Gradient, position: f64) -> [u8; 3] {
+    let color = map.eval_continuous(position.clamp(0.0, 1.0));
+    [color.r, color.g, color.b]
+}
+
+/// The differences of two pictures of one size as colours, and below them a legend with numbers.
 ///
 /// # Errors
 /// There is too little memory for it.
-pub fn heatmap(first: &Picture, second: &Picture, scale: f64) -> Result<Picture, String> {
+pub fn heatmap(first: &Picture, second: &Picture, scale: Scale) -> Result<Picture, String> {
     let pairs = first.pixels.iter().zip(&second.pixels);
-    let mut pixels = with_room(first.pixels.len())?;
-    pixels.extend(pairs.map(|(&a, &b)| color(if scale > 0.0 { of_pixels(a, b) / scale } else { 0.0 })));
-    Ok(Picture { width: first.width, height: first.height, pixels })
-}
-
-/// The colour at `position` from 0 to 1 along the map.
-fn color(position: f64) -> [u8; 3] {
-    let place = position.clamp(0.0, 1.0) * (COLORS.len() - 1) as f64;
-    let below = (place as usize).min(COLORS.len() - 2);
-    let share = place - below as f64;
-    std::array::from_fn(|channel| {
-        let [low, high] = [below, below + 1].map(|index| f64::from(COLORS[index][channel]));
-        (low + (high - low) * share).round() as u8
-    })
+    let mut colors = with_room(first.pixels.len())?;
+    colors.extend(pairs.map(|(&a, &b)| scale.color(a, b)));
+    let canvas = Canvas::new(first.width.max(LEAST_WIDTH), first.height + LEGEND);
+    let mut canvas = canvas.map_err(|_| "not enough memory for the heat map".to_owned())?;
+    canvas.paste((0, 0), &colors, first.width);
+    canvas.write((MARGIN, first.height + 4), CAPTIONS[usize::from(scale.is_signed)]);
+    let place = (MARGIN, first.height + 4 + annotate::LINE);
+    let size = (canvas.width - 2 * MARGIN, BAR);
+    // Two digits more than the largest number has, so that no two numbers are the same.
+    let digits = (1.0 - scale.most.log10().floor()).clamp(0.0, 9.0) as usize;
+    let number = |share: f64| format!("{:.digits$}", scale.bar(share).1);
+    annotate::color_bar(&mut canvas, place, size, |share| scale.bar(share).0, number);
+    Ok(Picture { width: canvas.width, height: canvas.height(), pixels: canvas.pixels })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_map_goes_from_dark_to_light() {
-        let brightness = |position| color(position).iter().map(|&channel| u32::from(channel)).sum::<u32>();
-        let steps: Vec<_> = (0..=20).map(|step| brightness(f64::from(step) / 20.0)).collect();
-        assert!(steps.is_sorted(), "{steps:?}");
-        assert_eq!((color(0.0), color(1.0), color(7.0)), (COLORS[0], COLORS[5], COLORS[5]));
+    fn picture(pixels: &[[u8; 3]]) -> Picture {
+        Picture { width: pixels.len(), height: 1, pixels: pixels.to_vec() }
+    }
+
+    fn brightness(color: [u8; 3]) -> u32 {
+        color.iter().map(|&channel| u32::from(channel)).sum()
     }
 
     #[test]
-    fn equal_pixels_are_dark_and_the_largest_difference_is_light() {
-        let first = Picture { width: 2, height: 1, pixels: vec![[5; 3], [5; 3]] };
-        let second = Picture { width: 2, height: 1, pixels: vec![[5; 3], [9; 3]] };
-        assert_eq!(heatmap(&first, &second, 4.0).expect("it is small").pixels, [COLORS[0], COLORS[5]]);
-        assert_eq!(heatmap(&first, &first, 0.0).expect("it is small").pixels, [COLORS[0], COLORS[0]]);
+    fn the_map_goes_from_dark_to_light() {
+        let scale = Scale { most: 100.0, is_signed: false };
+        let steps: Vec<_> = (0..=20).map(|step| brightness(scale.color([0; 3], [5 * step; 3]))).collect();
+        assert!(steps.is_sorted() && steps[0] < 10 && steps[20] > 500, "{steps:?}");
+        assert_eq!(scale.color([0; 3], [250; 3]), scale.color([0; 3], [100; 3]), "the end of the scale");
+    }
+
+    #[test]
+    fn the_sign_is_blue_or_red_and_nothing_is_white() {
+        let scale = Scale { most: 2.0, is_signed: true };
+        let ([red, _, blue], [darker, _, bluer]) = (scale.color([5; 3], [7; 3]), scale.color([5; 3], [3; 3]));
+        assert!(red > blue && bluer > darker);
+        assert!(scale.color([5; 3], [5; 3]).iter().all(|&channel| channel > 230));
+    }
+
+    #[test]
+    fn the_automatic_scale_ends_at_the_largest_difference() {
+        let (first, second) = (picture(&[[5; 3], [5; 3]]), picture(&[[5; 3], [2; 3]]));
+        for is_signed in [false, true] {
+            assert_eq!(Scale::automatic(&first, &second, is_signed), Scale { most: 3.0, is_signed });
+            assert_eq!(Scale::automatic(&first, &first, is_signed).most, 1.0);
+        }
+    }
+
+    #[test]
+    fn the_legend_stands_below_the_map() {
+        let (first, second) = (picture(&[[5; 3], [5; 3]]), picture(&[[5; 3], [9; 3]]));
+        let scale = Scale::automatic(&first, &second, false);
+        let map = heatmap(&first, &second, scale).expect("it is small");
+        assert_eq!((map.width, map.height), (LEAST_WIDTH, 1 + LEGEND));
+        assert_eq!((map.pixels[0], map.pixels[1]), (at(INFERNO, 0.0), at(INFERNO, 1.0)));
+        assert!(CAPTIONS.iter().all(|caption| annotate::width_of(caption) + 2 * MARGIN <= LEAST_WIDTH));
+        let below = &map.pixels[map.width..];
+        assert!(below.contains(&annotate::INK) && below.contains(&at(INFERNO, 1.0)));
     }
 }

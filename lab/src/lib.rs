@@ -12,6 +12,7 @@ pub mod commands;
 pub mod difference;
 pub mod engine;
 pub mod failure;
+pub mod format;
 pub mod heatmap;
 pub mod interrupt;
 pub mod picture;

@@ -3,6 +3,8 @@
 //! `tests::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must take any
 //! valid picture, so this reader follows the PPM format with its comments and free white space.
 
+pub mod kind;
+
 use std::io::{self, Cursor, Read, Write};
 use std::path::Path;
 

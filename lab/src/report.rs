@@ -10,6 +10,7 @@ pub mod charts;
 pub mod findings;
 pub mod html;
 pub mod style;
+pub mod thumbnails;
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -36,9 +37,10 @@ pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), F
     for (name, (_, svg)) in file_names(&charts).into_iter().zip(&drawn) {
         put(&figures.join(format!("{name}.svg")), svg, options)?;
     }
+    let pictures = thumbnails::of(results, &::tests::project_root().join("scenes"));
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())?;
     put(&folder.join("findings.json"), &format!("{json}\n"), options)?;
-    put(&folder.join("index.html"), &html::page(results, &findings, &drawn), options)
+    put(&folder.join("index.html"), &html::page(results, &findings, &drawn, &pictures), options)
 }
 
 fn put(path: &Path, text: &str, options: Options) -> Result<(), Failure> {

@@ -1,19 +1,47 @@
 //! The two files of a rendering, with values of the configuration replaced on the command line.
 
-use std::path::Path;
+pub mod located;
+pub mod recorder;
+pub mod shown;
 
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+use cpu::error::Picture;
+use cpu::input::Input;
+use cpu::text::MAX_FILE_BYTES;
 use cpu::{Config, Error, Scene};
+
+use crate::{Failure, terminal};
+use located::Kind;
+use recorder::Recorder;
 
 /// Reads the configuration at `path` and then `settings`, each `key=value` as in `gamma=1` or
 /// `camera_position=0 0 -5`. The last of a repeated key counts, so a setting is one more line.
 ///
 /// # Errors
-/// What [`Config::parse`] says about the file or a setting.
-pub fn config(path: &Path, settings: &[String]) -> Result<Config, Error> {
+/// What [`Config::parse`] says about the file, with the place in it, or about a setting, with its option.
+pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
     // The file alone first, so that its own errors are told before those of a setting.
-    let mut config = Config::read(path)?;
+    let mut config = read(path, Kind::Config, |input| Config::parse(input))?;
     for setting in settings {
-        config.set(line(setting).as_bytes())?;
+        let Some((key, value)) = setting.split_once('=') else {
+            return Err(
+                format!("--set {setting}: a value is missing, as in --set {setting}={}", example(setting)).into()
+            );
+        };
+        if value.trim().is_empty() {
+            return Err(format!("--set {setting}: a value is missing, as in --set {key}={}", example(key)).into());
+        }
+        let line = line(setting);
+        if let Err(error) = config.set(line.as_bytes()) {
+            let place = Path::new("--set");
+            let message = located::message(&error, Kind::Config, place, (1, line.as_bytes()), &[]);
+            // Its first line has the place, which an option has not; the option itself stands for it.
+            let words = message.as_deref().and_then(|message| message.split_once(": ")).map(|(_, words)| words);
+            let words = words.map_or_else(|| error.to_string(), in_one_line);
+            return Err(format!("--set {setting}: {words}").into());
+        }
     }
     Ok(config)
 }
@@ -21,16 +49,89 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Error> {
 /// The scene at `path`.
 ///
 /// # Errors
-/// What [`Scene::read`] says about it.
-pub fn scene(path: &Path) -> Result<Scene, Error> {
-    Scene::read(path)
+/// What [`Scene::parse`] says about it, with the place in the file.
+pub fn scene(path: &Path) -> Result<Scene, Failure> {
+    read(path, Kind::Scene, |input| Scene::parse(input))
+}
+
+/// Names standard input, as elsewhere: `-`.
+#[must_use]
+pub fn input(path: &Path) -> PathBuf {
+    if path == Path::new("-") { PathBuf::from("/dev/stdin") } else { path.to_owned() }
+}
+
+/// Names standard output, as elsewhere: `-`.
+#[must_use]
+pub fn output(path: &Path) -> PathBuf {
+    if path == Path::new("-") { PathBuf::from("/dev/stdout") } else { path.to_owned() }
+}
+
+/// The name of an output for a message.
+#[must_use]
+pub fn output_name(path: &Path) -> String {
+    if path == Path::new("-") { "standard output".to_owned() } else { terminal::name(path) }
+}
+
+/// That a picture cannot be made: the settings are named where one of them has a say in it, else the file.
+#[must_use]
+pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure {
+    let Error::Picture(cause) = error else { return error.in_file(path).into() };
+    let keys: &[&str] = match cause {
+        Picture::TooLarge { .. } => &["image_width", "aspect_ratio"],
+        Picture::CameraAtTarget => &["camera_position", "camera_target"],
+        Picture::NorthParallel => &["camera_position", "camera_target", "camera_north"],
+        _ => &["camera_position", "camera_target", "camera_north", "field_of_view", "image_width", "aspect_ratio"],
+    };
+    let has_a_say = |setting: &&String| setting.split_once('=').is_some_and(|(key, _)| keys.contains(&bare(key)));
+    let guilty: Vec<_> = settings.iter().filter(has_a_say).map(|setting| format!("--set {setting}")).collect();
+    if guilty.is_empty() {
+        Error::Picture(cause).in_file(path).into()
+    } else {
+        format!("{}: {cause}", guilty.join(" ")).into()
+    }
+}
+
+/// Reads a file line by line; an error about a line has its place.
+fn read<T>(
+    path: &Path,
+    kind: Kind,
+    parse: impl FnOnce(&mut Recorder<BufReader<Input>>) -> Result<T, Error>,
+) -> Result<T, Failure> {
+    let path = input(path);
+    let file = Input::open(&path, MAX_FILE_BYTES).map_err(|error| Error::from(error).in_file(&path))?;
+    let mut recorder = Recorder::new(BufReader::with_capacity(1 << 16, file));
+    parse(&mut recorder).map_err(|error| {
+        match located::message(&error, kind, &path, recorder.last_line(), recorder.names()) {
+            Some(message) => message.into(),
+            None => error.in_file(&path).into(),
+        }
+    })
+}
+
+fn bare(key: &str) -> &str {
+    key.trim().trim_end_matches(':')
+}
+
+/// A value that `key` may have: its default.
+fn example(key: &str) -> &'static str {
+    crate::format::CONFIG
+        .iter()
+        .find(|line| line.tag.strip_suffix(':') == Some(bare(key)))
+        .map_or("VALUE", |line| line.default)
+}
+
+/// A message without the line that it shows: what is wrong, and what to do.
+fn in_one_line(message: &str) -> String {
+    let mut lines = message.lines();
+    let (first, last) = (lines.next().unwrap_or_default(), lines.next_back().unwrap_or_default());
+    format!("{first}; {last}")
 }
 
 /// A setting as a line of a configuration file. One line: a line end inside it would smuggle in another.
 fn line(setting: &str) -> String {
     let setting = setting.replace(['\n', '\r'], " ");
     match setting.split_once('=') {
-        Some((key, value)) => format!("{}: {value}", key.trim().trim_end_matches(':')),
+        Some((key, value)) => format!("{}: {value}", bare(key)),
         None => setting,
     }
 }
@@ -57,9 +158,83 @@ mod tests {
         let settings = ["gamma=1".to_owned(), "camera_north=1 0 0".to_owned()];
         let config = config(&path, &settings).expect("all is valid");
         assert_eq!((config.image_width, config.gamma, config.camera_north.x), (8, 1.0, 1.0));
-        let error = super::config(&path, &["gamma=nan".to_owned()]).expect_err("it is not a number");
-        assert!(error.to_string().starts_with("Invalid value for key: [gamma:]"), "{error}");
-        let error = super::config(&path, &["width=3".to_owned()]).expect_err("there is no such key");
-        assert_eq!(error.to_string(), "Unknown configuration key: [width:]");
+        let complaint = |setting: &str| match super::config(&path, &[setting.to_owned()]) {
+            Err(Failure::Other(message)) => message,
+            other => panic!("{setting}: {other:?}"),
+        };
+        let wanted = "[nan] is not a number above 0; the line is: gamma: number > 0";
+        assert_eq!(complaint("gamma=nan"), format!("--set gamma=nan: gamma: {wanted}"));
+        assert_eq!(complaint("gama=3"), "--set gama=3: there is no configuration key [gama:]; did you mean [gamma:]?");
+        assert_eq!(
+            complaint("samples_per_pixel"),
+            "--set samples_per_pixel: a value is missing, as in --set samples_per_pixel=20"
+        );
+        assert!(complaint("gamma=").ends_with("a value is missing, as in --set gamma=2.2"));
+    }
+
+    fn about(file: &str, kind: Kind) -> String {
+        let folder = tempfile::tempdir().expect("the temporary folder is writable");
+        let path = folder.path().join("file");
+        fs::write(&path, file).expect("the folder is writable");
+        let result = match kind {
+            Kind::Config => config(&path, &[]).map(drop),
+            Kind::Scene => scene(&path).map(drop),
+        };
+        match result {
+            Err(Failure::Other(message)) => message.replace(&format!("{}:", path.display()), "F:"),
+            other => panic!("{file}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_wrong_line_is_shown_with_its_place_a_caret_and_a_remedy() {
+        let config = |text: &str| about(text, Kind::Config);
+        assert_eq!(
+            config("gamma: 1\n\n  image_widht: 3\n"),
+            "F:3:3: there is no configuration key [image_widht:]\n3 |   image_widht: 3\n      ^^^^^^^^^^^^\n\
+             did you mean [image_width:]?"
+        );
+        assert_eq!(
+            config("aspect_ratio: 16 x\n"),
+            "F:1:18: aspect_ratio: [x] is not a whole number above 0\n1 | aspect_ratio: 16 x\n                     ^\n\
+             the line is: aspect_ratio: two whole numbers > 0"
+        );
+        let missing = config("camera_target: 1 2\n");
+        assert!(missing.starts_with("F:1:19: camera_target: a number is missing\n"), "{missing}");
+        assert!(missing.contains("\n1 | camera_target: 1 2\n                       ^\n"), "{missing}");
+        assert!(config("gamma: 1 2").starts_with("F:1:10: gamma: there is more than its value\n"));
+        assert!(config("gamma 1").ends_with("\na colon follows the word: [gamma:]"));
+        assert!(config("sphere: 0 0 0 1 m").ends_with("the configuration comes first: CONFIG SCENE"));
+        assert!(config("P3").ends_with("render-lab help config lists every key"));
+    }
+
+    #[test]
+    fn a_wrong_line_of_a_scene_is_shown_as_well() {
+        let scene = |text: &str| about(&format!("matte: grey 1 1 1\n{text}\n"), Kind::Scene);
+        let near = scene("sphere: 0 0 0 1 gray");
+        assert!(near.starts_with("F:2:17: no material [gray] is defined above this line\n"), "{near}");
+        assert!(near.ends_with("\ndid you mean [grey]?"), "{near}");
+        assert!(scene("sphere: 0 0 0 1 zzz").ends_with("as in: matte: NAME 0.5 0.5 0.5"));
+        assert!(scene("matte: grey 1 1 1").starts_with("F:2:8: a material [grey] is already defined above\n"));
+        assert!(scene("shpere: 0").ends_with("did you mean [sphere:]?"));
+        assert!(scene("sphere: 0 0 0 -1 grey").starts_with("F:2:15: sphere: [-1] is not a number above 0\n"));
+        assert!(scene("cylinder: 0 0 0 1 0 0 0 grey").starts_with("F:2:19: cylinder: the axis must have a length"));
+        assert!(scene("refractive: g 1 2").starts_with("F:2:17: refractive: there is more than its 2 values\n"));
+        assert!(scene("image_width: 3").ends_with("it comes before the scene: CONFIG SCENE"));
+        // A long line is cut, and what a terminal would obey is not printed.
+        let long = scene(&format!("sphere: 0{}\u{1b}x", " ".repeat(500)));
+        assert!(long.lines().all(|line| line.chars().count() < 200) && !long.contains('\u{1b}'), "{long}");
+    }
+
+    #[test]
+    fn a_picture_that_cannot_be_made_is_the_settings_fault_where_it_is() {
+        let error = || Error::Picture(Picture::TooLarge { width: 9, height: 9 });
+        let settings = ["gamma=2".to_owned(), "image_width=100000000".to_owned()];
+        let Failure::Other(message) = about_picture(error(), Path::new("c"), &settings) else { panic!("words") };
+        assert!(message.starts_with("--set image_width=100000000: the image is too large"), "{message}");
+        let Failure::Renderer(message) = about_picture(error(), Path::new("c"), &settings[..1]) else {
+            panic!("error")
+        };
+        assert!(message.to_string().starts_with("Invalid configuration [c]: "), "{message}");
     }
 }

@@ -44,6 +44,13 @@ impl Median {
         Self { median, low: sorted[outside], high: sorted[count - 1 - outside], confidence }
     }
 
+    /// Whether the bounds are worth a conclusion: they hold the true median with a probability of at least 0.75, which takes
+    /// three measurements. One has no bounds at all, and those of two are no better than a coin.
+    #[must_use]
+    pub fn is_bounded(&self) -> bool {
+        self.confidence >= 0.75
+    }
+
     /// Width of the bounds as a share of the median.
     #[must_use]
     pub fn spread(&self) -> f64 {
@@ -64,6 +71,7 @@ mod tests {
         let one = Median::of(&[7.0]);
         assert_eq!((one.median, one.low, one.high, one.confidence), (7.0, 7.0, 7.0, 0.0));
         assert_eq!(Median::of(&[1.0, 3.0]).median, 2.0);
+        assert!(!one.is_bounded() && !Median::of(&[1.0, 3.0]).is_bounded() && Median::of(&[1.0; 3]).is_bounded());
     }
 
     #[test]

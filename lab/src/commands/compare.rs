@@ -7,14 +7,19 @@ use cpu::output::{self, Options, Output};
 
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
-use crate::heatmap::heatmap;
+use crate::heatmap::{Scale, heatmap};
 use crate::picture::Picture;
+use crate::picture::kind::Kind;
+use crate::{sources, terminal};
 
 /// Examples.
 const EXAMPLES: &str = "\
 Examples:
   render-lab compare mine.ppm theirs.ppm
   render-lab compare mine.png theirs.ppm --heatmap where.png
+  render-lab compare a.ppm b.ppm --heatmap where.png --signed      # which of the two is brighter
+  render-lab compare a.ppm b.ppm --heatmap 1.png --max 20          # one scale for several heat maps
+  render-aos config.txt scene.txt /dev/stdout | render-lab compare - theirs.ppm
   render-lab compare a.ppm b.ppm --json | jq .rmse
 
 Limits:
@@ -26,16 +31,28 @@ Exit status: 0 accepted (maximum < 150 and RMSE < 10), 1 not accepted, 2 an erro
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Picture, PPM or PNG
+    /// Picture, PPM or PNG; - is standard input
     first: PathBuf,
     /// Picture of the same size, PPM or PNG
     second: PathBuf,
-    /// Write a PNG that shows where they differ, the largest difference brightest
+    /// Write a picture of where they differ, with a scale below, PNG or PPM by its name's ending; - is PNG on standard
+    /// output
     #[arg(long, value_name = "OUT.png")]
     heatmap: Option<PathBuf>,
+    /// Difference in levels, from 0 to 255, that has the heat map's last colour; the largest difference without it
+    #[arg(long, value_name = "LEVELS", requires = "heatmap", value_parser = levels)]
+    max: Option<f64>,
+    /// Show in the heat map which picture is brighter: red where the second is, blue where the first is
+    #[arg(long, requires = "heatmap")]
+    signed: bool,
     /// Print the figures as JSON
     #[arg(long)]
     json: bool,
+}
+
+fn levels(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|&levels: &f64| levels > 0.0 && levels <= 255.0);
+    number.ok_or_else(|| "a number above 0 and up to 255 is needed".to_owned())
 }
 
 impl Arguments {
@@ -44,20 +61,32 @@ impl Arguments {
     /// # Errors
     /// [`Failure::Rejected`], or what is wrong with a file.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
+        if self.first == self.second && self.first.as_os_str() == "-" {
+            return Err("standard input (-) can be only one of the two pictures".into());
+        }
+        let is_output_taken = self.heatmap.as_ref().is_some_and(|path| path.as_os_str() == "-");
+        if self.json && is_output_taken {
+            return Err("--json and --heatmap - both write to standard output; choose a file".into());
+        }
         if let Some(path) = &self.heatmap {
             output::refuse_inputs(path, &[&self.first, &self.second])?;
         }
-        let heatmap_output = self.heatmap.as_ref().map(|path| Output::open(path, options)).transpose()?;
-        let (first, second) = (Picture::read(&self.first)?, Picture::read(&self.second)?);
+        let open = |path: &PathBuf| -> Result<_, Failure> {
+            Ok((Kind::of(path, Kind::Png)?, Output::open(&sources::output(path), options)?))
+        };
+        let heatmap_output = self.heatmap.as_ref().map(open).transpose()?;
+        let read = |path| Picture::read(&sources::input(path));
+        let (first, second) = (read(&self.first)?, read(&self.second)?);
         let difference = Difference::between(&first, &second)?;
-        if let Some(output) = heatmap_output {
-            let map = heatmap(&first, &second, difference.maximum)?;
-            output.fill(|file| map.write_png(file))?;
+        if let Some((kind, output)) = heatmap_output {
+            let automatic = Scale::automatic(&first, &second, self.signed);
+            let map = heatmap(&first, &second, Scale { most: self.max.unwrap_or(automatic.most), ..automatic })?;
+            output.fill(|file| map.write(kind, file))?;
         }
-        if self.json {
-            super::print_json(&difference)?;
-        } else {
-            crate::terminal::print(&Words(&difference).to_string())?;
+        match (self.json, is_output_taken) {
+            (true, _) => super::print_json(&difference)?,
+            (false, true) => terminal::note(&Words(&difference).to_string()),
+            (false, false) => terminal::print(&Words(&difference).to_string())?,
         }
         if difference.accepted { Ok(()) } else { Err(Failure::Rejected) }
     }
@@ -78,8 +107,9 @@ impl std::fmt::Display for Words<'_> {
         if let Some(psnr) = psnr {
             writeln!(out, "PSNR       {psnr:.2} dB")?;
         }
-        if let Some(flip) = flip {
-            writeln!(out, "FLIP       {flip:.4}")?;
+        match flip {
+            Some(flip) => writeln!(out, "FLIP       {flip:.4}")?,
+            None => writeln!(out, "FLIP       not built in (cargo build --features flip needs a C++ compiler)")?,
         }
         writeln!(out, "differing  {differing} of {pixels} pixels")?;
         if let Some([x, y, width, height]) = bounding_box {

@@ -28,6 +28,12 @@ impl Completions {
     pub fn run(&self, command: &mut clap::Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, command, "render-lab", &mut script);
+        if self.shell == Shell::Bash {
+            // clap_complete 4.6.11 sets `cmd` to names that begin with render__lab and then looks for labels that begin
+            // with render__subcmd__lab: a hyphen in the program's name ends completion below the first level.
+            let text = String::from_utf8_lossy(&script).replace("render__subcmd__lab", "render__lab");
+            script = text.into_bytes();
+        }
         terminal::write(&script)
     }
 }

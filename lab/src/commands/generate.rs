@@ -6,22 +6,23 @@ use ::tests::generator::{self, Arrangement, Options};
 use clap::{Args, ValueEnum};
 use cpu::output::{self, Output};
 
-use crate::Failure;
+use crate::{Failure, sources};
 
 /// Examples.
 const EXAMPLES: &str = "\
 Examples:
   render-lab generate config.txt scene.txt --seed 7 --objects 500
   render-lab generate config.txt scene.txt --arrangement grid --objects 101 --matte 3 --metal 2
-  render-lab generate config.txt scene.txt --cylinders 1 --refractive 0";
+  render-lab generate config.txt scene.txt --cylinders 1 --refractive 0
+  render-lab generate /dev/null - --objects 9 | render-lab inspect -";
 
 /// Options of `generate`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Configuration file to write
+    /// Configuration file to write; - is standard output
     config: PathBuf,
-    /// Scene file to write
+    /// Scene file to write; - is standard output
     scene: PathBuf,
     /// Where all random numbers come from
     #[arg(long, default_value_t = 1)]
@@ -115,7 +116,8 @@ impl Arguments {
         }
         check_memory(options.objects)?;
         // Both places are looked at before either file is written.
-        let (config, scene) = (Output::open(&self.config, how)?, Output::open(&self.scene, how)?);
+        let (config, scene) =
+            (Output::open(&sources::output(&self.config), how)?, Output::open(&sources::output(&self.scene), how)?);
         config.fill(|file| file.write_all(::tests::write::config(&generator::view(&options)).as_bytes()))?;
         scene.fill(|file| file.write_all(::tests::write::scene(&generator::scene(&options)).as_bytes()))?;
         Ok(())

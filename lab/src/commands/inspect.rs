@@ -16,16 +16,17 @@ use crate::{Failure, sources};
 const EXAMPLES: &str = "\
 Examples:
   render-lab inspect scenes/grid/scene.txt
-  render-lab inspect scene.txt config.txt --json";
+  render-lab inspect config.txt scene.txt --json
+  generator | render-lab inspect -";
 
 /// Options of `inspect`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, allow_missing_positional = true)]
 pub struct Arguments {
-    /// Scene file
-    scene: PathBuf,
     /// Configuration file; the defaults count without one
     config: Option<PathBuf>,
+    /// Scene file, - for standard input
+    scene: PathBuf,
     /// Print it as JSON
     #[arg(long)]
     json: bool,
@@ -83,8 +84,8 @@ impl Arguments {
     /// # Errors
     /// What is wrong with a file.
     pub fn run(&self) -> Result<(), Failure> {
-        let scene = sources::scene(&self.scene)?;
         let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
+        let scene = sources::scene(&self.scene)?;
         let inspection = Inspection::of(&config, &scene)?;
         if self.json {
             super::print_json(&inspection)?;

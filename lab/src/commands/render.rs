@@ -1,7 +1,7 @@
 //! `render-lab render`: the renderer, with a view of what happens.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::Args;
 use cpu::output::{self, Options, Output};
@@ -12,6 +12,7 @@ use serde::Serialize;
 use crate::Failure;
 use crate::engine::{self, LayoutName, ScatterName};
 use crate::interrupt::Interrupt;
+use crate::picture::kind::Kind;
 use crate::sources;
 use crate::terminal;
 use crate::usage::Usage;
@@ -23,6 +24,9 @@ Examples:
   render-lab render config.txt scene.txt out.ppm --set samples_per_pixel=500 --set gamma=2
   render-lab render config.txt scene.txt part.png --crop 100,40,64,64
   render-lab render config.txt scene.txt out.ppm --json --count
+  render-lab render config.txt scene.txt - --quiet | pnmtojpeg > out.jpg
+
+Keys of --set: render-lab help config. The bytes are those of render-aos and render-soa.
 
 Limits:
   A picture has at most 1073741824 pixels, a file at most 1073741824 bytes, a line at most 1048576";
@@ -31,11 +35,12 @@ Limits:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
-    /// Configuration file
+    /// Configuration file; - is standard input
     config: PathBuf,
-    /// Scene file
+    /// Scene file; - is standard input
     scene: PathBuf,
-    /// Picture to write, PNG if its name ends in .png, else PPM; replaced when it is complete and not before
+    /// Picture to write, PNG or PPM by its name's ending; - is PPM on standard output. An old file is replaced when the
+    /// new one is complete and not before
     out: PathBuf,
     /// How objects and pixels lie in memory; changes no byte
     #[arg(long, value_enum, default_value_t)]
@@ -55,6 +60,9 @@ pub struct Arguments {
     /// Print what it took as JSON on standard output
     #[arg(long)]
     json: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    quiet: bool,
 }
 
 fn parse_crop(text: &str) -> Result<[usize; 4], String> {
@@ -73,6 +81,8 @@ struct Taken {
     samples_per_pixel: u64,
     /// Rays from the camera in the rows rendered.
     primary_rays: u64,
+    /// By the clock, with the file's writing.
+    seconds: f64,
     user_seconds: f64,
     nanoseconds_per_primary_ray: f64,
     peak_memory_bytes: u64,
@@ -88,13 +98,21 @@ impl Arguments {
     /// # Errors
     /// What is wrong with a file, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
+        let is_dash = |path: &Path| path == Path::new("-");
+        if is_dash(&self.config) && is_dash(&self.scene) {
+            return Err("standard input (-) can be only one of the two files".into());
+        }
+        if is_dash(&self.out) && self.json {
+            return Err("--json and the picture - both write to standard output; choose a file".into());
+        }
+        let kind = Kind::of(&self.out, Kind::Ppm)?;
         output::refuse_inputs(&self.out, &[&self.config, &self.scene])?;
         let config = sources::config(&self.config, &self.set)?;
         let scene = sources::scene(&self.scene)?;
         let interrupt = Interrupt::listen();
         let mut taken = match self.layout {
-            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, options, &interrupt)?,
-            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, options, &interrupt)?,
+            LayoutName::Aos => self.write_picture::<Aos>(&config, &scene, (kind, options), &interrupt)?,
+            LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, (kind, options), &interrupt)?,
         };
         if self.count {
             let counts = cpu::reference::render_counted::<cpu::certified::Certified>(
@@ -111,8 +129,9 @@ impl Arguments {
         }
         if self.json {
             super::print_json(&taken)?;
-        } else if std::io::stderr().is_terminal() || self.count {
-            terminal::note(&taken.to_string());
+        }
+        if !self.quiet {
+            terminal::note(&format!("{}: {taken}", sources::output_name(&self.out)));
         }
         Ok(())
     }
@@ -122,17 +141,17 @@ impl Arguments {
         &self,
         config: &Config,
         scene: &Scene,
-        options: Options,
+        (kind, options): (Kind, Options),
         interrupt: &Interrupt,
     ) -> Result<Taken, Failure> {
-        let in_file = |error: Error| error.in_file(&self.config);
-        let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(in_file)?;
+        let explain = |error: Error| sources::about_picture(error, &self.config, &self.set);
+        let prepared = Prepared::<L>::new(config, scene, self.scatter.into()).map_err(explain)?;
         let size = prepared.size;
         let part = self.crop.unwrap_or([0, 0, size.width(), size.height()]);
         let rows = rows_of(part, size.width(), size.height())?;
-        let output = Output::open(&self.out, options)?;
-        let before = Usage::now();
-        let bar = progress(rows);
+        let output = Output::open(&sources::output(&self.out), options)?;
+        let (before, start) = (Usage::now(), Instant::now());
+        let bar = if self.quiet { ProgressBar::hidden() } else { progress(rows) };
         let picture = engine::render_rows::<L>(&prepared, rows, |row| {
             bar.set_position(row as u64);
             interrupt.flow()
@@ -140,8 +159,7 @@ impl Arguments {
         bar.finish_and_clear();
         let picture = picture.ok_or(Failure::Interrupted)?;
         let picture = if self.crop.is_some() { picture.crop(part)? } else { picture };
-        let write_png = is_png(&self.out);
-        output.fill(|file| if write_png { picture.write_png(file) } else { picture.write_ppm(file) })?;
+        output.fill(|file| picture.write(kind, file))?;
         let after = Usage::now();
         let primary_rays = ((rows * size.width()) as u64).saturating_mul(prepared.samples);
         let user_seconds = after.user - before.user;
@@ -150,6 +168,7 @@ impl Arguments {
             height: picture.height,
             samples_per_pixel: prepared.samples,
             primary_rays,
+            seconds: start.elapsed().as_secs_f64(),
             user_seconds,
             nanoseconds_per_primary_ray: user_seconds * 1e9 / primary_rays as f64,
             peak_memory_bytes: after.peak_memory,
@@ -169,10 +188,6 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
     }
 }
 
-fn is_png(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"))
-}
-
 /// A bar on standard error where that is a terminal; silent otherwise.
 fn progress(rows: usize) -> ProgressBar {
     const TEMPLATE: &str = "{wide_bar} {percent:>3} %  {per_sec}  {eta} left";
@@ -190,7 +205,8 @@ impl std::fmt::Display for Taken {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (seconds, memory) = (self.user_seconds, self.peak_memory_bytes as f64 / 1e6);
         write!(out, "{} x {} pixels, {} samples each: ", self.width, self.height, self.samples_per_pixel)?;
-        write!(out, "{seconds:.3} s of user time, {:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
+        write!(out, "{:.3} s, {seconds:.3} s of user time, ", self.seconds)?;
+        write!(out, "{:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
         write!(out, "peak memory {memory:.1} MB")?;
         if let (Some(rays), Some(hits)) = (self.rays, self.hits) {
             write!(out, "; {rays} rays, {hits} hits")?;

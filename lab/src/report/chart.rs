@@ -117,7 +117,9 @@ impl Chart {
         let legend = self.legend();
         let rows = legend.iter().map(|&(row, _)| row + 1).max().unwrap_or(0);
         let head = TITLE + LEGEND_ROW * rows;
-        let body = if self.rows.is_empty() { 330 } else { 80 + 34 * self.rows.len() as u32 };
+        // Room in each row for a marker of every series.
+        let row = (11 * self.series.len() as u32).max(34);
+        let body = if self.rows.is_empty() { 330 } else { 80 + row * self.rows.len() as u32 };
         let mut svg = String::new();
         {
             let root = SVGBackend::with_string(&mut svg, (WIDTH, head + body)).into_drawing_area();

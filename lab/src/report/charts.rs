@@ -1,8 +1,10 @@
 //! Which charts the data give.
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
-use super::style::{power_of_ten, seconds, short};
+use super::style::{engine_name, power_of_ten, seconds, short};
+use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
+use crate::bench::statistics::Median;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
 
@@ -17,6 +19,7 @@ pub fn all(results: &Results) -> Vec<Chart> {
         .chain(["sphere", "cylinder"].into_iter().filter_map(|object| intersections(results, object)))
         .chain(speed_ups(results))
         .chain(gains(results))
+        .chain(energy(results))
         .collect()
 }
 
@@ -32,7 +35,7 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for timing in results.timings.iter().filter(|t| t.setting.suite == "scale" && t.setting.parameter == parameter) {
         let point = timed(timing, timing.setting.value as f64);
-        push(&mut series, &timing.setting.engine, color(&timing.setting.engine), point);
+        push(&mut series, &engine_name(&timing.setting.engine), color(&timing.setting.engine), point);
     }
     order(&mut series);
     let x = Axis { label, format: short };
@@ -71,7 +74,12 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
         let error = curve.points.iter().find(|point| point.samples == timing.setting.value);
         if let (true, Some(error)) = (is_shown, error) {
             let bounds = Some(Bounds::Vertical(error.linear.low, error.linear.high));
-            push(&mut series, engine, color(engine), Point { x: timing.median.median, y: error.linear.median, bounds });
+            push(
+                &mut series,
+                &engine_name(engine),
+                color(engine),
+                Point { x: timing.median.median, y: error.linear.median, bounds },
+            );
         }
     }
     order(&mut series);
@@ -117,6 +125,31 @@ fn gains(results: &Results) -> Option<Chart> {
     chart(Chart { name: "gain".to_owned(), title: "Time with one thing switched off".to_owned(), x, y, series, rows })
 }
 
+/// Energy of a picture and power meanwhile, a row an implementation, where the machine has a meter.
+fn energy(results: &Results) -> Vec<Chart> {
+    type Figure = fn(&Energy) -> Option<f64>;
+    let kinds: [(&str, &str, &'static str, Figure); 2] = [
+        ("energy", "Energy of a picture", "joules a picture", |energy| energy.joules),
+        ("power", "Power while a picture is made", "watts", |energy| energy.watts),
+    ];
+    let charts = kinds.into_iter().filter_map(|(name, title, label, figure)| {
+        let (mut rows, mut series): (Vec<String>, Vec<Series>) = (Vec::new(), Vec::new());
+        for energy in &results.energy {
+            let Some(value) = figure(energy).filter(|&value| value > 0.0) else { continue };
+            let name = engine_name(&energy.engine);
+            let row = rows.iter().position(|row| *row == name).unwrap_or(rows.len());
+            if row == rows.len() {
+                rows.push(name);
+            }
+            let color = series.iter().position(|series| series.name == energy.scene).unwrap_or(series.len());
+            push(&mut series, &energy.scene, color, Point { x: value, y: row as f64 + 1.0, bounds: None });
+        }
+        let (x, y) = (Axis { label, format: short }, Axis { label: "", format: short });
+        chart(Chart { name: name.to_owned(), title: title.to_owned(), x, y, series, rows })
+    });
+    charts.collect()
+}
+
 /// How many times as fast as the literal renderer each engine is, at the most samples that both were measured with.
 fn speed_ups(results: &Results) -> Option<Chart> {
     // From the plainest instruction set on, the layouts side by side.
@@ -148,7 +181,9 @@ fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIt
 }
 
 fn timed(timing: &Timing, x: f64) -> Point {
-    Point { x, y: timing.median.median, bounds: Some(Bounds::Vertical(timing.median.low, timing.median.high)) }
+    let Median { median, low, high, .. } = timing.median;
+    // One measurement has no bounds.
+    Point { x, y: median, bounds: (low < high).then_some(Bounds::Vertical(low, high)) }
 }
 
 fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
@@ -178,4 +213,30 @@ fn order(series: &mut [Series]) {
 
 fn chart(chart: Chart) -> Option<Chart> {
     chart.series.iter().any(|series| !series.is_guide && !series.points.is_empty()).then_some(chart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn energy_and_power_have_charts_where_they_were_measured() {
+        let energy = |engine: &str, joules: Option<f64>| {
+            let [scene, engine] = ["grid", engine].map(str::to_owned);
+            let watts = joules.map(|joules| 10.0 * joules);
+            Energy { scene, engine, joules, watts, idle_watts: None, reason: None }
+        };
+        let measured = Results {
+            energy: vec![energy("reference", Some(9.0)), energy("aos-avx2", Some(1.5))],
+            ..Results::default()
+        };
+        let charts = all(&measured);
+        let names: Vec<_> = charts.iter().map(|chart| chart.name.as_str()).collect();
+        assert_eq!(names, ["energy", "power"]);
+        let xs = |chart: &Chart| chart.series[0].points.iter().map(|point| point.x).collect::<Vec<_>>();
+        assert_eq!((xs(&charts[0]), xs(&charts[1])), (vec![9.0, 1.5], vec![90.0, 15.0]));
+        assert!(charts[0].draw().is_ok_and(|svg| svg.contains("joules a picture") && svg.contains("aos-avx2")));
+        let unmeasured = Results { energy: vec![energy("reference", None)], ..Results::default() };
+        assert!(all(&unmeasured).is_empty());
+    }
 }

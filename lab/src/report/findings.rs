@@ -59,6 +59,12 @@ fn spread(results: &Results) -> Option<String> {
     spreads.sort_by(f64::total_cmp);
     let (middle, worst) = (spreads.get(spreads.len() / 2)?, spreads.last()?);
     let repeats = results.timings.iter().map(|timing| timing.seconds.len()).min()?;
+    if !results.timings.iter().all(|timing| timing.median.is_bounded()) {
+        return Some(format!(
+            "The fewest repeats of a time are {repeats}. Bounds of a median that are worth a conclusion need three, and with \
+             95 % confidence six: where there are fewer, no difference is told from chance."
+        ));
+    }
     let confidence = results.timings.iter().map(|timing| timing.median.confidence).fold(1.0, f64::min);
     Some(format!(
         "From run to run, bounds that hold a median with at least {} % confidence ({repeats} repeats or more) are {} % \
@@ -99,7 +105,7 @@ mod tests {
     fn timing(engine: &str, value: u64, seconds: f64) -> Timing {
         let [suite, scene, parameter, engine] = ["scale", "board", "objects", engine].map(str::to_owned);
         let setting = Setting { suite, scene, parameter, value, engine };
-        let bounds = [0.9 * seconds, seconds, 1.1 * seconds];
+        let bounds = [0.9, 0.95, 1.0, 1.0, 1.05, 1.1].map(|share| share * seconds);
         Timing { setting, seconds: bounds.to_vec(), median: Median::of(&bounds), digest: String::new() }
     }
 
@@ -119,6 +125,12 @@ mod tests {
         results.complete();
         let layouts = text(&results, "Layouts");
         assert!(layouts.contains("take 2 times the time") && layouts.contains("in 2 of 2 settings"), "{layouts}");
+        let mut once = results.clone();
+        once.timings.iter_mut().for_each(|timing| timing.median = Median::of(&timing.seconds[2..3]));
+        let unknown = text(&once, "Layouts");
+        assert!(unknown.contains("no bounds to tell a difference from chance"), "{unknown}");
+        let spread = text(&once, "Spread");
+        assert!(spread.contains("no difference is told from chance") && !spread.contains("confidence ("), "{spread}");
         let literal = text(&results, "Literal renderer");
         assert!(literal.contains("4 times as fast"), "the geometric mean of 2 and 8: {literal}");
         assert!(literal.contains("least 2 times (board, 10 objects), most 8 times (board, 100 objects)"), "{literal}");

@@ -4,7 +4,10 @@ use std::fmt::Write;
 
 use super::chart::Chart;
 use super::findings::Finding;
-use super::style::{for_screen, power_of_ten, printable, seconds, short, variables, with_error};
+use super::style::{
+    engine_meaning, engine_name, for_screen, power_of_ten, printable, seconds, short, variables, with_error,
+};
+use super::thumbnails::Thumbnail;
 use crate::bench::results::Results;
 
 const STYLE: &str = "\
@@ -13,11 +16,13 @@ h1{font-size:1.6rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.2rem}figure
 svg{width:100%;min-width:27rem;max-width:46rem;height:auto;display:block}dt{font-weight:600;margin-top:.6rem}dd{margin:0}\
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.9rem}\
 th,td{padding:.25rem .7rem .25rem 0;text-align:right;border-bottom:1px solid var(--grid);white-space:nowrap}\
-th:first-child,td:first-child{text-align:left}footer{margin-top:2rem;font-size:.9rem}";
+th.t,td.t{text-align:left}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
+figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem}.scenes figure{margin:0}\
+.scenes img{display:block;width:14rem;max-width:100%;height:auto}footer{margin-top:2rem;font-size:.9rem}";
 
 /// The page about `results`, with its charts as SVG.
 #[must_use]
-pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]) -> String {
+pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)], pictures: &[Thumbnail]) -> String {
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>Measurements</title>\n<style>\n\
@@ -27,29 +32,102 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
         variables(false),
         variables(true)
     );
-    page.push_str("<h2>What they say</h2>\n<dl>\n");
+    let mut body = String::new();
+    heading(&mut body, "What they say");
+    body.push_str("<dl>\n");
     for Finding { topic, text } in findings {
-        put(&mut page, format_args!("<dt>{}</dt><dd>{}</dd>\n", escape(topic), escape(text)));
+        put(&mut body, format_args!("<dt>{}</dt><dd>{}</dd>\n", escape(topic), escape(text)));
     }
-    page.push_str("</dl>\n<h2>Charts</h2>\n");
-    for (_, svg) in charts {
-        put(&mut page, format_args!("<figure>{}</figure>\n", for_screen(svg)));
+    body.push_str("</dl>\n");
+    scenes(&mut body, pictures);
+    implementations(&mut body, results);
+    heading(&mut body, "Charts");
+    for (chart, svg) in charts {
+        let caption = escape(&caption(chart));
+        put(&mut body, format_args!("<figure>{}<figcaption>{caption}</figcaption></figure>\n", for_screen(svg)));
     }
-    growth(&mut page, results);
-    times_to_error(&mut page, results);
-    gains(&mut page, results);
-    intersections(&mut page, results);
-    omitted(&mut page, results);
-    machines(&mut page, results);
+    growth(&mut body, results);
+    times_to_error(&mut body, results);
+    gains(&mut body, results);
+    intersections(&mut body, results);
+    omitted(&mut body, results);
+    machines(&mut body, results);
+    contents(&mut page, &body);
+    page.push_str(&body);
     page.push_str("</html>\n");
     page
+}
+
+/// A heading that the contents lead to.
+fn heading(page: &mut String, words: &str) {
+    put(page, format_args!("<h2 id=\"{}\">{}</h2>\n", anchor(words), escape(words)));
+}
+
+fn anchor(words: &str) -> String {
+    let letters =
+        words.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '-' });
+    letters.collect()
+}
+
+/// A list of the headings of `body`.
+fn contents(page: &mut String, body: &str) {
+    page.push_str("<nav aria-label=\"Contents\"><ol>\n");
+    for piece in body.split("<h2 id=\"").skip(1) {
+        let entry = piece.split_once("</h2>").and_then(|(heading, _)| heading.split_once("\">"));
+        if let Some((id, words)) = entry {
+            put(page, format_args!("<li><a href=\"#{id}\">{words}</a></li>\n"));
+        }
+    }
+    page.push_str("</ol></nav>\n");
+}
+
+/// The scenes that were measured, as small pictures.
+fn scenes(page: &mut String, pictures: &[Thumbnail]) {
+    if pictures.is_empty() {
+        return;
+    }
+    heading(page, "Scenes");
+    page.push_str("<div class=\"scenes\">\n");
+    for Thumbnail { scene, address } in pictures {
+        let scene = escape(scene);
+        let image = format!("<img src=\"{address}\" alt=\"The scene {scene}\">");
+        put(page, format_args!("<figure>{image}<figcaption>{scene}</figcaption></figure>\n"));
+    }
+    page.push_str("</div>\n");
+}
+
+/// What the names of implementations mean.
+fn implementations(page: &mut String, results: &Results) {
+    let timed = results.timings.iter().map(|timing| timing.setting.engine.as_str());
+    let engines: std::collections::BTreeSet<_> =
+        timed.chain(results.energy.iter().map(|e| e.engine.as_str())).collect();
+    let rows = engines.into_iter().map(|engine| vec![engine_name(engine), engine_meaning(engine)]);
+    table(page, "Implementations", &["name", "what it is"], rows);
+}
+
+/// What a chart shows, below it.
+fn caption(chart: &Chart) -> String {
+    let what = match chart.name.split('-').next().unwrap_or_default() {
+        "scale" => {
+            "Medians of user time; bars are the bounds of a median. Both axes are logarithmic: a straight line is a power."
+        }
+        "error" => {
+            "Each point is a number of samples; bars are the bounds of a median. Lower and further left is better."
+        }
+        "intersection" => "A line leads from ordinary rays, below, to hard ones. Lower and further left is better.",
+        "speed" => "Further right is faster; bars are what the bounds of both medians allow.",
+        "gain" => "1 is the renderer with nothing switched off; bars are what the bounds of both medians allow.",
+        "energy" | "power" => "Of the processor's packages, while one picture after another is made.",
+        _ => "",
+    };
+    format!("{}. {what}", chart.title)
 }
 
 fn growth(page: &mut String, results: &Results) {
     let rows = results.growth.iter().map(|growth| {
         let (points, exponent) =
             (growth.law.points.to_string(), with_error(growth.law.exponent, growth.law.exponent_error));
-        vec![growth.scene.clone(), growth.parameter.clone(), growth.engine.clone(), points, exponent]
+        vec![growth.scene.clone(), growth.parameter.clone(), engine_name(&growth.engine), points, exponent]
     });
     let head = ["scene", "parameter", "implementation", "points", "exponent"];
     table(page, "Time as a power of a parameter", &head, rows);
@@ -58,7 +136,7 @@ fn growth(page: &mut String, results: &Results) {
 fn times_to_error(page: &mut String, results: &Results) {
     let rows = results.times_to_error.iter().map(|time| {
         let reached = time.seconds.map_or_else(|| "not reached".to_owned(), seconds);
-        vec![time.scene.clone(), time.engine.clone(), short(time.error), reached]
+        vec![time.scene.clone(), engine_name(&time.engine), short(time.error), reached]
     });
     table(page, "Time to an error (RMSE in linear light)", &["scene", "implementation", "error", "user time"], rows);
 }
@@ -89,7 +167,7 @@ fn omitted(page: &mut String, results: &Results) {
     let rows = results.omitted.iter().map(|omitted| {
         let setting = &omitted.setting;
         let value = format!("{} {}", setting.value, setting.parameter);
-        vec![setting.scene.clone(), value, setting.engine.clone(), omitted.reason.clone()]
+        vec![setting.scene.clone(), value, engine_name(&setting.engine), omitted.reason.clone()]
     });
     table(page, "Left out", &["scene", "setting", "implementation", "because"], rows);
 }
@@ -105,15 +183,21 @@ fn machines(page: &mut String, results: &Results) {
 }
 
 /// A table under a heading, or nothing without rows.
-fn table(page: &mut String, heading: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+    let rows: Vec<_> = rows.collect();
+    let is_number = |cell: &String| cell.starts_with(|first: char| first.is_ascii_digit() || first == '-');
+    let is_words = |place: usize| !rows.iter().any(|row| row.get(place).is_some_and(is_number));
     let line = |cells: &mut dyn Iterator<Item = &str>, tag: &str| -> String {
-        let cells: String = cells.map(|cell| format!("<{tag}>{}</{tag}>", escape(cell))).collect();
-        format!("<tr>{cells}</tr>\n")
+        // A column stands to the left where it has words in any row, so that numbers stand below numbers.
+        let class = |place: usize| if is_words(place) { " class=\"t\"" } else { "" };
+        let cells = cells.enumerate().map(|(place, cell)| format!("<{tag}{}>{}</{tag}>", class(place), escape(cell)));
+        format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
-    let body: String = rows.map(|row| line(&mut row.iter().map(String::as_str), "td")).collect();
+    let body: String = rows.iter().map(|row| line(&mut row.iter().map(String::as_str), "td")).collect();
     if !body.is_empty() {
         let head = line(&mut head.iter().copied(), "th");
-        put(page, format_args!("<h2>{heading}</h2>\n<div class=\"wide\"><table>\n{head}{body}</table></div>\n"));
+        heading(page, title);
+        put(page, format_args!("<div class=\"wide\"><table>\n{head}{body}</table></div>\n"));
     }
 }
 
@@ -124,4 +208,24 @@ fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
 
 fn escape(text: &str) -> String {
     printable(text).replace('&', "&amp;").replace('<', "&lt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::gain::Gain;
+
+    #[test]
+    fn a_page_has_contents_that_lead_to_its_headings() {
+        let gain = Gain { scene: "grid".to_owned(), without: "no search".to_owned(), ratio: 2.0, low: 1.5, high: 2.5 };
+        let results = Results { gains: vec![gain], ..Results::default() };
+        let picture = Thumbnail { scene: "grid".to_owned(), address: "data:image/png;base64,AAAA".to_owned() };
+        let page = page(&results, &[], &[], &[picture]);
+        for id in ["what-they-say", "scenes", "charts", "time-with-one-thing-switched-off"] {
+            let both = [format!("<a href=\"#{id}\">"), format!("<h2 id=\"{id}\">")];
+            assert!(both.iter().all(|text| page.contains(text)), "{id}: {page}");
+        }
+        assert!(page.contains("<img src=\"data:image/png;base64,AAAA\" alt=\"The scene grid\">"), "{page}");
+        assert!(page.contains("<td class=\"t\">grid</td>") && page.contains("<td>2</td>"), "{page}");
+    }
 }

@@ -50,6 +50,32 @@ pub fn variables(dark: bool) -> String {
     format!("--grid:{grid};{}", series.collect::<String>())
 }
 
+/// An implementation as people read it: the renderer that follows the definition has one name everywhere.
+#[must_use]
+pub fn engine_name(engine: &str) -> String {
+    if engine == "reference" { "literal renderer".to_owned() } else { engine.to_owned() }
+}
+
+/// What an implementation's name means.
+#[must_use]
+pub fn engine_meaning(engine: &str) -> String {
+    if engine == "reference" {
+        return "follows the definition line by line and tries every object for every ray; the yardstick".to_owned();
+    }
+    let (layout, rest) = engine.split_once('-').unwrap_or((engine, ""));
+    let layout = match layout {
+        "aos" => "arrays of structures",
+        "soa" => "structures of arrays",
+        other => other,
+    };
+    let (set, without) = match (rest.strip_suffix("-plain-search"), rest.strip_suffix("-textbook")) {
+        (Some(set), _) => (set, ", every object tried for every ray"),
+        (_, Some(set)) => (set, ", intersections by the textbook's formulas alone"),
+        _ => (rest, ""),
+    };
+    format!("{layout}, {set} instructions{without}")
+}
+
 /// Seconds with a unit, three digits.
 #[must_use]
 pub fn seconds(value: f64) -> String {
@@ -95,6 +121,17 @@ mod tests {
     fn times_have_units_that_suit_them() {
         let texts = [12.345, 1.0, 0.999_9, 0.05, 0.001, 0.000_02].map(seconds);
         assert_eq!(texts, ["12.3 s", "1 s", "1 s", "50 ms", "1 ms", "20 µs"]);
+    }
+
+    #[test]
+    fn implementations_are_named_and_explained() {
+        assert_eq!(
+            (engine_name("reference").as_str(), engine_name("soa-avx2").as_str()),
+            ("literal renderer", "soa-avx2")
+        );
+        assert_eq!(engine_meaning("soa-sse2"), "structures of arrays, sse2 instructions");
+        assert!(engine_meaning("aos-avx2-textbook").starts_with("arrays of structures, avx2 instructions, inter"));
+        assert!(engine_meaning("reference").contains("yardstick"));
     }
 
     #[test]

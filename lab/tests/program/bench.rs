@@ -39,8 +39,11 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     printed(&["report", &folder.name("depth.json"), "--out", &folder.name("report")]);
     let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
     assert!(page.contains("Time against depth") && page.contains("aria-label"), "{page}");
-    let links = ["src=", "href=", "@import", "url("];
-    assert!(links.iter().all(|link| !page.contains(link)), "the page needs no other file");
+    let links = ["src=", "href=", "@import", "url("].map(|link| page.matches(link).count());
+    let own = ["src=\"data:image/png;base64,", "href=\"#"].map(|link| page.matches(link).count());
+    assert_eq!(links, [own[0], own[1], 0, 0], "the page needs no other file");
+    assert!(own[0] == 1 && page.contains("alt=\"The scene materials\""), "the scene is shown");
+    assert!(page.contains("literal renderer</td>") && page.contains("the yardstick"), "names are explained");
     let findings = fs::read_to_string(folder.file("report/findings.json")).expect("it was written");
     let findings: serde_json::Value = serde_json::from_str(&findings).expect("it is JSON");
     assert!(findings.as_array().is_some_and(|findings| findings.len() >= 4), "{findings}");
@@ -103,6 +106,40 @@ fn energy_is_a_figure_or_a_reason() {
     for energy in &results.energy {
         assert!(energy.joules.is_some() != energy.reason.is_some(), "{energy:?}");
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_measurement_is_kept_and_goes_on() {
+    use std::io::{BufRead, BufReader};
+    use std::process::Stdio;
+
+    let folder = Folder::new();
+    let out = folder.name("gain.json");
+    let arguments = ["bench", "gain", "--quick", "--repeats", "1", "--out", &out];
+    let mut child = crate::lab(&arguments).stderr(Stdio::piped()).spawn().expect("the program runs");
+    let mut lines = BufReader::new(child.stderr.take().expect("it is piped")).lines().map_while(Result::ok);
+    assert!(lines.any(|line| line.starts_with("task 2 of 8: gain grid")), "the first task ends");
+    let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
+    nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
+    let rest: Vec<_> = lines.collect();
+    let status = child.wait().expect("it ends");
+    // Where the machine is fast it may have been done already.
+    if status.success() {
+        return;
+    }
+    assert_eq!(status.code(), Some(130), "{rest:?}");
+    assert!(rest.last().is_some_and(|line| line.contains("the same command with --resume goes on")), "{rest:?}");
+    assert_eq!(folder.names(), ["gain.json.partial"]);
+
+    assert!(complaint(&arguments).contains("has an interrupted measurement: --resume goes on"));
+    let other = complaint(&["bench", "gain", "--quick", "--repeats", "3", "--out", &out, "--resume"]);
+    assert!(other.contains("measured with other options"), "{other}");
+    let resumed = crate::run(&[&arguments[..], &["--resume"]].concat());
+    let said = String::from_utf8(resumed.stderr).expect("it is text");
+    assert!(resumed.status.success() && said.contains("going on after 1 of 8 tasks"), "{said}");
+    assert!(!said.contains("task 1 of 8") && said.contains("task 8 of 8"), "{said}");
+    assert_eq!(folder.names(), ["gain-error.csv", "gain-intersections.csv", "gain.csv", "gain.json"]);
 }
 
 #[test]

@@ -46,8 +46,23 @@ fn the_heatmap_is_bright_where_pictures_differ() {
     let [a, b] = pair(&folder, "6 0 12");
     printed(&["compare", &a, &b, "--heatmap", &folder.name("map.png")]);
     let map = Picture::read(&folder.file("map.png")).expect("it is a picture");
-    let brightness: Vec<u32> = map.pixels.iter().map(|pixel| pixel.iter().map(|&c| u32::from(c)).sum()).collect();
-    assert!(brightness[2] > 600 && [0, 1, 3].iter().all(|&index| brightness[index] < 10), "{brightness:?}");
+    let brightness = |[x, y]: [usize; 2]| map.pixels[y * map.width + x].iter().map(|&c| u32::from(c)).sum::<u32>();
+    assert!(brightness([0, 1]) > 500 && [[0, 0], [1, 0], [1, 1]].into_iter().all(|place| brightness(place) < 10));
+    // On a wider scale the same difference is darker, and the sign has colours of its own.
+    printed(&["compare", &a, &b, "--heatmap", &folder.name("wide.png"), "--max", "255"]);
+    let wide = Picture::read(&folder.file("wide.png")).expect("it is a picture");
+    assert!(wide.pixels[wide.width] < map.pixels[map.width]);
+    printed(&["compare", &a, &b, "--heatmap", &folder.name("signed.png"), "--signed"]);
+    let [red, _, blue] = Picture::read(&folder.file("signed.png")).expect("it is a picture").pixels[wide.width];
+    assert!(red > 90 && blue < 60, "the second picture is brighter: {red} {blue}");
+    assert!(complaint(&["compare", &a, &b, "--max", "3"]).contains("--heatmap"));
+    // The ending decides, as of every picture.
+    printed(&["compare", &a, &b, "--heatmap", &folder.name("map.ppm")]);
+    assert_eq!(Picture::read(&folder.file("map.ppm")).ok(), Picture::read(&folder.file("map.png")).ok());
+    assert!(fs::read(folder.file("map.ppm")).expect("it was written").starts_with(b"P3"));
+    assert!(
+        complaint(&["compare", &a, &b, "--heatmap", &folder.name("map.jpg")]).contains("cannot be written as .jpg")
+    );
 }
 
 #[test]

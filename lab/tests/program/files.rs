@@ -18,6 +18,17 @@ fn generated_files_are_the_committed_ones() {
 }
 
 #[test]
+fn a_generated_file_may_go_to_standard_output() {
+    let folder = Folder::new();
+    let scene = fs::read(tests::project_root().join("scenes/grid/scene.txt")).expect("it is committed");
+    let options = ["--arrangement=grid", "--matte=3", "--metal=2", "--refractive=1", "--seed=4", "--objects=101"];
+    let text = printed(&[&["generate", &folder.name("config.txt"), "-"], &options[..]].concat());
+    assert!(text.as_bytes() == scene);
+    assert_eq!(folder.names(), ["config.txt"]);
+    assert!(complaint(&["generate", "-", "-"]).contains("need a file each"));
+}
+
+#[test]
 fn a_file_that_cannot_be_written_stops_both() {
     let folder = Folder::new();
     complaint(&["generate", &folder.name("config.txt"), "/nowhere/scene.txt"]);
@@ -26,12 +37,14 @@ fn a_file_that_cannot_be_written_stops_both() {
 
 #[test]
 fn a_scene_is_told_in_words_and_in_json() {
-    let text = printed(&["inspect", "scenes/ten-thousand/scene.txt", "scenes/ten-thousand/config.txt"]);
+    let text = printed(&["inspect", "scenes/ten-thousand/config.txt", "scenes/ten-thousand/scene.txt"]);
     assert!(text.contains("a tree of boxes") && text.contains("picture     400 x 225"), "{text}");
     let json = printed(&["inspect", "scenes/spheres/scene.txt", "--json"]);
     let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
     assert_eq!((&value["spheres"], &value["cylinders"]), (&15.into(), &0.into()));
-    assert!(complaint(&["inspect", "README.md"]).starts_with("Error: Unknown scene entity"));
+    assert!(complaint(&["inspect", "README.md"]).starts_with("Error: README.md:1:1: there is no scene entity [#]\n"));
+    let swapped = complaint(&["inspect", "scenes/grid/scene.txt", "scenes/grid/config.txt"]);
+    assert!(swapped.contains("this looks like a scene file; the configuration comes first: CONFIG SCENE"), "{swapped}");
 }
 
 #[test]

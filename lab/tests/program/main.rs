@@ -2,12 +2,16 @@
 
 mod bench;
 mod compare;
+#[cfg(unix)]
+mod completion;
 mod files;
 #[cfg(unix)]
 mod hostile;
 #[cfg(unix)]
 mod limits;
 mod render;
+#[cfg(unix)]
+mod scripts;
 #[cfg(unix)]
 mod slurm;
 mod words;

@@ -23,7 +23,7 @@ fn expected(scatter: Scatter) -> Vec<u8> {
 fn render(folder: &Folder, out: &str, options: &[&str]) -> Vec<u8> {
     let out = folder.name(out);
     let printed = printed(&[&["render", CONFIG, SCENE, &out], &SMALL[..], options].concat());
-    assert_eq!(printed, "", "it is quiet where nobody looks");
+    assert_eq!(printed, "", "standard output is for pictures and JSON");
     fs::read(out).expect("it was written")
 }
 
@@ -94,13 +94,59 @@ fn what_is_wrong_is_said_and_the_old_file_stays() {
     let out = folder.name("out.ppm");
     fs::write(&out, "old").expect("the folder is writable");
     let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "gamma=0"]);
-    assert_eq!(error, "Error: Invalid value for key: [gamma:]\nLine: \"gamma: 0\"\n");
+    let wanted = "gamma: [0] is not a number above 0; the line is: gamma: number > 0";
+    assert_eq!(error, format!("Error: --set gamma=0: {wanted}\n"));
+    let error = complaint(&["render", CONFIG, SCENE, &out, "--set", "image_width=100000000"]);
+    assert!(error.starts_with("Error: --set image_width=100000000: the image is too large"), "{error}");
+    let error = complaint(&["render", CONFIG, SCENE, &folder.name("out.jpg")]);
+    assert!(
+        error.ends_with("out.jpg: a picture cannot be written as .jpg; its name must end in .ppm or .png\n"),
+        "{error}"
+    );
     let error = complaint(&["render", "/nowhere", SCENE, &out]);
     assert!(error.starts_with("Error: Cannot read file [/nowhere]: "), "{error}");
     let error = complaint(&["render", CONFIG, SCENE, "/nowhere/out.png"]);
     assert!(error.starts_with("Error: Cannot write file [/nowhere/out.png]: "), "{error}");
     assert_eq!(fs::read_to_string(&out).expect("still there"), "old");
     assert_eq!(run(&["render", CONFIG, SCENE]).status.code(), Some(2), "a name is missing");
+}
+
+#[test]
+fn the_end_is_told_with_file_size_and_time_unless_it_is_to_be_quiet() {
+    let folder = Folder::new();
+    let out = folder.name("out.png");
+    let arguments = [&["render", CONFIG, SCENE, &out][..], &SMALL].concat();
+    let said = String::from_utf8(run(&arguments).stderr).expect("it is text");
+    assert!(said.starts_with(&format!("{out}: 64 x 36 pixels, 2 samples each: ")) && said.contains(" s, "), "{said}");
+    assert!(run(&[&arguments[..], &["--quiet"]].concat()).stderr.is_empty());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_dash_is_standard_input_or_output() {
+    use std::process::Stdio;
+
+    let folder = Folder::new();
+    let expected = expected(Scatter::Statement);
+    let root = tests::project_root();
+    for (config, scene, input) in [("-", SCENE, CONFIG), (CONFIG, "-", SCENE)] {
+        let arguments = [&["render", config, scene, "-"][..], &SMALL].concat();
+        let input = fs::File::open(root.join(input)).expect("it is committed");
+        let output = crate::lab(&arguments).stdin(Stdio::from(input)).output().expect("the program runs");
+        assert!(output.status.success() && output.stdout == expected, "{config} {scene}: {:?}", output.status);
+    }
+    let picture = folder.file("a.ppm");
+    fs::write(&picture, &expected).expect("the folder is writable");
+    let name = folder.name("a.ppm");
+    let compared = crate::lab(&["compare", "-", &name])
+        .stdin(Stdio::from(fs::File::open(&picture).expect("it was written")))
+        .output()
+        .expect("the program runs");
+    assert_eq!(String::from_utf8_lossy(&compared.stdout), "identical: 2304 pixels\n");
+    let map = run(&["compare", &name, &name, "--heatmap", "-"]);
+    assert!(map.stdout.starts_with(b"\x89PNG") && map.stderr.starts_with(b"identical"), "{:?}", map.status);
+    assert!(complaint(&["render", "-", "-", &name]).contains("can be only one of the two files"));
+    assert!(complaint(&["render", CONFIG, SCENE, "-", "--json"]).contains("both write to standard output"));
 }
 
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! What the program says about itself.
 
-use crate::{printed, run};
+use crate::{complaint, printed, run};
 
 #[test]
 fn help_tells_exit_statuses_and_examples() {
@@ -9,6 +9,15 @@ fn help_tells_exit_statuses_and_examples() {
     for command in ["render", "compare", "inspect", "generate", "completions", "man"] {
         assert!(printed(&[command, "--help"]).contains("Examples:\n  render-lab "), "{command}");
     }
+}
+
+#[test]
+fn help_explains_files_and_commands() {
+    assert!(printed(&["help", "config"]).contains("| `samples_per_pixel:`      | whole number > 0      | 20 "));
+    assert!(printed(&["help", "scene"]).contains("| `cylinder:`   | x y z radius ax ay az material |"));
+    assert!(printed(&["help", "bench", "scale"]).contains("Usage: render-lab bench scale"));
+    assert!(printed(&["help"]).contains("Exit status:"));
+    assert!(complaint(&["help", "nonsense"]).contains("no command or topic [nonsense]"));
 }
 
 #[test]

@@ -8,29 +8,32 @@ use super::check::MAX_BYTES;
 use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
-use crate::{Failure, terminal};
+use crate::{Failure, sources, terminal};
 
 impl Results {
-    /// Results from a JSON file.
+    /// Results from a JSON file; `-` is standard input.
     ///
     /// # Errors
     /// It cannot be read, or is something else.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
-        let text = cpu::input::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
+        let text = cpu::input::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
         let results: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
         Ok(results)
     }
 
     /// Writes the JSON file `path`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
-    /// intersections as `NAME-intersections.csv`.
+    /// intersections as `NAME-intersections.csv`. For `-`, the JSON goes to standard output and nothing else is written.
     ///
     /// # Errors
     /// A file cannot be written. If one of the four cannot be opened, none is changed.
     pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
         let explain = |error: csv::Error| error.to_string();
         let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
+        if path == Path::new("-") {
+            return terminal::print(&json);
+        }
         let contents = [
             format!("{json}\n").into_bytes(),
             self.times_as_csv().map_err(explain)?,
@@ -42,6 +45,17 @@ impl Results {
             output.fill(|file| file.write_all(&bytes))?;
         }
         Ok(())
+    }
+
+    /// Checks that the files that [`Results::write`] writes for `path` can be written, and changes none.
+    ///
+    /// # Errors
+    /// One of them cannot be written.
+    pub fn check_writable(path: &Path, options: Options) -> Result<(), Failure> {
+        if path == Path::new("-") {
+            return Ok(Output::open(&sources::output(path), options).map(drop)?);
+        }
+        Ok(Self::files(path).iter().try_for_each(|path| Output::open(path, options).map(drop))?)
     }
 
     /// The files that [`Results::write`] writes for `path`, itself first.

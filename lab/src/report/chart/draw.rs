@@ -80,12 +80,15 @@ impl Chart {
             let style = ("sans-serif", FONT).into_font().color(&INK).pos(Pos::new(HPos::Right, VPos::Center));
             area.draw(&Text::new(name.clone(), (154, y), style))?;
         }
-        for series in &self.series {
+        for (index, series) in self.series.iter().enumerate() {
+            // Each series has a height of its own within a row, so that no marker covers another.
+            let shift = (index as f64 - (self.series.len() - 1) as f64 / 2.0) * 0.9 / self.series.len() as f64;
             for point in &series.points {
-                if point.bounds.is_some() {
-                    chart.draw_series([PathElement::new(point.ends(), color(series).stroke_width(1))])?;
+                let shifted = Point { y: point.y + shift, ..*point };
+                if shifted.bounds.is_some() {
+                    chart.draw_series([PathElement::new(shifted.ends(), color(series).stroke_width(1))])?;
                 }
-                draw_marker(area, series.color, chart.backend_coord(&(point.x, point.y)).relative_to(area))?;
+                draw_marker(area, series.color, chart.backend_coord(&(shifted.x, shifted.y)).relative_to(area))?;
             }
         }
         Ok(())
@@ -139,8 +142,10 @@ fn color(series: &Series) -> RGBColor {
 
 /// Colours alone would not do for everyone: each has a shape as well.
 fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
-    let style = SERIES[color % SERIES.len()].0;
-    let hollow = style.stroke_width(2);
+    let solid = SERIES[color % SERIES.len()].0;
+    let hollow = solid.stroke_width(2);
+    // What lies below a marker is seen through it.
+    let style = solid.mix(0.6);
     match color % SERIES.len() {
         0 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], style.filled()))?,
         1 => area.draw(&Circle::new((x, y), 5, style.filled()))?,

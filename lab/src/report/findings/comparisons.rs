@@ -27,14 +27,18 @@ fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
 pub fn layouts(results: &Results) -> Option<String> {
     let pairs = || pairs(results, |engine| engine.strip_prefix("aos-").map(|set| format!("soa-{set}")));
     let [mean, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
-    let apart = pairs().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
+    // Bounds of too few repeats are apart by chance too often to conclude anything from them.
+    let bounded = || pairs().filter(|(a, b)| a.median.is_bounded() && b.median.is_bounded());
+    let apart = bounded().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
+    let conclusion = match bounded().count() {
+        0 => "with so few repeats there are no bounds to tell a difference from chance".to_owned(),
+        count => format!("in {apart} of {count} settings their bounds lie apart"),
+    };
     Some(format!(
-        "Structures of arrays take {} times the time of arrays of structures (geometric mean; {} to {}); in {apart} of {} \
-         settings their bounds lie apart.",
+        "Structures of arrays take {} times the time of arrays of structures (geometric mean; {} to {}); {conclusion}.",
         short(mean),
         short(low),
         short(high),
-        pairs().count()
     ))
 }
 

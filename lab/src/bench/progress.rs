@@ -1,0 +1,147 @@
+//! A long measurement, task by task: what is said about it, and what is kept so that it can go on after an interruption.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use cpu::output::{Options, Output};
+use serde::{Deserialize, Serialize};
+
+use super::machine::Machine;
+use super::results::Results;
+use super::results::check::MAX_BYTES;
+use crate::{Failure, terminal};
+
+/// What an interrupted measurement has so far.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Partial {
+    /// What was asked for; another request cannot go on with these results.
+    pub request: String,
+    /// Tasks that are done, by name.
+    pub done: Vec<String>,
+    /// What they gave.
+    pub results: Results,
+}
+
+impl Partial {
+    /// The file beside `out` that keeps it; none beside standard output, a device or a pipe.
+    #[must_use]
+    pub fn path(out: &Path) -> Option<PathBuf> {
+        let mut name = out.file_name()?.to_owned();
+        name.push(".partial");
+        let is_file = out != Path::new("-") && out.metadata().map_or(true, |metadata| metadata.is_file());
+        is_file.then(|| out.with_file_name(name))
+    }
+
+    /// What the file has.
+    ///
+    /// # Errors
+    /// It cannot be read, is something else, or was asked for otherwise.
+    pub fn read(path: &Path, request: &str) -> Result<Self, Failure> {
+        let explain = |error: &dyn Display| format!("{}: {error}", terminal::name(path));
+        let text = cpu::input::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
+        let partial: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
+        partial.results.check().map_err(|error| explain(&error))?;
+        if partial.request != request {
+            let error = format!("it was measured with other options or another program: {}", partial.request);
+            return Err(explain(&error).into());
+        }
+        Ok(partial)
+    }
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
+        let json = serde_json::to_string(self).map_err(|error| error.to_string())?;
+        Ok(Output::open(path, options)?.fill(|file| file.write_all(json.as_bytes()))?)
+    }
+}
+
+/// Announces a task: its number, and the time left as far as the tasks before it tell.
+#[must_use]
+pub fn announcement(number: usize, of: usize, task: &impl Display, measured: usize, since: Instant) -> String {
+    let left = match measured {
+        0 => String::new(),
+        // Tasks take different times: a rough figure is all that can be had.
+        _ => format!(
+            ", about {} left",
+            rough(since.elapsed().div_f64(measured as f64).mul_f64((of + 1 - number) as f64))
+        ),
+    };
+    format!("task {number} of {of}: {task}{left}")
+}
+
+fn rough(time: Duration) -> String {
+    match time.as_secs() {
+        seconds @ 0..=99 => format!("{seconds} s"),
+        seconds @ 100..=5999 => format!("{} min", seconds.div_ceil(60)),
+        seconds => format!("{:.1} h", seconds as f64 / 3600.0),
+    }
+}
+
+/// A warning where other programs want to run on this machine.
+#[must_use]
+pub fn load_warning(machine: &Machine) -> Option<String> {
+    /// Of one processor, on average over a minute.
+    const QUIET: f64 = 0.5;
+    let load = machine.load.filter(|&load| load > QUIET)?;
+    Some(format!(
+        "warning: this machine is busy: {load:.1} processes wanted to run on {} processors in the last minute. Times will \
+         spread; stop other programs and start again for figures to keep.",
+        machine.processors
+    ))
+}
+
+/// A warning where repeats differ much from each other.
+#[must_use]
+pub fn spread_warning(results: &Results) -> Option<String> {
+    /// Width of the bounds as a share of the median.
+    const MUCH: f64 = 0.1;
+    let of = results.timings.len();
+    let wide = results.timings.iter().filter(|timing| timing.median.spread() > MUCH).count();
+    (wide > 0).then(|| {
+        format!(
+            "warning: in {wide} of {of} settings the bounds of the median are more than {:.0} % of it apart: the machine was \
+             busy or its clock changed. More --repeats on a quiet machine narrow them.",
+            100.0 * MUCH
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_task_is_announced_with_its_number_and_the_time_left() {
+        let now = Instant::now();
+        assert_eq!(announcement(1, 21, &"scale width", 0, now), "task 1 of 21: scale width");
+        let earlier = now.checked_sub(Duration::from_secs(20)).expect("the clock has run that long");
+        let text = announcement(3, 4, &"x", 2, earlier);
+        assert!(text.starts_with("task 3 of 4: x, about 20 s left"), "{text}");
+        assert_eq!([5, 100, 6000].map(|seconds| rough(Duration::from_secs(seconds))), ["5 s", "2 min", "1.7 h"]);
+    }
+
+    #[test]
+    fn a_busy_machine_is_warned_about() {
+        let quiet = Machine { load: Some(0.2), ..Machine::here() };
+        assert_eq!(load_warning(&quiet), None);
+        assert_eq!(load_warning(&Machine { load: None, ..quiet.clone() }), None);
+        let warning = load_warning(&Machine { load: Some(3.0), ..quiet }).expect("it is busy");
+        assert!(warning.starts_with("warning: this machine is busy: 3.0 processes"), "{warning}");
+    }
+
+    #[test]
+    fn an_interrupted_measurement_goes_on_only_as_it_was_asked_for() {
+        let folder = tempfile::tempdir().expect("the temporary folder is writable");
+        let path = Partial::path(&folder.path().join("b.json")).expect("it has a name");
+        assert!(path.ends_with("b.json.partial"));
+        assert!(["-", "/dev/null"].iter().all(|out| Partial::path(Path::new(out)).is_none()));
+        let partial = Partial { request: "quick".to_owned(), done: vec!["a".to_owned()], ..Partial::default() };
+        partial.write(&path, Options::default()).expect("the folder is writable");
+        assert_eq!(Partial::read(&path, "quick").expect("it was written"), partial);
+        assert!(Partial::read(&path, "full").is_err());
+    }
+}

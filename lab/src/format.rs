@@ -1,0 +1,245 @@
+//! The two input files as a table: every line's fields, what they mean and what they may be.
+//!
+//! `cpu` decides what is valid. This table explains it: `render-lab help config` and `help scene` print it, messages point
+//! at the field that is wrong, and tests hold it to the parsers of `cpu`.
+
+use cpu::text;
+
+/// What a field may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Field {
+    /// A material's name: anything without blanks.
+    Name,
+    /// A whole number above zero that fits in 64 bits.
+    Count,
+    /// Any finite number.
+    Real,
+    /// A number above zero.
+    Positive,
+    /// A number that is not negative.
+    NotNegative,
+    /// A number from 0 to 1.
+    Share,
+    /// An angle above 0 and below 180 degrees.
+    Degrees,
+}
+
+impl Field {
+    /// Whether `token` is such a field.
+    #[must_use]
+    pub fn accepts(self, token: &[u8]) -> bool {
+        let real = |is_right: fn(f64) -> bool| text::parse_real(token).is_some_and(is_right);
+        match self {
+            Self::Name => true,
+            Self::Count => text::parse_positive_integer(token).is_some(),
+            Self::Real => real(|_| true),
+            Self::Positive => real(|value| value > 0.0),
+            Self::NotNegative => real(|value| value >= 0.0),
+            Self::Share => real(|value| (0.0..=1.0).contains(&value)),
+            Self::Degrees => real(|value| value > 0.0 && value < 180.0),
+        }
+    }
+
+    /// What is needed, for a message.
+    #[must_use]
+    pub const fn wanted(self) -> &'static str {
+        match self {
+            Self::Name => "a name",
+            Self::Count => "a whole number above 0",
+            Self::Real => "a number",
+            Self::Positive => "a number above 0",
+            Self::NotNegative => "a number that is not negative",
+            Self::Share => "a number from 0 to 1",
+            Self::Degrees => "an angle above 0 and below 180 degrees",
+        }
+    }
+}
+
+/// A kind of line.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// Its first word, with the colon.
+    pub tag: &'static str,
+    /// What follows, in order.
+    pub fields: &'static [Field],
+    /// The values as the table shows them.
+    pub values: &'static str,
+    /// What counts without such a line, as it would be written; empty in a scene.
+    pub default: &'static str,
+    /// What it means, with its unit.
+    pub meaning: &'static str,
+}
+
+use Field::{Count, Degrees, Name, NotNegative, Positive, Real, Share};
+
+const fn key(
+    tag: &'static str,
+    fields: &'static [Field],
+    values: &'static str,
+    default: &'static str,
+    meaning: &'static str,
+) -> Line {
+    Line { tag, fields, values, default, meaning }
+}
+
+/// Every line that a configuration file may have.
+pub const CONFIG: [Line; 13] = [
+    key("aspect_ratio:", &[Count, Count], "two whole numbers > 0", "16 9", "width to height of the picture"),
+    key("image_width:", &[Count], "whole number > 0", "1920", "width in pixels; the height follows"),
+    key("gamma:", &[Positive], "number > 0", "2.2", "gamma correction: a channel is its mean ^ (1 / gamma)"),
+    key("camera_position:", &[Real; 3], "x y z", "0 0 -10", "where the camera stands, scene units"),
+    key("camera_target:", &[Real; 3], "x y z", "0 0 0", "point in the middle of the picture, scene units"),
+    key("camera_north:", &[Real; 3], "x y z", "0 1 0", "direction that is up in the picture; any length"),
+    key("field_of_view:", &[Degrees], "number in (0, 180)", "90", "vertical opening of the view, degrees"),
+    key("samples_per_pixel:", &[Count], "whole number > 0", "20", "rays a pixel; noise falls with their square root"),
+    key("max_depth:", &[Count], "whole number > 0", "5", "most surfaces that a ray may meet; beyond, black"),
+    key("material_rng_seed:", &[Count], "whole number > 0", "13", "seed of the scatter vectors"),
+    key("ray_rng_seed:", &[Count], "whole number > 0", "19", "seed of the places of rays within pixels"),
+    key("background_dark_color:", &[Share; 3], "r g b in [0, 1]", "0.25 0.5 1", "background straight up (+y)"),
+    key("background_light_color:", &[Share; 3], "r g b in [0, 1]", "1 1 1", "background straight down (-y)"),
+];
+
+/// Every line that a scene file may have.
+pub const SCENE: [Line; 5] = [
+    key("matte:", &[Name, Share, Share, Share], "name r g b", "", "material that scatters; reflectance in [0, 1]"),
+    key(
+        "metal:",
+        &[Name, Share, Share, Share, NotNegative],
+        "name r g b diffusion",
+        "",
+        "material that mirrors; diffusion 0 is a perfect mirror",
+    ),
+    key("refractive:", &[Name, Positive], "name index", "", "glass; index > 0, of window glass about 1.5"),
+    key(
+        "sphere:",
+        &[Real, Real, Real, Positive, Name],
+        "x y z radius material",
+        "",
+        "centre, radius > 0, a material defined above",
+    ),
+    key(
+        "cylinder:",
+        &[Real, Real, Real, Positive, Real, Real, Real, Name],
+        "x y z radius ax ay az material",
+        "",
+        "centre, radius > 0, axis: as long as the cylinder is high",
+    ),
+];
+
+/// The configuration's keys as a table in Markdown that reads well as plain text too.
+#[must_use]
+pub fn config_table() -> String {
+    let rows = CONFIG.iter().map(|line| [line.tag, line.values, line.default, line.meaning]);
+    table(["key", "values", "default", "meaning"], rows)
+}
+
+/// The scene's lines as such a table.
+#[must_use]
+pub fn scene_table() -> String {
+    table(["line", "values", "meaning"], SCENE.iter().map(|line| [line.tag, line.values, line.meaning]))
+}
+
+fn table<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [&'static str; N]>) -> String {
+    let rows: Vec<_> = rows.map(|cells| cells.map(|cell| cell.to_owned())).collect();
+    // Words of the files themselves are set as code.
+    let coded = |(place, cell): (usize, &String)| match place {
+        0 => format!("`{cell}`"),
+        _ => cell.clone(),
+    };
+    let rows: Vec<Vec<String>> = rows.iter().map(|cells| cells.iter().enumerate().map(coded).collect()).collect();
+    let widths: Vec<usize> = head
+        .iter()
+        .enumerate()
+        .map(|(place, name)| rows.iter().map(|cells| cells[place].len()).max().unwrap_or(0).max(name.len()))
+        .collect();
+    let line = |cells: &[&str]| {
+        let padded: Vec<_> = cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        format!("| {} |\n", padded.join(" | "))
+    };
+    let rule: Vec<_> = widths.iter().map(|width| "-".repeat(*width)).collect();
+    let mut text = line(&head) + &line(&rule.iter().map(String::as_str).collect::<Vec<_>>());
+    for cells in &rows {
+        text += &line(&cells.iter().map(String::as_str).collect::<Vec<_>>());
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cpu::{Config, Scene};
+
+    #[test]
+    fn every_key_is_one_of_the_renderers_and_its_default_is_the_renderers() {
+        let mut config = Config { image_width: 1, gamma: 9.0, max_depth: 77, ..Config::default() };
+        for line in CONFIG {
+            config.set(format!("{} {}", line.tag, line.default).as_bytes()).expect("the table is right");
+        }
+        assert_eq!(config, Config::default());
+        // One key fewer would leave its value as it was.
+        let mut changed = Config {
+            aspect_ratio: [1, 1],
+            image_width: 1,
+            gamma: 1.0,
+            camera_position: cpu::Vec3::ONE,
+            camera_target: cpu::Vec3::ONE,
+            camera_north: cpu::Vec3::ONE,
+            field_of_view: 1.0,
+            samples_per_pixel: 1,
+            max_depth: 1,
+            material_rng_seed: 1,
+            ray_rng_seed: 1,
+            background_dark_color: cpu::Vec3::ZERO,
+            background_light_color: cpu::Vec3::ZERO,
+        };
+        for line in CONFIG {
+            changed.set(format!("{} {}", line.tag, line.default).as_bytes()).expect("the table is right");
+        }
+        assert_eq!(changed, Config::default());
+    }
+
+    /// A line with `token` in the field at `place` and something valid in all others.
+    fn with(line: &Line, place: usize, token: &str) -> String {
+        let value = |field: &Field| if *field == Name { "m" } else { "1" };
+        let mut tokens: Vec<_> = line.fields.iter().map(value).collect();
+        tokens[place] = token;
+        format!("{} {}\n", line.tag, tokens.join(" "))
+    }
+
+    #[test]
+    fn a_field_is_accepted_here_where_the_renderer_accepts_it() {
+        let tokens = ["1", "0", "-1", "0.5", "1.5", "180", "179", "nan", "x", "1e400", "18446744073709551616"];
+        let mut compared = 0;
+        for line in CONFIG {
+            for (place, field) in line.fields.iter().enumerate() {
+                for token in tokens {
+                    let accepts = Config::default().set(with(&line, place, token).trim_end().as_bytes()).is_ok();
+                    assert_eq!(field.accepts(token.as_bytes()), accepts, "{} {place} {token}", line.tag);
+                    compared += 1;
+                }
+            }
+        }
+        for line in SCENE {
+            let is_material = line.fields[0] == Name;
+            let before = if is_material { "" } else { "matte: m 1 1 1\n" };
+            for (place, field) in line.fields.iter().enumerate().filter(|(_, field)| **field != Name) {
+                for token in tokens {
+                    let text = format!("{before}{}", with(&line, place, token));
+                    let accepts = Scene::parse(text.as_bytes()).is_ok();
+                    assert_eq!(field.accepts(token.as_bytes()), accepts, "{text}");
+                    compared += 1;
+                }
+            }
+        }
+        assert_eq!(compared, (24 + 19) * tokens.len(), "every number of both files");
+    }
+
+    #[test]
+    fn the_documentation_has_these_tables() {
+        let path = ::tests::project_root().join("docs/files.md");
+        let text = std::fs::read_to_string(path).expect("it is committed");
+        for table in [config_table(), scene_table()] {
+            assert!(text.contains(&table), "docs/files.md must contain what `render-lab help` prints:\n{table}");
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! What is wrong with a line of an input file, shown where it stands: file, line, column, the line with a caret, and what
+//! to write instead. The evaluated programs have the statement's own words for the same errors.
+
+use std::path::Path;
+
+use cpu::Error;
+
+use super::shown;
+use crate::format::{CONFIG, Field, Line, SCENE};
+use crate::terminal;
+
+/// Which of the two files is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The configuration.
+    Config,
+    /// The scene.
+    Scene,
+}
+
+/// Most characters of a line that a message shows on each side of the place that is meant.
+const AROUND: usize = 60;
+
+/// A message for `error`, which is about the line `text` with the number `line` of the file `path`; `None` for an error
+/// that is not about a line. `names` are the materials defined above.
+#[must_use]
+pub fn message(
+    error: &Error,
+    kind: Kind,
+    path: &Path,
+    (line, text): (u64, &[u8]),
+    names: &[Vec<u8>],
+) -> Option<String> {
+    let (summary, token, hint) = describe(error, kind, text, names)?;
+    let (start, end) = place(text, token);
+    let place =
+        format!("{}:{line}:{}", terminal::name(path), String::from_utf8_lossy(&text[..start]).chars().count() + 1);
+    Some(format!("{place}: {summary}\n{}{hint}", excerpt(line, text, start, end)))
+}
+
+/// Where the token number `token` stands; just after the line where it has fewer.
+fn place(text: &[u8], token: usize) -> (usize, usize) {
+    let is_blank = |byte: u8| byte == b' ' || byte == b'\t';
+    let mut end = 0;
+    for number in 0.. {
+        let Some(start) = text[end..].iter().position(|&byte| !is_blank(byte)).map(|more| end + more) else { break };
+        end = text[start..].iter().position(|&byte| is_blank(byte)).map_or(text.len(), |more| start + more);
+        if number == token {
+            return (start, end);
+        }
+    }
+    // One blank after the last word: there something is missing.
+    let after = cpu::text::trim(text);
+    let length = after.as_ptr() as usize - text.as_ptr() as usize + after.len();
+    (length, length)
+}
+
+/// The line with carets below what is meant, cut where it is long.
+fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
+    let [before, meant, after] = [&text[..start], &text[start..end], &text[end..]].map(shown::line);
+    let cut = before.chars().count().saturating_sub(AROUND);
+    let before: String = before.chars().skip(cut).collect();
+    let meant: String = meant.chars().take(AROUND).collect();
+    let after: String = after.chars().take(AROUND).collect();
+    let margin = format!("{line} | {}", if cut > 0 { "..." } else { "" });
+    let missing = if meant.is_empty() { 1 } else { 0 };
+    let indent = margin.chars().count() + before.chars().count() + missing;
+    format!("{margin}{before}{meant}{after}\n{:indent$}{}\n", "", "^".repeat(meant.chars().count().max(1)))
+}
+
+/// What is wrong, at which token, and what to do.
+fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option<(String, usize, String)> {
+    Some(match error {
+        Error::UnknownKey { key } => {
+            let hint = unknown(key, kind, "key");
+            (format!("there is no configuration key [{}]", shown::line(key)), 0, hint)
+        }
+        Error::UnknownEntity { name } => {
+            let hint = unknown(name, kind, "entity");
+            (format!("there is no scene entity [{}]", shown::line(name)), 0, hint)
+        }
+        Error::InvalidValue { key, .. } => wrong_field(CONFIG.iter().find(|line| line.tag == *key)?, text),
+        Error::InvalidParameters { entity, .. } => {
+            let word = entity.split(' ').next()?;
+            wrong_field(SCENE.iter().find(|line| line.tag.strip_suffix(':') == Some(word))?, text)
+        }
+        Error::ExtraValue { key, .. } => extra(CONFIG.iter().find(|line| line.tag == *key)?),
+        Error::ExtraParameters { tag, .. } => extra(SCENE.iter().find(|line| line.tag == *tag)?),
+        Error::MaterialExists { name, .. } => {
+            let name = shown::line(name);
+            (format!("a material [{name}] is already defined above"), 1, "choose another name".to_owned())
+        }
+        Error::MaterialNotFound { name, .. } => {
+            let place = text.split(|&byte| byte == b' ' || byte == b'\t').filter(|token| !token.is_empty()).count();
+            let hint = nearest(name, names.iter().map(Vec::as_slice)).map_or_else(
+                || "define it on a line above, as in: matte: NAME 0.5 0.5 0.5".to_owned(),
+                |known| format!("did you mean [{}]?", shown::line(known)),
+            );
+            (format!("no material [{}] is defined above this line", shown::line(name)), place - 1, hint)
+        }
+        _ => return None,
+    })
+}
+
+/// What to do about an unknown first word.
+fn unknown(word: &[u8], kind: Kind, what: &str) -> String {
+    let bare = word.strip_suffix(b":").unwrap_or(word);
+    let has = |lines: &[Line]| lines.iter().any(|line| line.tag.as_bytes().strip_suffix(b":") == Some(bare));
+    let (own, other, order) = match kind {
+        Kind::Config => (&CONFIG[..], &SCENE[..], "this looks like a scene file; the configuration comes first"),
+        Kind::Scene => (&SCENE[..], &CONFIG[..], "this looks like a configuration file; it comes before the scene"),
+    };
+    if has(other) {
+        return format!("{order}: CONFIG SCENE");
+    }
+    if has(own) {
+        return format!("a colon follows the word: [{}:]", shown::line(bare));
+    }
+    let words = own.iter().filter_map(|line| line.tag.as_bytes().strip_suffix(b":"));
+    match nearest(bare, words) {
+        Some(known) => format!("did you mean [{}:]?", shown::line(known)),
+        None => {
+            let topic = if kind == Kind::Config { "config" } else { "scene" };
+            format!("render-lab help {topic} lists every {what}")
+        }
+    }
+}
+
+/// The known word that is most like `word`, if one is like it at all.
+fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
+    /// Of Jaro and Winkler; what clap takes for its own suggestions is 0.7.
+    const LIKE: f64 = 0.8;
+    let word = String::from_utf8_lossy(word);
+    known
+        .map(|known| (strsim::jaro_winkler(&word, &String::from_utf8_lossy(known)), known))
+        .filter(|(likeness, _)| *likeness > LIKE)
+        .max_by(|one, other| one.0.total_cmp(&other.0))
+        .map(|(_, known)| known)
+}
+
+fn wrong_field(line: &Line, text: &[u8]) -> (String, usize, String) {
+    let tokens: Vec<_> = cpu::text::Tokens::new(text).skip(1).collect();
+    let place = line
+        .fields
+        .iter()
+        .enumerate()
+        .position(|(place, field)| tokens.get(place).is_none_or(|token| !field.accepts(token)));
+    let usage = format!("the line is: {} {}", line.tag, line.values);
+    let word = line.tag.trim_end_matches(':');
+    match place {
+        // Every field is right by itself: an axis of no length is all that is left.
+        None => {
+            let first = 1 + line.fields.iter().position(|field| *field == Field::Positive).map_or(0, |place| place + 1);
+            (format!("{word}: the axis must have a length above 0"), first, usage)
+        }
+        Some(place) => {
+            let wanted = line.fields[place].wanted();
+            let problem = match tokens.get(place) {
+                Some(token) => format!("[{}] is not {wanted}", shown::line(token)),
+                None => format!("{wanted} is missing"),
+            };
+            (format!("{word}: {problem}"), place + 1, usage)
+        }
+    }
+}
+
+fn extra(line: &Line) -> (String, usize, String) {
+    let summary = format!("{} there is more than its {} values", line.tag, line.fields.len());
+    let summary = if line.fields.len() == 1 { format!("{} there is more than its value", line.tag) } else { summary };
+    (summary, line.fields.len() + 1, format!("the line is: {} {}", line.tag, line.values))
+}
