@@ -1,0 +1,68 @@
+//! What stands before a run, and what may stand after it.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use super::{Files, Job};
+
+/// All files in `folder` and the folders in it, with their contents.
+pub fn files(folder: &Path) -> io::Result<Files> {
+    let mut found = Files::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            found.append(&mut files(&path)?);
+        } else {
+            let content = fs::read(&path)?;
+            found.insert(path, content);
+        }
+    }
+    Ok(found)
+}
+
+impl Job {
+    /// Puts the old files, if there are any, in the places of the new ones, and nothing else into the folder.
+    pub(super) fn prepare(&self, new: &Files) -> io::Result<()> {
+        fs::remove_dir_all(&self.folder)?;
+        fs::create_dir(&self.folder)?;
+        for (path, old) in new.keys().zip(self.old.iter().cycle()) {
+            fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+            fs::write(path, old)?;
+        }
+        Ok(())
+    }
+
+    /// Checks what stands after a run, which a signal may have ended.
+    pub(super) fn check(&self, new: &Files, output: &Output, ended_by_signal: bool) -> Result<(), String> {
+        let found = files(&self.folder).map_err(|error| error.to_string())?;
+        let stands = |path: &PathBuf| found.get(path);
+        let is_old = |path: &PathBuf| stands(path) == self.old.as_ref();
+        let is_new = |path: &PathBuf| stands(path) == new.get(path);
+        let whole = new.keys().all(|path| is_old(path) || is_new(path));
+        let told = if output.status.success() {
+            new.keys().all(is_new)
+        } else if ended_by_signal {
+            whole
+        } else {
+            whole && says_which(&String::from_utf8_lossy(&output.stderr), new.keys().filter(|path| is_new(path)))
+        };
+        let alone = found.keys().all(|path| new.contains_key(path));
+        if told && alone {
+            return Ok(());
+        }
+        let states: Vec<_> = new.keys().map(|path| (path, is_old(path), is_new(path))).collect();
+        Err(format!("file, old, new: {states:?}; alone {alone}, {:?}; {output:?}", found.keys()))
+    }
+}
+
+/// Whether a message says that the run failed, and does not deny that the files `replaced` are new.
+fn says_which<'a>(message: &str, mut replaced: impl Iterator<Item = &'a PathBuf>) -> bool {
+    // What is uncertain about a new file is its way onto the disk, and the message says so.
+    let is_uncertain = message.contains("the new file is there");
+    // A program that writes several files names the one that it could not write. Standard output is one of them.
+    let blames = |path: &PathBuf| message.contains(&format!("Cannot write file [{}]", path.display()));
+    let blames_any = message.contains("Cannot write file [");
+    message.contains("rror: ") && replaced.all(|path| is_uncertain || blames_any && !blames(path))
+}

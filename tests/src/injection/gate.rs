@@ -1,0 +1,109 @@
+//! A program that waits at an input until `strace` watches the thread that reads it.
+
+use std::fs::{self, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use super::Job;
+
+/// How long each step of a program may take on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// A process that does not outlive a test that fails.
+struct Running(Option<Child>);
+
+impl Running {
+    fn start(command: &mut Command) -> Result<Self, String> {
+        command.spawn().map(|child| Self(Some(child))).map_err(|error| error.to_string())
+    }
+
+    fn wait(mut self) -> Result<Output, String> {
+        let child = self.0.take().ok_or("it was waited for")?;
+        child.wait_with_output().map_err(|error| error.to_string())
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        if let Some(mut child) = self.0.take() {
+            // A process that has ended already does not mind.
+            let _ = child.kill();
+            let _ = child.wait();
+        }
+    }
+}
+
+/// Runs the program of `job`, by `prefix`. The gate becomes a pipe with a name. When the thread that reads it waits for
+/// its content, `strace` attaches to this thread alone, and only then the content comes.
+pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[&str]) -> Result<Output, String> {
+    let _ = fs::remove_file(gate);
+    let made = Command::new("mkfifo").arg(gate).status();
+    if !made.is_ok_and(|status| status.success()) {
+        return Err("mkfifo failed".to_owned());
+    }
+    // Linux opens a pipe for both at once without waiting; afterwards the program does not wait when it opens it.
+    let mut pipe = OpenOptions::new().read(true).write(true).open(gate).map_err(|error| error.to_string())?;
+    let mut command = match prefix {
+        [] => Command::new(&job.program),
+        [first, rest @ ..] => {
+            let mut command = Command::new(first);
+            command.args(rest).arg(&job.program);
+            command
+        }
+    };
+    command.args(&job.arguments).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let program = Running::start(&mut command)?;
+    let first = program.0.as_ref().map_or(0, Child::id);
+    let thread = until("the program reads the gate", || {
+        let process = if prefix.is_empty() { first } else { only_child(first)? };
+        reader(process, gate)
+    })?;
+    // What strace shows until then tells when it watches: the call in which the thread waits.
+    let log = job.log();
+    fs::write(&log, "").map_err(|error| error.to_string())?;
+    let mut strace = Command::new("strace");
+    strace.args(["-y", "-qq", "-p", &thread.to_string(), "-o"]).arg(&log).args(more);
+    let strace = Running::start(&mut strace)?;
+    until("strace watches", || fs::metadata(&log).ok().filter(|file| file.len() > 0))?;
+    pipe.write_all(content).map_err(|error| error.to_string())?;
+    drop(pipe);
+    let output = program.wait()?;
+    strace.wait()?;
+    Ok(output)
+}
+
+/// Asks until there is an answer.
+fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> Result<T, String> {
+    let start = Instant::now();
+    while start.elapsed() < PATIENCE {
+        if let Some(answer) = ask() {
+            return Ok(answer);
+        }
+        std::thread::sleep(Duration::from_micros(500));
+    }
+    Err(format!("waited in vain until {what}"))
+}
+
+/// The only child of a process, which has one thread.
+fn only_child(process: u32) -> Option<u32> {
+    fs::read_to_string(format!("/proc/{process}/task/{process}/children")).ok()?.trim().parse().ok()
+}
+
+/// The thread of `process` that started last, if the process has `gate` open and this thread sleeps: then it waits for
+/// the content of the gate.
+fn reader(process: u32, gate: &Path) -> Option<u32> {
+    let descriptors = fs::read_dir(format!("/proc/{process}/fd")).ok()?;
+    let links = descriptors.filter_map(|entry| fs::read_link(entry.ok()?.path()).ok());
+    let gate: PathBuf = fs::canonicalize(gate).ok()?;
+    if !links.into_iter().any(|link| link == gate) {
+        return None;
+    }
+    let tasks = fs::read_dir(format!("/proc/{process}/task")).ok()?;
+    let threads = tasks.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse::<u32>().ok());
+    let thread = threads.max()?;
+    let state = fs::read_to_string(format!("/proc/{process}/task/{thread}/stat")).ok()?;
+    // The name of the program comes before, in parentheses, and may contain any of them.
+    state.rsplit_once(") ")?.1.starts_with('S').then_some(thread)
+}
