@@ -54,6 +54,8 @@ pub struct Output {
     /// As the caller named it, for messages.
     named: PathBuf,
     place: Place,
+    /// Why the first write failed that did. Encoders such as `png` lose errors of the bytes that they write at their end.
+    failure: Option<io::Error>,
 }
 
 impl Output {
@@ -65,20 +67,21 @@ impl Output {
     /// or it is another user's and may not be replaced; or it is standard output, which is closed.
     pub fn open(path: &Path, options: Options) -> Result<Self, Error> {
         let place = Place::find(path, options.sync).map_err(|cause| Error::Write { path: path.to_owned(), cause })?;
-        Ok(Self { named: path.to_owned(), place })
+        Ok(Self { named: path.to_owned(), place, failure: None })
     }
 
     /// Puts what was written in its place.
     ///
     /// # Errors
-    /// [`Error::Write`] when the system fails. A regular file is then as it was, unless the message says that only its way
-    /// onto the disk is uncertain.
+    /// [`Error::Write`] when the system fails, or when a write has failed, even if its error was ignored. A regular file is
+    /// then as it was, unless the message says that only its way onto the disk is uncertain.
     pub fn commit(self) -> Result<(), Error> {
-        let result = match self.place {
-            Place::Regular(file) => file.commit(),
+        let result = match (self.failure, self.place) {
+            (Some(cause), _) => Err(cause),
+            (None, Place::Regular(file)) => file.commit(),
             // One that got no bytes is opened and closed: its reader waits for that.
-            Place::Pipe(path) => open_pipe(&path).map(drop),
-            Place::Direct(_) => Ok(()),
+            (None, Place::Pipe(path)) => open_pipe(&path).map(drop),
+            (None, Place::Direct(_)) => Ok(()),
         };
         result.map_err(|cause| Error::Write { path: self.named, cause })
     }
@@ -97,19 +100,32 @@ impl Output {
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if let Place::Pipe(path) = &self.place {
-            self.place = Place::Direct(open_pipe(path)?);
+        let result = self.place.write(bytes);
+        if let Err(error) = &result {
+            // Callers write again after an interruption.
+            if error.kind() != io::ErrorKind::Interrupted && self.failure.is_none() {
+                self.failure = Some(error.raw_os_error().map_or(error.kind().into(), io::Error::from_raw_os_error));
+            }
         }
-        match &mut self.place {
-            Place::Regular(file) => file.write(bytes),
-            Place::Direct(file) => file.write(bytes),
-            Place::Pipe(_) => Err(io::ErrorKind::NotConnected.into()),
-        }
+        result
     }
 
     fn flush(&mut self) -> io::Result<()> {
         // Neither a file nor a descriptor has a buffer of its own.
         Ok(())
+    }
+}
+
+impl Place {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let Self::Pipe(path) = self {
+            *self = Self::Direct(open_pipe(path)?);
+        }
+        match self {
+            Self::Regular(file) => file.write(bytes),
+            Self::Direct(file) => file.write(bytes),
+            Self::Pipe(_) => Err(io::ErrorKind::NotConnected.into()),
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use wgpu::{AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
 
@@ -15,7 +16,12 @@ pub struct Gpu {
     info: AdapterInfo,
     /// Why the device was lost, once it is.
     lost: Arc<Mutex<Option<String>>>,
+    /// How long a run may take.
+    patience: Duration,
 }
+
+/// How long a run may take, unless [`Gpu::with_patience`] says otherwise.
+pub const PATIENCE: Duration = Duration::from_secs(120);
 
 impl Gpu {
     /// Opens the adapter of [`adapter::choose`], with f64 where it has that.
@@ -40,7 +46,18 @@ impl Gpu {
                 *lost = Some(format!("{reason:?} {message}").trim_end().to_owned());
             }
         });
-        Ok(Self { device, queue, info, lost })
+        Ok(Self { device, queue, info, lost, patience: PATIENCE })
+    }
+
+    /// The device with another limit on the time of a run than [`PATIENCE`].
+    #[must_use]
+    pub fn with_patience(self, patience: Duration) -> Self {
+        Self { patience, ..self }
+    }
+
+    /// How long a run may take.
+    pub(crate) fn patience(&self) -> Duration {
+        self.patience
     }
 
     /// The adapter's name.

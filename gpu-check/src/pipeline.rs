@@ -40,6 +40,8 @@ pub struct Pipeline {
     precision: Precision,
     pipeline: ComputePipeline,
     layout: BindGroupLayout,
+    /// Buffers that the kernel binds.
+    bindings: usize,
 }
 
 /// What a run gives.
@@ -101,8 +103,19 @@ impl Pipeline {
                 compilation_options: PipelineCompilationOptions { constants, ..PipelineCompilationOptions::default() },
                 cache: None,
             });
-            Self { name, precision: composition.precision(), pipeline, layout }
+            Self { name, precision: composition.precision(), pipeline, layout, bindings: entries.len() }
         })
+    }
+
+    /// Has the driver compile the kernel to the end, and runs nothing. lavapipe makes machine code only for a run, even for
+    /// one of no invocations.
+    ///
+    /// # Errors
+    /// [`Error::Timeout`], or what the driver finds wrong.
+    pub fn warm_up(&self, gpu: &Gpu) -> Result<(), Error> {
+        gpu.check_lost()?;
+        let contents = vec![Content::Scratch(0); self.bindings];
+        gpu.scoped(|| self.dispatch(gpu, &contents, 0))?.1.map(drop)
     }
 
     /// Runs the kernel with `contents` bound at 0, 1, 2 and so on: once, or as often as an [`Content::Inputs`] says.

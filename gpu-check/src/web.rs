@@ -45,6 +45,8 @@ pub struct Server {
     connections: AtomicUsize,
     /// Bytes of all bodies that are being received.
     bodies: AtomicUsize,
+    /// How long a client may take for its whole request, and for an answer's next bytes.
+    patience: [Duration; 2],
 }
 
 /// What the page sent under `results/`.
@@ -80,7 +82,8 @@ impl Server {
     /// When the port is taken.
     pub fn new(port: u16, data: BTreeMap<String, Vec<u8>>) -> io::Result<Self> {
         let listener = TcpListener::bind(("127.0.0.1", port))?;
-        Ok(Self { listener, data, connections: AtomicUsize::new(0), bodies: AtomicUsize::new(0) })
+        let (connections, bodies) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        Ok(Self { listener, data, connections, bodies, patience: [request::MAX_TIME, PATIENCE] })
     }
 
     /// Where it listens.
@@ -134,7 +137,9 @@ impl Server {
             share = Share::take(&self.bodies, length, request::MAX_BODY);
             share.is_some()
         };
-        let request = match Request::read(stream, reserve) {
+        let [for_request, for_answer] = self.patience;
+        stream.set_write_timeout(Some(for_answer))?;
+        let request = match Request::read(stream, for_request, reserve) {
             Ok(request) => request,
             Err(Refusal::Broken(error)) => return Err(error),
             Err(Refusal::Status(status)) => {
@@ -174,7 +179,6 @@ fn may_pass(error: &io::Error) -> bool {
 }
 
 fn respond(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8]) -> io::Result<()> {
-    stream.set_write_timeout(Some(PATIENCE))?;
     let length = body.len();
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {length}\r\n\

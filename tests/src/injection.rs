@@ -93,10 +93,11 @@ impl Job {
             return Err(format!("undisturbed: {new:?}, {output:?}"));
         }
         let calls = self.calls(&new, &[])?;
+        let some = |calls| calls::spread(calls, self.most);
         match disturbance {
-            Disturbance::Errors => self.fail(&new, &calls, &[]),
-            Disturbance::Signal => self.signal(&new, &calls, &[], false),
-            Disturbance::SignalAsProcessOne => self.signal(&new, &calls, &[], true),
+            Disturbance::Errors => self.fail(&new, &some(calls), &[]),
+            Disturbance::Signal => self.signal(&new, &some(calls), &[], false),
+            Disturbance::SignalAsProcessOne => self.signal(&new, &some(calls), &[], true),
             Disturbance::Named => {
                 let unnamed = calls.iter().find(|call| call.text.contains("O_TMPFILE"));
                 let unnamed = unnamed.ok_or("no file without a name was made")?;
@@ -108,6 +109,7 @@ impl Job {
                     return Err("no file with a name was made".to_owned());
                 }
                 calls.retain(|call| call.name != "openat");
+                let calls = some(calls);
                 Ok(self.fail(&new, &calls, &first)? + self.signal(&new, &calls, &first, false)?)
             }
         }
@@ -159,7 +161,6 @@ impl Job {
         let text = fs::read(self.log()).map_err(|error| error.to_string())?;
         let text = String::from_utf8_lossy(&text);
         let calls = calls::calls(&text, &self.folder.to_string_lossy(), self.only_folder);
-        let calls = calls::spread(calls, self.most);
         if calls.len() < 10 { Err(format!("only {} calls in {text}", calls.len())) } else { Ok(calls) }
     }
 

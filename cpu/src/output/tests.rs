@@ -5,6 +5,8 @@ use std::os::unix::fs::{PermissionsExt, symlink};
 
 use super::*;
 
+mod failures;
+
 /// A folder of its own for each test, removed at its end.
 struct Folder(PathBuf);
 

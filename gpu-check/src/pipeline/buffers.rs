@@ -1,7 +1,5 @@
 //! Buffers: how they are bound and filled, and waiting for what is written into them.
 
-use std::time::Duration;
-
 use wgpu::{
     BindGroupLayoutEntry, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, PollType,
     ShaderStages,
@@ -12,8 +10,6 @@ use crate::{Error, Gpu};
 
 /// What an output holds before the kernel writes it: no formula gives this by accident.
 pub const SENTINEL: u8 = 0xA5;
-/// How long a run may take.
-const PATIENCE: Duration = Duration::from_secs(120);
 /// What an empty buffer is given, since none may be empty: more than any structure takes.
 const SMALLEST: usize = 256;
 
@@ -56,9 +52,9 @@ pub fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
 
 /// Waits until the device has done all that it was given.
 pub fn wait(gpu: &Gpu) -> Result<(), Error> {
-    let poll = PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
+    let poll = PollType::Wait { submission_index: None, timeout: Some(gpu.patience()) };
     match gpu.device.poll(poll) {
         Ok(_) => gpu.check_lost(),
-        Err(_) => gpu.check_lost().and(Err(Error::Timeout { seconds: PATIENCE.as_secs() })),
+        Err(_) => gpu.check_lost().and(Err(Error::Timeout { seconds: gpu.patience().as_secs() })),
     }
 }

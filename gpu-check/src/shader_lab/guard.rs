@@ -6,6 +6,7 @@
 
 use std::ffi::OsString;
 use std::io::{self, Read, Write};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
@@ -16,29 +17,58 @@ use crate::{Error, Gpu, Pipeline};
 /// The argument by which the program knows that it is the process to compile in.
 pub const FLAG: &str = "--compile-standard-input";
 
-/// Address space of the process, in bytes. The largest of the project's own shaders needs a quarter of it.
-pub const MAX_MEMORY: u64 = 4 << 30;
+/// What the process may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Address space, in bytes.
+    pub memory: u64,
+    /// Processor time, in seconds. The system counts in whole seconds, at least one.
+    pub seconds: u64,
+    /// Wall-clock time.
+    pub patience: Duration,
+}
 
-/// Processor time of the process, in seconds.
-pub const MAX_SECONDS: u64 = 20;
+impl Limits {
+    /// Those of the program. The largest of the project's own shaders needs a quarter of the memory. A machine with more to
+    /// do may be six times slower.
+    pub const STANDARD: Self = Self { memory: 4 << 30, seconds: 20, patience: Duration::from_secs(120) };
+}
 
-/// Wall-clock time of the process: a machine with more to do may be this much slower.
-const PATIENCE: Duration = Duration::from_secs(6 * MAX_SECONDS);
+/// Status of the process when the device had too little memory. The parent process, whose memory has no limit, must not
+/// try again.
+const OUT_OF_MEMORY: i32 = 3;
 
 /// Largest text that the process reads, in bytes: all modules of a composition.
 const MAX_TEXT: u64 = 1 << 26;
 
-/// Compiles `composition` in a process of its own.
+/// Compiles `composition` in a process of its own, within [`Limits::STANDARD`].
+///
+/// # Errors
+/// As [`check_within`].
+pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(), Error> {
+    let program = std::env::current_exe().map_err(failed)?;
+    check_within(&program, Limits::STANDARD, composition, constants)
+}
+
+fn failed(cause: io::Error) -> Error {
+    Error::Request { message: format!("the process to compile in: {cause}") }
+}
+
+/// Compiles `composition` in a process of `program`, which is `shader-lab`, within `limits`.
 ///
 /// What is wrong with the text is no error here: compiling it once more tells it better.
 ///
 /// # Errors
 /// [`Error::Request`] when the process was ended by a limit or a fault, or could not be started.
-pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(), Error> {
-    let failed = |cause: io::Error| Error::Request { message: format!("the process to compile in: {cause}") };
-    let program = std::env::current_exe().map_err(failed)?;
+pub fn check_within(
+    program: &Path,
+    limits: Limits,
+    composition: &Composition,
+    constants: &[(&str, f64)],
+) -> Result<(), Error> {
     let mut command = Command::new(program);
-    command.arg(FLAG).arg(composition.precision().to_string());
+    command.arg(FLAG).args([limits.memory, limits.seconds].map(|limit| limit.to_string()));
+    command.arg(composition.precision().to_string());
     command.args(constants.iter().map(|(name, value)| format!("{name}={value}")));
     command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
     let mut child = command.spawn().map_err(failed)?;
@@ -46,24 +76,25 @@ pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(),
         // A process that has ended reads nothing; its status says why.
         let _ = input.write_all(composition.source().as_bytes());
     }
-    let status = wait(&mut child).map_err(failed)?;
+    let status = wait(&mut child, limits.patience).map_err(failed)?;
     // 2 stands for an error in words; a panic has another status.
     if status.is_some_and(|status| matches!(status.code(), Some(0 | 2))) {
         return Ok(());
     }
     let message = format!(
-        "the shader takes too much to compile: naga or the driver {}; at most {} MiB of memory and {MAX_SECONDS} s are \
+        "the shader takes too much to compile: naga or the driver {}; at most {} MiB of memory and {} s are \
          allowed; simplify the modules",
         status.map_or_else(|| "did not come to an end".to_owned(), |status| format!("ended by {status}")),
-        MAX_MEMORY >> 20,
+        limits.memory >> 20,
+        limits.seconds,
     );
     Err(Error::Request { message })
 }
 
 /// How the process ended; `None` when it had to be ended.
-fn wait(child: &mut Child) -> io::Result<Option<ExitStatus>> {
+fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>> {
     let start = Instant::now();
-    while start.elapsed() < PATIENCE {
+    while start.elapsed() < patience {
         if let Some(status) = child.try_wait()? {
             return Ok(Some(status));
         }
@@ -79,9 +110,10 @@ fn wait(child: &mut Child) -> io::Result<Option<ExitStatus>> {
 /// # Errors
 /// What naga or the driver says, or that it was started in another way than by [`check`].
 pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
-    limit_this_process()?;
     let wrong = |message: &str| Error::Request { message: message.to_owned() };
     let mut arguments = arguments.into_iter().map(|argument| argument.to_string_lossy().into_owned());
+    let mut limit = || arguments.next().and_then(|text| text.parse().ok()).ok_or_else(|| wrong("a limit is missing"));
+    limit_this_process(limit()?, limit()?)?;
     let precision = arguments.next();
     let precision = Precision::ALL.into_iter().find(|known| Some(known.to_string()) == precision);
     let precision = precision.ok_or_else(|| wrong("the precision is missing"))?;
@@ -95,15 +127,20 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     let composition = Composition::of_text(text, precision);
     // Before the driver is there, so that its memory does not count.
     composition.validate()?;
-    Pipeline::with_constants(&Gpu::open()?, &composition, &constants).map(drop)
+    let gpu = Gpu::open()?;
+    let compiled = Pipeline::with_constants(&gpu, &composition, &constants).and_then(|pipeline| pipeline.warm_up(&gpu));
+    match compiled {
+        Err(Error::OutOfMemory { .. }) => std::process::exit(OUT_OF_MEMORY),
+        other => other,
+    }
 }
 
 #[cfg(unix)]
-fn limit_this_process() -> Result<(), Error> {
+fn limit_this_process(memory: u64, seconds: u64) -> Result<(), Error> {
     use nix::sys::resource::{Resource, getrlimit, setrlimit};
 
     for (resource, limit) in
-        [(Resource::RLIMIT_AS, MAX_MEMORY), (Resource::RLIMIT_CPU, MAX_SECONDS), (Resource::RLIMIT_CORE, 0)]
+        [(Resource::RLIMIT_AS, memory), (Resource::RLIMIT_CPU, seconds), (Resource::RLIMIT_CORE, 0)]
     {
         let lowered = getrlimit(resource).and_then(|(_, most)| setrlimit(resource, limit.min(most), most));
         lowered.map_err(|error| Error::Request { message: format!("limits cannot be set: {error}") })?;
@@ -113,6 +150,6 @@ fn limit_this_process() -> Result<(), Error> {
 
 /// Does nothing: systems other than Unix have no such limits, so only the parent's limit on wall-clock time ends the process.
 #[cfg(not(unix))]
-fn limit_this_process() -> Result<(), Error> {
+fn limit_this_process(_memory: u64, _seconds: u64) -> Result<(), Error> {
     Ok(())
 }

@@ -64,12 +64,12 @@ impl Read for Timed<'_> {
 }
 
 impl Request {
-    /// Reads a request. `reserve` is asked before a body of so many bytes is received.
+    /// Reads a request, which the client must have sent within `time`. `reserve` is asked before a body of so many bytes is received.
     ///
     /// # Errors
     /// [`Refusal::Status`] where a limit is exceeded, the client calls this server by a foreign name, or it is no HTTP.
-    pub fn read(stream: &TcpStream, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {
-        Self::parse(BufReader::new(Timed { stream, end: Instant::now() + MAX_TIME }), reserve)
+    pub fn read(stream: &TcpStream, time: Duration, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {
+        Self::parse(BufReader::new(Timed { stream, end: Instant::now() + time }), reserve)
     }
 
     fn parse(mut reader: impl BufRead, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {

@@ -4,7 +4,8 @@ use super::*;
 
 #[test]
 fn calls_are_counted_by_thread_from_the_first_that_names_the_output() {
-    let text = "7 openat(1, \"c\") = 3\n8 openat(1, \"x\") = 3\n7 brk(0) = 1\n7 openat(1, \"d/out\") = 3\n8 close(3) = 0\n";
+    let text =
+        "7 openat(1, \"c\") = 3\n8 openat(1, \"x\") = 3\n7 brk(0) = 1\n7 openat(1, \"d/out\") = 3\n8 close(3) = 0\n";
     let found = |only_folder| -> Vec<_> {
         calls::calls(text, "d/out", only_folder).into_iter().map(|call| (call.name, call.number)).collect()
     };

@@ -1,0 +1,22 @@
+//! Writes that fail, and callers that do not look.
+
+use super::*;
+
+/// A device whose every write fails, as on a full disk.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_failed_write_fails_the_commit_too_when_its_error_was_ignored() {
+    let full = Path::new("/dev/full");
+    let mut output = open(full).expect("it is a device that may be opened");
+    assert!(output.write(b"lost").is_err());
+    let message = output.commit().expect_err("bytes were lost").to_string();
+    assert!(message.starts_with("Cannot write file [/dev/full]: No space left on device"), "{message}");
+    let ignored = open(full).and_then(|output| {
+        output.fill(|file| {
+            let _ = file.write_all(b"lost");
+            Ok(())
+        })
+    });
+    assert!(matches!(ignored, Err(Error::Write { .. })), "{ignored:?}");
+    open(full).and_then(Output::commit).expect("nothing was lost");
+}

@@ -1,0 +1,67 @@
+//! A tiny module, with every disturbance.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use libtest_mimic::{Failed, Trial};
+use tests::injection::{Disturbance, Job, unavailable};
+
+/// Calls of each kind that are disturbed.
+const MOST: usize = 2;
+
+/// Every pixel grey: the driver compiles it quickly.
+const GREY: &str = "// module: kernels/image
+@compute @workgroup_size(64)
+fn image(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x < picture.pixel_count {
+        pixels[id.x] = vec3_store(vec3<real>(real(0.25)));
+    }
+}
+";
+
+/// The old picture stands where the signal comes before the new one does, so that one is enough for signals.
+const CASES: [(Disturbance, Option<&str>, &str); 5] = [
+    (Disturbance::Errors, None, "calls_fail_and_no_picture_stands_or_the_new_ones"),
+    (Disturbance::Errors, Some("old"), "calls_fail_and_the_old_pictures_stand_or_the_new_ones"),
+    (Disturbance::Signal, Some("old"), "a_signal_in_a_call_leaves_the_old_pictures_or_the_new_ones"),
+    (Disturbance::SignalAsProcessOne, Some("old"), "a_signal_in_a_call_ends_process_1"),
+    (Disturbance::Named, Some("old"), "the_same_where_a_file_needs_a_name"),
+];
+
+pub fn trials() -> Vec<Trial> {
+    let trial = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
+        let missing = unavailable(disturbance);
+        let trial = Trial::test(name, move || disturb(disturbance, old));
+        trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
+    };
+    CASES.into_iter().map(trial).collect()
+}
+
+fn disturb(disturbance: Disturbance, old: Option<&str>) -> Result<(), Failed> {
+    let folder = tempfile::tempdir()?;
+    fs::create_dir(folder.path().join("d"))?;
+    let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path())? };
+    println!("{} runs", job.disturb(disturbance)?);
+    Ok(())
+}
+
+fn job(folder: &Path) -> std::io::Result<Job> {
+    let [module, config, scene, out] = ["grey.wgsl", "config", "scene", "d/out.png"].map(|name| folder.join(name));
+    fs::write(&module, GREY)?;
+    fs::write(&scene, "")?;
+    let mut arguments = vec![module.into_os_string()];
+    for (option, path) in [("--config", &config), ("--scene", &scene), ("--out", &out)] {
+        arguments.extend([OsString::from(option), path.into()]);
+    }
+    Ok(Job {
+        program: PathBuf::from(env!("CARGO_BIN_EXE_shader-lab")),
+        arguments,
+        folder: folder.join("d"),
+        old: None,
+        graceful: false,
+        gate: Some((config, b"image_width: 8\nmax_depth: 1\n".to_vec())),
+        only_folder: true,
+        most: MOST,
+    })
+}
