@@ -23,12 +23,28 @@ pub struct Gpu {
 /// How long a run may take, unless [`Gpu::with_patience`] says otherwise.
 pub const PATIENCE: Duration = Duration::from_secs(120);
 
+/// Address space that must be free before a driver is loaded, in bytes. lavapipe, its compiler and their threads take most
+/// of it. With less, the driver or its compiler may end the process when a request for memory is refused.
+const ROOM: usize = 768 << 20;
+
+/// Asks for [`ROOM`] and gives it back.
+fn check_room() -> Result<(), Error> {
+    let mut room = Vec::<u8>::new();
+    let asked = room.try_reserve_exact(ROOM);
+    // Otherwise the compiler leaves out a request that nothing uses.
+    std::hint::black_box(&room);
+    asked.map_err(|_| Error::OutOfMemory {
+        cause: format!("the driver needs {} MiB of address space, see ulimit -v", ROOM >> 20),
+    })
+}
+
 impl Gpu {
     /// Opens the adapter of [`adapter::choose`], with f64 where it has that.
     ///
     /// # Errors
-    /// [`Error::NoAdapter`] or [`Error::NoDevice`].
+    /// [`Error::NoAdapter`], [`Error::NoDevice`], or [`Error::OutOfMemory`] before any driver is loaded.
     pub fn open() -> Result<Self, Error> {
+        check_room()?;
         let adapter = adapter::choose()?;
         let info = adapter.get_info();
         // The limits of WebGPU's standard, as a browser would give: 128 MiB a binding among them.

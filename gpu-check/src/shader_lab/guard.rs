@@ -127,9 +127,11 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     let composition = Composition::of_text(text, precision);
     // Before the driver is there, so that its memory does not count.
     composition.validate()?;
-    let gpu = Gpu::open()?;
-    let compiled = Pipeline::with_constants(&gpu, &composition, &constants).and_then(|pipeline| pipeline.warm_up(&gpu));
-    match compiled {
+    let compiled = || {
+        let gpu = Gpu::open()?;
+        Pipeline::with_constants(&gpu, &composition, &constants)?.warm_up(&gpu)
+    };
+    match compiled() {
         Err(Error::OutOfMemory { .. }) => std::process::exit(OUT_OF_MEMORY),
         other => other,
     }

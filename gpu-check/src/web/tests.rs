@@ -5,6 +5,8 @@ use std::io::Read;
 
 use super::*;
 
+mod slow;
+
 fn server() -> Server {
     Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free")
 }

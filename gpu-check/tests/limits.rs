@@ -1,0 +1,75 @@
+//! The limits on memory and time of compiling and running a shader: each is reached with a small value, and not with a
+//! larger one. No time is asserted, only which limit ends what.
+
+mod common;
+
+use std::path::Path;
+use std::time::Duration;
+
+use gpu_check::pipeline::Content;
+use gpu_check::shader_lab::guard::{Limits, check_within};
+use gpu_check::{Error, Gpu, Pipeline};
+use shaders::{Composition, Precision};
+
+fn check(limits: Limits, text: String) -> Result<(), Error> {
+    let program = Path::new(env!("CARGO_BIN_EXE_shader-lab"));
+    check_within(program, limits, &Composition::of_text(text, Precision::F32), &[])
+}
+
+/// A kernel that makes a number of each invocation's own.
+fn kernel(before: &str, body: &str) -> String {
+    format!(
+        "@group(0) @binding(0) var<storage, read_write> numbers: array<f32>;\n{before}\n\
+         @compute @workgroup_size(64)\nfn kernel(@builtin(global_invocation_id) id: vec3<u32>) {{\n\
+         var x = f32(id.x);\n{body}\nnumbers[id.x] = x;\n}}\n"
+    )
+}
+
+/// naga holds and compares this many elements, of some 16 bytes each, and finds the comparison wrong.
+fn many_elements(count: usize) -> String {
+    kernel(&format!("const many = array<i32, {count}>();\nconst_assert many == many;"), "")
+}
+
+#[track_caller]
+fn assert_ended(result: Result<(), Error>, how: &str) {
+    let message = result.expect_err("a limit is exceeded").to_string();
+    assert!(message.starts_with("the shader takes too much to compile: naga or the driver "), "{message}");
+    assert!(message.contains(how), "{message}");
+}
+
+#[test]
+fn compiling_ends_at_the_limit_on_memory() {
+    let text = || many_elements(8_000_000);
+    let limits = |memory| Limits { memory: memory << 20, ..Limits::STANDARD };
+    assert_ended(check(limits(112), text()), "at most 112 MiB of memory");
+    // The process comes back with what naga says of the text, which is told when the text is compiled again.
+    check(limits(1024), text()).expect("this is enough");
+}
+
+#[test]
+fn compiling_ends_at_the_limit_on_processor_time_in_the_driver_too() {
+    // One long chain: the driver takes several seconds, and little memory.
+    let slow = kernel("", &"x = sqrt(x * x + sin(x) / (x + 1.5));\n".repeat(2_900));
+    assert_ended(check(Limits { seconds: 1, ..Limits::STANDARD }, slow), "ended by signal");
+    check(Limits { seconds: 1, ..Limits::STANDARD }, kernel("", "x = sqrt(x);")).expect("this is quick");
+}
+
+#[test]
+fn compiling_ends_at_the_limit_on_wall_clock_time() {
+    let limits = Limits { patience: Duration::ZERO, ..Limits::STANDARD };
+    assert_ended(check(limits, kernel("", "")), "did not come to an end");
+    check(Limits::STANDARD, kernel("", "")).expect("this is enough");
+}
+
+#[test]
+fn a_run_ends_at_the_limit_on_its_time() {
+    let long = "for (var i = 0u; i < 3000000u; i++) { x = sqrt(x * x + 1.0); }";
+    let run = |gpu: &Gpu, text: String| {
+        let pipeline = Pipeline::new(gpu, &Composition::of_text(text, Precision::F32), None)?;
+        pipeline.run(gpu, &[Content::Output(64 * 1024 * 4)], 64 * 1024)
+    };
+    let gpu = common::gpu().with_patience(Duration::from_millis(1));
+    let error = run(&gpu, kernel("", long)).expect_err("it takes longer");
+    assert!(matches!(error, Error::Timeout { .. }), "{error}");
+    run(&common::gpu(), kernel("", "x = sqrt(x);")).expect("it has time enough");
+}

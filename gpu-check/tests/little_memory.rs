@@ -1,0 +1,39 @@
+//! `shader-lab` with address space from too little to enough: a message, and neither a panic nor a signal.
+#![cfg(target_os = "linux")]
+
+use std::fs;
+use std::process::Command;
+
+use gpu_check::scenes::repository;
+use gpu_check::shader_lab::TEMPLATE;
+
+/// From here on the loader of the system can start the program at all.
+const LEAST: usize = 40_000;
+const STEP: usize = 25_000;
+const MOST: usize = 4_000_000;
+
+#[test]
+fn with_too_little_memory_the_program_says_so_and_never_dies() {
+    let folder = tempfile::tempdir().expect("there is room");
+    fs::write(folder.path().join("config"), "image_width: 8\nmax_depth: 1\n").expect("the folder is writable");
+    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let mut refused = 0;
+    for kilobytes in (LEAST..MOST).step_by(STEP) {
+        let mut shell = Command::new("bash");
+        shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", env!("CARGO_BIN_EXE_shader-lab")]);
+        shell.args(["my.wgsl", "--config", "config", "--out", "out.png", "--scene"]);
+        shell.arg(repository("scenes/materials/scene.txt")).current_dir(folder.path());
+        let output = shell.output().expect("bash starts");
+        if output.status.success() {
+            println!("refused {refused} times up to {kilobytes} kB");
+            assert!(refused >= 10, "only {refused} steps");
+            assert!(folder.path().join("out.png").is_file());
+            return;
+        }
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(1) && stderr.contains("Error: "), "at {kilobytes} kB: {output:?}");
+        assert!(!stderr.contains("panicked") && !folder.path().join("out.png").exists(), "at {kilobytes} kB: {stderr}");
+        refused += 1;
+    }
+    panic!("{MOST} kB are not enough");
+}
