@@ -39,11 +39,11 @@ fn assert_ended(result: Result<(), Error>, how: &str) {
 
 #[test]
 fn compiling_ends_at_the_limit_on_memory() {
-    let text = || many_elements(8_000_000);
-    let limits = |memory| Limits { memory: memory << 20, ..Limits::STANDARD };
-    assert_ended(check(limits(112), text()), "at most 112 MiB of memory");
+    let text = || many_elements(20_000_000);
+    let limits = |memory: u64| Limits { memory: memory << 20, ..Limits::STANDARD };
+    assert_ended(check(limits(384), text()), "at most 384 MiB of memory");
     // The process comes back with what naga says of the text, which is told when the text is compiled again.
-    check(limits(1024), text()).expect("this is enough");
+    check(limits(2048), text()).expect("this is enough");
 }
 
 #[test]
