@@ -17,7 +17,7 @@ command -v cargo-deny >/dev/null || ignored "cargo-deny is missing; cargo instal
 # Getting the list and judging by it are two steps: only the first may fail without a fault of ours.
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-timeout 120 cargo deny fetch db >"$log" 2>&1 || ignored "the list cannot be had: $(tail -n 1 "$log" | cut -c 1-200)"
+timeout 120 cargo deny fetch db >"$log" 2>&1 || ignored "the list cannot be had: $(awk 'NF { line = $0 } END { print substr(line, 1, 200) }' "$log")"
 
 for manifest in Cargo.toml fuzz/Cargo.toml; do
     cargo deny --manifest-path "$manifest" check --disable-fetch advisories

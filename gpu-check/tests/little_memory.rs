@@ -17,8 +17,7 @@ fn with_too_little_memory_the_program_says_so_and_never_dies() {
     let folder = tempfile::tempdir().expect("there is room");
     fs::write(folder.path().join("config"), "image_width: 8\nmax_depth: 1\n").expect("the folder is writable");
     fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
-    let mut refused = 0;
-    for kilobytes in (LEAST..MOST).step_by(STEP) {
+    for (refused, kilobytes) in (LEAST..MOST).step_by(STEP).enumerate() {
         let mut shell = Command::new("bash");
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", env!("CARGO_BIN_EXE_shader-lab")]);
         shell.args(["my.wgsl", "--config", "config", "--out", "out.png", "--scene"]);
@@ -33,7 +32,6 @@ fn with_too_little_memory_the_program_says_so_and_never_dies() {
         let stderr = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(1) && stderr.contains("Error: "), "at {kilobytes} kB: {output:?}");
         assert!(!stderr.contains("panicked") && !folder.path().join("out.png").exists(), "at {kilobytes} kB: {stderr}");
-        refused += 1;
     }
     panic!("{MOST} kB are not enough");
 }
