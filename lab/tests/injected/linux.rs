@@ -14,7 +14,10 @@ const DISTURBANCES: [(Disturbance, &str); 4] = [
     (Disturbance::Named, "the_same_where_a_file_needs_a_name"),
 ];
 
-const COMMANDS: [(&str, fn(&Path) -> Job); 5] = [
+/// Prepares a folder for a command, and says how the command is run there.
+type Prepare = fn(&Path) -> Job;
+
+const COMMANDS: [(&str, Prepare); 5] = [
     ("render", render),
     ("compare", compare),
     ("compare_from_the_start", compare_from_the_start),
@@ -40,7 +43,7 @@ pub fn trials() -> Vec<Trial> {
     trials
 }
 
-fn disturb(job: fn(&Path) -> Job, old: Option<&str>, disturbance: Disturbance) -> Result<(), Failed> {
+fn disturb(job: Prepare, old: Option<&str>, disturbance: Disturbance) -> Result<(), Failed> {
     let folder = tempfile::tempdir()?;
     fs::create_dir(folder.path().join("d"))?;
     let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path()) };
