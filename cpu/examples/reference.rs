@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use cpu::certified::{Certified, Textbook};
+use cpu::reference::{Certified, Textbook};
 use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
 
 const USAGE: &str = "\

@@ -184,25 +184,6 @@ impl<T: Real> CylinderRecord<T> {
         (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & self.on_disc(ray, base, lambda))
     }
 
-    /// The first of the three parts that the ray meets, whether it meets any, and which one, as [`Part`]'s number;
-    /// without a branch.
-    #[inline(always)]
-    #[must_use]
-    pub fn first_part(&self, view: &CylinderView<T>, ray: &Ray<T>, quadratic: (T, T, T)) -> (T, T::Mask, T) {
-        let (mut lambda, mut met) = self.side(ray, quadratic);
-        let mut part = T::of(f64::from(Part::Side as u32));
-        for (base, distance, number) in
-            [(self.top, view.to_top, Part::Top), (self.bottom, view.to_bottom, Part::Bottom)]
-        {
-            let (base_lambda, base_met) = self.base(ray, base, distance);
-            let closer = base_met & (!met | base_lambda.less_equal(lambda));
-            lambda = T::select(closer, base_lambda, lambda);
-            part = T::select(closer, T::of(f64::from(number as u32)), part);
-            met = met | base_met;
-        }
-        (lambda, met, part)
-    }
-
     /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
     #[inline(always)]
     #[must_use]

@@ -50,7 +50,6 @@ pub mod text;
 pub mod vec3;
 
 pub use camera::Camera;
-pub use certified::Precision;
 pub use config::Config;
 pub use error::Error;
 pub use image::{Image, Rgb, Size};

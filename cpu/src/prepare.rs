@@ -6,11 +6,8 @@ mod finish;
 pub use extent::Extent;
 pub use finish::{Finish, Kind, Spread};
 
-use std::marker::PhantomData;
-
 use crate::background::Background;
 use crate::camera::Camera;
-use crate::certified::{Certified, Intersect};
 use crate::config::Config;
 use crate::error::Error;
 use crate::image::Size;
@@ -21,10 +18,9 @@ use crate::scatter::Scatter;
 use crate::scene::Scene;
 use crate::search::Search;
 
-/// Everything that is the same for all rays, computed once. After it nothing can fail. `P` chooses the intersections, with
-/// [`Textbook`](crate::certified::Textbook) as the other choice.
+/// Everything that is the same for all rays, computed once.
 #[derive(Debug)]
-pub struct Prepared<L: Layout, P = Certified> {
+pub struct Prepared<L: Layout> {
     /// The picture's size.
     pub size: Size,
     /// Where primary rays come from.
@@ -53,11 +49,9 @@ pub struct Prepared<L: Layout, P = Certified> {
     pub ray_seed: u64,
     /// Seed of the random vectors.
     pub material_seed: u64,
-    /// How rays and objects are intersected.
-    pub intersect: PhantomData<P>,
 }
 
-impl<L: Layout, P: Intersect> Prepared<L, P> {
+impl<L: Layout> Prepared<L> {
     /// Prepares to render `scene` as `config` asks.
     ///
     /// # Errors
@@ -84,7 +78,6 @@ impl<L: Layout, P: Intersect> Prepared<L, P> {
             scatters_everywhere: !materials.iter().any(|material| matches!(material, Material::Refractive { .. })),
             ray_seed: config.ray_rng_seed,
             material_seed: config.material_rng_seed,
-            intersect: PhantomData,
         })
     }
 }

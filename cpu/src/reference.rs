@@ -6,12 +6,14 @@
 //!
 //! With [certified](crate::certified) intersections it asks these for every object in turn, and shares the rest.
 
+mod intersect;
 mod nearest;
+
+pub use intersect::{Certified, Intersect, Precision, Textbook};
 
 use std::marker::PhantomData;
 
 use self::nearest::{Nearest, meets_certified_cylinder, meets_certified_sphere, meets_cylinder, meets_sphere};
-use crate::certified::{Intersect, Precision, Textbook};
 use crate::config::Config;
 use crate::error::Error;
 use crate::image::{Image, Rgb};

@@ -31,7 +31,6 @@ mod walk;
 
 use std::ops::ControlFlow;
 
-use crate::certified::Intersect;
 use crate::config::Config;
 use crate::counters::{Counter, add};
 use crate::error::Error;
@@ -64,7 +63,7 @@ pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Re
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] when the picture does not fit.
-pub fn render_with<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, set: InstructionSet) -> Result<L::Image, Error> {
+pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // Nobody stops this one.
     let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()))?;
@@ -76,8 +75,8 @@ pub fn render_with<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, set: Inst
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
-pub fn render_into<L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
+pub fn render_into<L: Layout>(
+    prepared: &Prepared<L>,
     set: InstructionSet,
     image: &mut L::Image,
     after_row: impl FnMut(usize) -> ControlFlow<()>,
@@ -90,8 +89,8 @@ pub fn render_into<L: Layout, P: Intersect>(
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
-pub fn render_linear<L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
+pub fn render_linear<L: Layout>(
+    prepared: &Prepared<L>,
     set: InstructionSet,
     pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
@@ -145,14 +144,14 @@ impl<F: FnMut(usize, Vec3)> Sink for Means<F> {
 }
 
 /// The whole picture.
-struct Picture<'a, L: Layout, P, K, R> {
-    prepared: &'a Prepared<L, P>,
+struct Picture<'a, L: Layout, K, R> {
+    prepared: &'a Prepared<L>,
     candidates: Candidates,
     sink: K,
     after_row: R,
 }
 
-impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, P, K, R> {
+impl<L: Layout, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, K, R> {
     type Output = Result<ControlFlow<()>, Error>;
 
     #[inline(always)]
@@ -180,8 +179,8 @@ impl<L: Layout, P: Intersect, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kerne
 }
 
 /// What goes on from span to span.
-struct Painter<'a, L: Layout, P, K> {
-    prepared: &'a Prepared<L, P>,
+struct Painter<'a, L: Layout, K> {
+    prepared: &'a Prepared<L>,
     sink: K,
     offsets: Offsets,
     batch: Box<Batch>,
@@ -191,7 +190,7 @@ struct Painter<'a, L: Layout, P, K> {
     sky: Sky,
 }
 
-impl<L: Layout, P: Intersect, K: Sink> Painter<'_, L, P, K> {
+impl<L: Layout, K: Sink> Painter<'_, L, K> {
     fn row<S: Simd>(&mut self, simd: S, row: usize) {
         let prepared = self.prepared;
         self.candidates.begin_row(prepared, row);

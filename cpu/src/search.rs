@@ -34,7 +34,6 @@ pub use side_by_side::TouchedByEach;
 pub use stack::Stack;
 pub use touch::{Touch, is_too_short};
 
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
@@ -93,19 +92,13 @@ impl Search {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects, P: Intersect>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        from: ObjectId,
-        stack: &mut Stack,
-    ) -> Found {
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
         add(Counter::WalkRays, 1);
         match self {
-            Self::Plain => Plain.find::<S, O, P>(objects, ray, Plain.origin(objects, ray, from), stack),
-            Self::Few(search) => search.find::<S, O, P>(objects, ray, search.origin(objects, ray, from), stack),
-            Self::Flat(search) => search.find::<S, O, P>(objects, ray, search.origin(objects, ray, from), stack),
-            Self::Tree(search) => search.find::<S, O, P>(objects, ray, search.origin(objects, ray, from), stack),
+            Self::Plain => Plain.find::<S, O>(objects, ray, Plain.origin(objects, ray, from), stack),
+            Self::Few(search) => search.find::<S, O>(objects, ray, search.origin(objects, ray, from), stack),
+            Self::Flat(search) => search.find::<S, O>(objects, ray, search.origin(objects, ray, from), stack),
+            Self::Tree(search) => search.find::<S, O>(objects, ray, search.origin(objects, ray, from), stack),
         }
     }
 }
@@ -143,14 +136,14 @@ pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
 
 /// The nearest object, by asking every one.
 #[inline(never)]
-fn plain<O: Objects, P: Intersect>(objects: &O, ray: &Ray) -> Found {
+fn plain<O: Objects>(objects: &O, ray: &Ray) -> Found {
     add(Counter::PlainAsks, (objects.sphere_count() + objects.cylinder_count()) as u64);
     let mut found = Found::NOTHING;
     for index in 0..objects.sphere_count() {
-        found.ask_sphere::<O, P>(objects, index, ray);
+        found.ask_sphere(objects, index, ray);
     }
     for index in 0..objects.cylinder_count() {
-        found.ask_cylinder::<O, P>(objects, index, ray);
+        found.ask_cylinder(objects, index, ray);
     }
     found
 }

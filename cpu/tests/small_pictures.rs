@@ -1,13 +1,13 @@
 //! Pictures of a few pixels, one for each search and stage: with every instruction set that there is and in both layouts the
-//! reference's pixels, in both precisions.
+//! reference's pixels.
 //!
 //! The properties in the package `tests` try the same on thousands of random scenes. These are so small that miri, which
 //! interprets every instruction, is done with them in minutes (`tests/memory.sh miri`).
 
 use std::ops::RangeInclusive;
 
-use cpu::certified::{Certified, Intersect, Textbook};
 use cpu::layout::AosImage;
+use cpu::reference::Certified;
 use cpu::search::Search;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
 
@@ -32,33 +32,32 @@ fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Search)
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
     let scene = Scene::parse(format!("{MATERIALS}{objects}").as_bytes()).expect("the scene is valid");
-    let nothing = reference::<Textbook>(&config, &Scene::parse(MATERIALS.as_bytes()).expect("the scene is valid"));
-    let picture = reference::<Textbook>(&config, &scene);
+    let nothing = reference(&config, &Scene::parse(MATERIALS.as_bytes()).expect("the scene is valid"));
+    let picture = reference(&config, &scene);
     let differing = (0..picture.size().pixels()).filter(|&at| picture.pixel(at) != nothing.pixel(at)).count();
     assert!(seen.contains(&differing), "the objects are in {differing} pixels");
-    let prepared = Prepared::<Aos, Certified>::new(&config, &scene, Scatter::Statement).expect("the camera is sound");
+    let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("the camera is sound");
     assert!(is_searched_so(&prepared.search), "{:?}", prepared.search);
-    agree::<Textbook>(&config, &scene);
-    agree::<Certified>(&config, &scene);
+    agree(&config, &scene);
 }
 
-fn reference<P: Intersect>(config: &Config, scene: &Scene) -> AosImage {
-    cpu::reference::render_with::<_, P>(config, scene, Scatter::Statement).expect("the picture is small")
+fn reference(config: &Config, scene: &Scene) -> AosImage {
+    cpu::reference::render_with::<_, Certified>(config, scene, Scatter::Statement).expect("the picture is small")
 }
 
-fn agree<P: Intersect>(config: &Config, scene: &Scene) {
-    let expected = reference::<P>(config, scene);
-    same::<Aos, P>(config, scene, &expected);
-    same::<Soa, P>(config, scene, &expected);
+fn agree(config: &Config, scene: &Scene) {
+    let expected = reference(config, scene);
+    same::<Aos>(config, scene, &expected);
+    same::<Soa>(config, scene, &expected);
 }
 
-fn same<L: Layout, P: Intersect>(config: &Config, scene: &Scene, expected: &AosImage) {
-    let prepared = Prepared::<L, P>::new(config, scene, Scatter::Statement).expect("the camera is sound");
+fn same<L: Layout>(config: &Config, scene: &Scene, expected: &AosImage) {
+    let prepared = Prepared::<L>::new(config, scene, Scatter::Statement).expect("the camera is sound");
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
         let actual = cpu::render_with(&prepared, set).expect("the picture is small");
         assert_eq!(actual.size(), expected.size());
         for at in 0..expected.size().pixels() {
-            let what = (std::any::type_name::<L>(), set.name(), P::PRECISION);
+            let what = (std::any::type_name::<L>(), set.name());
             assert_eq!(actual.pixel(at), expected.pixel(at), "pixel {at}, {what:?}");
         }
     }

@@ -5,7 +5,6 @@ use std::ops::ControlFlow;
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use cpu::certified::{Intersect, Textbook};
 use cpu::search::Search;
 use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
 
@@ -64,8 +63,6 @@ pub enum Engine {
     /// The real renderer in arrays of structures, with the best instruction set, but without a search: rays ask every
     /// object. Only to be timed.
     PlainSearch,
-    /// The same renderer with its search, but with the textbook's intersections as they are. Only to be timed.
-    Textbook,
 }
 
 impl Engine {
@@ -84,7 +81,7 @@ impl Engine {
         vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]
     }
 
-    /// The real renderer with one thing switched off at a time: lanes, layout, search, certificate, and all of it. The
+    /// The real renderer with one thing switched off at a time: lanes, layout, search, and all of it. The
     /// first is the one with nothing switched off.
     #[must_use]
     pub fn changed() -> Vec<Self> {
@@ -93,7 +90,7 @@ impl Engine {
         let mut engines = vec![Self::Real(LayoutName::Aos, best)];
         engines.extend(slower.map(|set| Self::Real(LayoutName::Aos, set)));
         engines.push(Self::Real(LayoutName::Soa, best));
-        engines.extend([Self::PlainSearch, Self::Textbook, Self::Reference]);
+        engines.extend([Self::PlainSearch, Self::Reference]);
         engines
     }
 
@@ -113,10 +110,6 @@ impl Engine {
                 let prepared = Prepared { search: Search::Plain, ..prepared::<Aos>(config, scene)? };
                 rendered(&prepared, InstructionSet::best())
             }
-            Self::Textbook => {
-                let prepared = Prepared::<Aos, Textbook>::new(config, scene, Scatter::Statement)?;
-                rendered(&prepared, InstructionSet::best())
-            }
         }
     }
 }
@@ -125,7 +118,7 @@ fn prepared<L: Layout>(config: &Config, scene: &Scene) -> Result<Prepared<L>, Er
     Prepared::new(config, scene, Scatter::Statement)
 }
 
-fn rendered<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, set: InstructionSet) -> Result<Vec<u8>, Error> {
+fn rendered<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
     cpu::render_with(prepared, set).map(|image| bytes(&image))
 }
 
@@ -173,7 +166,6 @@ impl fmt::Display for Engine {
             Self::Reference => out.write_str("reference"),
             Self::Real(layout, set) => write!(out, "{}-{}", layout.name(), set.name()),
             Self::PlainSearch => write!(out, "aos-{}-plain-search", InstructionSet::best().name()),
-            Self::Textbook => write!(out, "aos-{}-textbook", InstructionSet::best().name()),
         }
     }
 }

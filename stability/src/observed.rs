@@ -2,8 +2,9 @@
 
 use std::cell::Cell;
 
-use cpu::certified::{self, Certified, Intersect, Precision, Verdict};
+use cpu::certified::{self, Verdict};
 use cpu::cylinder::{CylinderRecord, Part};
+use cpu::reference::{Certified, Intersect, Precision};
 use cpu::sphere::SphereRecord;
 use cpu::{Ray, Vec3};
 

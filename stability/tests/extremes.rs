@@ -2,8 +2,8 @@
 //!
 //! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
 
-use cpu::certified::{Certified, Intersect};
 use cpu::cylinder::{CylinderRecord, Part};
+use cpu::reference::{Certified, Intersect};
 use cpu::scene::{Cylinder, Shape};
 use cpu::sphere::SphereRecord;
 use cpu::{Ray, Vec3};

@@ -1,8 +1,8 @@
 //! What must hold along whole paths, whatever the scene.
 
-use cpu::certified::{Certified, Intersect, Textbook};
 use cpu::cylinder::{CylinderRecord, Part};
 use cpu::ray::LAMBDA_MIN;
+use cpu::reference::{Certified, Intersect, Textbook};
 use cpu::scene::{Cylinder, Shape, Sphere};
 use cpu::sphere::SphereRecord;
 use cpu::{Hit, Ray, Vec3};

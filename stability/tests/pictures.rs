@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use cpu::certified::Certified;
+use cpu::reference::Certified;
 use cpu::{Aos, Config, Layout, Scatter, Scene};
 use sha2::{Digest, Sha256};
 use stability::run;

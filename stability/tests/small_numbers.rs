@@ -2,8 +2,8 @@
 //! all the time, and the answer is known to the last bit.
 
 use cpu::Vec3;
-use cpu::certified::{Certified, Intersect};
 use cpu::cylinder::{CylinderRecord, Part};
+use cpu::reference::{Certified, Intersect};
 use cpu::scene::Cylinder;
 use cpu::sphere::SphereRecord;
 use stability::case::Case;

@@ -1,6 +1,6 @@
 //! Where a ray meets one object after the other, by the definition: the nearest hit so far counts.
 
-use crate::certified::Intersect;
+use super::Intersect;
 use crate::cylinder::{CylinderRecord, Part};
 use crate::scene::{Cylinder, Sphere};
 use crate::sphere::SphereRecord;

@@ -1,6 +1,5 @@
 //! A span's samples on their way: an array for each value, so that several are worked on at once.
 
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
@@ -53,19 +52,19 @@ impl Vectors {
 }
 
 /// Begins a span: places its samples in their pixels.
-pub struct Draw<'a, L: Layout, P> {
-    pub prepared: &'a Prepared<L, P>,
+pub struct Draw<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
     pub span: &'a Span,
     pub offsets: &'a mut BlockUniform,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Draw<'_, L, P> {
+impl<L: Layout> Kernel for Draw<'_, L> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        self.batch.draw::<S::F64, L, P>(self.prepared, self.span, self.offsets);
+        self.batch.draw::<S::F64, L>(self.prepared, self.span, self.offsets);
     }
 }
 
@@ -115,12 +114,7 @@ impl Batch {
 
     /// See [`Draw`].
     #[inline(always)]
-    pub fn draw<V: Lanes, L: Layout, P: Intersect>(
-        &mut self,
-        prepared: &Prepared<L, P>,
-        span: &Span,
-        offsets: &mut BlockUniform,
-    ) {
+    pub fn draw<V: Lanes, L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
         self.count = span.count;
         let mut left_in_pixel = prepared.samples - span.first_sample;
         let (mut column, mut from) = (span.first, 0);

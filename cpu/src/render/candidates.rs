@@ -4,7 +4,6 @@
 //! An object is left out only where a comparison holds, which none does with what is not a number. Nothing overflows: scenes
 //! whose coordinates, window or pixels are beyond 10^9 or below 10^-12 are not culled ([`Candidates::are_culled`]).
 
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::error::Error;
@@ -45,7 +44,7 @@ struct Ball {
 }
 
 impl Ball {
-    fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, id: ObjectId) -> Self {
+    fn new<L: Layout>(prepared: &Prepared<L>, id: ObjectId) -> Self {
         let (objects, from) = (&prepared.objects, prepared.camera.position);
         let (center, radius, margin) = match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
@@ -85,7 +84,7 @@ impl Candidates {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Result<Self, Error> {
+    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let all = search::in_order(&prepared.objects)?;
         let (row, span) = (search::room(all.len())?, search::room(all.len())?);
         Ok(Self { all, row, span, culls: !matches!(prepared.search, Search::Plain) })
@@ -97,7 +96,7 @@ impl Candidates {
     }
 
     /// Finds the objects that the rays of `row` may meet.
-    pub fn begin_row<L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, row: usize) {
+    pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
         let camera = &prepared.camera;
         let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
         let inside = at(row as f64);
@@ -117,7 +116,7 @@ impl Candidates {
     }
 
     /// Finds those among the row's objects that the rays of `span` may meet.
-    pub fn narrow<L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, row: usize, span: &Span) {
+    pub fn narrow<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let camera = &prepared.camera;
         let center = camera.origin - camera.position + camera.delta_y * row as f64;
         let at = |column: f64| center + camera.delta_x * column;
@@ -162,7 +161,7 @@ fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
 }
 
 /// Whether an object reaches into all half-spaces; true when in doubt. Its ball spares most cylinders the closer look.
-fn reaches<L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ball: &Ball, walls: &[HalfSpace; 2]) -> bool {
+fn reaches<L: Layout>(prepared: &Prepared<L>, ball: &Ball, walls: &[HalfSpace; 2]) -> bool {
     let objects = &prepared.objects;
     if !ball.reaches(walls) {
         return false;

@@ -3,7 +3,6 @@
 use super::batch::{Batch, CAPACITY, Vectors};
 use super::queue::Queue;
 use super::shade::{load, store};
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Layout;
@@ -109,24 +108,24 @@ impl Ended {
 }
 
 /// Gives every path of the queue its colour, and forgets it.
-pub struct Color<'a, L: Layout, P> {
-    pub prepared: &'a Prepared<L, P>,
+pub struct Color<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
     pub queue: &'a Queue,
     pub ended: &'a mut Ended,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Color<'_, L, P> {
+impl<L: Layout> Kernel for Color<'_, L> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        color::<S, L, P>(self);
+        color::<S, L>(self);
     }
 }
 
 #[inline(always)]
-fn color<S: Simd, L: Layout, P: Intersect>(Color { prepared, queue, ended, batch }: Color<'_, L, P>) {
+fn color<S: Simd, L: Layout>(Color { prepared, queue, ended, batch }: Color<'_, L>) {
     let background = prepared.background.lanes::<S::F64>();
     let colors = &mut ended.direction;
     for at in (0..queue.count).step_by(S::F64::LANES) {

@@ -8,7 +8,6 @@ use super::queue::Queue;
 use super::sample_set::SampleSet;
 use super::shade::{load, shade};
 use super::standing::Standing;
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
@@ -20,13 +19,13 @@ use crate::vec3::Vec3;
 
 /// Follows the samples in glass until each meets a surface that scatters, leaves the scene, or has used up its depth.
 /// Those that leave or have used it up are no longer in the queue.
-pub struct Trace<'a, L: Layout, P> {
-    pub prepared: &'a Prepared<L, P>,
+pub struct Trace<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
     pub batch: &'a mut Batch,
     pub queue: &'a mut Queue,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
+impl<L: Layout> Kernel for Trace<'_, L> {
     type Output = ();
 
     #[inline(always)]
@@ -40,7 +39,7 @@ impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
                 let mut rays = prepared.max_depth - 1;
                 while rays > 0 && !in_glass.is_empty() {
                     rays -= 1;
-                    step_all::<S, L, P>(prepared, few, (batch, queue), &mut in_glass, &mut gone, rays);
+                    step_all::<S, L>(prepared, few, (batch, queue), &mut in_glass, &mut gone, rays);
                 }
                 for &sample in &in_glass {
                     leave(batch, &mut gone, sample, Vec3::ZERO);
@@ -49,7 +48,7 @@ impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
             // Not a closure: it would be compiled without the instruction set.
             _ => {
                 for &sample in &in_glass {
-                    follow::<S, L, P>(prepared, batch, queue, &mut gone, sample);
+                    follow::<S, L>(prepared, batch, queue, &mut gone, sample);
                 }
             }
         }
@@ -117,8 +116,8 @@ fn gather<V: Lanes>(queue: &Queue, samples: &[InGlass; MOST_LANES]) -> Ray<V> {
 /// Takes every sample to the next surface, as many at once as there are lanes; those that stay in glass remain in the
 /// list. After that surface each may send `rays` rays.
 #[inline(always)]
-fn step_all<S: Simd, L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
+fn step_all<S: Simd, L: Layout>(
+    prepared: &Prepared<L>,
     few: &Few,
     (batch, queue): (&mut Batch, &mut Queue),
     in_glass: &mut Vec<InGlass>,
@@ -135,7 +134,7 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
             Some(first) => Ray { origin: load(&queue.point, first), direction: load(&queue.base, first) },
             None => gather::<S::F64>(queue, &samples),
         };
-        let hits = nearest::<_, _, P>(&prepared.objects, few, &ray, valid);
+        let hits = nearest(&prepared.objects, few, &ray, valid);
         let missed = valid & !hits.bits;
         if missed != 0 {
             let color = LaneByLane::new(background.color(ray.direction).to_array());
@@ -170,7 +169,7 @@ fn step_all<S: Simd, L: Layout, P: Intersect>(
 /// The nearest hits of rays that each have an origin of their own, among the objects that any of them may meet: neighbours in
 /// glass mostly leave the same objects behind.
 #[inline(always)]
-fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray<V>, valid: u32) -> Hits<V> {
+fn nearest<V: Lanes, O: Objects>(objects: &O, few: &Few, ray: &Ray<V>, valid: u32) -> Hits<V> {
     let mut hits = Hits::none();
     let rays = Rays::new(ray, valid);
     let touch = Touch::new(*ray);
@@ -180,10 +179,10 @@ fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray
             continue;
         }
         match (id as usize).checked_sub(objects.sphere_count()) {
-            None => hits.ask_touched_sphere::<P>(id, &objects.sphere(id as usize).record, &rays),
+            None => hits.ask_touched_sphere(id, &objects.sphere(id as usize).record, &rays),
             Some(index) => {
                 let record = objects.cylinder(index).record;
-                hits.ask_touched_cylinder::<P>(id, (&record, &objects.axis(index)), &rays);
+                hits.ask_touched_cylinder(id, (&record, &objects.axis(index)), &rays);
             }
         }
     }
@@ -192,8 +191,8 @@ fn nearest<V: Lanes, O: Objects, P: Intersect>(objects: &O, few: &Few, ray: &Ray
 
 /// Follows one sample, where the search is for one ray at a time.
 #[inline(always)]
-fn follow<S: Simd, L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
+fn follow<S: Simd, L: Layout>(
+    prepared: &Prepared<L>,
     batch: &mut Batch,
     queue: &mut Queue,
     gone: &mut SampleSet,
@@ -203,7 +202,7 @@ fn follow<S: Simd, L: Layout, P: Intersect>(
     let mut ray = Ray { origin: queue.point.get(place), direction: queue.base.get(place) };
     let mut from = queue.object[place] as ObjectId;
     for passed in 1..prepared.max_depth {
-        let found = prepared.search.nearest::<S, L::Objects, P>(&prepared.objects, &ray, from, &mut batch.stack);
+        let found = prepared.search.nearest::<S, L::Objects>(&prepared.objects, &ray, from, &mut batch.stack);
         if !found.is_hit() {
             return leave(batch, gone, sample, prepared.background.color(ray.direction));
         }

@@ -1,8 +1,8 @@
 //! The nearest hits of several rays at once.
 
 use super::doubtful::{resolve_cylinders, resolve_spheres};
+use crate::certified;
 use crate::certified::certificate::in_scale;
-use crate::certified::{self, Intersect, Precision};
 use crate::counters::{Counter, add};
 use crate::cylinder::{CylinderRecord, CylinderView, Part};
 use crate::ray::Ray;
@@ -67,41 +67,22 @@ impl<V: Lanes> Hits<V> {
 
     /// Takes the hits with a sphere into account, given its view and the directions' squares.
     #[inline(always)]
-    pub fn ask_sphere<P: Intersect>(
-        &mut self,
-        id: ObjectId,
-        record: &SphereRecord,
-        view: &SphereView<V>,
-        rays: &Rays<V>,
-    ) {
+    pub fn ask_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
         let &Rays { ray, a, noise, valid } = rays;
-        let (h, discriminant) = view.quadratic(ray.direction, a);
-        match P::PRECISION {
-            Precision::Textbook => {
-                if V::of(0.0).less_equal(discriminant).bits() & valid != 0 {
-                    let (lambda, met) = SphereRecord::first_root(a, h, discriminant);
-                    self.offer(id, lambda, met, V::of(0.0), valid);
-                }
-            }
-            Precision::Certified => {
-                // Most spheres are missed by all lanes: the whole certificate is for the others.
-                let certainly_missed = discriminant.less(-(noise * view.squares));
-                if (!certainly_missed).bits() & valid == 0 {
-                    return;
-                }
-                self.certify_sphere(id, record, view, rays);
-            }
+        let (_, discriminant) = view.quadratic(ray.direction, a);
+        // Most spheres are missed by all lanes: the whole certificate is for the others.
+        let certainly_missed = discriminant.less(-(noise * view.squares));
+        if (!certainly_missed).bits() & valid == 0 {
+            return;
         }
+        self.certify_sphere(id, record, view, rays);
     }
 
     /// The same for a sphere that the valid lanes, which start within the scene's reach, may meet.
     #[inline(always)]
-    pub fn ask_touched_sphere<P: Intersect>(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
+    pub fn ask_touched_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
         let view = record.lanes().seen_from(rays.ray.origin);
-        match P::PRECISION {
-            Precision::Textbook => self.ask_sphere::<P>(id, record, &view, rays),
-            Precision::Certified => self.certify_sphere(id, record, &view, rays),
-        }
+        self.certify_sphere(id, record, &view, rays);
     }
 
     #[inline(always)]
@@ -124,7 +105,7 @@ impl<V: Lanes> Hits<V> {
 
     /// Takes the hits with a cylinder into account, given its view and the file's axis.
     #[inline(always)]
-    pub fn ask_cylinder<P: Intersect>(
+    pub fn ask_cylinder(
         &mut self,
         id: ObjectId,
         (record, axis): (&CylinderRecord, &Vec3),
@@ -134,34 +115,18 @@ impl<V: Lanes> Hits<V> {
         let &Rays { ray, noise, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let quadratic = lanes_record.quadratic(view, ray.direction);
-        match P::PRECISION {
-            Precision::Textbook => {
-                let (lambda, met, part) = lanes_record.first_part(view, ray, quadratic);
-                self.offer(id, lambda, met, part, valid);
-            }
-            Precision::Certified => {
-                let certainly_missed = quadratic.2.less(-(noise * view.squares));
-                if (!certainly_missed).bits() & valid == 0 {
-                    return;
-                }
-                self.certify_cylinder(id, (record, axis), view, rays);
-            }
+        let certainly_missed = quadratic.2.less(-(noise * view.squares));
+        if (!certainly_missed).bits() & valid == 0 {
+            return;
         }
+        self.certify_cylinder(id, (record, axis), view, rays);
     }
 
     /// The same for a cylinder that the valid lanes, which start within the scene's reach, may meet.
     #[inline(always)]
-    pub fn ask_touched_cylinder<P: Intersect>(
-        &mut self,
-        id: ObjectId,
-        (record, axis): (&CylinderRecord, &Vec3),
-        rays: &Rays<V>,
-    ) {
+    pub fn ask_touched_cylinder(&mut self, id: ObjectId, (record, axis): (&CylinderRecord, &Vec3), rays: &Rays<V>) {
         let view = record.lanes().seen_from(rays.ray.origin);
-        match P::PRECISION {
-            Precision::Textbook => self.ask_cylinder::<P>(id, (record, axis), &view, rays),
-            Precision::Certified => self.certify_cylinder(id, (record, axis), &view, rays),
-        }
+        self.certify_cylinder(id, (record, axis), &view, rays);
     }
 
     #[inline(always)]

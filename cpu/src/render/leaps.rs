@@ -16,7 +16,6 @@ use super::queue::Queue;
 use super::shade::{load, select};
 use super::vectors::Triples;
 use super::walk::Walk;
-use crate::certified::{Intersect, Precision};
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
@@ -71,12 +70,7 @@ impl<V: Lanes> Ahead<V> {
 
 /// Follows every waiting sample, each of which may send a ray, to its end.
 #[inline(always)]
-pub fn follow<V: Lanes, W: Simd, L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
-    few: &Few,
-    walk: &mut Walk,
-    wide: W,
-) {
+pub fn follow<V: Lanes, W: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, walk: &mut Walk, wide: W) {
     let mut aheads = [Ahead::<V>::nothing(); 2];
     let mut at = 0;
     while at < walk.queue.count {
@@ -104,8 +98,8 @@ pub fn follow<V: Lanes, W: Simd, L: Layout, P: Intersect>(
 /// Follows the queue's sample `at` to its end, from its first ray on, which may meet the objects of `touched`. Looks at the
 /// samples behind it meanwhile.
 #[inline(always)]
-fn go_on<V: Lanes, W: Simd, L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
+fn go_on<V: Lanes, W: Simd, L: Layout>(
+    prepared: &Prepared<L>,
     few: &Few,
     walk: &mut Walk,
     wide: W,
@@ -120,7 +114,7 @@ fn go_on<V: Lanes, W: Simd, L: Layout, P: Intersect>(
         *if_it_ends = Ahead::look(few, walk, at + 1, 1);
     }
     loop {
-        let found = nearest_of::<_, P>(&prepared.objects, &ray, touched);
+        let found = nearest_of(&prepared.objects, &ray, touched);
         if !found.is_hit() {
             return walk.ended.leave(at, ray.direction);
         }
@@ -146,8 +140,8 @@ fn go_on<V: Lanes, W: Simd, L: Layout, P: Intersect>(
 /// Looks at the samples behind the one at `at` as if its last ray met something, and ends it where that is certain and all
 /// objects are alike.
 #[inline(always)]
-fn ends<V: Lanes, W: Simd, L: Layout, P: Intersect>(
-    prepared: &Prepared<L, P>,
+fn ends<V: Lanes, W: Simd, L: Layout>(
+    prepared: &Prepared<L>,
     few: &Few,
     walk: &mut Walk,
     wide: W,
@@ -157,9 +151,7 @@ fn ends<V: Lanes, W: Simd, L: Layout, P: Intersect>(
 ) -> bool {
     walk.triples.prepare(wide);
     *if_it_ends = Ahead::look(few, walk, at + 1, 1);
-    // The textbook may miss what a ray is inside of.
-    let are_alike = prepared.scatters_everywhere && P::PRECISION == Precision::Certified;
-    let ends = are_alike && few.begins_inside(&prepared.objects, ray);
+    let ends = prepared.scatters_everywhere && few.begins_inside(&prepared.objects, ray);
     if ends {
         add(Counter::Hits, 1);
         add(Counter::LastRaysSpared, 1);

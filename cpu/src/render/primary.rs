@@ -7,7 +7,6 @@ use super::lane_by_lane::for_each_lane;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
 use super::shade::{shade, store};
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
@@ -16,25 +15,25 @@ use crate::real::Real;
 use crate::simd::{Kernel, Lanes, Simd};
 
 /// Traces the batch's primary rays: the samples that meet nothing have their colour, the others stand in the queue.
-pub struct Trace<'a, L: Layout, P> {
-    pub prepared: &'a Prepared<L, P>,
+pub struct Trace<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
     pub row: usize,
     pub candidates: &'a Candidates,
     pub batch: &'a mut Batch,
     pub queue: &'a mut Queue,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Trace<'_, L, P> {
+impl<L: Layout> Kernel for Trace<'_, L> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        trace::<S, L, P>(self);
+        trace::<S, L>(self);
     }
 }
 
 #[inline(always)]
-fn trace<S: Simd, L: Layout, P: Intersect>(Trace { prepared, row, candidates, batch, queue }: Trace<'_, L, P>) {
+fn trace<S: Simd, L: Layout>(Trace { prepared, row, candidates, batch, queue }: Trace<'_, L>) {
     let camera = prepared.camera.lanes::<S::F64>();
     let background = prepared.background.lanes::<S::F64>();
     let row = S::F64::of(row as f64);
@@ -47,7 +46,7 @@ fn trace<S: Simd, L: Layout, P: Intersect>(Trace { prepared, row, candidates, ba
         let offset = [S::F64::load(&batch.offset[0][at..]), S::F64::load(&batch.offset[1][at..])];
         let ray = camera.ray(row, S::F64::load(&batch.column[at..]), offset);
         let valid = valid_lanes::<S::F64>(batch.count - at);
-        let hits = nearest::<_, P>(candidates, &ray, valid);
+        let hits = nearest(candidates, &ray, valid);
         if hits.bits != valid {
             store(background.color(ray.direction), &mut batch.color, at);
         }
@@ -73,7 +72,7 @@ pub fn valid_lanes<V: Lanes>(left: usize) -> u32 {
 
 /// The nearest hits among the candidates, which are in the order of the file.
 #[inline(always)]
-fn nearest<V: Lanes, P: Intersect>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<V> {
+fn nearest<V: Lanes>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> Hits<V> {
     let mut hits = Hits::none();
     if candidates.span.is_empty() {
         return hits;
@@ -81,9 +80,9 @@ fn nearest<V: Lanes, P: Intersect>(candidates: &Candidates, ray: &Ray<V>, valid:
     let rays = Rays::new(ray, valid);
     for (id, candidate) in &candidates.span {
         match candidate {
-            Candidate::Sphere(record, view) => hits.ask_sphere::<P>(*id, record, &view.lanes(), &rays),
+            Candidate::Sphere(record, view) => hits.ask_sphere(*id, record, &view.lanes(), &rays),
             Candidate::Cylinder(record, axis, view) => {
-                hits.ask_cylinder::<P>(*id, (record, axis), &view.lanes(), &rays);
+                hits.ask_cylinder(*id, (record, axis), &view.lanes(), &rays);
             }
         }
     }

@@ -3,7 +3,6 @@
 use super::hits::Hits;
 use super::lane_by_lane::MOST_LANES;
 use super::standing::Standing;
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::{Layout, Objects};
@@ -24,7 +23,7 @@ pub struct Shaded<V> {
 
 /// Shades the lanes that meet something.
 #[inline(always)]
-pub fn shade<V: Lanes, L: Layout, P: Intersect>(prepared: &Prepared<L, P>, ray: &Ray<V>, hits: &Hits<V>) -> Shaded<V> {
+pub fn shade<V: Lanes, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &Hits<V>) -> Shaded<V> {
     let objects = &prepared.objects;
     let mut numbers = [0.0; MOST_LANES];
     hits.object.store(&mut numbers);

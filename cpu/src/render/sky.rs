@@ -16,7 +16,6 @@ use super::batch::Batch;
 use super::offsets::Offsets;
 use super::slope::{Slope, Slopes};
 use super::span::{Span, WIDEST};
-use crate::certified::Intersect;
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::real::Real;
@@ -63,7 +62,7 @@ impl<T: Real> Between<T> {
 
 impl Sky {
     /// Nothing yet.
-    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Self {
+    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
         let background = &prepared.background;
         let constant = [0, 1, 2].map(|channel| {
             let (dark, light) = (background.dark.to_array()[channel], background.light.to_array()[channel]);
@@ -81,7 +80,7 @@ impl Sky {
 
     /// Begins with the span's pixels: finds what needs no places of samples, as many pixels at once as there are lanes.
     #[inline(always)]
-    fn begin<V: Lanes, L: Layout, P: Intersect>(&mut self, prepared: &Prepared<L, P>, row: usize, span: &Span) {
+    fn begin<V: Lanes, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
         self.slopes.find::<V>(&prepared.camera, row, span.first, span.width());
         for at in (0..span.width()).step_by(V::LANES) {
@@ -97,9 +96,9 @@ impl Sky {
 
     /// Looks for the bytes of the span's pixel `at`; if they cannot be known, its samples have been drawn into the batch.
     #[inline(always)]
-    fn look<V: Lanes, L: Layout, P: Intersect>(
+    fn look<V: Lanes, L: Layout>(
         &mut self,
-        prepared: &Prepared<L, P>,
+        prepared: &Prepared<L>,
         span: &Span,
         at: usize,
         (offsets, batch): (&mut Offsets, &mut Batch),
@@ -113,7 +112,7 @@ impl Sky {
             offsets.pass_over(prepared.samples);
             return Some(bytes);
         }
-        batch.draw::<V, L, P>(prepared, &span.pixel(at, prepared.samples), offsets.stream());
+        batch.draw::<V, L>(prepared, &span.pixel(at, prepared.samples), offsets.stream());
         let means = [0, 1].map(|axis| sum(&batch.offset[axis][..batch.count]) / batch.count as f64);
         let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
         let there =
@@ -123,9 +122,9 @@ impl Sky {
 
     /// The bytes of a pixel whose channels' means are in these intervals, if all such means give the same.
     #[inline(always)]
-    fn bytes_within<L: Layout, P: Intersect>(
+    fn bytes_within<L: Layout>(
         &mut self,
-        prepared: &Prepared<L, P>,
+        prepared: &Prepared<L>,
         means: [Between; 3],
         slope: &Slope,
     ) -> Option<[u8; 3]> {
@@ -141,8 +140,8 @@ impl Sky {
 
 /// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known: says of how many from
 /// the first on they are. If that is not all, the next one's samples, drawn into the batch, must be traced.
-pub struct Look<'a, L: Layout, P> {
-    pub prepared: &'a Prepared<L, P>,
+pub struct Look<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
     pub row: usize,
     /// Made of whole pixels.
     pub span: &'a Span,
@@ -153,7 +152,7 @@ pub struct Look<'a, L: Layout, P> {
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
+impl<L: Layout> Kernel for Look<'_, L> {
     type Output = usize;
 
     #[inline(always)]
@@ -161,10 +160,10 @@ impl<L: Layout, P: Intersect> Kernel for Look<'_, L, P> {
         let Self { prepared, row, span, done, sky, offsets, batch } = self;
         let count = span.width();
         if done == 0 {
-            sky.begin::<S::F64, L, P>(prepared, row, span);
+            sky.begin::<S::F64, L>(prepared, row, span);
         }
         for at in done..count {
-            match sky.look::<S::F64, L, P>(prepared, span, at, (offsets, batch)) {
+            match sky.look::<S::F64, L>(prepared, span, at, (offsets, batch)) {
                 Some(bytes) => sky.bytes[at] = bytes,
                 None => return at,
             }

@@ -1,6 +1,5 @@
 //! The stages of one span, each to be run alone: for benchmarks. [`super`] says what they do, and in which order.
 
-use crate::certified::Certified;
 use crate::layout::Aos;
 use crate::prepare::Prepared;
 use crate::simd::InstructionSet;
@@ -16,7 +15,7 @@ use super::{ends, glass, primary};
 /// A span of a picture, and where its samples are on their way.
 #[derive(Debug)]
 pub struct Stages<'a> {
-    prepared: &'a Prepared<Aos, Certified>,
+    prepared: &'a Prepared<Aos>,
     set: InstructionSet,
     row: usize,
     span: Span,
@@ -33,7 +32,7 @@ impl<'a> Stages<'a> {
     /// # Panics
     /// When there is none.
     #[must_use]
-    pub fn new(prepared: &'a Prepared<Aos, Certified>, set: InstructionSet, row: usize, column: usize) -> Self {
+    pub fn new(prepared: &'a Prepared<Aos>, set: InstructionSet, row: usize, column: usize) -> Self {
         let mut spans = Spans::of_row(prepared.size.width(), prepared.samples);
         let span = spans.find(|span| span.first >= column).expect("the row is longer");
         let mut stages = Self {

@@ -7,7 +7,6 @@ use super::ends::Ended;
 use super::leaps;
 use super::queue::Queue;
 use super::vectors::Triples;
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::{Finish, Kind, Prepared};
@@ -36,7 +35,7 @@ pub struct Walk {
 
 impl Walk {
     /// At the beginning of the stream.
-    pub fn new<L: Layout, P: Intersect>(prepared: &Prepared<L, P>) -> Box<Self> {
+    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Box<Self> {
         Box::new(Self {
             triples: Triples::new(prepared.vectors, prepared.material_seed),
             queue: Queue::new(),
@@ -47,12 +46,7 @@ impl Walk {
 
     /// Follows every waiting sample to its end; `wide` is for what is done in bulk.
     #[inline(always)]
-    fn follow<S: Simd, W: Simd, L: Layout, P: Intersect, F: Find>(
-        &mut self,
-        prepared: &Prepared<L, P>,
-        search: &F,
-        wide: W,
-    ) {
+    fn follow<S: Simd, W: Simd, L: Layout, F: Find>(&mut self, prepared: &Prepared<L>, search: &F, wide: W) {
         for at in 0..self.queue.count {
             self.triples.prepare(wide);
             self.ended.begin();
@@ -61,16 +55,16 @@ impl Walk {
                 self.ended.forget(at, &mut self.queue);
             } else {
                 let ray = self.queue.ray(at, triple);
-                self.go_on::<S, W, L, P, F>(prepared, search, wide, at, ray);
+                self.go_on::<S, W, L, F>(prepared, search, wide, at, ray);
             }
         }
     }
 
     /// Follows the queue's sample `at` from its first ray to its end.
     #[inline(always)]
-    fn go_on<S: Simd, W: Simd, L: Layout, P: Intersect, F: Find>(
+    fn go_on<S: Simd, W: Simd, L: Layout, F: Find>(
         &mut self,
-        prepared: &Prepared<L, P>,
+        prepared: &Prepared<L>,
         search: &F,
         wide: W,
         at: usize,
@@ -80,7 +74,7 @@ impl Walk {
         let mut origin = search.origin(&prepared.objects, &ray, self.queue.object[at] as ObjectId);
         loop {
             add(Counter::WalkRays, 1);
-            let found = search.find::<S, L::Objects, P>(&prepared.objects, &ray, origin, &mut self.stack);
+            let found = search.find::<S, L::Objects>(&prepared.objects, &ray, origin, &mut self.stack);
             if !found.is_hit() {
                 return self.ended.leave(at, ray.direction);
             }
@@ -98,9 +92,9 @@ impl Walk {
 
     /// Sends path `at` on from what its ray has found, as one that may send `rays` more; or ends it where there is none.
     #[inline(always)]
-    pub fn send_on<'a, W: Simd, L: Layout, P: Intersect>(
+    pub fn send_on<'a, W: Simd, L: Layout>(
         &mut self,
-        prepared: &'a Prepared<L, P>,
+        prepared: &'a Prepared<L>,
         wide: W,
         at: usize,
         rays: u64,
@@ -138,12 +132,12 @@ impl Walk {
 }
 
 /// Follows every waiting sample to its end.
-pub struct Follow<'a, L: Layout, P> {
-    pub prepared: &'a Prepared<L, P>,
+pub struct Follow<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
     pub walk: &'a mut Walk,
 }
 
-impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
+impl<L: Layout> Kernel for Follow<'_, L> {
     type Output = ();
 
     #[inline(always)]
@@ -162,35 +156,35 @@ impl<L: Layout, P: Intersect> Kernel for Follow<'_, L, P> {
 }
 
 /// The same, with the instruction set that it is called with, perhaps the one for work on one ray after the other.
-struct OneByOne<'a, L: Layout, P, F, W> {
-    follow: Follow<'a, L, P>,
+struct OneByOne<'a, L: Layout, F, W> {
+    follow: Follow<'a, L>,
     search: &'a F,
     wide: W,
 }
 
-impl<L: Layout, P: Intersect, F: Find, W: Simd> Kernel for OneByOne<'_, L, P, F, W> {
+impl<L: Layout, F: Find, W: Simd> Kernel for OneByOne<'_, L, F, W> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let Self { follow: Follow { prepared, walk }, search, wide } = self;
-        walk.follow::<S, W, L, P, F>(prepared, search, wide);
+        walk.follow::<S, W, L, F>(prepared, search, wide);
     }
 }
 
 /// The same with [leaps].
-struct Leaping<'a, L: Layout, P, W> {
-    follow: Follow<'a, L, P>,
+struct Leaping<'a, L: Layout, W> {
+    follow: Follow<'a, L>,
     few: &'a Few,
     wide: W,
 }
 
-impl<L: Layout, P: Intersect, W: Simd> Kernel for Leaping<'_, L, P, W> {
+impl<L: Layout, W: Simd> Kernel for Leaping<'_, L, W> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let Self { follow: Follow { prepared, walk }, few, wide } = self;
-        leaps::follow::<S::F64, W, L, P>(prepared, few, walk, wide);
+        leaps::follow::<S::F64, W, L>(prepared, few, walk, wide);
     }
 }

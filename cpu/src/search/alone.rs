@@ -8,7 +8,6 @@
 //! overlaps nothing, but moderate scenes have none.
 
 use super::{Bounds, ObjectId, room};
-use crate::certified::{Intersect, Precision};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -39,10 +38,8 @@ impl Alone {
     /// Whether a ray that starts on `id` and meets it again certainly meets nothing before that but what is asked apart.
     #[inline(always)]
     #[must_use]
-    pub fn is<O: Objects, P: Intersect>(&self, objects: &O, id: ObjectId) -> bool {
-        // A textbook's point may be far off the side of a cylinder, for a ray along the axis.
-        let accurate = P::PRECISION == Precision::Certified || (id as usize) < objects.sphere_count();
-        accurate && self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
+    pub fn is(&self, id: ObjectId) -> bool {
+        self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
     }
 }
 
@@ -55,29 +52,20 @@ pub fn roomy_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::{Certified, Textbook};
-    use crate::layout::AosObjects;
-    use crate::scene::Scene;
 
     #[test]
-    fn what_no_other_overlaps_is_alone_a_cylinder_by_certified_points_only() {
-        let text = "matte: m 1 1 1\nsphere: 0 0 0 1 m\nsphere: 3 0 0 1 m\ncylinder: 0 9 0 1 0 1 0 m\n";
-        let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
-        let objects = AosObjects::build(&scene).expect("it fits");
+    fn what_no_other_overlaps_is_alone() {
         let alone = Alone::new(3, |id| id == 1).expect("it fits");
-        assert_eq!([0, 1, 2].map(|id| alone.is::<_, Certified>(&objects, id)), [true, false, true]);
-        assert_eq!([0, 1, 2].map(|id| alone.is::<_, Textbook>(&objects, id)), [true, false, false]);
-        assert!(!alone.is::<_, Certified>(&objects, crate::search::NOWHERE));
-        assert!(!Alone::none().is::<_, Certified>(&objects, 0));
+        assert_eq!([0, 1, 2].map(|id| alone.is(id)), [true, false, true]);
+        assert!(!alone.is(crate::search::NOWHERE));
+        assert!(!Alone::none().is(0));
     }
 
     #[test]
     fn a_hundred_answers_keep_their_places() {
-        let scene = Scene::parse(&b"matte: m 1 1 1\n"[..]).expect("the scene is valid");
-        let objects = AosObjects::build(&scene).expect("it fits");
         let alone = Alone::new(100, |id| id % 3 == 0).expect("it fits");
         for id in 0..128 {
-            assert_eq!(alone.is::<_, Certified>(&objects, id), id < 100 && id % 3 != 0, "{id}");
+            assert_eq!(alone.is(id), id < 100 && id % 3 != 0, "{id}");
         }
     }
 }

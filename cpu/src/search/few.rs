@@ -7,7 +7,6 @@
 use super::side_by_side::{SideBySide, TouchedByEach};
 use super::touch::{Touch, is_too_short};
 use super::{Found, ObjectId};
-use crate::certified::Intersect;
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
@@ -59,14 +58,14 @@ impl Few {
 
     /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
-    pub fn nearest<V: Lanes, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray) -> Found {
+    pub fn nearest<V: Lanes, O: Objects>(&self, objects: &O, ray: &Ray) -> Found {
         let (touched, mut found) = (self.touched_by_one::<V, O>(objects, ray), Found::NOTHING);
         // Where there are several of a kind, mostly none of them is touched.
         if touched & ((1 << objects.sphere_count()) - 1) != 0 {
-            ask_spheres::<O, P>(&mut found, objects, ray, touched);
+            ask_spheres(&mut found, objects, ray, touched);
         }
         if touched >> objects.sphere_count() != 0 {
-            ask_cylinders::<O, P>(&mut found, objects, ray, touched >> objects.sphere_count());
+            ask_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
         }
         found
     }
@@ -109,30 +108,30 @@ impl Few {
 
 /// Of the objects that this ray may meet, a bit each, the nearest that it meets.
 #[inline(always)]
-pub fn nearest_of<O: Objects, P: Intersect>(objects: &O, ray: &Ray, touched: u32) -> Found {
+pub fn nearest_of<O: Objects>(objects: &O, ray: &Ray, touched: u32) -> Found {
     let mut found = Found::NOTHING;
-    ask_spheres::<O, P>(&mut found, objects, ray, touched);
-    ask_cylinders::<O, P>(&mut found, objects, ray, touched >> objects.sphere_count());
+    ask_spheres(&mut found, objects, ray, touched);
+    ask_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
     found
 }
 
 /// Takes the spheres of `touched` into account: one after the other, so that the processor can guess which it will be
 /// before it knows the bits.
 #[inline(always)]
-fn ask_spheres<O: Objects, P: Intersect>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
+fn ask_spheres<O: Objects>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
     for index in 0..objects.sphere_count() {
         if touched >> index & 1 == 1 {
-            found.ask_sphere::<O, P>(objects, index, ray);
+            found.ask_sphere(objects, index, ray);
         }
     }
 }
 
 /// The same with cylinders.
 #[inline(always)]
-fn ask_cylinders<O: Objects, P: Intersect>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
+fn ask_cylinders<O: Objects>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
     for index in 0..objects.cylinder_count() {
         if touched >> index & 1 == 1 {
-            found.ask_cylinder::<O, P>(objects, index, ray);
+            found.ask_cylinder(objects, index, ray);
         }
     }
 }
@@ -146,9 +145,9 @@ pub fn suits(objects: &impl Objects) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::{Certified, Textbook};
     use crate::layout::AosObjects;
     use crate::real::Real;
+    use crate::reference::{Certified, Intersect, Textbook};
     use crate::rng::Uniform;
     use crate::scene::Scene;
     use crate::simd::{InstructionSet, Kernel, Simd};
@@ -176,7 +175,7 @@ mod tests {
             assert_eq!(each.any(), if touched == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.by(lane) == touched), "{each:?}");
             assert_eq!(self.few.touched_by_one::<S::F64, _>(self.objects, &self.ray), touched);
-            (touched, self.few.nearest::<S::F64, _, Certified>(self.objects, &self.ray))
+            (touched, self.few.nearest::<S::F64, _>(self.objects, &self.ray))
         }
     }
 
@@ -218,7 +217,7 @@ mod tests {
                 assert_eq!(met & !touched, 0, "{}, {ray:?}: met {met:b}, touched {touched:b}", set.name());
                 let alone = set.run(Touched { few: &one_by_one, objects: &objects, ray });
                 assert_eq!((touched, nearest), alone, "{}, {ray:?}", set.name());
-                assert_eq!(nearest, nearest_of::<_, Certified>(&objects, &ray, met), "{}, {ray:?}", set.name());
+                assert_eq!(nearest, nearest_of(&objects, &ray, met), "{}, {ray:?}", set.name());
                 touched_in_all += touched.count_ones();
                 met_in_all += met.count_ones();
             }

@@ -4,7 +4,6 @@ use super::filter_ray::{BLOCK, Balls, FilterRay, Tubes, misses};
 use super::ground::Ground;
 use super::touch::{Touch, is_too_short};
 use super::{Found, NOWHERE, ObjectId, Origin, plain};
-use crate::certified::Intersect;
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
@@ -80,12 +79,12 @@ impl Filter {
 
     /// The nearest object that a ray meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, origin: Origin) -> Found {
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin) -> Found {
         let mut found = Found::NOTHING;
         let touch = Touch::new(*ray);
         let Ray { origin: o, direction: d } = *ray;
         if is_too_short(touch.length_squared) {
-            return ask_every_object::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+            return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
         }
         if self.ground.is(origin.object)
             && let Some(sunk) = &self.sunk
@@ -93,19 +92,19 @@ impl Filter {
             // The branch that the processor cannot guess is on what is expected, which is known early; whether it is as
             // expected it guesses right.
             if origin.goes_in {
-                self.ground.ask::<O, P>(&mut found, objects, &touch);
+                self.ground.ask(&mut found, objects, &touch);
                 if !found.is_hit() {
                     add(Counter::Unexpected, 1);
-                    return ask_every_object::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+                    return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
                 }
                 for &id in sunk {
-                    found.ask::<O, P>(objects, id, ray);
+                    found.ask(objects, id, ray);
                 }
                 return found;
             }
             if self.ground.may_be_met(objects, &touch) {
                 add(Counter::Unexpected, 1);
-                return ask_every_object::<O, P>(objects, o.x, o.y, o.z, d.x, d.y, d.z);
+                return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
             }
         }
         let from = origin.object;
@@ -132,11 +131,11 @@ impl Filter {
             return found;
         }
         while spheres != 0 {
-            found.ask_sphere::<O, P>(objects, spheres.trailing_zeros() as usize, ray);
+            found.ask_sphere(objects, spheres.trailing_zeros() as usize, ray);
             spheres &= spheres - 1;
         }
         while cylinders != 0 {
-            found.ask_cylinder::<O, P>(objects, cylinders.trailing_zeros() as usize, ray);
+            found.ask_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
             cylinders &= cylinders - 1;
         }
         found
@@ -169,8 +168,8 @@ impl Filter {
 /// memory.
 #[cold]
 #[inline(never)]
-fn ask_every_object<O: Objects, P: Intersect>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> Found {
-    plain::<O, P>(objects, &Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) })
+fn ask_every_object<O: Objects>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> Found {
+    plain(objects, &Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) })
 }
 
 /// As many blocks as `count` objects take.

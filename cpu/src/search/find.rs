@@ -1,7 +1,6 @@
 //! What the kinds of search have in common: walks are written once over it, and compiled for each kind apart.
 
 use super::{Few, Filter, Found, Hierarchy, ObjectId, Stack, plain};
-use crate::certified::Intersect;
 use crate::layout::Objects;
 use crate::prepare::Finish;
 use crate::ray::Ray;
@@ -20,13 +19,7 @@ pub struct Origin {
 /// A kind of search.
 pub trait Find {
     /// The nearest object that a ray meets. Who asks counts the ray.
-    fn find<S: Simd, O: Objects, P: Intersect>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        origin: Origin,
-        stack: &mut Stack,
-    ) -> Found;
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, stack: &mut Stack) -> Found;
 
     /// Where a ray from the surface of `object` starts.
     #[inline(always)]
@@ -48,22 +41,22 @@ pub struct Plain;
 
 impl Find for Plain {
     #[inline(always)]
-    fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
-        plain::<O, P>(objects, ray)
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
+        plain(objects, ray)
     }
 }
 
 impl Find for Few {
     #[inline(always)]
-    fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
-        self.nearest::<S::F64, O, P>(objects, ray)
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
+        self.nearest::<S::F64, O>(objects, ray)
     }
 }
 
 impl Find for Filter {
     #[inline(always)]
-    fn find<S: Simd, O: Objects, P: Intersect>(&self, objects: &O, ray: &Ray, origin: Origin, _: &mut Stack) -> Found {
-        self.nearest::<S, O, P>(objects, ray, origin)
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, _: &mut Stack) -> Found {
+        self.nearest::<S, O>(objects, ray, origin)
     }
 
     #[inline(always)]
@@ -82,13 +75,7 @@ impl Find for Filter {
 
 impl Find for Hierarchy {
     #[inline(always)]
-    fn find<S: Simd, O: Objects, P: Intersect>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        origin: Origin,
-        stack: &mut Stack,
-    ) -> Found {
-        self.nearest::<S, O, P>(objects, ray, origin.object, stack)
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, stack: &mut Stack) -> Found {
+        self.nearest::<S, O>(objects, ray, origin.object, stack)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::touch::Touch;
 use super::{NOWHERE, ObjectId};
-use crate::certified::{Intersect, Verdict};
+use crate::certified::{self, Verdict};
 use crate::counters::{Counter, add};
 use crate::cylinder::Part;
 use crate::layout::Objects;
@@ -44,31 +44,25 @@ impl Found {
 
     /// Takes the object at `id` into account.
     #[inline(always)]
-    pub fn ask<O: Objects, P: Intersect>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
+    pub fn ask<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
         match (id as usize).checked_sub(objects.sphere_count()) {
-            None => self.ask_sphere::<O, P>(objects, id as usize, ray),
-            Some(index) => self.ask_cylinder::<O, P>(objects, index, ray),
+            None => self.ask_sphere(objects, id as usize, ray),
+            Some(index) => self.ask_cylinder(objects, index, ray),
         }
     }
 
     /// The same, unless the filter stops the ray, in a scene of this reach.
     #[inline(always)]
-    pub fn ask_if_touched<O: Objects, P: Intersect>(
-        &mut self,
-        objects: &O,
-        id: ObjectId,
-        touch: &Touch<f64>,
-        reach: f64,
-    ) {
+    pub fn ask_if_touched<O: Objects>(&mut self, objects: &O, id: ObjectId, touch: &Touch<f64>, reach: f64) {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
                 if touch.sphere_at(objects, id as usize) {
-                    self.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
+                    self.ask_sphere(objects, id as usize, &touch.ray);
                 }
             }
             Some(index) => {
                 if touch.cylinder_at(objects, index, reach) {
-                    self.ask_cylinder::<O, P>(objects, index, &touch.ray);
+                    self.ask_cylinder(objects, index, &touch.ray);
                 }
             }
         }
@@ -76,33 +70,31 @@ impl Found {
 
     /// Takes the sphere at `index` into account.
     #[inline(always)]
-    pub fn ask_sphere<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        let verdict = P::judge_sphere(&objects.sphere(index).record, ray);
-        self.take_sphere::<O, P>(objects, index, ray, verdict);
+    pub fn ask_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let verdict = certified::sphere::judge(&objects.sphere(index).record, ray);
+        self.take_sphere(objects, index, ray, verdict);
     }
 
     /// The same, for a sphere so large that rays near it are often in doubt.
     #[inline(always)]
-    pub fn ask_large_sphere<S: Simd, O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub fn ask_large_sphere<S: Simd, O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let record = objects.sphere(index).record;
-        let verdict = if S::FUSES { P::judge_large_sphere(&record, ray) } else { P::judge_sphere(&record, ray) };
-        self.take_sphere::<O, P>(objects, index, ray, verdict);
+        let verdict = if S::FUSES {
+            certified::sphere::judge_large(&record, ray)
+        } else {
+            certified::sphere::judge(&record, ray)
+        };
+        self.take_sphere(objects, index, ray, verdict);
     }
 
     #[inline(always)]
-    fn take_sphere<O: Objects, P: Intersect>(
-        &mut self,
-        objects: &O,
-        index: usize,
-        ray: &Ray,
-        verdict: Verdict<Option<f64>>,
-    ) {
+    fn take_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, verdict: Verdict<Option<f64>>) {
         add(Counter::SphereAsks, 1);
         let lambda = match verdict {
             Verdict::Certain(lambda) => lambda,
             Verdict::Doubtful => {
                 let Ray { origin: o, direction: d } = *ray;
-                resolve_sphere::<O, P>(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
+                resolve_sphere(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
             }
         };
         if let Some(lambda) = lambda {
@@ -112,14 +104,14 @@ impl Found {
 
     /// Takes the cylinder at `index` among the cylinders into account.
     #[inline(always)]
-    pub fn ask_cylinder<O: Objects, P: Intersect>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub fn ask_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::CylinderAsks, 1);
         let cylinder = objects.cylinder(index);
-        let met = match P::judge_cylinder(&cylinder.record, &objects.axis(index), ray) {
+        let met = match certified::cylinder::judge(&cylinder.record, ray) {
             Verdict::Certain(met) => met,
             Verdict::Doubtful => {
                 let Ray { origin: o, direction: d } = *ray;
-                resolve_cylinder::<O, P>(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
+                resolve_cylinder(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
             }
         };
         if let Some((lambda, part)) = met {
@@ -133,7 +125,7 @@ impl Found {
 #[cold]
 #[inline(never)]
 #[expect(clippy::too_many_arguments, reason = "these fit the registers")]
-fn resolve_sphere<O: Objects, P: Intersect>(
+fn resolve_sphere<O: Objects>(
     objects: &O,
     index: usize,
     x: f64,
@@ -144,14 +136,14 @@ fn resolve_sphere<O: Objects, P: Intersect>(
     dz: f64,
 ) -> Option<f64> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    P::reconsider_sphere(&objects.sphere(index).record, &ray)
+    certified::sphere::reconsider(&objects.sphere(index).record, &ray)
 }
 
 /// See [`resolve_sphere`].
 #[cold]
 #[inline(never)]
 #[expect(clippy::too_many_arguments, reason = "these fit the registers")]
-fn resolve_cylinder<O: Objects, P: Intersect>(
+fn resolve_cylinder<O: Objects>(
     objects: &O,
     index: usize,
     x: f64,
@@ -162,7 +154,7 @@ fn resolve_cylinder<O: Objects, P: Intersect>(
     dz: f64,
 ) -> Option<(f64, Part)> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    P::reconsider_cylinder(&objects.cylinder(index).record, &objects.axis(index), &ray)
+    certified::cylinder::resolve(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }
 
 #[cfg(test)]

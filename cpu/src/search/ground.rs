@@ -5,7 +5,6 @@
 
 use super::touch::Touch;
 use super::{Bounds, Found, ObjectId};
-use crate::certified::Intersect;
 use crate::layout::Objects;
 use crate::prepare::{Extent, Finish, Kind};
 use crate::ray::Ray;
@@ -121,21 +120,21 @@ impl Ground {
 
     /// Takes it into account, unless the ray certainly does not meet it.
     #[inline(always)]
-    pub fn ask<O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
+    pub fn ask<O: Objects>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
         if let Some(id) = self.0
             && self.may_be_met(objects, touch)
         {
-            found.ask_sphere::<O, P>(objects, id as usize, &touch.ray);
+            found.ask_sphere(objects, id as usize, &touch.ray);
         }
     }
 
     /// The same, where the closer look that large spheres often take is no call, if the machine is good at it.
     #[inline(always)]
-    pub fn ask_closely<S: Simd, O: Objects, P: Intersect>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
+    pub fn ask_closely<S: Simd, O: Objects>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
         if let Some(id) = self.0
             && self.may_be_met(objects, touch)
         {
-            found.ask_large_sphere::<S, O, P>(objects, id as usize, &touch.ray);
+            found.ask_large_sphere::<S, O>(objects, id as usize, &touch.ray);
         }
     }
 }
@@ -143,7 +142,7 @@ impl Ground {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::Certified;
+
     use crate::layout::AosObjects;
     use crate::rng::Uniform;
     use crate::scatter::Scatter;
@@ -181,7 +180,7 @@ mod tests {
             let ray = Ray { origin, direction: vector() * 3.0 };
             let triple = vector().map(|component| (component + 1.0) / 2.0);
             let mut found = Found::NOTHING;
-            found.ask_sphere::<_, Certified>(&objects, 0, &ray);
+            found.ask_sphere(&objects, 0, &ray);
             if !found.is_hit() {
                 continue;
             }

@@ -10,14 +10,12 @@ use super::stack::{Stack, wait};
 use super::top::Top;
 use super::touch::Touch;
 use super::{Found, NOWHERE, ObjectId, plain, stack};
-use crate::certified::{Intersect, Precision};
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
 use crate::simd::{FilterLanes, Simd};
-use crate::vec3::Vec3;
 
 /// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
 const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
@@ -93,16 +91,6 @@ impl Hierarchy {
         true
     }
 
-    /// Whether the ray may use the tree: it starts near enough, which certified points of surfaces do, and its direction is in
-    /// scale.
-    #[inline(always)]
-    fn covers<P: Intersect>(&self, Touch { ray, length_squared, .. }: &Touch<f64>) -> bool {
-        let is_near = |coordinate: f64| coordinate.abs() <= self.reach;
-        let Vec3 { x, y, z } = ray.origin;
-        let starts_near = P::PRECISION == Precision::Certified || (is_near(x) && is_near(y) && is_near(z));
-        starts_near && is_in_scale(*length_squared)
-    }
-
     /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
     pub fn forget_who_is_alone(&mut self) {
         self.alone = Alone::none();
@@ -110,49 +98,44 @@ impl Hierarchy {
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects, P: Intersect>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        from: ObjectId,
-        stack: &mut Stack,
-    ) -> Found {
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
         let mut found = Found::NOTHING;
         let touch = Touch::new(*ray);
-        if !self.covers::<P>(&touch) {
-            return plain::<O, P>(objects, ray);
+        // A ray starts at the camera or on a surface, so within the scene's reach.
+        if !is_in_scale(touch.length_squared) {
+            return plain(objects, ray);
         }
-        self.ground.ask_closely::<S, O, P>(&mut found, objects, &touch);
+        self.ground.ask_closely::<S, O>(&mut found, objects, &touch);
         if self.nodes.is_empty() {
             return found;
         }
         if from != NOWHERE && !self.ground.is(from) {
             let mut again = Found::NOTHING;
-            again.ask_if_touched::<O, P>(objects, from, &touch, self.reach);
+            again.ask_if_touched(objects, from, &touch, self.reach);
             if again.is_hit() {
                 found.offer(again.lambda, again.object, again.order, again.part);
-                if self.alone.is::<O, P>(objects, from) {
+                if self.alone.is(from) {
                     return found;
                 }
             }
         }
         let query = Query { objects, ray, from, box_ray: BoxRay::<S::F32>::new(ray, &self.steps) };
         if S::F32::LANES < WIDTH {
-            self.ask_below::<S, O, P>(&self.nodes[0], &query, &mut found, stack);
+            self.ask_below::<S, O>(&self.nodes[0], &query, &mut found, stack);
             return found;
         }
         let mut met = self.top.met(&query.box_ray, farthest(&found));
         let backwards = self.top.is_passed_backwards(ray.direction);
         while met != 0 {
             let place = self.top.take(&mut met, backwards);
-            self.ask_below::<S, O, P>(&self.nodes[place], &query, &mut found, stack);
+            self.ask_below::<S, O>(&self.nodes[place], &query, &mut found, stack);
         }
         found
     }
 
     /// Takes the objects below a node into account, but for the one that the ray leaves.
     #[inline(always)]
-    fn ask_below<'tree, S: Simd, O: Objects, P: Intersect>(
+    fn ask_below<'tree, S: Simd, O: Objects>(
         &'tree self,
         mut node: &'tree Node,
         query: &Query<O, S::F32>,
@@ -176,7 +159,7 @@ impl Hierarchy {
             while asked != 0 {
                 let lane = asked.trailing_zeros() as usize % WIDTH;
                 asked &= asked - 1;
-                found.ask::<O, P>(objects, node.child(lane).as_id(), ray);
+                found.ask(objects, node.child(lane).as_id(), ray);
             }
             if entered == 0 && waiting == 0 {
                 return;

@@ -2,7 +2,6 @@
 
 use super::ground::Ground;
 use super::*;
-use crate::certified::{Certified, Textbook};
 use crate::layout::AosObjects;
 use crate::rng::Uniform;
 use crate::scene::Scene;
@@ -35,7 +34,6 @@ struct Ask<'a> {
     ray: Ray,
     from: ObjectId,
     stack: &'a mut Stack,
-    textbook: bool,
 }
 
 impl Kernel for Ask<'_> {
@@ -43,12 +41,8 @@ impl Kernel for Ask<'_> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> Found {
-        let Self { search, objects, ray, from, stack, textbook } = self;
-        if textbook {
-            search.nearest::<S, _, Textbook>(objects, &ray, from, stack)
-        } else {
-            search.nearest::<S, _, Certified>(objects, &ray, from, stack)
-        }
+        let Self { search, objects, ray, from, stack } = self;
+        search.nearest::<S, _>(objects, &ray, from, stack)
     }
 }
 
@@ -73,17 +67,9 @@ fn agrees_with_plain(search: &Search, objects: &AosObjects, rays: usize) {
             }
             let mut from = NOWHERE;
             for _ in 0..3 {
-                for textbook in [false, true] {
-                    let expected = if textbook {
-                        plain::<_, Textbook>(objects, &ray)
-                    } else {
-                        plain::<_, Certified>(objects, &ray)
-                    };
-                    let ask = Ask { search, objects, ray, from, stack: &mut stack, textbook };
-                    let found = set.run(ask);
-                    assert_eq!(found, expected, "{}, {ray:?}, textbook: {textbook}", set.name());
-                }
-                let found = plain::<_, Certified>(objects, &ray);
+                let found = plain(objects, &ray);
+                let ask = Ask { search, objects, ray, from, stack: &mut stack };
+                assert_eq!(set.run(ask), found, "{}, {ray:?}", set.name());
                 if !found.is_hit() {
                     misses += 1;
                     break;
@@ -206,14 +192,14 @@ fn agrees_for_directions_of_any_length(search: &Search, objects: &AosObjects, fa
             _ => direction * 10.0_f64.powf(exponent),
         };
         let ray = Ray { origin: start, direction };
-        let expected = plain::<_, Certified>(objects, &ray);
+        let expected = plain(objects, &ray);
         *(if expected.is_hit() { &mut hits } else { &mut misses }) += 1;
         for from in [NOWHERE, if is_on_surface { from as ObjectId } else { NOWHERE }] {
             for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-                let found = set.run(Ask { search, objects, ray, from, stack: &mut stack, textbook: false });
+                let found = set.run(Ask { search, objects, ray, from, stack: &mut stack });
                 assert_eq!(found, expected, "{}, {ray:?}", set.name());
             }
-            let found = search.nearest::<PositiveNan, _, Certified>(objects, &ray, from, &mut stack);
+            let found = search.nearest::<PositiveNan, _>(objects, &ray, from, &mut stack);
             assert_eq!(found, expected, "with positive NaNs, {ray:?}");
         }
     }

@@ -115,7 +115,7 @@ impl Arguments {
             LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, (kind, options), &interrupt)?,
         };
         if self.count {
-            let counts = cpu::reference::render_counted::<cpu::certified::Certified>(
+            let counts = cpu::reference::render_counted::<cpu::reference::Certified>(
                 &config,
                 &scene,
                 self.scatter.into(),

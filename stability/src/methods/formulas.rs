@@ -2,9 +2,10 @@
 
 use std::marker::PhantomData;
 
-use cpu::certified::{self, Intersect, Precision};
+use cpu::certified;
 use cpu::cylinder::{CylinderRecord, Part};
 use cpu::real::Real;
+use cpu::reference::{Intersect, Precision};
 use cpu::sphere::SphereRecord;
 use cpu::{Ray, Vec3};
 

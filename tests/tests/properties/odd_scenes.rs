@@ -6,9 +6,9 @@
 
 use std::cell::Cell;
 
-use cpu::certified::Certified;
 use cpu::config::Config;
 use cpu::layout::AosImage;
+use cpu::reference::Certified;
 use cpu::rng::Uniform;
 use cpu::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Aos, Image, InstructionSet, Layout, Material, Prepared, Scatter, Scene, Soa, Vec3};
@@ -119,7 +119,7 @@ fn agrees<L: Layout>(
     scatter: Scatter,
     expected: &Expected,
 ) -> Result<(), TestCaseError> {
-    let prepared = Prepared::<L, Certified>::new(config, scene, scatter).expect("the reference renders it");
+    let prepared = Prepared::<L>::new(config, scene, scatter).expect("the reference renders it");
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
         let image = cpu::render_with(&prepared, set).expect("the picture is small");
         let mut means = vec![[0; 3]; expected.1.len()];

@@ -1,10 +1,10 @@
-//! The real renderer gives the reference's bytes: both layouts, all three ways to scatter, both precisions, every
-//! instruction set that the machine has, and every search (a handful of objects, a filter, a tree).
+//! The real renderer gives the reference's bytes: both layouts, all three ways to scatter, every instruction
+//! set that the machine has, and every search (a handful of objects, a filter, a tree).
 
 use std::cell::Cell;
 
-use cpu::certified::{Certified, Intersect, Textbook};
 use cpu::layout::AosImage;
+use cpu::reference::Certified;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
@@ -112,29 +112,25 @@ fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> {
     Some(format!("{} of {pixels} pixels differ; pixel {first} is {actual:?}, not {expected:?}", differing.len()))
 }
 
-fn reference<P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) -> AosImage {
-    cpu::reference::render_with::<_, P>(config, scene, scatter).expect("the picture is small and the camera sound")
+fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> AosImage {
+    cpu::reference::render_with::<_, Certified>(config, scene, scatter)
+        .expect("the picture is small and the camera sound")
 }
 
-fn agree<P: Intersect>(case: &Case, scene: &Scene, scatter: Scatter) -> Result<(), TestCaseError> {
-    let expected = reference::<P>(&case.config, scene, scatter);
-    agrees::<Aos, P>(case, scene, scatter, &expected)?;
-    agrees::<Soa, P>(case, scene, scatter, &expected)
+fn agree(case: &Case, scene: &Scene, scatter: Scatter) -> Result<(), TestCaseError> {
+    let expected = reference(&case.config, scene, scatter);
+    agrees::<Aos>(case, scene, scatter, &expected)?;
+    agrees::<Soa>(case, scene, scatter, &expected)
 }
 
-fn agrees<L: Layout, P: Intersect>(
-    case: &Case,
-    scene: &Scene,
-    scatter: Scatter,
-    expected: &AosImage,
-) -> Result<(), TestCaseError> {
+fn agrees<L: Layout>(case: &Case, scene: &Scene, scatter: Scatter, expected: &AosImage) -> Result<(), TestCaseError> {
     let layout = std::any::type_name::<L>();
-    let prepared = Prepared::<L, P>::new(&case.config, scene, scatter).expect("what the reference renders, it renders");
+    let prepared = Prepared::<L>::new(&case.config, scene, scatter).expect("what the reference renders, it renders");
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
         let actual = cpu::render_with(&prepared, set).expect("the picture is small");
         if let Some(difference) = difference(&actual, expected) {
-            let (set, precision) = (set.name(), P::PRECISION);
-            let what = format!("{layout}, {set}, {precision:?}, {scatter:?}: {difference}\n{}", case.files(scene));
+            let (set, files) = (set.name(), case.files(scene));
+            let what = format!("{layout}, {set}, {scatter:?}: {difference}\n{files}");
             return Err(TestCaseError::fail(what));
         }
     }
@@ -146,12 +142,11 @@ fn the_real_renderer_gives_the_references_bytes() {
     let (tried, with_objects) = (Cell::new(0), Cell::new(0));
     check(cases(20, 150), case(), |case| {
         let scene = scene(&case.options);
-        let background = reference::<Textbook>(&case.config, &Scene::default(), Scatter::Deterministic);
+        let background = reference(&case.config, &Scene::default(), Scatter::Deterministic);
         for scatter in SCATTERS {
-            agree::<Textbook>(&case, &scene, scatter)?;
-            agree::<Certified>(&case, &scene, scatter)?;
+            agree(&case, &scene, scatter)?;
             if scatter == Scatter::Deterministic {
-                let expected = reference::<Textbook>(&case.config, &scene, scatter);
+                let expected = reference(&case.config, &scene, scatter);
                 tried.set(tried.get() + 1);
                 with_objects.set(with_objects.get() + u32::from(difference(&expected, &background).is_some()));
             }
@@ -167,7 +162,7 @@ fn the_real_renderer_gives_the_references_bytes() {
 fn a_single_wrong_channel_would_be_noticed() {
     let options = Options { objects: 5, ..Options::default() };
     let config = Config { image_width: 8, samples_per_pixel: 1, ..Config::default() };
-    let expected = reference::<Textbook>(&config, &scene(&options), Scatter::Statement);
+    let expected = reference(&config, &scene(&options), Scatter::Statement);
     let mut wrong = expected.clone();
     let mut pixel = wrong.pixel(9);
     pixel.green ^= 1;
