@@ -2,9 +2,9 @@
 
 use crate::config::Config;
 use crate::error::Picture;
-use crate::image::Size;
 use crate::ray::Ray;
 use crate::real::Real;
+use crate::size::Size;
 use crate::vec3::Vec3;
 
 /// Everything a primary ray needs, in scene units.

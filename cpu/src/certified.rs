@@ -27,11 +27,11 @@ mod cylinder_lanes;
 mod cylinder_surfaces;
 pub mod double_double;
 pub mod dyadic;
-pub mod exact_sums;
 mod limbs;
 pub mod sphere;
 pub mod sphere_compensated;
 mod sphere_exact;
+pub mod sphere_filter;
 
-pub use certificate::{Rounding, Verdict};
+pub use certificate::Verdict;
 pub use double_double::DoubleDouble;

@@ -4,8 +4,8 @@ use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 use crate::error::{Error, Picture};
-use crate::image::Size;
 use crate::input::Input;
+use crate::size::Size;
 use crate::text::{self, Tokens};
 use crate::vec3::Vec3;
 
@@ -155,7 +155,7 @@ impl Config {
     /// The picture's size: `floor(width / (aspect width / aspect height))` rows, at least one.
     ///
     /// # Errors
-    /// [`Picture::TooLarge`] when it has more pixels than [`crate::image::MAX_PIXELS`].
+    /// [`Picture::TooLarge`] when it has more pixels than [`crate::error::MAX_PIXELS`].
     pub fn image_size(&self) -> Result<Size, Picture> {
         let [aspect_width, aspect_height] = self.aspect_ratio.map(|side| side as f64);
         let height = (self.image_width as f64 / (aspect_width / aspect_height)).floor().max(1.0);

@@ -99,11 +99,14 @@ pub enum Error {
     },
 }
 
+/// Most pixels that an image may have: 2^30, three bytes each.
+pub const MAX_PIXELS: u64 = 1 << 30;
+
 /// A picture that cannot be made, though every value of the configuration is valid by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Picture {
-    /// More pixels than an image may have ([`crate::image::MAX_PIXELS`]).
+    /// More pixels than an image may have ([`MAX_PIXELS`]).
     TooLarge {
         /// Width in pixels.
         width: u64,
@@ -125,7 +128,7 @@ impl fmt::Display for Picture {
                 out,
                 "the image is too large to hold: {width} x {height} pixels, at most {} in all; \
                  choose a smaller image_width or another aspect_ratio",
-                crate::image::MAX_PIXELS
+                MAX_PIXELS
             ),
             Self::CameraAtTarget => {
                 out.write_str("camera_position is the same point as camera_target; move one of them")

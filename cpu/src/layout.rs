@@ -107,7 +107,8 @@ fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{Rgb, Size};
+    use crate::image::Rgb;
+    use crate::size::Size;
 
     const SCENE: &str =
         "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\nsphere: 0 0 0 1 b\n";

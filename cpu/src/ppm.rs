@@ -64,8 +64,9 @@ pub fn write_ppm(image: &impl Image, mut out: impl Write) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{Rgb, Size};
+    use crate::image::Rgb;
     use crate::layout::{AosImage, SoaImage};
+    use crate::size::Size;
 
     fn write<I: Image>(width: u64, height: u64, colors: impl IntoIterator<Item = [u8; 3]>) -> String {
         let mut image = I::black(Size::new(width, height).expect("small")).expect("small");

@@ -10,13 +10,13 @@ use crate::background::Background;
 use crate::camera::Camera;
 use crate::config::Config;
 use crate::error::Error;
-use crate::image::Size;
 use crate::layout::{Layout, Objects};
 use crate::material::Material;
 use crate::quantize::Quantizer;
 use crate::scatter::Scatter;
 use crate::scene::Scene;
 use crate::search::Search;
+use crate::size::Size;
 
 /// Everything that is the same for all rays, computed once.
 #[derive(Debug)]

@@ -6,6 +6,7 @@
 //! scene, their background is computed several at once again ([`ends`]), and the samples are summed in order
 //! ([`pixels`]).
 
+mod arrays;
 mod batch;
 mod candidates;
 mod doubtful;
@@ -15,6 +16,7 @@ mod hits;
 mod lane_by_lane;
 mod leaps;
 mod offsets;
+mod path;
 mod pixels;
 mod primary;
 mod queue;
@@ -46,10 +48,10 @@ use crate::vec3::Vec3;
 use batch::{Batch, Draw};
 use candidates::Candidates;
 use offsets::Offsets;
+use path::Walk;
 use pixels::Sums;
 use sky::{Look, Sky};
 use span::{Span, Spans};
-use walk::Walk;
 
 /// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
 ///

@@ -24,7 +24,7 @@ mod sse2;
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::certified::exact_sums::Fused;
+use crate::exact_sums::Fused;
 use crate::real::MulAdd;
 
 pub use instruction_set::InstructionSet;
@@ -88,6 +88,13 @@ pub trait Lanes: Fused<Mask: LaneMask> + MulAdd {
     fn expand(self, bits: u32, packed: Self) -> Self;
     /// Of these lanes and then those of `next`, every other one from the first on, and the rest.
     fn unzip(self, next: Self) -> (Self, Self);
+}
+
+/// The lanes that are filled when `left` values are left, as bits.
+#[inline(always)]
+pub fn valid_lanes<V: Lanes>(left: usize) -> u32 {
+    let all = (1_u32 << V::LANES) - 1;
+    if left >= V::LANES { all } else { all & ((1_u32 << left) - 1) }
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.

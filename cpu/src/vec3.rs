@@ -65,6 +65,13 @@ impl<T: Copy> Vec3<T> {
 }
 
 impl<T: Real> Vec3<T> {
+    /// `yes` where `mask` holds, `no` elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self::new(T::select(mask, yes.x, no.x), T::select(mask, yes.y, no.y), T::select(mask, yes.z, no.z))
+    }
+
     /// Scalar product, summed left to right.
     #[inline(always)]
     #[must_use]

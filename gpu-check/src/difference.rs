@@ -3,8 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use cpu::Size;
 use cpu::Vec3;
-use cpu::image::Size;
 use cpu::output::{Options, Output};
 
 use crate::shader_lab::png::encoded;

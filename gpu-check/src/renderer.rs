@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 use std::ops::Range;
 use std::time::Duration;
 
+use cpu::Size;
 use cpu::Vec3;
-use cpu::image::Size;
 use shaders::{Features, Library};
 
 use crate::packed::{Packed, buffer};

@@ -2,9 +2,10 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use cpu::certified::{self, Rounding, Verdict};
+use cpu::certified::{self, Verdict};
 use cpu::cylinder::{CylinderRecord, Part};
 use cpu::real::Real;
+use cpu::rounding::Rounding;
 use cpu::scene::Shape;
 use cpu::sphere::SphereRecord;
 use cpu::{Ray, Vec3};

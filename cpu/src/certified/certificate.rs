@@ -12,10 +12,9 @@
 //! A comparison with something that is not a number fails, so whatever overflows is in doubt. Underflow is covered by
 //! a tiny constant beside `M`, and by the demand that the direction is [in scale](in_scale).
 
-use std::ops::{BitAnd, BitOr};
-
 use crate::ray::LAMBDA_MIN;
 use crate::real::Real;
+use crate::rounding::Rounding;
 
 /// What a formula gives, or that rounding may have changed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,24 +23,6 @@ pub enum Verdict<A> {
     Certain(A),
     /// Something may be wrong.
     Doubtful,
-}
-
-/// Masks that can be combined: `bool`, and what lanes compare to.
-pub trait Logic: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {}
-
-impl<M: Copy + BitAnd<Output = Self> + BitOr<Output = Self>> Logic for M {}
-
-/// Arithmetic of known precision.
-pub trait Rounding: Real<Mask: Logic> {
-    /// The largest relative error of an operation.
-    const UNIT_ROUNDOFF: f64;
-    /// How many times worse conditioned than in f64 a root may be that is accepted.
-    const LENIENCE: f64;
-}
-
-impl Rounding for f64 {
-    const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    const LENIENCE: f64 = 1.0;
 }
 
 /// What depends on the shape.

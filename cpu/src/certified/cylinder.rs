@@ -5,7 +5,7 @@
 //! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
 //! have the size of the cylinder's coordinates.
 
-use super::certificate::{Limits, Rounding, Verdict, in_scale};
+use super::certificate::{Verdict, in_scale};
 use super::cylinder_surfaces::{Plane, Side};
 use super::double_double::DoubleDouble;
 use super::sphere::widened;
@@ -14,14 +14,11 @@ use super::{cylinder_exact, cylinder_lanes};
 use crate::cylinder::{CylinderRecord, Part};
 use crate::ray::Ray;
 use crate::real::Real;
+use crate::rounding::Rounding;
 use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;
 
 pub use cylinder_lanes::{Lanes, SideLanes, judge_lanes};
-
-/// Counted in `docs/accuracy.md`: the noise is at most 132. With this condition lambdas are right to 1.6e-10 on the side
-/// and 6.2e-10 on a base (measured: 1.4e-11).
-pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
 /// as long as the cylinder is high, and `record` was made from it.

@@ -1,10 +1,10 @@
 //! Several rays or cylinders at once, without a branch; see [`super::cylinder`] for one.
 
-use super::certificate::Rounding;
 use super::cylinder_surfaces::{Crossing, Plane, Side};
 use crate::cylinder::{CylinderRecord, CylinderView};
 use crate::ray::Ray;
 use crate::real::Real;
+use crate::rounding::Rounding;
 use crate::vec3::Vec3;
 
 /// The answers of several rays or cylinders at once.

@@ -12,9 +12,9 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::certificate::Rounding;
-use super::exact_sums;
+use crate::exact_sums;
 use crate::real::Real;
+use crate::rounding::Rounding;
 
 /// The number `high + low`. Comparisons need `low` to be at most half a unit in the last place of `high`, which all
 /// operations here see to.

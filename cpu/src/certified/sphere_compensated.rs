@@ -6,8 +6,8 @@
 //! Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
 
 use super::certificate::{OVERFLOW, UNDERFLOW, in_scale};
-use super::exact_sums::{Fused, two_product, two_sum};
-use super::sphere::{LIMITS, Lanes};
+use super::sphere_filter::{LIMITS, Lanes};
+use crate::exact_sums::{Fused, two_product, two_sum};
 use crate::ray::Ray;
 use crate::real::Real;
 use crate::sphere::SphereRecord;

@@ -3,8 +3,9 @@
 use super::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
 use crate::cylinder::CylinderRecord;
 use crate::error::Error;
-use crate::image::{Image, Rgb, Size, zeroed};
+use crate::image::{Image, Rgb, zeroed};
 use crate::scene::Scene;
+use crate::size::Size;
 use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 

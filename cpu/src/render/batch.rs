@@ -7,49 +7,10 @@ use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
 use crate::search::Stack;
 use crate::simd::{Kernel, Lanes, Simd};
-use crate::vec3::Vec3;
 
+use super::arrays::{CAPACITY, SLACK, Values, Vectors};
 use super::sample_set::SampleSet;
 use super::span::Span;
-
-/// Most samples of a batch.
-pub const CAPACITY: usize = 1024;
-
-/// Room beyond the last sample for lanes that no sample fills.
-pub const SLACK: usize = 16;
-
-/// Room for a value of each sample.
-pub type Values = [f64; CAPACITY + SLACK];
-
-/// Three arrays: points, directions or colours.
-#[derive(Clone, Debug)]
-pub struct Vectors {
-    /// First components.
-    pub x: Values,
-    /// Second components.
-    pub y: Values,
-    /// Third components.
-    pub z: Values,
-}
-
-impl Vectors {
-    /// All null.
-    pub const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
-
-    /// The vector of a sample.
-    #[inline(always)]
-    pub fn get(&self, sample: usize) -> Vec3 {
-        Vec3::new(self.x[sample], self.y[sample], self.z[sample])
-    }
-
-    /// Replaces the vector of a sample.
-    #[inline(always)]
-    pub fn set(&mut self, sample: usize, vector: Vec3) {
-        self.x[sample] = vector.x;
-        self.y[sample] = vector.y;
-        self.z[sample] = vector.z;
-    }
-}
 
 /// Begins a span: places its samples in their pixels.
 pub struct Draw<'a, L: Layout> {

@@ -1,8 +1,8 @@
 //! Where paths leave the scene: the background, several at once, attenuated by all that the paths have met.
 
-use super::batch::{Batch, CAPACITY, Vectors};
+use super::arrays::{CAPACITY, Vectors};
+use super::batch::Batch;
 use super::queue::Queue;
-use super::shade::{load, store};
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Layout;
@@ -102,7 +102,7 @@ impl Ended {
     /// one of them replaces this.
     #[inline(always)]
     pub fn leave_several<V: Lanes>(&mut self, at: usize, directions: Vec3<V>) {
-        store(directions, &mut self.direction, at);
+        self.direction.store(at, directions);
         self.begin();
     }
 }
@@ -129,8 +129,8 @@ fn color<S: Simd, L: Layout>(Color { prepared, queue, ended, batch }: Color<'_, 
     let background = prepared.background.lanes::<S::F64>();
     let colors = &mut ended.direction;
     for at in (0..queue.count).step_by(S::F64::LANES) {
-        let color = background.color(load::<S::F64>(colors, at));
-        store(color, colors, at);
+        let color = background.color(colors.load::<S::F64>(at));
+        colors.store(at, color);
     }
     // From the last surface back to the first, in the order in which the recursion returns; all paths in one loop, for no
     // processor guesses how long each is.
@@ -142,10 +142,10 @@ fn color<S: Simd, L: Layout>(Color { prepared, queue, ended, batch }: Color<'_, 
     let mut from = 0;
     for at in (0..batch.count).step_by(S::F64::LANES) {
         let bits = batch.queued.bits(at, S::F64::LANES);
-        let color = load::<S::F64>(colors, from).attenuate(load(&queue.reflectance, from));
-        let before = load::<S::F64>(&batch.color, at);
+        let color = colors.load::<S::F64>(from).attenuate(queue.reflectance.load(from));
+        let before = batch.color.load::<S::F64>(at);
         let (x, y) = (before.x.expand(bits, color.x), before.y.expand(bits, color.y));
-        store(Vec3::new(x, y, before.z.expand(bits, color.z)), &mut batch.color, at);
+        batch.color.store(at, Vec3::new(x, y, before.z.expand(bits, color.z)));
         from += bits.count_ones() as usize;
     }
 }

@@ -3,17 +3,16 @@
 use super::batch::{Batch, InGlass};
 use super::hits::{Hits, Rays};
 use super::lane_by_lane::{LaneByLane, MOST_LANES, for_each_lane};
-use super::primary::valid_lanes;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
-use super::shade::{load, shade};
+use super::shade::shade;
 use super::standing::Standing;
 use crate::counters::{Counter, add};
 use crate::layout::{Layout, Objects};
 use crate::prepare::Prepared;
 use crate::ray::Ray;
 use crate::search::{Few, ObjectId, Search, Touch, is_too_short};
-use crate::simd::{Kernel, LaneMask, Lanes, Simd};
+use crate::simd::{Kernel, LaneMask, Lanes, Simd, valid_lanes};
 use crate::surface::{Onward, Surface};
 use crate::vec3::Vec3;
 
@@ -131,7 +130,7 @@ fn step_all<S: Simd, L: Layout>(
     for from in (0..count).step_by(S::F64::LANES) {
         let Group { samples, valid, together } = Group::new::<S::F64>(&in_glass[from..]);
         let ray = match together {
-            Some(first) => Ray { origin: load(&queue.point, first), direction: load(&queue.base, first) },
+            Some(first) => Ray { origin: queue.point.load(first), direction: queue.base.load(first) },
             None => gather::<S::F64>(queue, &samples),
         };
         let hits = nearest(&prepared.objects, few, &ray, valid);

@@ -12,10 +12,9 @@
 //! A sample leaves only where the filter stops its ray, and the filter keeps every ray that it cannot judge: directions that
 //! are too short for it, and what is not a number.
 
+use super::path::Walk;
 use super::queue::Queue;
-use super::shade::{load, select};
 use super::vectors::Triples;
-use super::walk::Walk;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
@@ -165,7 +164,7 @@ fn ends<V: Lanes, W: Simd, L: Layout>(
 /// are too short for the filter, as bits.
 #[inline(always)]
 fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize, skipped: usize) -> (Ray<V>, u32) {
-    let (base, triple) = (load::<V>(&queue.base, at), triples.following::<V>(skipped));
+    let (base, triple) = (queue.base.load::<V>(at), triples.following::<V>(skipped));
     let spread = queue.spread::<V>(at);
     let mut direction = base + spread.vector(triple);
     // A direction whose components are all negligible is shorter still.
@@ -173,7 +172,7 @@ fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize, skipped: us
     if short != 0 {
         let limit = spread.negligible;
         let negligible = direction.x.abs().less(limit) & direction.y.abs().less(limit) & direction.z.abs().less(limit);
-        direction = select(negligible, base, direction);
+        direction = Vec3::select(negligible, base, direction);
     }
-    (Ray { origin: load(&queue.point, at), direction }, short)
+    (Ray { origin: queue.point.load(at), direction }, short)
 }

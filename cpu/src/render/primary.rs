@@ -6,13 +6,13 @@ use super::hits::{Hits, Rays};
 use super::lane_by_lane::for_each_lane;
 use super::queue::Queue;
 use super::sample_set::SampleSet;
-use super::shade::{shade, store};
+use super::shade::shade;
 use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::ray::Ray;
 use crate::real::Real;
-use crate::simd::{Kernel, Lanes, Simd};
+use crate::simd::{Kernel, Lanes, Simd, valid_lanes};
 
 /// Traces the batch's primary rays: the samples that meet nothing have their colour, the others stand in the queue.
 pub struct Trace<'a, L: Layout> {
@@ -48,7 +48,7 @@ fn trace<S: Simd, L: Layout>(Trace { prepared, row, candidates, batch, queue }: 
         let valid = valid_lanes::<S::F64>(batch.count - at);
         let hits = nearest(candidates, &ray, valid);
         if hits.bits != valid {
-            store(background.color(ray.direction), &mut batch.color, at);
+            batch.color.store(at, background.color(ray.direction));
         }
         if hits.bits != 0 {
             let shaded = shade(prepared, &ray, &hits);
@@ -61,13 +61,6 @@ fn trace<S: Simd, L: Layout>(Trace { prepared, row, candidates, batch, queue }: 
             queue.push(&shaded.standing, hits.bits, prepared.max_depth - 1);
         }
     }
-}
-
-/// The lanes that samples fill when `left` are left, as bits.
-#[inline(always)]
-pub fn valid_lanes<V: Lanes>(left: usize) -> u32 {
-    let all = (1_u32 << V::LANES) - 1;
-    if left >= V::LANES { all } else { all & ((1_u32 << left) - 1) }
 }
 
 /// The nearest hits among the candidates, which are in the order of the file.

@@ -3,14 +3,13 @@
 //! The stages before the walk put them here as lanes, the selected ones of each group packed together. Samples in glass
 //! have their places among them and are taken out where they leave the scene.
 
-use super::batch::{CAPACITY, SLACK, Values, Vectors};
+use super::arrays::{CAPACITY, SLACK, Values, Vectors};
 use super::lane_by_lane::LaneByLane;
-use super::primary::valid_lanes;
 use super::sample_set::SampleSet;
 use super::standing::{NUMBERS, Standing, WAY_ON};
 use crate::prepare::Spread;
 use crate::ray::Ray;
-use crate::simd::Lanes;
+use crate::simd::{Lanes, valid_lanes};
 use crate::vec3::Vec3;
 
 /// Waiting samples in order. What lies behind the last is of no meaning.

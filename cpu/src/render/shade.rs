@@ -8,7 +8,6 @@ use crate::cylinder::Part;
 use crate::layout::{Layout, Objects};
 use crate::prepare::{Finish, Kind, Prepared};
 use crate::ray::Ray;
-use crate::real::Real;
 use crate::scatter;
 use crate::search::ObjectId;
 use crate::simd::{LaneMask, Lanes};
@@ -49,12 +48,12 @@ pub fn shade<V: Lanes, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &H
                 let side = record.outward(Part::Side, point);
                 let is_side = hits.part.less(V::of(0.5));
                 let is_top = hits.part.less(V::of(1.5));
-                let base = select(is_top, record.outward(Part::Top, side), record.outward(Part::Bottom, side));
-                (select(is_side, side, base), cylinder.material)
+                let base = Vec3::select(is_top, record.outward(Part::Top, side), record.outward(Part::Bottom, side));
+                (Vec3::select(is_side, side, base), cylinder.material)
             }
         };
         let front = ray.direction.dot(outward).less(V::of(0.0));
-        let normal = select(front, outward, -outward);
+        let normal = Vec3::select(front, outward, -outward);
         let finish = &prepared.finishes[material as usize];
         let base = match finish.kind {
             Kind::Matte => normal,
@@ -68,24 +67,4 @@ pub fn shade<V: Lanes, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &H
         shaded.standing = Standing::new(point, base, hits.object, finish).where_else(same, &shaded.standing);
     }
     shaded
-}
-
-/// `yes` where `mask` holds, `no` elsewhere.
-#[inline(always)]
-pub fn select<V: Real>(mask: V::Mask, yes: Vec3<V>, no: Vec3<V>) -> Vec3<V> {
-    Vec3::new(V::select(mask, yes.x, no.x), V::select(mask, yes.y, no.y), V::select(mask, yes.z, no.z))
-}
-
-/// Loads the lanes of three arrays from `at` on.
-#[inline(always)]
-pub fn load<V: Lanes>(vectors: &super::batch::Vectors, at: usize) -> Vec3<V> {
-    Vec3::new(V::load(&vectors.x[at..]), V::load(&vectors.y[at..]), V::load(&vectors.z[at..]))
-}
-
-/// Stores lanes into three arrays from `at` on.
-#[inline(always)]
-pub fn store<V: Lanes>(vector: Vec3<V>, vectors: &mut super::batch::Vectors, at: usize) {
-    vector.x.store(&mut vectors.x[at..]);
-    vector.y.store(&mut vectors.y[at..]);
-    vector.z.store(&mut vectors.z[at..]);
 }

@@ -7,9 +7,10 @@ use crate::simd::InstructionSet;
 use super::batch::{Batch, Draw};
 use super::candidates::Candidates;
 use super::offsets::Offsets;
+use super::path::Walk;
 use super::sky::{Look, Sky};
 use super::span::{Span, Spans};
-use super::walk::{Follow, Walk};
+use super::walk::Follow;
 use super::{ends, glass, primary};
 
 /// A span of a picture, and where its samples are on their way.

@@ -1,6 +1,5 @@
 //! What is known of a sample on a surface: all that its way on begins with.
 
-use super::shade::select;
 use crate::prepare::{Finish, Spread};
 use crate::real::Real;
 use crate::vec3::Vec3;
@@ -43,8 +42,8 @@ impl<T: Real> Standing<T> {
             shift: T::select(mask, these.shift, those.shift),
             negligible: T::select(mask, these.negligible, those.negligible),
         };
-        let reflectance = select(mask, self.reflectance, others.reflectance);
-        Self { base: select(mask, self.base, others.base), spread, reflectance, ..*self }
+        let reflectance = Vec3::select(mask, self.reflectance, others.reflectance);
+        Self { base: Vec3::select(mask, self.base, others.base), spread, reflectance, ..*self }
     }
 
     /// The numbers, in the order of the [queue's](super::queue::Queue) arrays.

@@ -1,13 +1,14 @@
 //! The stream of random triples that all materials share, made in bulk: with the widest instruction set, whatever their
 //! taker is compiled for.
 
-use super::batch::SLACK;
 use crate::counters::{Counter, add};
 use crate::rng::BlockUniform;
 use crate::scatter::Scatter;
 use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
+/// Room before the new triples for those that are left over.
+const SLACK: usize = 16;
 /// Triples made at a time.
 const TRIPLES: usize = 512;
 /// Triples that there are at least after [`Triples::prepare`].

@@ -4,17 +4,16 @@
 //! The [filter](super::touch) says which objects a ray may meet, and so which rays certainly leave the scene; the exact
 //! formulas are for the others.
 
-use super::side_by_side::{SideBySide, TouchedByEach};
+use super::find::{Find, Origin};
+use super::side_by_side::{PLACES, SideBySide, TouchedByEach};
+use super::stack::Stack;
 use super::touch::{Touch, is_too_short};
 use super::{Found, ObjectId};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
 use crate::ray::Ray;
-use crate::simd::Lanes;
-
-/// Most objects.
-pub const CAPACITY: usize = 8;
+use crate::simd::{Lanes, Simd};
 
 /// Fewest objects of which those that one ray may meet are found side by side: fewer fill too few lanes.
 const FEWEST_SIDE_BY_SIDE: usize = 4;
@@ -139,7 +138,14 @@ fn ask_cylinders<O: Objects>(found: &mut Found, objects: &O, ray: &Ray, touched:
 /// Whether a scene of this many objects is searched like this.
 #[must_use]
 pub fn suits(objects: &impl Objects) -> bool {
-    objects.sphere_count() + objects.cylinder_count() <= CAPACITY
+    objects.sphere_count() + objects.cylinder_count() <= PLACES
+}
+
+impl Find for Few {
+    #[inline(always)]
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
+        self.nearest::<S::F64, O>(objects, ray)
+    }
 }
 
 #[cfg(test)]

@@ -1,13 +1,17 @@
 //! A filter over all objects, several at once, in single precision.
 
+use super::every_object::plain;
 use super::filter_ray::{BLOCK, Balls, FilterRay, Tubes, misses};
+use super::find::Find;
 use super::ground::Ground;
+use super::stack::Stack;
 use super::touch::{Touch, is_too_short};
-use super::{Found, NOWHERE, ObjectId, Origin, plain};
+use super::{Found, NOWHERE, ObjectId, Origin};
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
 use crate::prepare::Extent;
+use crate::prepare::Finish;
 use crate::ray::Ray;
 use crate::simd::{FilterLanes, Simd};
 use crate::vec3::Vec3;
@@ -191,4 +195,24 @@ fn middle(objects: &impl Objects, ground: Ground) -> Vec3 {
         high = Vec3::new(high.x.max(center.x), high.y.max(center.y), high.z.max(center.z));
     }
     if low.x > high.x { Vec3::ZERO } else { (low + high) * 0.5 }
+}
+
+impl Find for Filter {
+    #[inline(always)]
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, _: &mut Stack) -> Found {
+        self.nearest::<S, O>(objects, ray, origin)
+    }
+
+    #[inline(always)]
+    fn origin<O: Objects>(&self, objects: &O, ray: &Ray, object: ObjectId) -> Origin {
+        let ground = self.ground();
+        Origin { object, goes_in: ground.is(object) && ground.is_entered_by(objects, ray) }
+    }
+
+    #[inline(always)]
+    fn next_origin<O: Objects>(&self, objects: &O, ray: &Ray, found: &Found, finish: &Finish, vector: Vec3) -> Origin {
+        let (object, ground) = (found.object, self.ground());
+        let goes_in = ground.is(object) && ground.will_be_entered(objects, ray, found.lambda, finish, vector);
+        Origin { object, goes_in }
+    }
 }

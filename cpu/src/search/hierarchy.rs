@@ -4,12 +4,14 @@ use super::alone::{Alone, roomy_bounds};
 use super::bounds::Bounds;
 use super::box_ray::{BoxRay, Steps, is_in_scale};
 use super::build::build;
+use super::every_object::plain;
+use super::find::{Find, Origin};
 use super::ground::Ground;
 use super::node::{Child, Node, WIDTH};
 use super::stack::{Stack, wait};
 use super::top::Top;
 use super::touch::Touch;
-use super::{Found, NOWHERE, ObjectId, plain, stack};
+use super::{Found, NOWHERE, ObjectId, stack};
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
@@ -228,4 +230,11 @@ struct Query<'a, O, F> {
 #[inline(always)]
 fn farthest(found: &Found) -> f32 {
     found.lambda as f32 * (1.0 + f32::EPSILON)
+}
+
+impl Find for Hierarchy {
+    #[inline(always)]
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, stack: &mut Stack) -> Found {
+        self.nearest::<S, O>(objects, ray, origin.object, stack)
+    }
 }

@@ -9,7 +9,7 @@ use crate::simd::{LaneMask, Lanes};
 use crate::vec3::Vec3;
 
 /// Places for objects; every instruction set's lanes divide it.
-const PLACES: usize = super::few::CAPACITY;
+pub const PLACES: usize = 8;
 
 /// A number of each object.
 type Row = [f64; PLACES];

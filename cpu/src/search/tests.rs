@@ -1,12 +1,15 @@
 //! What each search finds, held against asking every object.
 
+use super::every_object::plain;
 use super::ground::Ground;
 use super::*;
-use crate::layout::AosObjects;
+use crate::layout::{AosObjects, Objects};
+use crate::prepare::Extent;
+use crate::ray::Ray;
 use crate::rng::Uniform;
 use crate::scene::Scene;
 use crate::simd::positive_nan::PositiveNan;
-use crate::simd::{InstructionSet, Kernel};
+use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;
 
 /// `count` objects of both kinds in a cube, and one much larger below them.

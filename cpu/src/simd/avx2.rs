@@ -11,9 +11,9 @@ use std::arch::x86_64::*;
 
 use self::permutations::{COMPRESSED, EXPANDED, Halves, SELECTED};
 use super::{Kernel, LaneMask, Lanes, Simd, operators};
-use crate::certified::Rounding;
-use crate::certified::exact_sums::Fused;
+use crate::exact_sums::Fused;
 use crate::real::{MulAdd, Real};
+use crate::rounding::Rounding;
 
 /// AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]

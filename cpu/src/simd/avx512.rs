@@ -10,9 +10,9 @@ use std::arch::x86_64::*;
 
 use super::avx2::Avx2;
 use super::{Kernel, LaneMask, Lanes, Simd, operators};
-use crate::certified::Rounding;
-use crate::certified::exact_sums::Fused;
+use crate::exact_sums::Fused;
 use crate::real::{MulAdd, Real};
+use crate::rounding::Rounding;
 
 /// AVX-512 F, DQ, BW and VL.
 #[derive(Clone, Copy, Debug)]

@@ -4,9 +4,9 @@ use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
-use crate::certified::Rounding;
-use crate::certified::exact_sums::Fused;
+use crate::exact_sums::Fused;
 use crate::real::{MulAdd, Real};
+use crate::rounding::Rounding;
 
 /// The portable implementation.
 #[derive(Clone, Copy, Debug)]

@@ -7,9 +7,9 @@
 use std::arch::x86_64::*;
 
 use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd, operators};
-use crate::certified::Rounding;
-use crate::certified::exact_sums::Fused;
+use crate::exact_sums::Fused;
 use crate::real::{MulAdd, Real};
+use crate::rounding::Rounding;
 
 /// SSE2.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,8 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use cpu::Size;
 use cpu::Vec3;
-use cpu::image::Size;
 use cpu::output::{self, Output};
 use cpu::quantize::quantize;
 

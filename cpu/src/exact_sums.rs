@@ -1,6 +1,6 @@
 //! Sums and products with their rounding errors: what they are built of rounds once, so nothing is lost.
 
-use super::certificate::Rounding;
+use crate::rounding::Rounding;
 
 /// Arithmetic with a product and a sum that are rounded once, together.
 pub trait Fused: Rounding {
