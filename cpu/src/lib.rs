@@ -43,6 +43,7 @@ mod render;
 pub mod rng;
 pub mod rounding;
 pub mod scatter;
+pub mod scatter_vectors;
 pub mod scene;
 pub mod search;
 pub mod simd;
@@ -64,7 +65,7 @@ pub use ray::{Hit, Ray};
 #[doc(hidden)]
 pub use render::stages;
 pub use render::{render, render_into, render_linear, render_with};
-pub use scatter::Scatter;
+pub use scatter_vectors::Scatter;
 pub use scene::Scene;
 pub use simd::InstructionSet;
 pub use size::Size;

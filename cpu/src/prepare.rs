@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::layout::{Layout, Objects};
 use crate::material::Material;
 use crate::quantize::Quantizer;
-use crate::scatter::Scatter;
+use crate::scatter_vectors::Scatter;
 use crate::scene::Scene;
 use crate::search::Search;
 use crate::size::Size;

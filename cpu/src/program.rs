@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::layout::Layout;
 use crate::output::{self, Options, Output};
 use crate::ppm::write_ppm;
-use crate::scatter::Scatter;
+use crate::scatter_vectors::Scatter;
 use crate::scene::Scene;
 
 /// Renders `SCENE` as `CONFIG` asks into `OUT.ppm`, given these three names.

@@ -20,7 +20,7 @@ use crate::image::{Image, Rgb};
 use crate::material::Material;
 use crate::quantize::quantize;
 use crate::rng::Uniform;
-use crate::scatter::{Scatter, ScatterVectors};
+use crate::scatter_vectors::{Scatter, ScatterVectors};
 use crate::scene::{Scene, Shape};
 use crate::{Camera, Ray, Vec3};
 

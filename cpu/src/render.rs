@@ -40,7 +40,7 @@ use crate::image::{Image, Rgb};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::quantize::Quantizer;
-use crate::scatter::Scatter;
+use crate::scatter_vectors::Scatter;
 use crate::scene::Scene;
 use crate::simd::{InstructionSet, Kernel, Simd};
 use crate::vec3::Vec3;

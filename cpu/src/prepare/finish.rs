@@ -2,7 +2,8 @@
 
 use crate::material::Material;
 use crate::real::Real;
-use crate::scatter::{self, Scatter};
+use crate::scatter;
+use crate::scatter_vectors::Scatter;
 use crate::vec3::{NEGLIGIBLE, Vec3};
 
 /// How a surface scatters.

@@ -4,7 +4,7 @@ use crate::counters::{Counter, add};
 use crate::layout::Layout;
 use crate::prepare::Prepared;
 use crate::rng::BlockUniform;
-use crate::scatter::Scatter;
+use crate::scatter_vectors::Scatter;
 use crate::search::Stack;
 use crate::simd::{Kernel, Lanes, Simd};
 

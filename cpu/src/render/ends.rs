@@ -155,7 +155,7 @@ mod tests {
     use super::*;
     use crate::config::Config;
     use crate::layout::Aos;
-    use crate::scatter::Scatter;
+    use crate::scatter_vectors::Scatter;
     use crate::scene::Scene;
     use crate::simd::InstructionSet;
 

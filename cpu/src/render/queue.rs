@@ -179,7 +179,7 @@ mod tests {
     use crate::material::Material;
     use crate::prepare::Finish;
     use crate::real::Real;
-    use crate::scatter::Scatter;
+    use crate::scatter_vectors::Scatter;
     use crate::simd::{InstructionSet, Kernel, Simd};
 
     /// A sample that can be told from others, in lanes numbered from 0 or alone.

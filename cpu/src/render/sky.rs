@@ -193,7 +193,7 @@ mod tests {
     use crate::layout::Aos;
     use crate::quantize::quantize;
     use crate::rng::BlockUniform;
-    use crate::scatter::Scatter;
+    use crate::scatter_vectors::Scatter;
     use crate::scene::Scene;
     use crate::simd::InstructionSet;
     use crate::vec3::Vec3;

@@ -3,7 +3,7 @@
 
 use crate::counters::{Counter, add};
 use crate::rng::BlockUniform;
-use crate::scatter::Scatter;
+use crate::scatter_vectors::Scatter;
 use crate::simd::{Kernel, Lanes, Simd};
 use crate::vec3::Vec3;
 
@@ -116,7 +116,7 @@ impl Kernel for Make<'_> {
     }
 }
 
-/// See [`crate::scatter::ScatterVectors`]: the same rejection, from a stream in bulk.
+/// See [`crate::scatter_vectors::ScatterVectors`]: the same rejection, from a stream in bulk.
 #[inline(always)]
 fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
     loop {
@@ -134,7 +134,7 @@ fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scatter::ScatterVectors;
+    use crate::scatter_vectors::ScatterVectors;
     use crate::simd::Portable;
 
     #[test]

@@ -145,7 +145,7 @@ mod tests {
 
     use crate::layout::AosObjects;
     use crate::rng::Uniform;
-    use crate::scatter::Scatter;
+    use crate::scatter_vectors::Scatter;
     use crate::scene::Scene;
     use crate::surface::{Onward, Surface};
 
