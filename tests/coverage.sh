@@ -12,7 +12,7 @@ cargo llvm-cov --no-report test -p cpu --lib
 cargo llvm-cov --no-report test -p tests --tests
 cargo llvm-cov --no-report test -p cli --test programs --test machine --test digests
 # Forced, so that the way in which an instruction set is asked for by name is run too.
-for set in portable sse2 avx2; do
+for set in portable avx2; do
     RENDER_INSTRUCTION_SET=$set cargo llvm-cov --no-report test -p cli --test programs pictures
 done
 others='/(cli|gpu-check|hostile|lab|shaders|stability|tests)/|/\.cargo/|/rustc/'

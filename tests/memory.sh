@@ -18,7 +18,7 @@ valgrind_all() {
     count=0
     for scene in tests/cases/*/; do
         { cat "$scene/config.txt"; echo; echo "image_width: 20"; echo "samples_per_pixel: 2"; } > "$folder/config.txt"
-        for set in portable sse2 avx2; do
+        for set in portable avx2; do
             for program in render-aos render-soa; do
                 RENDER_INSTRUCTION_SET=$set valgrind --quiet --error-exitcode=9 --leak-check=no \
                     "target/release/$program" "$folder/config.txt" "$scene/scene.txt" "$folder/$set-$program.ppm"
@@ -47,7 +47,7 @@ miri_all() {
     # A power is what the C library gives, as outside of it; else miri errs on purpose by some last bits.
     export MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-no-extra-rounding-error"
     export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/miri
-    # It has the features of its target, and no more: the portable set and SSE2 first, then AVX2 as well.
+    # It has the features of its target, and no more: the portable set first, then AVX2 as well.
     for features in "" "-Ctarget-feature=+avx2,+fma,+bmi1,+bmi2,+lzcnt,+popcnt"; do
         # Left out is what takes it too long.
         RUSTFLAGS=$features cargo +nightly miri test -p cpu --lib -- \

@@ -4,8 +4,8 @@
 #
 #   tests/ratio.sh ROUNDS CONFIG SCENE [ROUNDS CONFIG SCENE ...]
 #
-# RENDER_INSTRUCTION_SET=portable|sse2|avx2|avx512|avx512-throughout forces an instruction set; PROGRAM and YARDSTICK replace
-# the two, by a command each, as in YARDSTICK="env RENDER_INSTRUCTION_SET=sse2 target/release/render-aos".
+# RENDER_INSTRUCTION_SET=portable|avx2|avx512|avx512-throughout forces an instruction set; PROGRAM and YARDSTICK replace
+# the two, by a command each, as in YARDSTICK="env RENDER_INSTRUCTION_SET=portable target/release/render-aos".
 set -euo pipefail
 
 if [ "${1:-}" = --help ]; then

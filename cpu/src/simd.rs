@@ -19,8 +19,6 @@ mod tests;
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
-#[cfg(target_arch = "x86_64")]
-mod sse2;
 
 use std::ops::{Add, Mul, Sub};
 

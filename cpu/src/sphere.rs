@@ -114,18 +114,6 @@ impl<T: Real> SphereRecord<T> {
     }
 }
 
-impl SphereRecord {
-    /// The same, to the bit: where the radius is a power of two, by its reciprocal, which is exact then and there before the
-    /// point is.
-    #[inline(always)]
-    #[must_use]
-    pub fn outward_promptly(&self, point: Vec3) -> Vec3 {
-        // No digit but the leading one, which is not stored.
-        let is_power_of_two = self.radius.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
-        if is_power_of_two { (point - self.center) * (1.0 / self.radius) } else { self.outward(point) }
-    }
-}
-
 impl<T: Real<Mask = bool>> SphereRecord<T> {
     /// Where the ray meets the sphere: the smaller root that is in range, else the larger; `None` when neither is.
     ///
@@ -198,24 +186,5 @@ mod tests {
         let sphere = SphereRecord::<f32>::new(Vec3::splat(0.0), 1.0);
         let ray = Ray { origin: Vec3::new(0.0, 0.0, -3.0_f32), direction: Vec3::new(0.0, 0.0, 1.0) };
         assert_eq!(sphere.intersect(&ray), Some(2.0));
-    }
-
-    #[test]
-    fn the_prompt_normal_is_the_normal_whatever_the_radius() {
-        let mut draws = crate::rng::Uniform::new(17);
-        for exponent in -1022..=1023 {
-            let power = f64::from_bits(((exponent + 1023) as u64) << 52);
-            for radius in [power, power * 1.5, power * 0.75, power.next_up(), power.next_down()] {
-                let [sphere, far] = [Vec3::ZERO, Vec3::splat(1e5)].map(|center| SphereRecord::new(center, radius));
-                let toward = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
-                for (sphere, point) in
-                    [(sphere, toward * radius), (sphere, toward), (far, far.center + toward * radius)]
-                {
-                    let [prompt, plain] =
-                        [sphere.outward_promptly(point), sphere.outward(point)].map(|v| v.to_array().map(f64::to_bits));
-                    assert_eq!(prompt, plain, "{sphere:?}, {point:?}");
-                }
-            }
-        }
     }
 }

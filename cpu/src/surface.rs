@@ -38,7 +38,7 @@ impl Surface {
         match (found.object as usize).checked_sub(objects.sphere_count()) {
             None => {
                 let sphere = objects.sphere(found.object as usize);
-                Self { point, outward: sphere.record.outward_promptly(point), material: sphere.material }
+                Self { point, outward: sphere.record.outward(point), material: sphere.material }
             }
             Some(index) => {
                 let cylinder = objects.cylinder(index);

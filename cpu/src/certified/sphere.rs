@@ -3,7 +3,7 @@
 
 use super::certificate::Verdict;
 use super::double_double::DoubleDouble;
-use super::sphere_compensated::{self, Beside};
+use super::sphere_compensated;
 use super::sphere_exact;
 pub use super::sphere_filter::{Lanes, judge, judge_lanes, judge_seen};
 use crate::counters::{Counter, add};
@@ -32,17 +32,18 @@ pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     }
 }
 
-/// [`judge`], and where that is in doubt [`sphere_compensated::judge`]: what [`reconsider`] tries first, but asked the other
-/// way round, for most rays near a large sphere are in doubt.
+/// [`judge`], and where that is in doubt [`sphere_compensated::judge`], without the call that [`reconsider`] is: for a large
+/// sphere, near which most rays are in doubt.
 #[inline(always)]
 #[must_use]
 pub fn judge_large(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
-    let Beside { lanes, textbook_doubts } = sphere_compensated::judge_beside(record, ray);
-    if !(lanes.certain && textbook_doubts) {
-        let textbook = judge(record, ray);
-        if textbook != Verdict::Doubtful || !lanes.certain {
-            return textbook;
-        }
+    let verdict = judge(record, ray);
+    if verdict != Verdict::Doubtful {
+        return verdict;
+    }
+    let lanes = sphere_compensated::judge(record, ray);
+    if !lanes.certain {
+        return Verdict::Doubtful;
     }
     add(Counter::Compensated, 1);
     Verdict::Certain(Some(lanes.lambda))

@@ -9,7 +9,6 @@ use super::certificate::{OVERFLOW, UNDERFLOW, in_scale};
 use super::sphere_filter::{LIMITS, Lanes};
 use crate::exact_sums::{Fused, two_product, two_sum};
 use crate::ray::Ray;
-use crate::real::Real;
 use crate::sphere::SphereRecord;
 use crate::vec3::Vec3;
 
@@ -18,31 +17,11 @@ const CONDITION: f64 = 4096.0;
 /// Times `u (|C - O|^2 + r^2)`, what `c` must exceed for its own error to be of no account.
 const LEAST_C: f64 = 64.0;
 
-/// By how much `c` must be smaller than `|C - O|^2 + r^2` for the textbook's root to be in doubt: the smaller root's
-/// product with `sqrt(D)` is at most `a c`, of which the condition that [`LIMITS`] accepts asks for more.
-const BESIDE: f64 = 1.5 * LIMITS.condition;
-
-/// What [`judge_beside`] says.
-#[derive(Clone, Copy, Debug)]
-pub struct Beside<T: Real> {
-    /// What [`judge`] says.
-    pub lanes: Lanes<T>,
-    /// Where that is certain, [`sphere::judge`](super::sphere::judge) is certainly in doubt.
-    pub textbook_doubts: T::Mask,
-}
-
 /// The lambda of rays that start outside and go inward, or inside and outward, in the lanes where it is certain and in
 /// range; of no meaning in the others.
 #[inline(always)]
 #[must_use]
 pub fn judge<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> Lanes<T> {
-    judge_beside(record, ray).lanes
-}
-
-/// The same, and whether it is the first answer to ask for.
-#[inline(always)]
-#[must_use]
-pub fn judge_beside<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> Beside<T> {
     let a = ray.direction.dot(ray.direction);
     let (h, discriminant) = record.quadratic(ray, a);
     let root = discriminant.sqrt();
@@ -54,8 +33,7 @@ pub fn judge_beside<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> Beside<
     let c_counts = (squares * T::of(LEAST_C * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)).less(c.abs());
     // Of two roots with one sign the smaller; of two with different signs the positive one is the difference.
     let ahead = T::of(0.0).less(h * c);
-    let lanes = Lanes { lambda, certain: in_scale(a) & accurate & c_counts & ahead & LIMITS.in_range(lambda) };
-    Beside { lanes, textbook_doubts: (c.abs() * T::of(BESIDE)).less(squares) }
+    Lanes { lambda, certain: in_scale(a) & accurate & c_counts & ahead & LIMITS.in_range(lambda) }
 }
 
 /// `|C - O|^2 - r^2`, nearly as if rounded once, and the sum of the two.
@@ -126,22 +104,6 @@ mod tests {
             }
         }
         assert!(doubtful > 10_000 && certain * 10 > doubtful * 8, "{certain} of {doubtful}");
-    }
-
-    #[test]
-    fn who_asks_here_first_where_the_textbook_doubts_is_told_what_it_would_be_told() {
-        let (mut spared, mut in_vain) = (0, 0);
-        for (record, ray) in cases(200_000) {
-            let Beside { lanes, textbook_doubts } = judge_beside(&record, &ray);
-            let textbook = sphere::judge(&record, &ray);
-            if lanes.certain && textbook_doubts {
-                assert_eq!(textbook, Verdict::Doubtful, "{record:?}, {ray:?}");
-                spared += 1;
-            } else {
-                in_vain += u32::from(lanes.certain && textbook == Verdict::Doubtful);
-            }
-        }
-        assert!(spared > 20_000 && in_vain * 5 < spared, "{spared} spared, {in_vain} in vain");
     }
 
     #[test]

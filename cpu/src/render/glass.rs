@@ -73,8 +73,6 @@ struct Group {
     samples: [InGlass; MOST_LANES],
     /// The lanes that hold one of their own, as bits.
     valid: u32,
-    /// The place of the first, where all lanes hold one and they stand side by side in the queue, as neighbours mostly do.
-    together: Option<usize>,
 }
 
 impl Group {
@@ -87,10 +85,7 @@ impl Group {
             // Not as a slice of unknown length, which would be a call.
             samples[lane] = in_glass[if lane < count { lane } else { 0 }];
         }
-        let (first, last) = (samples[0].place as usize, samples[V::LANES - 1].place as usize);
-        // Their places increase.
-        let together = (last == first + V::LANES - 1).then_some(first);
-        Self { samples, valid: valid_lanes::<V>(in_glass.len()), together }
+        Self { samples, valid: valid_lanes::<V>(in_glass.len()) }
     }
 }
 
@@ -128,11 +123,8 @@ fn step_all<S: Simd, L: Layout>(
     add(Counter::GlassRays, count as u64);
     let mut staying = 0;
     for from in (0..count).step_by(S::F64::LANES) {
-        let Group { samples, valid, together } = Group::new::<S::F64>(&in_glass[from..]);
-        let ray = match together {
-            Some(first) => Ray { origin: queue.point.load(first), direction: queue.base.load(first) },
-            None => gather::<S::F64>(queue, &samples),
-        };
+        let Group { samples, valid } = Group::new::<S::F64>(&in_glass[from..]);
+        let ray = gather::<S::F64>(queue, &samples);
         let hits = nearest(&prepared.objects, few, &ray, valid);
         let missed = valid & !hits.bits;
         if missed != 0 {
@@ -143,15 +135,6 @@ fn step_all<S: Simd, L: Layout>(
             continue;
         }
         let shaded = shade(prepared, &ray, &hits);
-        if let Some(first) = together {
-            // Also those that are gone, or in glass and not yet anywhere: nobody looks at what they get.
-            queue.set_together(first, &shaded.standing, hits.bits & !shaded.glass != 0, rays);
-            for (lane, &sample) in samples.iter().enumerate().take(S::F64::LANES) {
-                in_glass[staying] = sample;
-                staying += (shaded.glass >> lane & 1) as usize;
-            }
-            continue;
-        }
         let standing = LaneByLane::new(shaded.standing.numbers());
         for_each_lane(shaded.glass, |lane| {
             queue.pass_on(samples[lane].place as usize, &standing, lane);

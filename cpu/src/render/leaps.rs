@@ -5,9 +5,8 @@
 //! something have left, and of that one it is known what it may meet. What was guessed wrong behind it is tried again.
 //!
 //! They are tried beside the ray before them, as if that left as well: what a ray meets takes the processor long to find
-//! out, but little of what it can do at a time. Where the ray is the last that its path may send, they are also tried as
-//! if it met something: then its surface takes one triple more, and nothing else. Where it is certain that it meets something,
-//! nobody asks what.
+//! out, but little of what it can do at a time. Where the ray is the last that its path may send, and certainly meets something,
+//! its surface takes one triple more, and nothing else: nobody asks what it meets.
 //!
 //! A sample leaves only where the filter stops its ray, and the filter keeps every ray that it cannot judge: directions that
 //! are too short for it, and what is not a number.
@@ -44,14 +43,19 @@ impl<V: Lanes> Ahead<V> {
         Self { at: usize::MAX, position: 0, tried: 0, direction, touched: TouchedByEach::NOTHING }
     }
 
-    /// The samples from `at` on, if `skipped` triples are used up before.
+    /// The samples from `at` on.
     #[inline(always)]
-    fn look(few: &Few, Walk { queue, triples, .. }: &Walk, at: usize, skipped: usize) -> Self {
-        let (rays, short) = first_rays::<V>(queue, triples, at, skipped);
-        let position = triples.position().wrapping_add(skipped as u64);
+    fn look(few: &Few, Walk { queue, triples, .. }: &Walk, at: usize) -> Self {
+        let (rays, short) = first_rays::<V>(queue, triples, at);
         let tried = V::LANES.min(queue.count - at);
         add(Counter::Guesses, tried as u64);
-        Self { at, position, tried, direction: rays.direction, touched: few.touched_by_each(&rays, short) }
+        Self {
+            at,
+            position: triples.position(),
+            tried,
+            direction: rays.direction,
+            touched: few.touched_by_each(&rays, short),
+        }
     }
 
     /// Whether it begins with the sample `at` and the triple at `position`.
@@ -69,17 +73,14 @@ impl<V: Lanes> Ahead<V> {
 
 /// Follows every waiting sample, each of which may send a ray, to its end.
 #[inline(always)]
-pub fn follow<V: Lanes, W: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, walk: &mut Walk, wide: W) {
-    let mut aheads = [Ahead::<V>::nothing(); 2];
+pub fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, walk: &mut Walk, simd: S) {
+    let mut ahead = Ahead::<S::F64>::nothing();
     let mut at = 0;
     while at < walk.queue.count {
-        walk.triples.prepare(wide);
-        let position = walk.triples.position();
-        let which = usize::from(aheads[1].is_of(at, position));
-        if !aheads[which].is_of(at, position) {
-            aheads[which] = Ahead::look(few, walk, at, 0);
+        walk.triples.prepare(simd);
+        if !ahead.is_of(at, walk.triples.position()) {
+            ahead = Ahead::look(few, walk, at);
         }
-        let ahead = &aheads[which];
         let (left, tried, touched) = (ahead.leaving(), ahead.tried, ahead.touched);
         walk.ended.leave_several(at, ahead.direction);
         walk.triples.skip(left);
@@ -88,7 +89,7 @@ pub fn follow<V: Lanes, W: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, w
         if left < tried {
             walk.triples.skip(1);
             add(Counter::WalkRays, 1);
-            go_on(prepared, few, walk, wide, at, touched.by(left), &mut aheads);
+            go_on(prepared, few, walk, simd, at, touched.by(left), &mut ahead);
             at += 1;
         }
     }
@@ -97,74 +98,50 @@ pub fn follow<V: Lanes, W: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, w
 /// Follows the queue's sample `at` to its end, from its first ray on, which may meet the objects of `touched`. Looks at the
 /// samples behind it meanwhile.
 #[inline(always)]
-fn go_on<V: Lanes, W: Simd, L: Layout>(
+fn go_on<S: Simd, L: Layout>(
     prepared: &Prepared<L>,
     few: &Few,
     walk: &mut Walk,
-    wide: W,
+    simd: S,
     at: usize,
     mut touched: u32,
-    [if_it_leaves, if_it_ends]: &mut [Ahead<V>; 2],
+    if_it_leaves: &mut Ahead<S::F64>,
 ) {
     let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ended.direction.get(at) };
     let mut rays = walk.queue.rays[at];
-    if rays == 1 {
-        walk.triples.prepare(wide);
-        *if_it_ends = Ahead::look(few, walk, at + 1, 1);
-    }
     loop {
         let found = nearest_of(&prepared.objects, &ray, touched);
         if !found.is_hit() {
             return walk.ended.leave(at, ray.direction);
         }
         rays -= 1;
-        let Some(sent) = walk.send_on(prepared, wide, at, rays, &ray, &found) else {
+        let Some(sent) = walk.send_on(prepared, simd, at, rays, &ray, &found) else {
             return;
         };
         ray = sent.ray;
         add(Counter::WalkRays, 1);
-        walk.triples.prepare(wide);
-        *if_it_leaves = Ahead::look(few, walk, at + 1, 0);
-        touched = few.touched_by_one::<V, _>(&prepared.objects, &ray);
+        walk.triples.prepare(simd);
+        *if_it_leaves = Ahead::look(few, walk, at + 1);
+        touched = few.touched_by_one::<S::F64, _>(&prepared.objects, &ray);
         // One branch for the commonest answer, as early as it can be known.
         if touched == 0 {
             return walk.ended.leave(at, ray.direction);
         }
-        if rays == 1 && ends(prepared, few, walk, wide, at, &ray, if_it_ends) {
-            return;
+        // Where the ray is the last, and certainly meets something, nobody asks what: all objects scatter alike.
+        if rays == 1 && prepared.scatters_everywhere && few.begins_inside(&prepared.objects, &ray) {
+            add(Counter::Hits, 1);
+            add(Counter::LastRaysSpared, 1);
+            walk.triples.skip(1);
+            return walk.ended.forget(at, &mut walk.queue);
         }
     }
 }
 
-/// Looks at the samples behind the one at `at` as if its last ray met something, and ends it where that is certain and all
-/// objects are alike.
+/// The first rays of the samples from `at` on, which take the next triples; and the lanes whose directions are too short for
+/// the filter, as bits.
 #[inline(always)]
-fn ends<V: Lanes, W: Simd, L: Layout>(
-    prepared: &Prepared<L>,
-    few: &Few,
-    walk: &mut Walk,
-    wide: W,
-    at: usize,
-    ray: &Ray,
-    if_it_ends: &mut Ahead<V>,
-) -> bool {
-    walk.triples.prepare(wide);
-    *if_it_ends = Ahead::look(few, walk, at + 1, 1);
-    let ends = prepared.scatters_everywhere && few.begins_inside(&prepared.objects, ray);
-    if ends {
-        add(Counter::Hits, 1);
-        add(Counter::LastRaysSpared, 1);
-        walk.triples.skip(1);
-        walk.ended.forget(at, &mut walk.queue);
-    }
-    ends
-}
-
-/// The first rays of the samples from `at` on, which take the triples behind the next `skipped`; and the lanes whose directions
-/// are too short for the filter, as bits.
-#[inline(always)]
-fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize, skipped: usize) -> (Ray<V>, u32) {
-    let (base, triple) = (queue.base.load::<V>(at), triples.following::<V>(skipped));
+fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize) -> (Ray<V>, u32) {
+    let (base, triple) = (queue.base.load::<V>(at), triples.following::<V>());
     let spread = queue.spread::<V>(at);
     let mut direction = base + spread.vector(triple);
     // A direction whose components are all negligible is shorter still.

@@ -40,29 +40,29 @@ impl Walk {
         })
     }
 
-    /// Follows every waiting sample to its end; `wide` is for what is done in bulk.
+    /// Follows every waiting sample to its end.
     #[inline(always)]
-    pub fn follow<S: Simd, W: Simd, L: Layout, F: Find>(&mut self, prepared: &Prepared<L>, search: &F, wide: W) {
+    pub fn follow<S: Simd, L: Layout, F: Find>(&mut self, prepared: &Prepared<L>, search: &F, simd: S) {
         for at in 0..self.queue.count {
-            self.triples.prepare(wide);
+            self.triples.prepare(simd);
             self.ended.begin();
             let triple = self.triples.next();
             if self.queue.rays[at] == 0 {
                 self.ended.forget(at, &mut self.queue);
             } else {
                 let ray = self.queue.ray(at, triple);
-                self.go_on::<S, W, L, F>(prepared, search, wide, at, ray);
+                self.go_on::<S, L, F>(prepared, search, simd, at, ray);
             }
         }
     }
 
     /// Follows the queue's sample `at` from its first ray to its end.
     #[inline(always)]
-    fn go_on<S: Simd, W: Simd, L: Layout, F: Find>(
+    fn go_on<S: Simd, L: Layout, F: Find>(
         &mut self,
         prepared: &Prepared<L>,
         search: &F,
-        wide: W,
+        simd: S,
         at: usize,
         mut ray: Ray,
     ) {
@@ -75,7 +75,7 @@ impl Walk {
                 return self.ended.leave(at, ray.direction);
             }
             rays -= 1;
-            let Some(sent) = self.send_on(prepared, wide, at, rays, &ray, &found) else {
+            let Some(sent) = self.send_on(prepared, simd, at, rays, &ray, &found) else {
                 return;
             };
             origin = match sent.scattered {
@@ -88,10 +88,10 @@ impl Walk {
 
     /// Sends path `at` on from what its ray has found, as one that may send `rays` more; or ends it where there is none.
     #[inline(always)]
-    pub fn send_on<'a, W: Simd, L: Layout>(
+    pub fn send_on<'a, S: Simd, L: Layout>(
         &mut self,
         prepared: &'a Prepared<L>,
-        wide: W,
+        simd: S,
         at: usize,
         rays: u64,
         ray: &Ray,
@@ -103,7 +103,7 @@ impl Walk {
             add(Counter::Hits, 1);
             let material = material_of(&prepared.objects, found.object);
             if prepared.finishes[material as usize].kind != Kind::Refractive {
-                triples.prepare(wide);
+                triples.prepare(simd);
                 triples.skip(1);
             }
             ended.forget(at, queue);
@@ -117,7 +117,7 @@ impl Walk {
                     ended.forget(at, queue);
                     return None;
                 }
-                triples.prepare(wide);
+                triples.prepare(simd);
                 let triple = triples.next();
                 let ray = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
                 Some(Sent { ray, scattered: Some((finish, finish.spread.vector(triple))) })

@@ -6,7 +6,7 @@
 use super::arrays::{CAPACITY, SLACK, Values, Vectors};
 use super::lane_by_lane::LaneByLane;
 use super::sample_set::SampleSet;
-use super::standing::{NUMBERS, Standing, WAY_ON};
+use super::standing::{NUMBERS, Standing};
 use crate::prepare::Spread;
 use crate::ray::Ray;
 use crate::simd::{Lanes, valid_lanes};
@@ -114,24 +114,6 @@ impl Queue {
         self.fewest_rays = self.fewest_rays.min(rays);
     }
 
-    /// Replaces the samples from `at` on, as many as there are lanes; if not `wholly`, only where they are and their ways on.
-    #[inline(always)]
-    pub fn set_together<V: Lanes>(&mut self, at: usize, standing: &Standing<V>, wholly: bool, rays: u64) {
-        let numbers = standing.numbers();
-        let arrays = self.arrays();
-        for index in 0..WAY_ON {
-            numbers[index].store(&mut arrays[index][at..]);
-        }
-        // Two loops, each of a length that is known, so that the arrays' places are.
-        if wholly {
-            for index in WAY_ON..NUMBERS {
-                numbers[index].store(&mut arrays[index][at..]);
-            }
-            self.rays[at..at + V::LANES].fill(rays);
-            self.fewest_rays = self.fewest_rays.min(rays);
-        }
-    }
-
     /// Moves the sample at `at`, which is in glass, to another point, from where it goes another way.
     #[inline(always)]
     pub fn pass_on(&mut self, at: usize, numbers: &LaneByLane<NUMBERS>, lane: usize) {
@@ -193,7 +175,7 @@ mod tests {
     struct Fill;
 
     impl Kernel for Fill {
-        type Output = (Queue, usize);
+        type Output = Queue;
 
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> Self::Output {
@@ -207,35 +189,26 @@ mod tests {
             queue.set(10, &numbered(1000.0), 5);
             let others = LaneByLane::new(numbered(S::F64::load(&each) + S::F64::of(2000.0)).numbers());
             queue.set_from(12, &others, 1, 7);
-            for (at, wholly) in [(20, false), (40, true)] {
-                queue.set_together(at, &numbered(S::F64::load(&each) + S::F64::of(3000.0)), wholly, 6);
-            }
             let mut gone = SampleSet::EMPTY;
             (1..queue.count).step_by(2).for_each(|place| gone.add(place, 1));
             queue.take_out::<S::F64>(&gone);
-            (queue, S::F64::LANES)
+            queue
         }
     }
 
     #[test]
     fn selected_lanes_stand_side_by_side_and_what_is_taken_out_leaves_no_gap() {
         for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-            let (mut queue, lanes) = set.run(Fill);
+            let mut queue = set.run(Fill);
             assert_eq!((queue.count, queue.fewest_rays), (40, 5), "{}", set.name());
             for place in 0..queue.count {
                 let (number, rays) = match place {
                     5 => (1000.0, 5),
                     6 => (2001.0, 7),
-                    _ if (20..20 + lanes / 2).contains(&place) => (2.0f64.mul_add((place - 20) as f64, 3000.0), 6),
                     _ => (6.0 * place as f64, 9),
                 };
-                let mut expected = numbered(number).numbers();
-                if (10..10 + lanes / 2).contains(&place) {
-                    let way_on = numbered(2.0f64.mul_add((place - 10) as f64, 3000.0)).numbers();
-                    expected[..WAY_ON].copy_from_slice(&way_on[..WAY_ON]);
-                }
                 let found = queue.arrays().map(|array| array[place]);
-                assert_eq!(found, expected, "{}, {place}", set.name());
+                assert_eq!(found, numbered(number).numbers(), "{}, {place}", set.name());
                 assert_eq!(queue.rays[place], rays);
             }
             let triple = Vec3::new(0.5, 0.25, 0.75);

@@ -7,9 +7,6 @@ use crate::vec3::Vec3;
 /// Numbers that the queue keeps of a sample, besides its rays.
 pub const NUMBERS: usize = 13;
 
-/// Of these, those that say where it is and its way on, which are the first.
-pub const WAY_ON: usize = 6;
-
 /// A sample on a surface, or a lane of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing<T = f64> {

@@ -62,10 +62,10 @@ impl Triples {
         self.before.wrapping_add(self.next as u64)
     }
 
-    /// The next triples but for the first `skipped`, a lane each. None is used up.
+    /// The next triples, a lane each. None is used up.
     #[inline(always)]
-    pub fn following<V: Lanes>(&self, skipped: usize) -> Vec3<V> {
-        let at = self.next + skipped;
+    pub fn following<V: Lanes>(&self) -> Vec3<V> {
+        let at = self.next;
         Vec3::new(V::load(&self.x[at..]), V::load(&self.y[at..]), V::load(&self.z[at..]))
     }
 
@@ -160,7 +160,7 @@ mod tests {
         for round in 0..2 * TRIPLES {
             lanes.prepare(Portable);
             let mut seen = [0.0; V::LANES];
-            lanes.following::<V>(0).y.store(&mut seen);
+            lanes.following::<V>().y.store(&mut seen);
             let used = round % V::LANES;
             lanes.skip(used);
             for &y in &seen[..used] {

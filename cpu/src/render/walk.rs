@@ -23,47 +23,45 @@ impl<L: Layout> Kernel for Follow<'_, L> {
     fn call<S: Simd>(self, simd: S) {
         // Each kind of search has a walk of its own, compiled apart; with many objects lanes count for more than promptness.
         match &self.prepared.search {
-            Search::Plain => simd.run_promptly(OneByOne { follow: self, search: &Plain, wide: simd }),
+            Search::Plain => simd.run_promptly(OneByOne { follow: self, search: &Plain }),
             Search::Few(few) if !few.is_side_by_side() && self.walk.queue.fewest_rays > 0 => {
-                simd.run_promptly(Leaping { follow: self, few, wide: simd });
+                simd.run_promptly(Leaping { follow: self, few });
             }
-            Search::Few(search) => simd.run_promptly(OneByOne { follow: self, search, wide: simd }),
-            Search::Flat(search) => simd.run(OneByOne { follow: self, search, wide: simd }),
-            Search::Tree(search) => simd.run(OneByOne { follow: self, search, wide: simd }),
+            Search::Few(search) => simd.run_promptly(OneByOne { follow: self, search }),
+            Search::Flat(search) => simd.run(OneByOne { follow: self, search }),
+            Search::Tree(search) => simd.run(OneByOne { follow: self, search }),
         }
     }
 }
 
 /// The same, with the instruction set that it is called with, perhaps the one for work on one ray after the other.
-struct OneByOne<'a, L: Layout, F, W> {
+struct OneByOne<'a, L: Layout, F> {
     follow: Follow<'a, L>,
     search: &'a F,
-    wide: W,
 }
 
-impl<L: Layout, F: Find, W: Simd> Kernel for OneByOne<'_, L, F, W> {
+impl<L: Layout, F: Find> Kernel for OneByOne<'_, L, F> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, _: S) {
-        let Self { follow: Follow { prepared, walk }, search, wide } = self;
-        walk.follow::<S, W, L, F>(prepared, search, wide);
+    fn call<S: Simd>(self, simd: S) {
+        let Self { follow: Follow { prepared, walk }, search } = self;
+        walk.follow::<S, L, F>(prepared, search, simd);
     }
 }
 
 /// The same with [leaps].
-struct Leaping<'a, L: Layout, W> {
+struct Leaping<'a, L: Layout> {
     follow: Follow<'a, L>,
     few: &'a Few,
-    wide: W,
 }
 
-impl<L: Layout, W: Simd> Kernel for Leaping<'_, L, W> {
+impl<L: Layout> Kernel for Leaping<'_, L> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, _: S) {
-        let Self { follow: Follow { prepared, walk }, few, wide } = self;
-        leaps::follow::<S::F64, W, L>(prepared, few, walk, wide);
+    fn call<S: Simd>(self, simd: S) {
+        let Self { follow: Follow { prepared, walk }, few } = self;
+        leaps::follow(prepared, few, walk, simd);
     }
 }

@@ -6,7 +6,7 @@ use super::find::Find;
 use super::ground::Ground;
 use super::stack::Stack;
 use super::touch::{Touch, is_too_short};
-use super::{Found, NOWHERE, ObjectId, Origin};
+use super::{Found, ObjectId, Origin};
 use crate::counters::{Counter, add};
 use crate::error::Error;
 use crate::layout::Objects;
@@ -30,11 +30,9 @@ pub struct Filter {
     sunk: Option<Vec<ObjectId>>,
     spheres: Vec<Balls>,
     cylinders: Vec<(Balls, Tubes)>,
-    sphere_count: u32,
     /// The lanes that objects fill, as bits.
     sphere_lanes: u64,
     cylinder_lanes: u64,
-    reach: f64,
 }
 
 impl Filter {
@@ -65,8 +63,7 @@ impl Filter {
             cylinder_lanes |= 1 << index;
         }
         let sunk = ground.sunk(objects, extent);
-        let (sphere_count, reach) = (sphere_count as u32, extent.reach);
-        Ok(Self { middle, ground, sunk, spheres, cylinders, sphere_count, sphere_lanes, cylinder_lanes, reach })
+        Ok(Self { middle, ground, sunk, spheres, cylinders, sphere_lanes, cylinder_lanes })
     }
 
     /// See [`Search::forget_who_is_alone`](super::Search::forget_who_is_alone).
@@ -111,21 +108,9 @@ impl Filter {
                 return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
             }
         }
-        let from = origin.object;
         let (mut spheres, mut cylinders) = self.may_meet::<S>(ray);
-        // The object that the ray starts on passes every filter; mostly the ray leaves it.
-        if from < self.sphere_count {
-            if !self.ground.is(from) && !touch.sphere_at(objects, from as usize) {
-                spheres &= !(1 << from);
-            }
-        } else if from != NOWHERE {
-            let index = from - self.sphere_count;
-            if !touch.cylinder_at(objects, index as usize, self.reach) {
-                cylinders &= !(1 << index);
-            }
-        }
         if let Some(ground) = self.ground.id()
-            && !(self.sunk.is_some() && from == ground)
+            && !(self.sunk.is_some() && origin.object == ground)
             && self.ground.may_be_met(objects, &touch)
         {
             spheres |= 1 << ground;

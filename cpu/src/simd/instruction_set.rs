@@ -4,16 +4,14 @@ use std::sync::LazyLock;
 
 use super::{Kernel, Portable, Simd};
 #[cfg(target_arch = "x86_64")]
-use super::{avx2, avx512, sse2};
+use super::{avx2, avx512};
 
 /// The instruction sets that kernels are compiled for, the plainest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum InstructionSet {
-    /// Arrays, for any machine.
+    /// Arrays, for any machine; on x86-64 the compiler makes 128 bits of them.
     Portable,
-    /// 128 bits, on every x86-64.
-    Sse2,
     /// 256 bits with fused multiply-add.
     Avx2,
     /// 512 bits, but 256 for work on one ray after the other among a handful of objects.
@@ -24,7 +22,7 @@ pub enum InstructionSet {
 
 impl InstructionSet {
     /// All of them, whether this machine has them or not.
-    pub const ALL: [Self; 5] = [Self::Portable, Self::Sse2, Self::Avx2, Self::Avx512, Self::Avx512Throughout];
+    pub const ALL: [Self; 4] = [Self::Portable, Self::Avx2, Self::Avx512, Self::Avx512Throughout];
 
     /// The environment variable that forces one of them, by [`InstructionSet::name`].
     pub const VARIABLE: &'static str = "RENDER_INSTRUCTION_SET";
@@ -34,7 +32,6 @@ impl InstructionSet {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
-            Self::Sse2 => "sse2",
             Self::Avx2 => "avx2",
             Self::Avx512 => "avx512",
             Self::Avx512Throughout => "avx512-throughout",
@@ -54,7 +51,7 @@ impl InstructionSet {
     fn is_found(self) -> bool {
         #[cfg(target_arch = "x86_64")]
         return match self {
-            Self::Portable | Self::Sse2 => true,
+            Self::Portable => true,
             Self::Avx2 => avx2::is_found(),
             Self::Avx512 | Self::Avx512Throughout => avx2::is_found() && avx512::is_found(),
         };
@@ -91,9 +88,6 @@ impl InstructionSet {
         match set {
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the machine has the instruction set, as was just asked; likewise below.
-            Self::Sse2 => unsafe { sse2::Sse2::new() }.run(kernel),
-            #[cfg(target_arch = "x86_64")]
-            // SAFETY: as above.
             Self::Avx2 => unsafe { avx2::Avx2::new() }.run(kernel),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: as above.
