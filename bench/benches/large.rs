@@ -5,9 +5,12 @@
 use std::fs::File;
 use std::time::Instant;
 
-use cpu::layout::{AosImage, AosObjects, Objects, SoaImage};
-use cpu::prepare::Extent;
-use cpu::search::{Search, order_of};
+use cpu::accel::choice::Search;
+use cpu::accel::extent::Extent;
+use cpu::accel::object::order_of;
+use cpu::layout::Objects;
+use cpu::layout::aos::{AosImage, AosObjects};
+use cpu::layout::soa::SoaImage;
 use cpu::{Camera, Image, Rgb, Scene, Size};
 use tests::generator::{self, Options};
 
@@ -37,9 +40,9 @@ fn write<I: Image>(layout: &str) {
         // A file of its own each time, as the programs write: emptying an old one takes as long again.
         turn += 1;
         let file = File::create(folder.path().join(format!("{turn}.ppm"))).expect("the folder takes files");
-        cpu::ppm::write_ppm(&image, file).expect("the file takes all");
+        cpu::image::ppm::write_ppm(&image, file).expect("the file takes all");
     });
-    let to_nowhere = fastest(15, || cpu::ppm::write_ppm(&image, std::io::sink()).expect("a sink takes all"));
+    let to_nowhere = fastest(15, || cpu::image::ppm::write_ppm(&image, std::io::sink()).expect("a sink takes all"));
     println!(
         "write 1.8 million pixels ({layout}): {:.1} ms, {:.1} ms without the file",
         to_file * 1e3,

@@ -4,9 +4,10 @@
 use std::hint::black_box;
 
 use bench::time::compare;
-use cpu::quantize::{self, Quantizer};
-use cpu::rng::Uniform;
-use cpu::search::Search;
+use cpu::accel::choice::Search;
+use cpu::image::quantize;
+use cpu::image::quantize::Quantizer;
+use cpu::sampling::uniform::Uniform;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene};
 use tests::generator::{self, Arrangement, Options};
 

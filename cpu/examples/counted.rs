@@ -3,7 +3,8 @@
 
 use std::path::Path;
 
-use cpu::counters::{self, Counter};
+use cpu::counters;
+use cpu::counters::Counter;
 use cpu::{Aos, Config, Error, InstructionSet, Prepared, Scatter, Scene};
 
 const USAGE: &str = "\

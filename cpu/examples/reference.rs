@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use cpu::reference::{Certified, Textbook};
+use cpu::reference::intersect::{Certified, Textbook};
 use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
 
 const USAGE: &str = "\
@@ -32,5 +32,5 @@ fn main() -> Result<(), Error> {
         cpu::reference::render_with::<<Aos as Layout>::Image, Textbook>
     };
     let image = render(&config, &scene, Scatter::Statement)?;
-    output.fill(|file| cpu::ppm::write_ppm(&image, file))
+    output.fill(|file| cpu::image::ppm::write_ppm(&image, file))
 }

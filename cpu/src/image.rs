@@ -1,7 +1,12 @@
-//! Pictures in memory: what both layouts of their pixels can do.
+//! Pictures: what both layouts of their pixels can do, how a mean becomes a byte ([`quantize`]), and the text of a file ([`ppm`]).
+//!
+//! Uses [`input`](crate::input). Begin with [`quantize`].
 
-use crate::error::Error;
-use crate::size::Size;
+pub mod ppm;
+pub mod quantize;
+
+use crate::input::error::Error;
+use crate::input::size::Size;
 
 /// A pixel's red, green and blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

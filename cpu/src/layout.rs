@@ -2,19 +2,18 @@
 //!
 //! Only storage differs: every formula works on the records that [`Objects`] hands out, and the compiler makes a copy
 //! of the renderer for each layout, so that nothing is looked up at run time.
+//!
+//! Uses [`geometry`](crate::geometry), [`image`](crate::image) and [`input`](crate::input). Begin with [`aos`].
 
-mod aos;
-mod soa;
+pub mod aos;
+pub mod soa;
 
-pub use aos::{Aos, AosImage, AosObjects};
-pub use soa::{Soa, SoaImage, SoaObjects};
-
-use crate::cylinder::CylinderRecord;
-use crate::error::Error;
+use crate::geometry::cylinder::CylinderRecord;
+use crate::geometry::sphere::SphereRecord;
 use crate::image::Image;
-use crate::scene::{MaterialId, Scene};
-use crate::sphere::SphereRecord;
-use crate::vec3::Vec3;
+use crate::input::error::Error;
+use crate::input::scene::{MaterialId, Scene};
+use crate::math::vec3::Vec3;
 
 /// A choice of layout.
 pub trait Layout {
@@ -72,7 +71,7 @@ fn for_each_object(
     mut sphere: impl FnMut(Placed<SphereRecord>) -> Result<(), Error>,
     mut cylinder: impl FnMut(Placed<CylinderRecord>, Vec3) -> Result<(), Error>,
 ) -> Result<(), Error> {
-    use crate::scene::Shape;
+    use crate::input::scene::Shape;
     for (order, object) in scene.objects.iter().enumerate() {
         let order = u32::try_from(order).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
         let material = object.material;
@@ -92,7 +91,8 @@ fn for_each_object(
 
 /// Numbers of spheres and of cylinders in `scene`.
 fn count_kinds(scene: &Scene) -> (usize, usize) {
-    let is_sphere = |object: &&crate::scene::Object| matches!(object.shape, crate::scene::Shape::Sphere(_));
+    let is_sphere =
+        |object: &&crate::input::scene::Object| matches!(object.shape, crate::input::scene::Shape::Sphere(_));
     let spheres = scene.objects.iter().filter(is_sphere).count();
     (spheres, scene.objects.len() - spheres)
 }
@@ -108,7 +108,9 @@ fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
 mod tests {
     use super::*;
     use crate::image::Rgb;
-    use crate::size::Size;
+    use crate::input::size::Size;
+    use crate::layout::aos::Aos;
+    use crate::layout::soa::Soa;
 
     const SCENE: &str =
         "matte: a 1 1 1\nmatte: b 0 0 0\nsphere: 1 2 3 4 a\ncylinder: 5 6 7 8 0 2 0 b\nsphere: 0 0 0 1 b\n";

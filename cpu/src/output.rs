@@ -2,6 +2,7 @@
 //!
 //! A regular file is written aside and put in its place when it is complete. Anything else that can be written to
 //! (`/dev/stdout`, `/dev/null`, a pipe) takes the bytes directly. What is promised and why stands in `docs/decisions.md`.
+//! Uses [`input::error`](crate::input::error) alone. Begin with [`Output`].
 //!
 //! ```
 //! use cpu::output::{Options, Output};
@@ -34,8 +35,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::error::Error;
-use place::Place;
+use crate::input::error::Error;
+use crate::output::place::Place;
 
 /// How a file is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -3,13 +3,14 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use crate::config::Config;
-use crate::error::Error;
+use crate::image::ppm::write_ppm;
+use crate::input::config::Config;
+use crate::input::error::Error;
+use crate::input::scene::Scene;
 use crate::layout::Layout;
-use crate::output::{self, Options, Output};
-use crate::ppm::write_ppm;
-use crate::scatter_vectors::Scatter;
-use crate::scene::Scene;
+use crate::output;
+use crate::output::{Options, Output};
+use crate::sampling::scatter_vectors::Scatter;
 
 /// Renders `SCENE` as `CONFIG` asks into `OUT.ppm`, given these three names.
 ///
@@ -46,8 +47,11 @@ pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter:
     let config = Config::read(config_path)?;
     let scene = Scene::read(scene)?;
     // A camera that cannot be is a fault of the configuration: say so before the output is touched.
-    crate::Camera::new(&config, config.image_size().map_err(|error| Error::from(error).in_file(config_path))?)
-        .map_err(|error| Error::from(error).in_file(config_path))?;
+    crate::geometry::camera::Camera::new(
+        &config,
+        config.image_size().map_err(|error| Error::from(error).in_file(config_path))?,
+    )
+    .map_err(|error| Error::from(error).in_file(config_path))?;
     let output = Output::open(out, Options::default())?;
     let image = crate::render::<L>(&config, &scene, scatter).map_err(|error| error.in_file(config_path))?;
     output.fill(|file| write_ppm(&image, file))
@@ -56,7 +60,7 @@ pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter:
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::Aos;
+    use crate::layout::aos::Aos;
 
     #[test]
     fn three_arguments_are_needed() {

@@ -4,25 +4,31 @@
 //! renderer, only the vector arithmetic, the random numbers, the camera's window and the definition of a byte, so that
 //! each of the two tells when the other is wrong. Every fast path must give its bytes.
 //!
-//! With [certified](crate::certified) intersections it asks these for every object in turn, and shares the rest.
+//! Uses all folders but `accel` and `render`. Begin here: this is the specification as a program.
+//!
+//! With [certified](crate::exact) intersections it asks these for every object in turn, and shares the rest.
 
-mod intersect;
+pub mod intersect;
 mod nearest;
 
-pub use intersect::{Certified, Intersect, Precision, Textbook};
+pub use crate::reference::intersect::{Certified, Intersect, Precision, Textbook};
 
 use std::marker::PhantomData;
 
-use self::nearest::{Nearest, meets_certified_cylinder, meets_certified_sphere, meets_cylinder, meets_sphere};
-use crate::config::Config;
-use crate::error::Error;
+use crate::geometry::camera::Camera;
+use crate::geometry::ray::Ray;
+use crate::image::quantize::quantize;
 use crate::image::{Image, Rgb};
-use crate::material::Material;
-use crate::quantize::quantize;
-use crate::rng::Uniform;
-use crate::scatter_vectors::{Scatter, ScatterVectors};
-use crate::scene::{Scene, Shape};
-use crate::{Camera, Ray, Vec3};
+use crate::input::config::Config;
+use crate::input::error::Error;
+use crate::input::material::Material;
+use crate::input::scene::{Scene, Shape};
+use crate::math::vec3::Vec3;
+use crate::reference::nearest::{
+    Nearest, meets_certified_cylinder, meets_certified_sphere, meets_cylinder, meets_sphere,
+};
+use crate::sampling::scatter_vectors::{Scatter, ScatterVectors};
+use crate::sampling::uniform::Uniform;
 
 /// Renders by the definition, with the textbook's intersections.
 ///

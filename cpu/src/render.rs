@@ -1,57 +1,61 @@
 //! The real renderer: pixels in order, a span of a row at a time.
 //!
-//! A span's primary rays need no material's random numbers, so they are drawn, intersected and shaded ahead, several at
-//! once ([`primary`], [`glass`]), up to the first matte or metal surface. What follows there takes its random vectors
-//! from one stream in the order of the samples and is walked one ray after the other ([`walk`]). Where rays leave the
-//! scene, their background is computed several at once again ([`ends`]), and the samples are summed in order
-//! ([`pixels`]).
+//! The camera rays of a span need no material's random numbers, so they are drawn, intersected and shaded several at once
+//! (`camera_rays`, `specular_chains`), up to the first matte or metal surface. What follows there takes its random vectors
+//! from one stream in the order of the samples, and is traced one path after the other (`trace_paths`). Where rays leave the
+//! scene, their background is computed several at once again (`path_ends`), and the samples are summed in order
+//! (`accumulation`).
+//!
+//! Uses all folders but `reference` and `output`. Begin with [`prepared`], then this file, then the stages in that order;
+//! docs/design.md follows one ray through them.
 
-mod arrays;
-mod batch;
-mod candidates;
-mod doubtful;
-mod ends;
-mod glass;
-mod hits;
-mod lane_by_lane;
-mod leaps;
-mod offsets;
-mod path;
-mod pixels;
-mod primary;
-mod queue;
-mod sample_set;
-mod shade;
-mod sky;
-mod slope;
-mod span;
+pub(crate) mod accumulation;
+pub(crate) mod arrays;
+pub mod background;
+pub(crate) mod background_pixels;
+pub(crate) mod background_slope;
+pub(crate) mod camera_rays;
+pub(crate) mod fallback;
+pub(crate) mod frustum;
+pub(crate) mod hit_lanes;
+pub(crate) mod lane_by_lane;
+pub(crate) mod lookahead;
+pub(crate) mod path;
+pub(crate) mod path_ends;
+pub(crate) mod path_queue;
+pub(crate) mod path_vertex;
+pub mod prepared;
+pub(crate) mod sample_set;
+pub(crate) mod samples;
+pub(crate) mod shade;
+pub(crate) mod span;
+pub(crate) mod specular_chains;
 #[cfg(feature = "bench")]
 pub mod stages;
-mod standing;
-mod vectors;
-mod walk;
+pub(crate) mod surface;
+pub(crate) mod trace_paths;
 
 use std::ops::ControlFlow;
 
-use crate::config::Config;
 use crate::counters::{Counter, add};
-use crate::error::Error;
+use crate::image::quantize::Quantizer;
 use crate::image::{Image, Rgb};
+use crate::input::config::Config;
+use crate::input::error::Error;
+use crate::input::scene::Scene;
 use crate::layout::Layout;
-use crate::prepare::Prepared;
-use crate::quantize::Quantizer;
-use crate::scatter_vectors::Scatter;
-use crate::scene::Scene;
-use crate::simd::{InstructionSet, Kernel, Simd};
-use crate::vec3::Vec3;
-
-use batch::{Batch, Draw};
-use candidates::Candidates;
-use offsets::Offsets;
-use path::Walk;
-use pixels::Sums;
-use sky::{Look, Sky};
-use span::{Span, Spans};
+use crate::math::vec3::Vec3;
+use crate::render::accumulation::Sums;
+use crate::render::background_pixels::{Look, Sky};
+use crate::render::frustum::Candidates;
+use crate::render::path::Walk;
+use crate::render::prepared::Prepared;
+use crate::render::samples::{Batch, Draw};
+use crate::render::span::{Span, Spans};
+use crate::sampling::pixel_jitter::Offsets;
+use crate::sampling::scatter_vectors::Scatter;
+use crate::simd::instruction_set::InstructionSet;
+use crate::simd::{Kernel, Simd};
 
 /// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
 ///
@@ -233,14 +237,14 @@ impl<L: Layout, K: Sink> Painter<'_, L, K> {
     fn trace<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
         let (prepared, batch) = (self.prepared, &mut *self.batch);
         let queue = &mut self.walk.queue;
-        simd.run(primary::Trace { prepared, row, candidates: &self.candidates, batch, queue });
+        simd.run(camera_rays::Trace { prepared, row, candidates: &self.candidates, batch, queue });
         if !batch.in_glass.is_empty() {
-            simd.run(glass::Trace { prepared, batch, queue });
+            simd.run(specular_chains::Trace { prepared, batch, queue });
         }
         if queue.count > 0 {
-            simd.run(walk::Follow { prepared, walk: &mut self.walk });
+            simd.run(trace_paths::Follow { prepared, walk: &mut self.walk });
             let Walk { queue, ended, .. } = &mut *self.walk;
-            simd.run(ends::Color { prepared, queue, ended, batch });
+            simd.run(path_ends::Color { prepared, queue, ended, batch });
         }
         let first_pixel = row * prepared.size.width();
         self.sums.add(span, batch, |column, mean| self.sink.mean(first_pixel + column, mean));

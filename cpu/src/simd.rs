@@ -1,15 +1,17 @@
 //! Several numbers at once, on whatever the machine offers.
 //!
 //! A kernel is written once, over [`Simd`], and compiled for each instruction set by [`Simd::run`]. The set is chosen
-//! once, at run time ([`InstructionSet::best`]); every operation on `f64` lanes is one correctly rounded IEEE operation,
+//! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly rounded IEEE operation,
 //! so the choice never changes a byte. Only the `f32` lanes, which serve filters, may fuse.
 //!
 //! The portable implementation is always compiled and tested; the others are held against it.
+//!
+//! Uses [`math`](crate::math). Begin with [`Lanes`] and [`portable`].
 
 #![allow(unsafe_code)]
 
-mod instruction_set;
-mod portable;
+pub mod instruction_set;
+pub mod portable;
 #[cfg(test)]
 pub(crate) mod positive_nan;
 #[cfg(test)]
@@ -22,14 +24,11 @@ mod avx512;
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::exact_sums::Fused;
-use crate::real::MulAdd;
-
-pub use instruction_set::InstructionSet;
-pub use portable::Portable;
+use crate::math::error_free::Fused;
+use crate::math::real::MulAdd;
 
 /// An instruction set, as a type that kernels are compiled for. A value of it is the proof that the machine has it:
-/// only [`InstructionSet::run`] makes one, after asking.
+/// only [`run`](instruction_set::InstructionSet::run) makes one, after asking.
 pub trait Simd: Copy + 'static {
     /// Lanes of `f64`.
     type F64: Lanes;

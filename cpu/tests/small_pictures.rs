@@ -6,9 +6,9 @@
 
 use std::ops::RangeInclusive;
 
-use cpu::layout::AosImage;
-use cpu::reference::Certified;
-use cpu::search::Search;
+use cpu::accel::choice::Search;
+use cpu::layout::aos::AosImage;
+use cpu::reference::intersect::Certified;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
 
 const MATERIALS: &str = "matte: m .8 .7 .6\nmetal: s .9 .8 .7 .4\nrefractive: g 1.5\n";

@@ -2,7 +2,7 @@
 
 use std::fmt::{Debug, Display};
 
-use cpu::real::Real;
+use cpu::math::real::Real;
 use shaders::Precision;
 
 use crate::Kernel;

@@ -10,7 +10,7 @@ mod sphere;
 
 pub use barrier::two_sum;
 
-use cpu::real::Real;
+use cpu::math::real::Real;
 use cpu::{Hit, Vec3};
 
 use crate::Kernel;

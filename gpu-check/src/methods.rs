@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 use std::rc::Rc;
 
 use cpu::Vec3;
-use cpu::cylinder::Part;
-use cpu::scene::Shape;
+use cpu::geometry::cylinder::Part;
+use cpu::input::scene::Shape;
 use shaders::Library;
 use stability::case::Case;
 use stability::methods::{Answer, Failure, Method, Stopwatch};

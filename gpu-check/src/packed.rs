@@ -2,10 +2,10 @@
 //!
 //! Those are made of scalars alone, 4 or 8 bytes each, without a gap: a value's bytes are its numbers' bytes, in order.
 
-use cpu::background::Background;
-use cpu::cylinder::CylinderRecord;
+use cpu::geometry::cylinder::CylinderRecord;
+use cpu::geometry::sphere::SphereRecord;
 use cpu::layout::Placed;
-use cpu::sphere::SphereRecord;
+use cpu::render::background::Background;
 use cpu::{Camera, Vec3};
 
 use crate::Float;

@@ -1,11 +1,11 @@
 //! What a picture is made from, ready for a device: the buffers of `shaders/wgsl/picture.wgsl`.
 
-use cpu::background::Background;
-use cpu::cylinder::CylinderRecord;
+use cpu::geometry::cylinder::CylinderRecord;
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::{Scene, Shape};
 use cpu::layout::Placed;
-use cpu::real::Real;
-use cpu::scene::{Scene, Shape};
-use cpu::sphere::SphereRecord;
+use cpu::math::real::Real;
+use cpu::render::background::Background;
 use cpu::{Camera, Config, Error as CpuError, Material, Size, Vec3};
 use shaders::Features;
 

@@ -3,10 +3,11 @@
 //!
 //! The formulas are those of `cpu`; `cpu::reference`, which has its own, is what f64 is held against.
 
-use cpu::cylinder::Part;
+use cpu::geometry::cylinder::Part;
 use cpu::layout::Placed;
-use cpu::real::Real;
-use cpu::{Hit, Ray, Vec3, scatter};
+use cpu::materials::scatter;
+use cpu::math::real::Real;
+use cpu::{Hit, Ray, Vec3};
 
 use crate::Picture;
 use crate::picture::Kind;

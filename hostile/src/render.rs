@@ -5,8 +5,8 @@
 
 mod choices;
 
-use cpu::layout::AosImage;
-use cpu::reference::Certified;
+use cpu::layout::aos::AosImage;
+use cpu::reference::intersect::Certified;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
 
 pub use choices::Choices;

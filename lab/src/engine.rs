@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use cpu::search::Search;
+use cpu::accel::choice::Search;
 use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
 
 use crate::picture::Picture;
@@ -125,7 +125,7 @@ fn rendered<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Ve
 fn bytes(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to memory does not fail.
-    let _ = cpu::ppm::write_ppm(image, &mut bytes);
+    let _ = cpu::image::ppm::write_ppm(image, &mut bytes);
     bytes
 }
 

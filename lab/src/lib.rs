@@ -65,7 +65,7 @@ fn command_line() -> Result<cli::Cli, Failure> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     cli::Cli::try_parse_from(&arguments).map_err(|error| {
         let is_clean = |argument: &OsString| {
-            cpu::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
+            cpu::input::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
         };
         if error.use_stderr() && arguments.iter().all(is_clean) {
             let _ = error.print();

@@ -1,4 +1,4 @@
-// The colour of a ray that meets nothing: a gradient along y; twin of cpu/src/background.rs.
+// The colour of a ray that meets nothing: a gradient along y; twin of cpu/src/render/background.rs.
 
 // Background: the two ends of the gradient, linear colours.
 struct Background {

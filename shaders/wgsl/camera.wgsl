@@ -1,4 +1,4 @@
-// The rays through the projection window's pixels; twin of cpu/src/camera.rs.
+// The rays through the projection window's pixels; twin of cpu/src/geometry/camera.rs.
 //
 // The window itself is prepared on the CPU: it needs a tangent, and drivers have no exact one.
 

@@ -1,4 +1,4 @@
-// Ray against closed cylinder; twin of cpu/src/cylinder.rs, which has the equations.
+// Ray against closed cylinder; twin of cpu/src/geometry/cylinder.rs, which has the equations.
 
 // CylinderRecord: a cylinder with what its rays need computed once.
 struct CylinderRecord {

@@ -1,4 +1,4 @@
-// What surfaces are made of; twin of cpu/src/material.rs.
+// What surfaces are made of; twin of cpu/src/input/material.rs.
 
 // Material: `kind` tells the variant.
 const MATTE: u32 = 0u;

@@ -1,4 +1,4 @@
-// Rays, and what is known of a point where one meets a surface; twin of cpu/src/ray.rs.
+// Rays, and what is known of a point where one meets a surface; twin of cpu/src/geometry/ray.rs.
 
 // Ray: a half-line from `origin` along `direction`, which need not have length one.
 struct Ray {

@@ -1,4 +1,4 @@
-// How surfaces send light on; twin of cpu/src/scatter.rs. The random vectors come from outside.
+// How surfaces send light on; twin of cpu/src/materials/scatter.rs. The random vectors come from outside.
 
 // scatter::matte: around the normal.
 fn scatter_matte(normal: vec3<real>, vector: vec3<real>) -> vec3<real> {

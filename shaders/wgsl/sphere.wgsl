@@ -1,4 +1,4 @@
-// Ray against sphere; twin of cpu/src/sphere.rs, which has the equations.
+// Ray against sphere; twin of cpu/src/geometry/sphere.rs, which has the equations.
 
 // SphereRecord: a sphere with what its rays need computed once.
 struct SphereRecord {

@@ -1,4 +1,4 @@
-// Normalising vectors that may be short; twin of Vec3::unit_and_length in cpu/src/vec3.rs, in a file of its own because only
+// Normalising vectors that may be short; twin of Vec3::unit_and_length in cpu/src/math/vec3.rs, in a file of its own because only
 // cylinders need it.
 
 // What Vec3::unit_and_length returns.

@@ -1,4 +1,4 @@
-// Three-component vectors, for points, directions and colours alike; twin of cpu/src/vec3.rs.
+// Three-component vectors, for points, directions and colours alike; twin of cpu/src/math/vec3.rs.
 //
 // The products are written out: WGSL leaves the order of operations inside its own dot, cross and length to the driver,
 // and here the order is part of the result.

@@ -4,10 +4,11 @@
 //! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum, and stays below the bound
 //! that docs/accuracy.md proves.
 
-use cpu::certified::{self, Verdict};
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::scene::Shape;
-use cpu::sphere::SphereRecord;
+use cpu::exact;
+use cpu::exact::error_bound::Verdict;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::Shape;
 
 use crate::case::Case;
 use crate::measure::lambda_error;
@@ -21,11 +22,11 @@ pub fn certified_answer(case: &Case) -> Option<(f64, Part)> {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
-            certified::sphere::intersect(&record, &case.ray).map(|lambda| (lambda, Part::Side))
+            exact::sphere::intersect(&record, &case.ray).map(|lambda| (lambda, Part::Side))
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            certified::cylinder::intersect(&record, &cylinder.axis, &case.ray)
+            exact::cylinder::intersect(&record, &cylinder.axis, &case.ray)
         }
     }
 }
@@ -35,12 +36,12 @@ fn is_answered_in_f64(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
-            certified::sphere::judge(&record, &case.ray) != Verdict::Doubtful
-                || certified::sphere_compensated::judge(&record, &case.ray).certain
+            exact::sphere::judge(&record, &case.ray) != Verdict::Doubtful
+                || exact::sphere_compensated::judge(&record, &case.ray).certain
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            certified::cylinder::judge(&record, &case.ray) != Verdict::Doubtful
+            exact::cylinder::judge(&record, &case.ray) != Verdict::Doubtful
         }
     }
 }

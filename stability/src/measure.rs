@@ -1,11 +1,13 @@
 //! One regime, one implementation: how often and by how much it is wrong.
 
 use cpu::Vec3;
-use cpu::certified::{self, DoubleDouble, Verdict};
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::real::Real;
-use cpu::scene::Shape;
-use cpu::sphere::SphereRecord;
+use cpu::exact;
+use cpu::exact::double_double::DoubleDouble;
+use cpu::exact::error_bound::Verdict;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::Shape;
+use cpu::math::real::Real;
 
 use crate::case::Case;
 use crate::methods::{Failure, Method};
@@ -164,12 +166,12 @@ fn is_doubtful(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
-            certified::sphere::judge(&record, &case.ray) == Verdict::Doubtful
-                && !certified::sphere_compensated::judge(&record, &case.ray).certain
+            exact::sphere::judge(&record, &case.ray) == Verdict::Doubtful
+                && !exact::sphere_compensated::judge(&record, &case.ray).certain
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            certified::cylinder::judge(&record, &case.ray) == Verdict::Doubtful
+            exact::cylinder::judge(&record, &case.ray) == Verdict::Doubtful
         }
     }
 }
@@ -180,11 +182,11 @@ fn is_doubtful_in_double_double(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(wide(sphere.center), sphere.radius.into());
-            certified::sphere::judge(&record, &ray) == Verdict::Doubtful
+            exact::sphere::judge(&record, &ray) == Verdict::Doubtful
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(wide(cylinder.center), cylinder.radius.into(), wide(cylinder.axis));
-            certified::cylinder::judge(&record, &ray) == Verdict::Doubtful
+            exact::cylinder::judge(&record, &ray) == Verdict::Doubtful
         }
     }
 }

@@ -10,8 +10,8 @@ use std::error::Error;
 use std::time::Duration;
 
 use cpu::Vec3;
-use cpu::cylinder::Part;
-use cpu::reference::{Certified, Textbook};
+use cpu::geometry::cylinder::Part;
+use cpu::reference::intersect::{Certified, Textbook};
 
 use crate::case::Case;
 use formulas::{InDouble, ProjectedSingle, Resolved, TextbookSingle};

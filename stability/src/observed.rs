@@ -2,10 +2,11 @@
 
 use std::cell::Cell;
 
-use cpu::certified::{self, Verdict};
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::reference::{Certified, Intersect, Precision};
-use cpu::sphere::SphereRecord;
+use cpu::exact;
+use cpu::exact::error_bound::Verdict;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::reference::intersect::{Certified, Intersect, Precision};
 use cpu::{Ray, Vec3};
 
 /// What a render's intersections came to.
@@ -83,14 +84,14 @@ impl Intersect for Observed {
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         let truth = Certified::sphere(record, ray);
-        let verdict = certified::sphere::judge(record, ray);
+        let verdict = exact::sphere::judge(record, ray);
         update(0, |counts| counts.record(record.intersect(ray), truth, true, &verdict));
         truth
     }
 
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
         let (textbook, truth) = (record.intersect(ray), Certified::cylinder(record, axis, ray));
-        let verdict = certified::cylinder::judge(record, ray);
+        let verdict = exact::cylinder::judge(record, ray);
         let same_part = textbook.map(|(_, part)| part) == truth.map(|(_, part)| part);
         let lambda = |hit: (f64, Part)| hit.0;
         update(1, |counts| counts.record(textbook.map(lambda), truth.map(lambda), same_part, &verdict));

@@ -1,7 +1,7 @@
 //! Random numbers and vectors for the regimes, all from one seed.
 
 use cpu::Vec3;
-use cpu::rng::Uniform;
+use cpu::sampling::uniform::Uniform;
 
 /// A stream of draws.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The whole stress test: every regime with every implementation, pictures, and spheres of growing radius.
 
-use cpu::reference::Textbook;
+use cpu::reference::intersect::Textbook;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
 
 use crate::climb::largest_error;

@@ -2,10 +2,10 @@
 //!
 //! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
 
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::reference::{Certified, Intersect};
-use cpu::scene::{Cylinder, Shape};
-use cpu::sphere::SphereRecord;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::{Cylinder, Shape};
+use cpu::reference::intersect::{Certified, Intersect};
 use cpu::{Ray, Vec3};
 use stability::case::Case;
 use stability::climb::certified_answer;

@@ -1,6 +1,6 @@
 //! Scenes whose radiance is known without rendering them, and scenes that must look like others.
 
-use cpu::reference::{Certified, Intersect, Textbook};
+use cpu::reference::intersect::{Certified, Intersect, Textbook};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 
 type Pixels = <Aos as Layout>::Image;

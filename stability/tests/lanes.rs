@@ -2,12 +2,13 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use cpu::certified::{self, Verdict};
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::real::Real;
-use cpu::rounding::Rounding;
-use cpu::scene::Shape;
-use cpu::sphere::SphereRecord;
+use cpu::exact;
+use cpu::exact::error_bound::Verdict;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::Shape;
+use cpu::math::real::Real;
+use cpu::math::rounding::Rounding;
 use cpu::{Ray, Vec3};
 use stability::case::Case;
 use stability::regimes::{CYLINDERS, Regime, SPHERES};
@@ -114,9 +115,9 @@ fn spheres_in_lanes_are_as_alone() {
         let (center, radius) = (together(records[0].center, records[1].center), records.map(|record| record.radius));
         let ray = rays(cases);
         let a = ray.direction.dot(ray.direction);
-        let lanes = certified::sphere::judge_lanes(&SphereRecord::new(center, Pair(radius)), &ray, a);
+        let lanes = exact::sphere::judge_lanes(&SphereRecord::new(center, Pair(radius)), &ray, a);
         for lane in 0..2 {
-            let alone = certified::sphere::judge(&records[lane], &cases[lane].ray);
+            let alone = exact::sphere::judge(&records[lane], &cases[lane].ray);
             match alone {
                 Verdict::Certain(answer) => assert_eq!(lanes.lambda.0[lane], answer.unwrap_or(f64::INFINITY)),
                 Verdict::Doubtful => {}
@@ -137,11 +138,11 @@ fn cylinders_in_lanes_are_as_alone() {
         let center = together(shapes[0].center, shapes[1].center);
         let axis = together(shapes[0].axis, shapes[1].axis);
         let radius = Pair(shapes.map(|shape| shape.radius));
-        let lanes = certified::cylinder::judge_lanes(&CylinderRecord::new(center, radius, axis), &rays(cases));
+        let lanes = exact::cylinder::judge_lanes(&CylinderRecord::new(center, radius, axis), &rays(cases));
         for lane in 0..2 {
             let shape = shapes[lane];
             let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
-            let alone = certified::cylinder::judge(&record, &cases[lane].ray);
+            let alone = exact::cylinder::judge(&record, &cases[lane].ray);
             assert_eq!(lanes.certain.0[lane], alone != Verdict::Doubtful, "{:?}", cases[lane]);
             match alone {
                 Verdict::Certain(Some((lambda, part))) => {
@@ -167,14 +168,14 @@ fn what_is_certain_has_the_textbooks_bits() {
         let same = match case.shape {
             Shape::Sphere(sphere) => {
                 let record = SphereRecord::new(sphere.center, sphere.radius);
-                match certified::sphere::judge(&record, &case.ray) {
+                match exact::sphere::judge(&record, &case.ray) {
                     Verdict::Certain(answer) => answer == record.intersect(&case.ray),
                     Verdict::Doubtful => continue,
                 }
             }
             Shape::Cylinder(cylinder) => {
                 let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-                match certified::cylinder::judge(&record, &case.ray) {
+                match exact::cylinder::judge(&record, &case.ray) {
                     Verdict::Certain(answer) => answer == record.intersect(&case.ray),
                     Verdict::Doubtful => continue,
                 }

@@ -1,10 +1,10 @@
 //! What must hold along whole paths, whatever the scene.
 
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::ray::LAMBDA_MIN;
-use cpu::reference::{Certified, Intersect, Textbook};
-use cpu::scene::{Cylinder, Shape, Sphere};
-use cpu::sphere::SphereRecord;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::ray::LAMBDA_MIN;
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::{Cylinder, Shape, Sphere};
+use cpu::reference::intersect::{Certified, Intersect, Textbook};
 use cpu::{Hit, Ray, Vec3};
 use stability::random::Random;
 

@@ -2,10 +2,10 @@
 //! all the time, and the answer is known to the last bit.
 
 use cpu::Vec3;
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::reference::{Certified, Intersect};
-use cpu::scene::Cylinder;
-use cpu::sphere::SphereRecord;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::Cylinder;
+use cpu::reference::intersect::{Certified, Intersect};
 use stability::case::Case;
 use stability::oracle::{self, to_f64};
 use stability::random::Random;

@@ -33,7 +33,8 @@ fn main() -> ExitCode {
     let best = (0..5)
         .map(|_| {
             let start = Instant::now();
-            let scene = cpu::Scene::parse(black_box(text.as_bytes())).expect("generated scenes are valid");
+            let scene =
+                cpu::input::scene::Scene::parse(black_box(text.as_bytes())).expect("generated scenes are valid");
             assert_eq!(scene.objects.len(), objects);
             start.elapsed()
         })

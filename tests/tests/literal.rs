@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Arc;
 
-use cpu::layout::AosImage;
+use cpu::layout::aos::AosImage;
 use cpu::{Aos, Config, Scatter, Scene};
 use libtest_mimic::{Arguments, Failed, Trial};
 use tests::generator::{self, Options};
@@ -122,7 +122,7 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
 /// The picture as a file's bytes.
 fn p3_of(image: &AosImage) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    cpu::ppm::write_ppm(image, &mut bytes)?;
+    cpu::image::ppm::write_ppm(image, &mut bytes)?;
     Ok(bytes)
 }
 

@@ -13,9 +13,9 @@ use std::ops::ControlFlow;
 use std::ptr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use cpu::accel::choice::Search;
+use cpu::accel::extent::Extent;
 use cpu::layout::Objects;
-use cpu::prepare::Extent;
-use cpu::search::Search;
 use cpu::{Aos, Camera, Config, Error, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Size, Soa};
 
 #[global_allocator]

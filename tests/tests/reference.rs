@@ -1,6 +1,6 @@
 //! The reference, which every other renderer is held against, gives the pictures of a program that shares nothing with it.
 
-use cpu::layout::AosImage;
+use cpu::layout::aos::AosImage;
 use cpu::{Config, Scene};
 use tests::{digest, golden, ppm};
 

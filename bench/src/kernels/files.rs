@@ -3,9 +3,10 @@
 use std::hint::black_box;
 use std::io;
 
-use cpu::layout::{AosImage, AosObjects, Objects};
-use cpu::prepare::Extent;
-use cpu::search::Search;
+use cpu::accel::choice::Search;
+use cpu::accel::extent::Extent;
+use cpu::layout::Objects;
+use cpu::layout::aos::{AosImage, AosObjects};
 use cpu::{Config, Image, Rgb, Scene, Size};
 use tests::generator::{self, Options};
 
@@ -49,5 +50,5 @@ fn write_ppm() -> Box<dyn Work> {
         let [red, green, blue] = [index, index / 3, index / 7].map(|value| value as u8);
         image.set_pixel(index, Rgb { red, green, blue });
     }
-    plain(size.pixels(), move || cpu::ppm::write_ppm(black_box(&image), io::sink()).expect("a sink takes all"))
+    plain(size.pixels(), move || cpu::image::ppm::write_ppm(black_box(&image), io::sink()).expect("a sink takes all"))
 }

@@ -1,6 +1,6 @@
 //! The stages of a span: 32 pixels of a row, 32 samples each.
 
-use cpu::stages::Stages;
+use cpu::render::stages::Stages;
 use cpu::{Aos, Config, InstructionSet, Prepared, Scatter, Scene};
 use tests::generator::{self, Arrangement, Options};
 

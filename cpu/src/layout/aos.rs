@@ -1,13 +1,13 @@
 //! Arrays of structures: a pixel's channels side by side, an object's values side by side.
 
-use super::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
-use crate::cylinder::CylinderRecord;
-use crate::error::Error;
+use crate::geometry::cylinder::CylinderRecord;
+use crate::geometry::sphere::SphereRecord;
 use crate::image::{Image, Rgb, zeroed};
-use crate::scene::Scene;
-use crate::size::Size;
-use crate::sphere::SphereRecord;
-use crate::vec3::Vec3;
+use crate::input::error::Error;
+use crate::input::scene::Scene;
+use crate::input::size::Size;
+use crate::layout::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
+use crate::math::vec3::Vec3;
 
 /// Arrays of structures.
 #[derive(Clone, Copy, Debug)]

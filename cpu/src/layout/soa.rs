@@ -1,13 +1,13 @@
 //! Structures of arrays: a channel of all pixels side by side, a value of all objects side by side.
 
-use super::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
-use crate::cylinder::CylinderRecord;
-use crate::error::Error;
+use crate::geometry::cylinder::CylinderRecord;
+use crate::geometry::sphere::SphereRecord;
 use crate::image::{Image, Rgb, zeroed};
-use crate::scene::{MaterialId, Scene};
-use crate::size::Size;
-use crate::sphere::SphereRecord;
-use crate::vec3::Vec3;
+use crate::input::error::Error;
+use crate::input::scene::{MaterialId, Scene};
+use crate::input::size::Size;
+use crate::layout::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
+use crate::math::vec3::Vec3;
 
 /// Structures of arrays.
 #[derive(Clone, Copy, Debug)]

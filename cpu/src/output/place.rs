@@ -5,9 +5,9 @@ use std::io::{self, ErrorKind};
 use std::os::unix::fs::FileTypeExt;
 use std::path::{Path, PathBuf};
 
-use super::folder::{is_same, may_write};
-use super::stdout;
-use super::temporary::Temporary;
+use crate::output::folder::{is_same, may_write};
+use crate::output::stdout;
+use crate::output::temporary::Temporary;
 
 /// A place that was found writable.
 #[derive(Debug)]

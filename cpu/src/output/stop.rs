@@ -11,7 +11,7 @@ use std::io;
 use std::ptr;
 use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
 
-use super::folder;
+use crate::output::folder;
 
 /// The files that are being written and have a temporary name.
 static FILES: [Slot; 16] = [const { Slot(AtomicPtr::new(ptr::null_mut())) }; 16];

@@ -9,8 +9,8 @@ use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
 use std::path::Path;
 
-use super::folder::Folder;
-use super::stop::Remembered;
+use crate::output::folder::Folder;
+use crate::output::stop::Remembered;
 
 /// Reading and writing for the owner, nothing for all others.
 const PRIVATE: u32 = 0o600;

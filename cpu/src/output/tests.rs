@@ -3,7 +3,7 @@
 use std::fs::Permissions;
 use std::os::unix::fs::{PermissionsExt, symlink};
 
-use super::*;
+use crate::output::*;
 
 mod failures;
 
@@ -126,7 +126,7 @@ fn a_dangling_chain_of_links_is_followed_to_its_end() {
 
 #[test]
 fn a_file_that_is_being_written_is_for_its_owner_alone() {
-    use super::temporary::Temporary;
+    use crate::output::temporary::Temporary;
 
     let folder = Folder::new("private");
     let path = folder.0.join("out.ppm");
@@ -160,7 +160,7 @@ fn a_file_that_is_being_written_is_for_its_owner_alone() {
 
 #[test]
 fn a_named_temporary_file_goes_when_it_is_dropped() {
-    use super::temporary::Temporary;
+    use crate::output::temporary::Temporary;
 
     let folder = Folder::new("named");
     let path = folder.0.join("out.ppm");

@@ -1,10 +1,10 @@
 //! Which intersections the reference renders with.
 
-use crate::certified;
-use crate::cylinder::{CylinderRecord, Part};
-use crate::ray::Ray;
-use crate::sphere::SphereRecord;
-use crate::vec3::Vec3;
+use crate::exact;
+use crate::geometry::cylinder::{CylinderRecord, Part};
+use crate::geometry::ray::Ray;
+use crate::geometry::sphere::SphereRecord;
+use crate::math::vec3::Vec3;
 
 /// How the reference intersects: the choice as a value. [`Intersect`] is the same choice as a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,10 +52,10 @@ impl Intersect for Certified {
     const PRECISION: Precision = Precision::Certified;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-        certified::sphere::intersect(record, ray)
+        exact::sphere::intersect(record, ray)
     }
 
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
-        certified::cylinder::intersect(record, axis, ray)
+        exact::cylinder::intersect(record, axis, ray)
     }
 }

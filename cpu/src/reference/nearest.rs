@@ -1,10 +1,11 @@
 //! Where a ray meets one object after the other, by the definition: the nearest hit so far counts.
 
-use super::Intersect;
-use crate::cylinder::{CylinderRecord, Part};
-use crate::scene::{Cylinder, Sphere};
-use crate::sphere::SphereRecord;
-use crate::{Ray, Vec3};
+use crate::geometry::cylinder::{CylinderRecord, Part};
+use crate::geometry::ray::Ray;
+use crate::geometry::sphere::SphereRecord;
+use crate::input::scene::{Cylinder, Sphere};
+use crate::math::vec3::Vec3;
+use crate::reference::intersect::Intersect;
 
 /// A ray's nearest hit so far.
 pub(super) struct Nearest {

@@ -1,7 +1,7 @@
 //! Arrays with a place for each sample of a span.
 
+use crate::math::vec3::Vec3;
 use crate::simd::Lanes;
-use crate::vec3::Vec3;
 
 /// Most samples of a batch.
 pub const CAPACITY: usize = 1024;

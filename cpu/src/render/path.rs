@@ -1,16 +1,20 @@
 //! One path, from the first surface that scatters to its end, and the stream that all paths share.
 
-use super::ends::Ended;
-use super::queue::Queue;
-use super::vectors::Triples;
+use crate::accel::bvh::stack::Stack;
+use crate::accel::closest_hit::Found;
+use crate::accel::find::Find;
+use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
+use crate::geometry::ray::Ray;
 use crate::layout::Layout;
-use crate::prepare::{Finish, Kind, Prepared};
-use crate::ray::Ray;
-use crate::search::{Find, Found, ObjectId, Stack};
+use crate::materials::prepared::{Finish, Kind};
+use crate::math::vec3::Vec3;
+use crate::render::path_ends::Ended;
+use crate::render::path_queue::Queue;
+use crate::render::prepared::Prepared;
+use crate::render::surface::{Onward, Surface, material_of};
+use crate::sampling::scatter_stream::Triples;
 use crate::simd::Simd;
-use crate::surface::{Onward, Surface, material_of};
-use crate::vec3::Vec3;
 
 /// Where a surface has sent a path.
 pub struct Sent<'a> {

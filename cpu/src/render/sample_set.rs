@@ -1,6 +1,6 @@
 //! A set of a batch's samples, a bit each, asked for by as many at once as there are lanes.
 
-use super::arrays::CAPACITY;
+use crate::render::arrays::CAPACITY;
 
 /// Bits of a word; every instruction set's lanes divide it.
 const WORD: usize = u64::BITS as usize;

@@ -1,17 +1,18 @@
 //! What a surface does to rays that have just met it, several at once.
 
-use super::hits::Hits;
-use super::lane_by_lane::MOST_LANES;
-use super::standing::Standing;
+use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
-use crate::cylinder::Part;
+use crate::geometry::cylinder::Part;
+use crate::geometry::ray::Ray;
 use crate::layout::{Layout, Objects};
-use crate::prepare::{Finish, Kind, Prepared};
-use crate::ray::Ray;
-use crate::scatter;
-use crate::search::ObjectId;
+use crate::materials::prepared::{Finish, Kind};
+use crate::materials::scatter;
+use crate::math::vec3::Vec3;
+use crate::render::hit_lanes::Hits;
+use crate::render::lane_by_lane::MOST_LANES;
+use crate::render::path_vertex::Standing;
+use crate::render::prepared::Prepared;
 use crate::simd::{LaneMask, Lanes};
-use crate::vec3::Vec3;
 
 /// Lanes on the surfaces that they have met; of no meaning in the others.
 pub struct Shaded<V> {

@@ -1,6 +1,6 @@
 //! Spans: runs of samples along a row.
 
-use super::arrays::CAPACITY;
+use crate::render::arrays::CAPACITY;
 
 /// Widest span, in pixels: narrow enough that few objects are candidates. Every instruction set's lanes divide it.
 pub const WIDEST: usize = 32;

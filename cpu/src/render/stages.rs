@@ -1,17 +1,17 @@
 //! The stages of one span, each to be run alone: for benchmarks. [`super`] says what they do, and in which order.
 
-use crate::layout::Aos;
-use crate::prepare::Prepared;
-use crate::simd::InstructionSet;
+use crate::layout::aos::Aos;
+use crate::render::prepared::Prepared;
+use crate::simd::instruction_set::InstructionSet;
 
-use super::batch::{Batch, Draw};
-use super::candidates::Candidates;
-use super::offsets::Offsets;
-use super::path::Walk;
-use super::sky::{Look, Sky};
-use super::span::{Span, Spans};
-use super::walk::Follow;
-use super::{ends, glass, primary};
+use crate::render::background_pixels::{Look, Sky};
+use crate::render::frustum::Candidates;
+use crate::render::path::Walk;
+use crate::render::samples::{Batch, Draw};
+use crate::render::span::{Span, Spans};
+use crate::render::trace_paths::Follow;
+use crate::render::{camera_rays, path_ends, specular_chains};
+use crate::sampling::pixel_jitter::Offsets;
 
 /// A span of a picture, and where its samples are on their way.
 #[derive(Debug)]
@@ -92,13 +92,13 @@ impl<'a> Stages<'a> {
     pub fn primary(&mut self) {
         let (prepared, row, candidates) = (self.prepared, self.row, &self.candidates);
         let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
-        self.set.run(primary::Trace { prepared, row, candidates, batch, queue });
+        self.set.run(camera_rays::Trace { prepared, row, candidates, batch, queue });
     }
 
     /// Follows the samples in glass.
     pub fn glass(&mut self) {
         let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
-        self.set.run(glass::Trace { prepared: self.prepared, batch, queue });
+        self.set.run(specular_chains::Trace { prepared: self.prepared, batch, queue });
     }
 
     /// Walks the waiting samples to their ends.
@@ -109,6 +109,6 @@ impl<'a> Stages<'a> {
     /// Gives the ended paths their colours.
     pub fn ends(&mut self) {
         let Walk { queue, ended, .. } = &mut *self.walk;
-        self.set.run(ends::Color { prepared: self.prepared, queue, ended, batch: &mut self.batch });
+        self.set.run(path_ends::Color { prepared: self.prepared, queue, ended, batch: &mut self.batch });
     }
 }

@@ -1,7 +1,7 @@
 //! 256-bit lanes with fused multiply-add for the filters.
 //!
 //! Each function is one or two instructions. They are sound because a lane value exists only inside a kernel, and a
-//! kernel is compiled for this instruction set only where [`InstructionSet::run`](super::InstructionSet::run) has found
+//! kernel is compiled for this instruction set only where [`InstructionSet::run`](crate::simd::instruction_set::InstructionSet::run) has found
 //! that the machine has it.
 
 mod filter_lanes;
@@ -9,11 +9,11 @@ mod permutations;
 
 use std::arch::x86_64::*;
 
-use self::permutations::{COMPRESSED, EXPANDED, Halves, SELECTED};
-use super::{Kernel, LaneMask, Lanes, Simd, operators};
-use crate::exact_sums::Fused;
-use crate::real::{MulAdd, Real};
-use crate::rounding::Rounding;
+use crate::math::error_free::Fused;
+use crate::math::real::{MulAdd, Real};
+use crate::math::rounding::Rounding;
+use crate::simd::avx2::permutations::{COMPRESSED, EXPANDED, Halves, SELECTED};
+use crate::simd::{Kernel, LaneMask, Lanes, Simd, operators};
 
 /// AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]

@@ -2,9 +2,10 @@
 
 use std::sync::LazyLock;
 
-use super::{Kernel, Portable, Simd};
+use crate::simd::portable::Portable;
+use crate::simd::{Kernel, Simd};
 #[cfg(target_arch = "x86_64")]
-use super::{avx2, avx512};
+use crate::simd::{avx2, avx512};
 
 /// The instruction sets that kernels are compiled for, the plainest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,10 +3,10 @@
 use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use super::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
-use crate::exact_sums::Fused;
-use crate::real::{MulAdd, Real};
-use crate::rounding::Rounding;
+use crate::math::error_free::Fused;
+use crate::math::real::{MulAdd, Real};
+use crate::math::rounding::Rounding;
+use crate::simd::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
 
 /// The portable implementation.
 #[derive(Clone, Copy, Debug)]

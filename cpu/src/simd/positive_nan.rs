@@ -4,8 +4,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use super::portable::{F32x4, Portable};
-use super::{FilterLanes, Kernel, Simd};
+use crate::simd::portable::{F32x4, Portable};
+use crate::simd::{FilterLanes, Kernel, Simd};
 
 /// The portable set with positive NaNs in the lanes for filters.
 #[derive(Clone, Copy, Debug)]

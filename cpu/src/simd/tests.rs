@@ -1,7 +1,8 @@
 //! Every operation of every instruction set, lane by lane against the plain one.
 
-use super::*;
-use crate::real::Real;
+use crate::math::real::Real;
+use crate::simd::instruction_set::InstructionSet;
+use crate::simd::*;
 
 /// Numbers on which instruction sets could differ.
 const AWKWARD: [f64; 12] = [

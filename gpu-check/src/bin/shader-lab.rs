@@ -105,7 +105,7 @@ fn template(path: &Path) -> ExitCode {
 
 fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     let data = || {
-        let (config, scene) = (cpu::Config::read(config)?, cpu::Scene::read(scene)?);
+        let (config, scene) = (cpu::input::config::Config::read(config)?, cpu::input::scene::Scene::read(scene)?);
         truth::check_size(&config)?;
         data::collect(&Gpu::open()?, &config, &scene)
     };

@@ -182,7 +182,7 @@ const MAX_BYTES: u64 = 1 << 22;
 /// The document as it is, or an empty one with all marks.
 fn document_text(path: &Path) -> Result<String, String> {
     if path.exists() {
-        return cpu::input::read_text(path, MAX_BYTES).map_err(|error| format!("{}: {error}", path.display()));
+        return cpu::input::reader::read_text(path, MAX_BYTES).map_err(|error| format!("{}: {error}", path.display()));
     }
     let mut text = "# Accuracy of the intersections\n".to_owned();
     for mark in ["command", "spheres", "cylinders", "costs", "large", "pictures"] {

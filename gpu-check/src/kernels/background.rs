@@ -1,8 +1,8 @@
 //! The colour of a ray that meets nothing.
 
-use cpu::background::Background;
-use cpu::real::Real;
-use cpu::rng::Uniform;
+use cpu::math::real::Real;
+use cpu::render::background::Background;
+use cpu::sampling::uniform::Uniform;
 
 use super::store;
 use crate::kernel::{Formula, Reader};

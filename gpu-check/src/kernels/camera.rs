@@ -1,8 +1,8 @@
 //! A pixel's ray.
 
-use cpu::camera::Camera;
-use cpu::real::Real;
-use cpu::rng::Uniform;
+use cpu::geometry::camera::Camera;
+use cpu::math::real::Real;
+use cpu::sampling::uniform::Uniform;
 use cpu::{Config, Vec3};
 
 use super::store;

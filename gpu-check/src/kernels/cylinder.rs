@@ -1,8 +1,8 @@
 //! Ray against closed cylinder: its side and both bases.
 
-use cpu::cylinder::CylinderRecord;
-use cpu::real::Real;
-use cpu::rng::Uniform;
+use cpu::geometry::cylinder::CylinderRecord;
+use cpu::math::real::Real;
+use cpu::sampling::uniform::Uniform;
 use cpu::{Hit, Ray, Vec3};
 
 use super::{HIT_REPORT, report};

@@ -1,9 +1,9 @@
 //! Ray against sphere and cylinder in the projected form, on the cases of the textbook's.
 
-use cpu::cylinder::CylinderRecord;
-use cpu::real::Real;
-use cpu::rng::Uniform;
-use cpu::sphere::SphereRecord;
+use cpu::geometry::cylinder::CylinderRecord;
+use cpu::geometry::sphere::SphereRecord;
+use cpu::math::real::Real;
+use cpu::sampling::uniform::Uniform;
 use cpu::{Hit, Ray};
 use stability::methods::projected;
 

@@ -1,8 +1,9 @@
 //! How surfaces send light on: matte, reflection, metal and refraction.
 
-use cpu::real::Real;
-use cpu::rng::Uniform;
-use cpu::{Vec3, scatter};
+use cpu::Vec3;
+use cpu::materials::scatter;
+use cpu::math::real::Real;
+use cpu::sampling::uniform::Uniform;
 
 use super::store;
 use crate::kernel::{Formula, Reader};

@@ -1,8 +1,8 @@
 //! Ray against sphere.
 
-use cpu::real::Real;
-use cpu::rng::Uniform;
-use cpu::sphere::SphereRecord;
+use cpu::geometry::sphere::SphereRecord;
+use cpu::math::real::Real;
+use cpu::sampling::uniform::Uniform;
 use cpu::{Hit, Ray, Vec3};
 
 use super::{HIT_REPORT, report};

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 
 use cpu::Size;
 use cpu::Vec3;
-use cpu::output::{self, Output};
-use cpu::quantize::quantize;
+use cpu::image::quantize::quantize;
+use cpu::output;
+use cpu::output::Output;
 
 use super::args::Options;
 use super::files::{UserModule, shown};
@@ -75,7 +76,7 @@ impl Place {
     /// As [`Place::write`], or too little memory.
     pub fn write_panels(self, panels: &[(&str, &[[u8; 3]])], width: usize) -> Result<(), Error> {
         let canvas = annotate::panels(panels, width);
-        let canvas = canvas.map_err(|_| cpu::Error::OutOfMemory { what: "the panels" })?;
+        let canvas = canvas.map_err(|_| cpu::input::error::Error::OutOfMemory { what: "the panels" })?;
         self.write_rows(canvas.width, &canvas.pixels)
     }
 

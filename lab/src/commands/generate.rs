@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use ::tests::generator::{self, Arrangement, Options};
 use clap::{Args, ValueEnum};
-use cpu::output::{self, Output};
+use cpu::output;
+use cpu::output::Output;
 
 use crate::{Failure, sources};
 
@@ -132,7 +133,7 @@ fn check_memory(objects: usize) -> Result<(), cpu::Error> {
     let room = objects.checked_mul(BYTES).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes));
     match room {
         Some(Ok(())) => Ok(()),
-        _ => Err(cpu::Error::OutOfMemory { what: "so many objects" }),
+        _ => Err(cpu::input::error::Error::OutOfMemory { what: "so many objects" }),
     }
 }
 

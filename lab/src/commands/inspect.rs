@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::prepare::Extent;
-use cpu::scene::Shape;
-use cpu::search::{Bounds, Hierarchy, Search};
+use cpu::accel::bounds::Bounds;
+use cpu::accel::bvh::Hierarchy;
+use cpu::accel::choice::Search;
+use cpu::accel::extent::Extent;
+use cpu::input::scene::Shape;
 use cpu::{Aos, Config, Material, Prepared, Scatter, Scene};
 use serde::Serialize;
 

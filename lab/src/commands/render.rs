@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use cpu::output::{self, Options, Output};
+use cpu::output;
+use cpu::output::{Options, Output};
 use cpu::{Aos, Config, Error, Layout, Prepared, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -115,7 +116,7 @@ impl Arguments {
             LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, (kind, options), &interrupt)?,
         };
         if self.count {
-            let counts = cpu::reference::render_counted::<cpu::reference::Certified>(
+            let counts = cpu::reference::render_counted::<cpu::reference::intersect::Certified>(
                 &config,
                 &scene,
                 self.scatter.into(),

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::output::{self, Options};
+use cpu::output;
+use cpu::output::Options;
 
 use crate::Failure;
 use crate::bench::results::Results;

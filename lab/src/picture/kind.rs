@@ -26,7 +26,7 @@ impl Kind {
             Some(ending) if ending == "ppm" => Ok(Self::Ppm),
             Some(ending) if ending == "png" => Ok(Self::Png),
             Some(ending) => {
-                let (path, ending) = (terminal::name(path), cpu::text::escape(ending.as_encoded_bytes()));
+                let (path, ending) = (terminal::name(path), cpu::input::text::escape(ending.as_encoded_bytes()));
                 Err(format!("{path}: a picture cannot be written as .{ending}; its name must end in .ppm or .png"))
             }
         }

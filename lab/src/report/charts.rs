@@ -153,7 +153,9 @@ fn energy(results: &Results) -> Vec<Chart> {
 /// How many times as fast as the literal renderer each engine is, at the most samples that both were measured with.
 fn speed_ups(results: &Results) -> Option<Chart> {
     // From the plainest instruction set on, the layouts side by side.
-    let engines = cpu::InstructionSet::ALL.iter().flat_map(|set| ["aos", "soa"].map(|l| format!("{l}-{}", set.name())));
+    let engines = cpu::simd::instruction_set::InstructionSet::ALL
+        .iter()
+        .flat_map(|set| ["aos", "soa"].map(|l| format!("{l}-{}", set.name())));
     let is_there = |engine: &String| results.timings.iter().any(|timing| timing.setting.engine == *engine);
     let rows: Vec<String> = engines.filter(is_there).collect();
     let mut series: Vec<Series> = Vec::new();

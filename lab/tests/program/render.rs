@@ -17,7 +17,7 @@ fn expected(scatter: Scatter) -> Vec<u8> {
     let config = Config::read(&root.join(CONFIG)).expect("it is committed");
     let config = Config { image_width: 64, samples_per_pixel: 2, ..config };
     let scene = Scene::read(&root.join(SCENE)).expect("it is committed");
-    tests::ppm(&cpu::reference::render::<cpu::layout::AosImage>(&config, &scene, scatter).expect("it is small"))
+    tests::ppm(&cpu::reference::render::<cpu::layout::aos::AosImage>(&config, &scene, scatter).expect("it is small"))
 }
 
 fn render(folder: &Folder, out: &str, options: &[&str]) -> Vec<u8> {

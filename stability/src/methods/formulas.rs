@@ -2,11 +2,11 @@
 
 use std::marker::PhantomData;
 
-use cpu::certified;
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::real::Real;
-use cpu::reference::{Intersect, Precision};
-use cpu::sphere::SphereRecord;
+use cpu::exact;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::math::real::Real;
+use cpu::reference::intersect::{Intersect, Precision};
 use cpu::{Ray, Vec3};
 
 use super::projected;
@@ -52,11 +52,11 @@ impl Intersect for Resolved {
     const PRECISION: Precision = Precision::Certified;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-        certified::sphere::resolve(record, ray)
+        exact::sphere::resolve(record, ray)
     }
 
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
-        certified::cylinder::resolve(record, axis, ray)
+        exact::cylinder::resolve(record, axis, ray)
     }
 }
 

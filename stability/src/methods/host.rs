@@ -4,10 +4,10 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 use std::time::Instant;
 
-use cpu::cylinder::{CylinderRecord, Part};
-use cpu::real::Real;
-use cpu::scene::{Cylinder, Shape, Sphere};
-use cpu::sphere::SphereRecord;
+use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::sphere::SphereRecord;
+use cpu::input::scene::{Cylinder, Shape, Sphere};
+use cpu::math::real::Real;
 use cpu::{Hit, Ray, Vec3};
 
 use super::formulas::Formulas;

@@ -4,7 +4,7 @@
 //! lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
 
 use cpu::Vec3;
-use cpu::scene::Cylinder;
+use cpu::input::scene::Cylinder;
 
 use super::Regime;
 use crate::case::Case;

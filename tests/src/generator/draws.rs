@@ -1,7 +1,7 @@
 //! Random numbers in the shapes that the generator needs.
 
 use cpu::Vec3;
-use cpu::rng::Uniform;
+use cpu::sampling::uniform::Uniform;
 
 /// A stream of random choices.
 pub(super) struct Draws(Uniform);

@@ -6,11 +6,11 @@
 
 use std::cell::Cell;
 
-use cpu::config::Config;
-use cpu::layout::AosImage;
-use cpu::reference::Certified;
-use cpu::rng::Uniform;
-use cpu::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::input::config::Config;
+use cpu::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::layout::aos::AosImage;
+use cpu::reference::intersect::Certified;
+use cpu::sampling::uniform::Uniform;
 use cpu::{Aos, Image, InstructionSet, Layout, Material, Prepared, Scatter, Scene, Soa, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;

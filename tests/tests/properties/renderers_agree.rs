@@ -3,8 +3,8 @@
 
 use std::cell::Cell;
 
-use cpu::layout::AosImage;
-use cpu::reference::Certified;
+use cpu::layout::aos::AosImage;
+use cpu::reference::intersect::Certified;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;

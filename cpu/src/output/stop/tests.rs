@@ -1,6 +1,6 @@
 //! Processes that signals meet while they write a file.
 
-use super::*;
+use crate::output::stop::*;
 use std::fs::File;
 use std::os::fd::AsRawFd;
 use std::os::unix::ffi::OsStrExt;

@@ -1,6 +1,6 @@
 //! Writes that fail, and callers that do not look.
 
-use super::*;
+use crate::output::tests::*;
 
 /// A device whose every write fails, as on a full disk.
 #[cfg(target_os = "linux")]

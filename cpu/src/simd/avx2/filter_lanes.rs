@@ -2,8 +2,8 @@
 
 use std::arch::x86_64::*;
 
-use super::F32;
 use crate::simd::FilterLanes;
+use crate::simd::avx2::F32;
 
 impl FilterLanes for F32 {
     const LANES: usize = 8;

@@ -17,7 +17,7 @@ impl Results {
     /// It cannot be read, or is something else.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
-        let text = cpu::input::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
+        let text = cpu::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
         let results: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
         Ok(results)

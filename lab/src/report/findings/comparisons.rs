@@ -66,7 +66,7 @@ pub fn literal(results: &Results) -> Option<String> {
 }
 
 pub fn instruction_sets(results: &Results) -> Option<String> {
-    let sets: Vec<_> = cpu::InstructionSet::ALL.iter().map(|set| set.name()).collect();
+    let sets: Vec<_> = cpu::simd::instruction_set::InstructionSet::ALL.iter().map(|set| set.name()).collect();
     let steps: Vec<_> = sets
         .windows(2)
         .filter_map(|pair| {

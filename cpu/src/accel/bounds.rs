@@ -1,0 +1,174 @@
+//! Boxes around objects, with room for rounding.
+
+use crate::accel::extent::Extent;
+use crate::layout::Objects;
+use crate::math::vec3::Vec3;
+
+/// An axis-aligned box, in scene units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Its lowest corner.
+    pub low: [f32; 3],
+    /// Its highest corner.
+    pub high: [f32; 3],
+}
+
+impl Bounds {
+    /// Around nothing: every other box's union with it is that box.
+    pub const EMPTY: Self = Self { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
+
+    /// The box around both.
+    #[must_use]
+    pub fn union(mut self, other: &Self) -> Self {
+        for axis in 0..3 {
+            self.low[axis] = self.low[axis].min(other.low[axis]);
+            self.high[axis] = self.high[axis].max(other.high[axis]);
+        }
+        self
+    }
+
+    /// Half the surface, the measure of how many random lines meet a convex body; 0 for nothing.
+    #[must_use]
+    pub fn half_area(&self) -> f32 {
+        let [x, y, z] = std::array::from_fn(|axis| (self.high[axis] - self.low[axis]).max(0.0));
+        x * y + y * z + z * x
+    }
+
+    /// The axis along which it is longest.
+    #[must_use]
+    pub fn longest_axis(&self) -> usize {
+        let length = |axis: usize| self.high[axis] - self.low[axis];
+        (0..3).max_by(|&left, &right| length(left).total_cmp(&length(right))).unwrap_or(0)
+    }
+
+    /// The box with more room on every side.
+    #[must_use]
+    pub fn enlarged(mut self, by: f32) -> Self {
+        for axis in 0..3 {
+            self.low[axis] = (self.low[axis] - by).next_down();
+            self.high[axis] = (self.high[axis] + by).next_up();
+        }
+        self
+    }
+
+    /// Whether the boxes have a point in common.
+    #[must_use]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+    }
+
+    /// How far the box is from a point; 0 from one inside.
+    #[must_use]
+    pub fn distance(&self, point: Vec3) -> f64 {
+        let point = point.to_array();
+        let outside = |axis: usize| {
+            let (low, high) = (f64::from(self.low[axis]), f64::from(self.high[axis]));
+            (low - point[axis]).max(point[axis] - high).max(0.0)
+        };
+        Vec3::from([0, 1, 2].map(outside)).length()
+    }
+
+    /// Twice the middle of the box along an axis.
+    #[must_use]
+    pub fn twice_middle(&self, axis: usize) -> f32 {
+        self.low[axis] + self.high[axis]
+    }
+
+    /// The box of the object at `id`, a sphere or a cylinder (see [`crate::accel::object::ObjectId`]).
+    ///
+    /// It holds every point that the exact formulas may report: the surface itself, and what their rounding adds. A
+    /// discriminant is off by at most some units in the last place of the squared distance between ray origin and
+    /// centre, which acts like a larger radius.
+    #[must_use]
+    pub fn of_object<O: Objects>(objects: &O, id: usize, extent: &Extent) -> Self {
+        let distance_squared = 12.0 * extent.reach * extent.reach;
+        let slack = |radius: f64| (radius * radius + 64.0 * f64::EPSILON * distance_squared).sqrt() - radius;
+        match id.checked_sub(objects.sphere_count()) {
+            None => {
+                let sphere = objects.sphere(id).record;
+                Self::around(sphere.center, Vec3::splat(sphere.radius + slack(sphere.radius)))
+            }
+            Some(index) => {
+                let cylinder = objects.cylinder(index).record;
+                let reach = cylinder.axis.map(|along| {
+                    cylinder.half_height * along.abs() + cylinder.radius * (1.0 - along * along).max(0.0).sqrt()
+                });
+                Self::around(cylinder.center, reach.map(|reach| reach + slack(cylinder.radius)))
+            }
+        }
+    }
+
+    fn around(center: Vec3, reach: Vec3) -> Self {
+        // A relative millionth pays for the rounding of reach, center and their sum to single precision.
+        let reach = [reach.x, reach.y, reach.z].map(|reach| reach * (1.0 + 1e-6));
+        let center = center.to_array();
+        Self {
+            low: std::array::from_fn(|axis| ((center[axis] - reach[axis]) as f32).next_down()),
+            high: std::array::from_fn(|axis| ((center[axis] + reach[axis]) as f32).next_up()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::scene::Scene;
+    use crate::layout::aos::AosObjects;
+
+    fn bounds(line: &str) -> Bounds {
+        let scene = Scene::parse(format!("matte: m 1 1 1\n{line} m\n").as_bytes()).expect("the scene is valid");
+        let objects = AosObjects::build(&scene).expect("one object fits");
+        Bounds::of_object(&objects, 0, &Extent { reach: 10.0, moderate: true })
+    }
+
+    fn assert_tight(actual: Bounds, low: [f32; 3], high: [f32; 3]) {
+        for axis in 0..3 {
+            assert!(actual.low[axis] < low[axis] && actual.low[axis] > low[axis] - 1e-5, "{actual:?}");
+            assert!(actual.high[axis] > high[axis] && actual.high[axis] < high[axis] + 1e-5, "{actual:?}");
+        }
+    }
+
+    #[test]
+    fn boxes_hold_their_objects_tightly() {
+        assert_tight(bounds("sphere: 1 2 3 .5"), [0.5, 1.5, 2.5], [1.5, 2.5, 3.5]);
+        assert_tight(bounds("cylinder: 1 2 3 .5 0 4 0"), [0.5, 0.0, 2.5], [1.5, 4.0, 3.5]);
+        let diagonal = bounds("cylinder: 0 0 0 1 2 2 0");
+        let reach = 1.0 + 0.5_f32.sqrt();
+        assert_tight(diagonal, [-reach, -reach, -1.0], [reach, reach, 1.0]);
+    }
+
+    #[test]
+    fn the_union_holds_both() {
+        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        let right = Bounds { low: [2.0, -1.0, 0.0], high: [3.0, 0.5, 2.0] };
+        let both = Bounds { low: [0.0, -1.0, 0.0], high: [3.0, 1.0, 2.0] };
+        assert_eq!(left.union(&right), both);
+        assert_eq!(Bounds::EMPTY.union(&left), left);
+        assert_eq!((both.half_area(), Bounds::EMPTY.half_area()), (16.0, 0.0));
+        assert_eq!(right.twice_middle(0), 5.0);
+        let long = |axis: usize| Bounds { low: [0.0; 3], high: [0, 1, 2].map(|at| if at == axis { 3.0 } else { 1.0 }) };
+        assert_eq!([0, 1, 2].map(|axis| long(axis).longest_axis()), [0, 1, 2]);
+    }
+
+    #[test]
+    fn boxes_overlap_where_they_share_a_point() {
+        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        for axis in 0..3 {
+            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
+                let mut right = left;
+                (right.low[axis], right.high[axis]) = (from, from + 1.0);
+                assert_eq!((left.overlaps(&right), right.overlaps(&left)), (overlaps, overlaps), "{axis}: {from}");
+                assert!(left.overlaps(&right.enlarged(0.2)));
+            }
+        }
+    }
+
+    #[test]
+    fn a_box_is_as_far_from_a_point_as_its_nearest_corner_edge_or_face() {
+        let unit = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        assert_eq!(unit.distance(Vec3::new(0.5, 0.2, 1.0)), 0.0);
+        assert_eq!(unit.distance(Vec3::new(0.5, 0.5, -2.0)), 2.0);
+        assert_eq!(unit.distance(Vec3::new(4.0, -4.0, 0.5)), 5.0);
+        assert_eq!(unit.distance(Vec3::new(3.0, 3.0, 2.0)), 3.0);
+    }
+}

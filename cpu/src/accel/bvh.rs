@@ -1,0 +1,247 @@
+//! A tree of boxes, 16 children a node, for scenes of many objects.
+
+mod build;
+pub(crate) mod collapsed_root;
+pub(crate) mod node;
+pub mod slab_ray;
+pub mod stack;
+
+use crate::accel::bounds::Bounds;
+use crate::accel::bvh::build::build;
+use crate::accel::bvh::collapsed_root::Top;
+use crate::accel::bvh::node::{Child, Node, WIDTH};
+use crate::accel::bvh::slab_ray::{BoxRay, Steps, is_in_scale};
+use crate::accel::bvh::stack::{Stack, wait};
+use crate::accel::closest_hit::Found;
+use crate::accel::conservative::Touch;
+use crate::accel::dominant_sphere::Ground;
+use crate::accel::every_object::plain;
+use crate::accel::extent::Extent;
+use crate::accel::find::{Find, Origin};
+use crate::accel::isolated::{Alone, roomy_bounds};
+use crate::accel::object::{NOWHERE, ObjectId};
+use crate::counters::{Counter, add};
+use crate::geometry::ray::Ray;
+use crate::input::error::Error;
+use crate::layout::Objects;
+use crate::simd::{FilterLanes, Simd};
+
+/// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
+const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
+
+/// Most nodes visited for such an answer, so that no scene makes it long.
+const MOST_VISITS: usize = 64;
+
+/// The tree over all objects of a scene.
+#[derive(Debug)]
+pub struct Hierarchy {
+    nodes: Vec<Node>,
+    /// The two highest levels in one row.
+    top: Top,
+    /// How far its planes are moved.
+    steps: Steps,
+    /// It is not in the tree.
+    ground: Ground,
+    alone: Alone,
+    /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
+    reach: f64,
+}
+
+impl Hierarchy {
+    /// The tree over `objects`.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+        let count = objects.sphere_count() + objects.cylinder_count();
+        if count >= Child::OBJECT as usize {
+            return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
+        }
+        let ground = Ground::of(objects);
+        let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
+        let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
+        let top = Top::new(&mut nodes)?;
+        let all = nodes.first().into_iter().flat_map(Node::children).fold(Bounds::EMPTY, |all, (it, _)| all.union(&it));
+        let steps = Steps::new(&all);
+        let mut tree = Self { nodes, top, steps, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
+        if count <= MOST_ASKED_WHETHER_ALONE {
+            let alone =
+                Alone::new(count, |id| ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent)))?;
+            tree.alone = alone;
+        }
+        Ok(tree)
+    }
+
+    /// Whether an object of the tree other than `id` has a box that overlaps this one; true when it takes long to say.
+    fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
+        let mut pending = [0; MOST_VISITS];
+        let mut waiting = usize::from(!self.nodes.is_empty());
+        for _ in 0..MOST_VISITS {
+            if waiting == 0 {
+                return false;
+            }
+            waiting -= 1;
+            let node = &self.nodes[pending[waiting] as usize];
+            let mut bits = node.overlaps(bounds);
+            while bits != 0 {
+                let child = node.child(bits.trailing_zeros() as usize);
+                bits &= bits - 1;
+                match child.as_object() {
+                    Some(other) if other == id => {}
+                    Some(_) => return true,
+                    None if waiting == MOST_VISITS => return true,
+                    None => {
+                        pending[waiting] = child.as_node();
+                        waiting += 1;
+                    }
+                }
+            }
+        }
+        true
+    }
+
+    /// See [`Search::forget_who_is_alone`](crate::accel::choice::Search::forget_who_is_alone).
+    pub fn forget_who_is_alone(&mut self) {
+        self.alone = Alone::none();
+    }
+
+    /// The nearest object that a ray from the surface of `from` meets.
+    #[inline(always)]
+    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
+        let mut found = Found::NOTHING;
+        let touch = Touch::new(*ray);
+        // A ray starts at the camera or on a surface, so within the scene's reach.
+        if !is_in_scale(touch.length_squared) {
+            return plain(objects, ray);
+        }
+        self.ground.ask_closely::<S, O>(&mut found, objects, &touch);
+        if self.nodes.is_empty() {
+            return found;
+        }
+        if from != NOWHERE && !self.ground.is(from) {
+            let mut again = Found::NOTHING;
+            again.ask_if_touched(objects, from, &touch, self.reach);
+            if again.is_hit() {
+                found.offer(again.lambda, again.object, again.order, again.part);
+                if self.alone.is(from) {
+                    return found;
+                }
+            }
+        }
+        let query = Query { objects, ray, from, box_ray: BoxRay::<S::F32>::new(ray, &self.steps) };
+        if S::F32::LANES < WIDTH {
+            self.ask_below::<S, O>(&self.nodes[0], &query, &mut found, stack);
+            return found;
+        }
+        let mut met = self.top.met(&query.box_ray, farthest(&found));
+        let backwards = self.top.is_passed_backwards(ray.direction);
+        while met != 0 {
+            let place = self.top.take(&mut met, backwards);
+            self.ask_below::<S, O>(&self.nodes[place], &query, &mut found, stack);
+        }
+        found
+    }
+
+    /// Takes the objects below a node into account, but for the one that the ray leaves.
+    #[inline(always)]
+    fn ask_below<'tree, S: Simd, O: Objects>(
+        &'tree self,
+        mut node: &'tree Node,
+        query: &Query<O, S::F32>,
+        found: &mut Found,
+        Stack(stack): &mut Stack,
+    ) {
+        let &Query { objects, ray, from, ref box_ray } = query;
+        let mut waiting = 0;
+        loop {
+            let farthest = farthest(found);
+            add(Counter::NodeVisits, 1);
+            let mut distances = [0.0; WIDTH];
+            let mut bits = 0;
+            for at in (0..WIDTH).step_by(S::F32::LANES) {
+                let (near, met) = box_ray.meets(node, at, S::F32::splat(farthest));
+                near.store(&mut distances[at..]);
+                bits |= (met & !node.lanes_of::<S::F32>(from, at)) << at;
+            }
+            let mut asked = bits & node.objects;
+            let mut entered = bits & !node.objects;
+            while asked != 0 {
+                let lane = asked.trailing_zeros() as usize % WIDTH;
+                asked &= asked - 1;
+                found.ask(objects, node.child(lane).as_id(), ray);
+            }
+            if entered == 0 && waiting == 0 {
+                return;
+            }
+            if entered.is_power_of_two() {
+                // The only one goes past the stack.
+                let only = node.child(entered.trailing_zeros() as usize % WIDTH);
+                node = &self.nodes[only.as_node() as usize];
+                continue;
+            }
+            let first = waiting;
+            while entered != 0 {
+                let lane = entered.trailing_zeros() as usize % WIDTH;
+                entered &= entered - 1;
+                // Kept in order, the nearest last, so that it is taken first.
+                let entry = (node.child(lane).as_node(), distances[lane]);
+                wait(stack, &mut waiting, first, entry);
+            }
+            loop {
+                if waiting == 0 {
+                    return;
+                }
+                waiting -= 1;
+                let (next, distance) = stack[waiting % stack.len()];
+                if distance <= self::farthest(found) {
+                    node = &self.nodes[next as usize];
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
+    /// out.
+    pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
+        let mut pending = Vec::with_capacity(stack::MOST);
+        if !self.nodes.is_empty() {
+            pending.push(0);
+        }
+        if let Some(id) = self.ground.id() {
+            visit(id);
+        }
+        while let Some(index) = pending.pop() {
+            for (bounds, child) in self.nodes[index as usize].children() {
+                if reaches(&bounds) {
+                    match child.as_object() {
+                        Some(id) => visit(id),
+                        None => pending.push(child.as_node()),
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What a traversal looks for.
+struct Query<'a, O, F> {
+    objects: &'a O,
+    ray: &'a Ray,
+    /// The object that the ray leaves.
+    from: ObjectId,
+    box_ray: BoxRay<F>,
+}
+
+/// The nearest hit so far, rounded up; infinite at first.
+#[inline(always)]
+fn farthest(found: &Found) -> f32 {
+    found.lambda as f32 * (1.0 + f32::EPSILON)
+}
+
+impl Find for Hierarchy {
+    #[inline(always)]
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, stack: &mut Stack) -> Found {
+        self.nearest::<S, O>(objects, ray, origin.object, stack)
+    }
+}

@@ -1,0 +1,180 @@
+//! Building the hierarchy: from the top down, by the surface area heuristic over bins (Wald, "On fast construction of
+//! SAH-based bounding volume hierarchies", 2007), binary splits gathered into nodes of up to 16 children.
+
+use crate::accel::bounds::Bounds;
+use crate::accel::bvh::collapsed_root;
+use crate::accel::bvh::node::{Child, Node, WIDTH};
+use crate::accel::object::ObjectId;
+use crate::input::error::Error;
+
+/// Bins along the axis of a split.
+const BINS: usize = 16;
+
+/// From this depth on, ranges are split in the middle: bounds the depth, and so the traversal's stack.
+const MOST_SAH_DEPTH: u32 = 16;
+
+/// An object to be placed.
+#[derive(Clone, Copy)]
+struct Item {
+    bounds: Bounds,
+    id: ObjectId,
+}
+
+/// A part of the items that becomes one child.
+#[derive(Clone, Copy)]
+struct Range {
+    from: usize,
+    to: usize,
+    bounds: Bounds,
+}
+
+impl Range {
+    fn new(items: &[Item], from: usize, to: usize) -> Self {
+        let bounds = items[from..to].iter().fold(Bounds::EMPTY, |all, item| all.union(&item.bounds));
+        Self { from, to, bounds }
+    }
+
+    const fn count(&self) -> usize {
+        self.to - self.from
+    }
+}
+
+/// The nodes over objects with these bounds, at most `most` of them, the root first; none for no objects.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> Result<Vec<Node>, Error> {
+    let out_of_memory = |_| Error::OutOfMemory { what: "the hierarchy over the objects" };
+    let mut items = Vec::new();
+    items.try_reserve_exact(most).map_err(out_of_memory)?;
+    items.extend(objects.map(|(bounds, id)| Item { bounds, id }));
+    let mut nodes = Vec::new();
+    if items.is_empty() {
+        return Ok(nodes);
+    }
+    // If a level cannot be full, it is one of the first two, which lanes may test in one row.
+    let top = collapsed_root::planned(items.len());
+    // Nodes to be filled: their index, their items, their depth.
+    let mut pending = Vec::new();
+    pending.try_reserve(1).map_err(out_of_memory)?;
+    nodes.try_reserve(1).map_err(out_of_memory)?;
+    pending.push((0, Range::new(&items, 0, items.len()), 0));
+    nodes.push(Node::EMPTY);
+    while let Some((node, range, depth)) = pending.pop() {
+        let most = match top {
+            Some(top) if depth == 1 => {
+                // Their parts of the plan add up to it.
+                let part = |end: usize| top * end / items.len();
+                (part(range.to) - part(range.from)).clamp(2, WIDTH)
+            }
+            _ => WIDTH,
+        };
+        let mut children = [range; WIDTH];
+        let count = if range.count() <= WIDTH {
+            for (child, at) in children.iter_mut().zip(range.from..range.to) {
+                *child = Range::new(&items, at, at + 1);
+            }
+            range.count()
+        } else {
+            split_into_children(&mut items, &mut children[..most], depth)
+        };
+        for (lane, child) in children[..count].iter().enumerate() {
+            let target = if child.count() == 1 {
+                Child::object(items[child.from].id)
+            } else {
+                nodes.try_reserve(1).map_err(out_of_memory)?;
+                pending.try_reserve(1).map_err(out_of_memory)?;
+                pending.push((nodes.len(), *child, depth + 1));
+                nodes.push(Node::EMPTY);
+                Child::node((nodes.len() - 1) as u32)
+            };
+            nodes[node].set(lane, &child.bounds, target);
+        }
+    }
+    Ok(nodes)
+}
+
+/// Splits the range in `children[0]`, always the child that costs most, until all slots are full or every child fits a
+/// node of objects; gives the number of children.
+fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
+    let mut count = 1;
+    while count < children.len() {
+        let cost = |range: &Range| range.bounds.half_area() * range.count() as f32;
+        let splittable = children[..count].iter().enumerate().filter(|(_, range)| range.count() > WIDTH);
+        let Some((worst, _)) = splittable.max_by(|left, right| cost(left.1).total_cmp(&cost(right.1))) else {
+            break;
+        };
+        let (left, right) = split(items, &children[worst], depth);
+        children[worst] = left;
+        children[count] = right;
+        count += 1;
+    }
+    count
+}
+
+/// Splits a range in two, neither empty.
+fn split(items: &mut [Item], range: &Range, depth: u32) -> (Range, Range) {
+    let part = &mut items[range.from..range.to];
+    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+    for item in part.iter() {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(item.bounds.twice_middle(axis));
+            high[axis] = high[axis].max(item.bounds.twice_middle(axis));
+        }
+    }
+    let axis = (0..3).max_by(|&left, &right| (high[left] - low[left]).total_cmp(&(high[right] - low[right])));
+    let axis = axis.unwrap_or(0);
+    let scale = BINS as f32 / (high[axis] - low[axis]);
+    let bin_of = |item: &Item| {
+        // A float-to-integer cast saturates, and turns "not a number" into 0.
+        (((item.bounds.twice_middle(axis) - low[axis]) * scale) as usize).min(BINS - 1)
+    };
+    let mut middle = 0;
+    if depth < MOST_SAH_DEPTH
+        && scale.is_finite()
+        && let Some(last_left) = cheapest_cut(part, bin_of)
+    {
+        for at in 0..part.len() {
+            if bin_of(&part[at]) <= last_left {
+                part.swap(at, middle);
+                middle += 1;
+            }
+        }
+    }
+    if middle == 0 || middle == part.len() {
+        middle = part.len() / 2;
+        let key = |item: &Item| item.bounds.twice_middle(axis);
+        part.select_nth_unstable_by(middle, |left, right| key(left).total_cmp(&key(right)));
+    }
+    let middle = range.from + middle;
+    (Range::new(items, range.from, middle), Range::new(items, middle, range.to))
+}
+
+/// The last bin of the cheaper side's left part; `None` when all items share a bin.
+fn cheapest_cut(part: &[Item], bin_of: impl Fn(&Item) -> usize) -> Option<usize> {
+    let mut bins = [(Bounds::EMPTY, 0_usize); BINS];
+    for item in part {
+        let (bounds, count) = &mut bins[bin_of(item)];
+        *bounds = bounds.union(&item.bounds);
+        *count += 1;
+    }
+    let mut right = [(Bounds::EMPTY, 0_usize); BINS + 1];
+    for bin in (0..BINS).rev() {
+        right[bin] = (right[bin + 1].0.union(&bins[bin].0), right[bin + 1].1 + bins[bin].1);
+    }
+    let mut left = (Bounds::EMPTY, 0);
+    let mut best = None;
+    let mut best_cost = f32::INFINITY;
+    for bin in 0..BINS - 1 {
+        left = (left.0.union(&bins[bin].0), left.1 + bins[bin].1);
+        let (right_bounds, right_count) = &right[bin + 1];
+        let cost = left.0.half_area() * left.1 as f32 + right_bounds.half_area() * *right_count as f32;
+        if left.1 > 0 && *right_count > 0 && cost < best_cost {
+            (best, best_cost) = (Some(bin), cost);
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,118 @@
+//! A node of the tree: the boxes of 16 children, and what each leads to.
+
+use crate::accel::bounds::Bounds;
+use crate::accel::object::ObjectId;
+use crate::simd::FilterLanes;
+
+/// Children of a node; every instruction set's lanes divide it.
+pub const WIDTH: usize = 16;
+
+/// What a lane of a node leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Child(u32);
+
+impl Child {
+    /// Set where it leads to an object.
+    pub const OBJECT: u32 = 1 << 31;
+
+    /// The object at `id`.
+    pub const fn object(id: ObjectId) -> Self {
+        Self(id | Self::OBJECT)
+    }
+
+    /// The node at `index`.
+    pub const fn node(index: u32) -> Self {
+        Self(index)
+    }
+
+    /// The object, if it leads to one.
+    pub const fn as_object(self) -> Option<ObjectId> {
+        if self.0 & Self::OBJECT == 0 { None } else { Some(self.0 & !Self::OBJECT) }
+    }
+
+    /// The object that it leads to.
+    pub const fn as_id(self) -> ObjectId {
+        self.0 & !Self::OBJECT
+    }
+
+    /// The node, if it leads to one.
+    pub const fn as_node(self) -> u32 {
+        self.0
+    }
+}
+
+/// The boxes of up to 16 children, and what they lead to.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct Node {
+    /// Their lowest corners and their highest, by axis.
+    pub corners: [[[f32; WIDTH]; 3]; 2],
+    /// What they lead to, as numbers.
+    children: [u32; WIDTH],
+    /// Lanes that lead to objects, as bits.
+    pub objects: u32,
+}
+
+impl Node {
+    /// No children: boxes that no ray meets.
+    pub const EMPTY: Self = Self {
+        corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
+        children: [0; WIDTH],
+        objects: 0,
+    };
+
+    /// Makes a child of a lane.
+    pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
+        for axis in 0..3 {
+            self.corners[0][axis][lane] = bounds.low[axis];
+            self.corners[1][axis][lane] = bounds.high[axis];
+        }
+        self.children[lane] = child.0;
+        self.objects |= u32::from(child.as_object().is_some()) << lane;
+    }
+
+    /// Says where the nodes stand now that lanes lead to, by where they stood. Lanes without a child count as leading to the
+    /// root.
+    pub fn relink(&mut self, now: impl Fn(u32) -> u32) {
+        for child in self.children.iter_mut().filter(|child| Child(**child).as_object().is_none()) {
+            *child = now(*child);
+        }
+    }
+
+    /// What a lane leads to.
+    #[inline(always)]
+    pub const fn child(&self, lane: usize) -> Child {
+        Child(self.children[lane])
+    }
+
+    /// The lanes from `at` on, as many as `F` has, that lead to the object at `id`, as bits.
+    #[inline(always)]
+    pub fn lanes_of<F: FilterLanes>(&self, id: ObjectId, at: usize) -> u32 {
+        F::places_of(Child::object(id).0, &self.children[at..])
+    }
+
+    /// The children whose boxes overlap this one, as bits.
+    pub fn overlaps(&self, bounds: &Bounds) -> u32 {
+        let ([low, high], mut bits) = (&self.corners, 0);
+        for lane in 0..WIDTH {
+            let mut overlaps = true;
+            for axis in 0..3 {
+                overlaps &= (low[axis][lane] <= bounds.high[axis]) & (bounds.low[axis] <= high[axis][lane]);
+            }
+            bits |= u32::from(overlaps) << lane;
+        }
+        bits
+    }
+
+    /// The children with their boxes.
+    pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
+        let [low, high] = &self.corners;
+        (0..WIDTH).filter(|&lane| low[0][lane] <= high[0][lane]).map(|lane| {
+            let bounds = Bounds {
+                low: std::array::from_fn(|axis| low[axis][lane]),
+                high: std::array::from_fn(|axis| high[axis][lane]),
+            };
+            (bounds, self.child(lane))
+        })
+    }
+}

@@ -1,0 +1,38 @@
+//! What the kinds of search have in common: walks are written once over it, and compiled for each kind apart.
+
+use crate::accel::bvh::stack::Stack;
+use crate::accel::closest_hit::Found;
+use crate::accel::object::ObjectId;
+use crate::geometry::ray::Ray;
+use crate::layout::Objects;
+use crate::materials::prepared::Finish;
+use crate::math::vec3::Vec3;
+use crate::simd::Simd;
+
+/// Where a ray starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin {
+    /// The object on whose surface.
+    pub object: ObjectId,
+    /// Whether it is expected to go into that object. What is found does not depend on it, but how soon.
+    pub goes_in: bool,
+}
+
+/// A kind of search.
+pub trait Find {
+    /// The nearest object that a ray meets. Who asks counts the ray.
+    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, stack: &mut Stack) -> Found;
+
+    /// Where a ray from the surface of `object` starts.
+    #[inline(always)]
+    fn origin<O: Objects>(&self, _: &O, _: &Ray, object: ObjectId) -> Origin {
+        Origin { object, goes_in: false }
+    }
+
+    /// Where the ray starts that a surface with this finish makes, with a random vector, of one that has found it; told before
+    /// that ray is known.
+    #[inline(always)]
+    fn next_origin<O: Objects>(&self, _: &O, _: &Ray, found: &Found, _: &Finish, _: Vec3) -> Origin {
+        Origin { object: found.object, goes_in: false }
+    }
+}

@@ -1,0 +1,257 @@
+//! What each search finds, held against asking every object.
+
+use crate::accel::bvh::stack::Stack;
+use crate::accel::choice::Search;
+use crate::accel::closest_hit::Found;
+use crate::accel::dominant_sphere::Ground;
+use crate::accel::every_object::plain;
+use crate::accel::extent::Extent;
+use crate::accel::object::{NOWHERE, ObjectId, in_order};
+use crate::geometry::ray::Ray;
+use crate::input::scene::Scene;
+use crate::layout::Objects;
+use crate::layout::aos::AosObjects;
+use crate::math::vec3::Vec3;
+use crate::sampling::uniform::Uniform;
+use crate::simd::instruction_set::InstructionSet;
+use crate::simd::positive_nan::PositiveNan;
+use crate::simd::{Kernel, Simd};
+
+/// `count` objects of both kinds in a cube, and one much larger below them.
+fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
+    let mut draws = Uniform::new(seed);
+    let mut text = String::from("matte: m 1 1 1\nsphere: 0 -120 0 110 m\n");
+    for index in 0..count {
+        let [x, y, z] = [(); 3].map(|()| draws.draw(-10.0, 10.0));
+        let radius = size * draws.draw(0.1, 1.0);
+        if index % 2 == 0 {
+            text += &format!("sphere: {x} {y} {z} {radius} m\n");
+        } else {
+            let [ax, ay, az] = [(); 3].map(|()| draws.draw(-4.0, 4.0) * radius);
+            text += &format!("cylinder: {x} {y} {z} {radius} {ax} {ay} {az} m\n");
+        }
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+    AosObjects::build(&scene).expect("it fits")
+}
+
+/// Asks a search with one ray.
+struct Ask<'a> {
+    search: &'a Search,
+    objects: &'a AosObjects,
+    ray: Ray,
+    from: ObjectId,
+    stack: &'a mut Stack,
+}
+
+impl Kernel for Ask<'_> {
+    type Output = Found;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Found {
+        let Self { search, objects, ray, from, stack } = self;
+        search.nearest::<S, _>(objects, &ray, from, stack)
+    }
+}
+
+/// Compares a search with the plain one, on rays from anywhere and on from where these hit, many of them grazing.
+fn agrees_with_plain(search: &Search, objects: &AosObjects, rays: usize) {
+    let mut draws = Uniform::new(99);
+    let mut stack = Stack::EMPTY;
+    let (mut hits, mut misses) = (0, 0);
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        for number in 0..rays {
+            let mut ray = Ray {
+                origin: [(); 3].map(|()| draws.draw(-15.0, 15.0)).into(),
+                direction: [(); 3].map(|()| draws.draw(-1.0, 1.0)).into(),
+            };
+            if number % 3 == 0 {
+                // Towards the rim of a sphere, from a part in a thousand inside to as much outside, and closer.
+                let target = objects.sphere(number % objects.sphere_count()).record;
+                let to_center = target.center - ray.origin;
+                let aside = ray.direction.perpendicular_to(to_center.unit()).unit() * target.radius;
+                let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
+                ray.direction = to_center + aside * share;
+            }
+            let mut from = NOWHERE;
+            for _ in 0..3 {
+                let found = plain(objects, &ray);
+                let ask = Ask { search, objects, ray, from, stack: &mut stack };
+                assert_eq!(set.run(ask), found, "{}, {ray:?}", set.name());
+                if !found.is_hit() {
+                    misses += 1;
+                    break;
+                }
+                hits += 1;
+                from = found.object;
+                let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+                ray = Ray { origin: ray.at(found.lambda), direction };
+            }
+        }
+    }
+    assert!(hits > rays / 4 && misses > rays / 4, "{hits} hits, {misses} misses");
+}
+
+fn search(objects: &AosObjects) -> Search {
+    Search::new(objects, &Extent { reach: 240.0, moderate: true }).expect("it fits")
+}
+
+#[test]
+fn a_handful_of_objects_is_searched_at_once() {
+    let objects = objects(7, 3.0, 1);
+    let search = search(&objects);
+    assert!(matches!(search, Search::Few(_)));
+    agrees_with_plain(&search, &objects, 2000);
+}
+
+#[test]
+fn some_tens_of_objects_are_filtered() {
+    let objects = objects(90, 2.0, 2);
+    let search = search(&objects);
+    assert!(matches!(search, Search::Flat(_)));
+    agrees_with_plain(&search, &objects, 1000);
+}
+
+#[test]
+fn many_objects_are_searched_in_a_tree() {
+    let objects = objects(1000, 1.0, 3);
+    let search = search(&objects);
+    assert!(matches!(search, Search::Tree(_)));
+    agrees_with_plain(&search, &objects, 300);
+}
+
+/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first `sunk` of
+/// them; so far from each other that all are alone.
+fn above_a_ground(count: usize, above: f64, sunk: usize) -> AosObjects {
+    let mut draws = Uniform::new(8);
+    let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
+    for index in 0..count {
+        let (x, z) = ((index % 10) as f64 - 4.5, (index / 10) as f64 - 4.5);
+        let radius = draws.draw(0.1, 0.45);
+        let y = if index < sunk { -0.4 } else { radius + above };
+        if index % 2 == 0 {
+            text += &format!("sphere: {x} {y} {z} {radius} m\n");
+        } else {
+            // Leaning, and inside the sphere that it replaces.
+            let (half_height, lean) = (radius / 2.0, radius / 4.0);
+            text += &format!("cylinder: {x} {y} {z} {half_height} {lean} {radius} 0 m\n");
+        }
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+    AosObjects::build(&scene).expect("it fits")
+}
+
+#[test]
+fn rays_inside_an_object_or_the_ground_meet_what_reaches_into_it() {
+    let extent = Extent { reach: 120.0, moderate: true };
+    for (above, sunk, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
+        let objects = above_a_ground(30, above, sunk);
+        assert_eq!(Ground::of(&objects).sunk(&objects, &extent).map(|sunk| sunk.len()), known);
+        agrees_with_plain(&search(&objects), &objects, 600);
+    }
+    for count in [30, 100] {
+        let objects = above_a_ground(count, 1e-3, 9);
+        let mut search = search(&objects);
+        agrees_with_plain(&search, &objects, 300);
+        search.forget_who_is_alone();
+        agrees_with_plain(&search, &objects, 300);
+    }
+}
+
+#[test]
+fn a_scene_of_extreme_magnitudes_is_searched_plainly() {
+    let extent = Extent { reach: 1e12, moderate: false };
+    let plain = Search::new(&objects(7, 3.0, 1), &extent).expect("it fits");
+    assert!(matches!(plain, Search::Plain));
+}
+
+#[test]
+fn the_order_of_the_file_is_kept() {
+    let objects = objects(4, 1.0, 4);
+    // The ground, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
+    assert_eq!(in_order(&objects).expect("five are few"), [0, 1, 3, 2, 4]);
+}
+
+/// Compares a search with asking every object, for directions of any length, from `10^-300` to `10^300`, null, infinite and
+/// not a number, of rays that start on the objects or between them; `far` is how far that is.
+fn agrees_for_directions_of_any_length(search: &Search, objects: &AosObjects, far: f64) {
+    let mut draws = Uniform::new(17);
+    let mut stack = Stack::EMPTY;
+    let (mut hits, mut misses) = (0, 0);
+    for number in 0..3000 {
+        let from = number % objects.sphere_count();
+        let sphere = objects.sphere(from).record;
+        let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+        let (on_surface, anywhere, mut direction) = (vector().unit() * sphere.radius, vector() * far, vector());
+        let is_on_surface = number % 2 == 0;
+        let start = if is_on_surface { sphere.center + on_surface } else { anywhere };
+        // Mostly towards another sphere, and so that the ray arrives at a lambda that counts or nearly does.
+        let target = objects.sphere(number * 7 % objects.sphere_count()).record;
+        if number % 3 != 0 {
+            direction = target.center + direction * target.radius - start;
+        }
+        let exponent = if number % 5 == 0 { draws.draw(-300.0, 300.0) } else { draws.draw(-5.0, 4.0) };
+        direction = match number % 100 {
+            50 => Vec3::ZERO,
+            51 => Vec3::new(f64::INFINITY, 1.0, 0.0),
+            52 => Vec3::new(f64::NAN, 1.0, 0.0),
+            53 => Vec3::new(0.0, -0.0, f64::MAX),
+            54 => Vec3::new(5e-324, -5e-324, 0.0),
+            _ => direction * 10.0_f64.powf(exponent),
+        };
+        let ray = Ray { origin: start, direction };
+        let expected = plain(objects, &ray);
+        *(if expected.is_hit() { &mut hits } else { &mut misses }) += 1;
+        for from in [NOWHERE, if is_on_surface { from as ObjectId } else { NOWHERE }] {
+            for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+                let found = set.run(Ask { search, objects, ray, from, stack: &mut stack });
+                assert_eq!(found, expected, "{}, {ray:?}", set.name());
+            }
+            let found = search.nearest::<PositiveNan, _>(objects, &ray, from, &mut stack);
+            assert_eq!(found, expected, "with positive NaNs, {ray:?}");
+        }
+    }
+    assert!(hits > 600 && misses > 300, "{hits} hits, {misses} misses");
+}
+
+#[test]
+fn directions_of_any_length_find_what_asking_every_object_finds() {
+    for (count, size) in [(2, 3.0), (7, 3.0), (40, 2.0), (90, 2.0), (300, 1.0)] {
+        let objects = objects(count, size, 5);
+        agrees_for_directions_of_any_length(&search(&objects), &objects, 10.0);
+    }
+}
+
+/// A ring of spheres and cylinders, `scale` times as large as one of radius 5 around the origin, and a cylinder in its middle.
+fn ring(count: usize, scale: f64) -> AosObjects {
+    let mut text = format!("matte: m 1 1 1\ncylinder: 0 0 0 {} 0 {scale} 0 m\n", 0.01 * scale);
+    for index in 0..count {
+        let angle = index as f64 / count as f64 * std::f64::consts::TAU;
+        let (x, z) = (5.0 * scale * angle.cos(), 5.0 * scale * angle.sin());
+        let radius = scale * 3.0 / count as f64;
+        if index % 3 == 0 {
+            text += &format!("cylinder: {x} 0 {z} {radius} 0 {radius} {radius} m\n");
+        } else {
+            text += &format!("sphere: {x} 0 {z} {radius} m\n");
+        }
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
+    AosObjects::build(&scene).expect("it fits")
+}
+
+#[test]
+fn scenes_of_every_size_find_what_asking_every_object_finds() {
+    for count in [3, 9, 60, 100] {
+        for scale in [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8] {
+            let objects = ring(count, scale);
+            let search = Search::new(&objects, &Extent { reach: 6.0 * scale, moderate: true }).expect("it fits");
+            let is_filter = matches!(search, Search::Flat(_));
+            assert_eq!(
+                is_filter,
+                (9..100).contains(&count) && 6.0 * scale <= crate::accel::filter_ray::LARGEST_REACH,
+                "{count}, {scale}"
+            );
+            agrees_for_directions_of_any_length(&search, &objects, 5.0 * scale);
+        }
+    }
+}

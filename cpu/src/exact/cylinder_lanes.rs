@@ -1,0 +1,104 @@
+//! Several rays or cylinders at once, without a branch; see [`crate::exact::cylinder`] for one.
+
+use crate::exact::cylinder_surfaces::{Crossing, Plane, Side};
+use crate::geometry::cylinder::{CylinderRecord, CylinderView};
+use crate::geometry::ray::Ray;
+use crate::math::real::Real;
+use crate::math::rounding::Rounding;
+use crate::math::vec3::Vec3;
+
+/// The answers of several rays or cylinders at once.
+#[derive(Clone, Copy, Debug)]
+pub struct Lanes<T: Real> {
+    /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
+    pub lambda: T,
+    /// Lanes that meet the upper base, if they meet anything.
+    pub top: T::Mask,
+    /// Lanes that meet the lower base, if they meet anything.
+    pub bottom: T::Mask,
+    /// Lanes whose answer is right. The others are for [`resolve`](crate::exact::cylinder::resolve).
+    pub certain: T::Mask,
+}
+
+/// What the side alone decides.
+pub struct SideLanes<T: Real> {
+    entry: Crossing<T>,
+    exit: Crossing<T>,
+    /// Lanes that certainly meet no part of the cylinder.
+    nothing: T::Mask,
+    /// Lanes that certainly meet the side where they leave it.
+    through: T::Mask,
+    /// Lanes whose answer needs the bases.
+    pub open: T::Mask,
+}
+
+/// [`judge`](crate::exact::cylinder::judge) without a branch, for several lanes at once: the same bits in every lane. That
+/// directions are [in scale](crate::exact::error_bound::in_scale) the caller sees to, once a ray.
+#[inline(always)]
+#[must_use]
+pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+    SideLanes::new(record, &record.seen_from(ray.origin), ray).with_bases(record, ray)
+}
+
+impl<T: Rounding> SideLanes<T> {
+    /// Judges the side.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>) -> Self {
+        let side = Side::new(record, view, ray.direction);
+        let root = side.discriminant.sqrt();
+        let entry = side.crossing(record, ray, -side.h - root, root);
+        let exit = side.crossing(record, ray, -side.h + root, root);
+        let nothing = side.certificate.misses(side.discriminant) | (entry.fails() & entry.passes_by(&exit));
+        let through = entry.behind & exit.straight & !nothing;
+        Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
+    }
+
+    /// The answer where no lane is [open](Self::open).
+    #[inline(always)]
+    #[must_use]
+    pub fn without_bases(&self) -> Lanes<T> {
+        let none = T::of(1.0).less(T::of(0.0));
+        let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
+        Lanes {
+            lambda: T::select(self.nothing, T::of(f64::INFINITY), lambda),
+            top: none,
+            bottom: none,
+            certain: self.nothing | self.entry.hits | self.through,
+        }
+    }
+
+    /// The answer with the bases.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+        let Self { entry, exit, nothing, through, open } = *self;
+        let down = ray.direction.dot(record.axis).less(T::of(0.0));
+        let facing = Plane::new(record, ray, center(record, down)).disc(record, ray);
+        let other = Plane::new(record, ray, center(record, !down)).disc(record, ray);
+        let by_facing = open & facing.hits;
+        let by_exit = through | (open & !facing.hits & exit.hits);
+        let by_other = open & !facing.hits & !exit.hits & other.hits;
+        let mut lambda = T::select(by_other, other.lambda, T::of(f64::INFINITY));
+        lambda = T::select(by_exit, exit.lambda, lambda);
+        lambda = T::select(by_facing, facing.lambda, lambda);
+        lambda = T::select(entry.hits & !nothing, entry.lambda, lambda);
+        let past_facing = facing.fails & (exit.hits | other.hits | other.fails);
+        Lanes {
+            lambda,
+            top: (by_facing & down) | (by_other & !down),
+            bottom: (by_facing & !down) | (by_other & down),
+            certain: !open | (entry.fails() & (exit.hits | exit.fails()) & (facing.hits | past_facing)),
+        }
+    }
+}
+
+/// The centre of the upper base in the lanes of `is_top`, of the lower base in the others.
+#[inline(always)]
+fn center<T: Real>(record: &CylinderRecord<T>, is_top: T::Mask) -> Vec3<T> {
+    Vec3::new(
+        T::select(is_top, record.top.x, record.bottom.x),
+        T::select(is_top, record.top.y, record.bottom.y),
+        T::select(is_top, record.top.z, record.bottom.z),
+    )
+}

@@ -1,0 +1,210 @@
+//! Numbers of about 106 bits: the unevaluated sum of two f64, the second at most half a unit in the last place of
+//! the first.
+//!
+//! The algorithms and their bounds are those of Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic
+//! building blocks of double-word arithmetic", ACM TOMS 44 (2017); the square root's is from Lefevre, Louvet, Muller,
+//! Picot and Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49 (2023).
+//! With u = 2^-53 the relative errors are at most: sum 3u^2 (also under cancellation), product 4u^2, quotient 15u^2,
+//! square root 25/8 u^2, so 16u^2 = 2^-102 serves as one unit roundoff for all, short of overflow and underflow.
+//!
+//! `f64::mul_add` rounds once by contract. Code that is compiled for a machine without the instruction calls a function
+//! instead, just as exact; so the precise paths are [compiled](crate::simd::Kernel) for each instruction set.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::math::error_free;
+use crate::math::real::Real;
+use crate::math::rounding::Rounding;
+
+/// The number `high + low`. Comparisons need `low` to be at most half a unit in the last place of `high`, which all
+/// operations here see to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DoubleDouble {
+    /// The f64 nearest to the number.
+    pub high: f64,
+    /// What is missing.
+    pub low: f64,
+}
+
+/// `a + b`, exactly.
+#[inline(always)]
+#[must_use]
+pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
+    let (high, low) = error_free::two_sum(a, b);
+    DoubleDouble { high, low }
+}
+
+/// As [`two_sum`], for `|a| >= |b|` or `a = 0` (Dekker).
+#[inline(always)]
+fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
+    let high = a + b;
+    DoubleDouble { high, low: b - (high - a) }
+}
+
+/// `a b`, exactly.
+#[inline(always)]
+#[must_use]
+pub fn two_product(a: f64, b: f64) -> DoubleDouble {
+    let (high, low) = error_free::two_product(a, b);
+    DoubleDouble { high, low }
+}
+
+impl DoubleDouble {
+    /// The same number, for parts that overlap or whose larger is not the rounded whole.
+    #[inline(always)]
+    #[must_use]
+    pub fn renormalized(self) -> Self {
+        two_sum(self.high, self.low)
+    }
+}
+
+impl From<f64> for DoubleDouble {
+    #[inline(always)]
+    fn from(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let (high, low) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
+        let sum = fast_two_sum(high.high, high.low + low.high);
+        fast_two_sum(sum.high, sum.low + low.low)
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let product = two_product(self.high, other.high);
+        let low = self.high.mul_add(other.low, self.low * other.low);
+        let low = self.low.mul_add(other.high, low);
+        fast_two_sum(product.high, product.low + low)
+    }
+}
+
+impl Div for DoubleDouble {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, divisor: Self) -> Self {
+        let high = self.high / divisor.high;
+        let product = two_product(divisor.high, high);
+        let product = fast_two_sum(product.high, divisor.low.mul_add(high, product.low));
+        let remainder = (self.high - product.high) + (self.low - product.low);
+        fast_two_sum(high, remainder / divisor.high)
+    }
+}
+
+impl Real for DoubleDouble {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn of(value: f64) -> Self {
+        value.into()
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        if self.high == 0.0 {
+            return self;
+        }
+        let high = self.high.sqrt();
+        let remainder = (-high).mul_add(high, self.high) + self.low;
+        fast_two_sum(high, remainder / (high + high))
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        if self.high < 0.0 { -self } else { self }
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self.high < other.high || (self.high == other.high && self.low < other.low)
+    }
+
+    #[inline(always)]
+    fn less_equal(self, other: Self) -> bool {
+        self.high < other.high || (self.high == other.high && self.low <= other.low)
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+}
+
+impl Rounding for DoubleDouble {
+    const UNIT_ROUNDOFF: f64 = 16.0 * <f64 as Rounding>::UNIT_ROUNDOFF * <f64 as Rounding>::UNIT_ROUNDOFF;
+    // So that an accepted lambda is right to half a unit in the last place of f64.
+    const LENIENCE: f64 = (1 << 24) as f64;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(high: f64, low: f64) -> DoubleDouble {
+        two_sum(high, low)
+    }
+
+    #[test]
+    fn sums_and_products_of_f64_are_exact() {
+        assert_eq!(two_sum(1e16, 1.0), DoubleDouble { high: 1e16, low: 1.0 });
+        assert_eq!(two_sum(1.0, 1e16), DoubleDouble { high: 1e16, low: 1.0 });
+        let x = 1.0 + f64::EPSILON;
+        assert_eq!(
+            two_product(x, x),
+            DoubleDouble { high: 1.0 + 2.0 * f64::EPSILON, low: f64::EPSILON * f64::EPSILON }
+        );
+    }
+
+    #[test]
+    fn what_is_below_the_last_place_survives_cancellation() {
+        let tiny = 2.0_f64.powi(-90);
+        assert_eq!(number(1.0, tiny) - 1.0.into(), tiny.into());
+        assert_eq!(number(1e16, 1.0) * 3.0.into() - 3e16.into(), 3.0.into());
+    }
+
+    #[test]
+    fn quotients_and_roots_undo_products() {
+        for value in [number(2.0, 1e-17), number(3e100, 1e83), number(7e-120, 0.0)] {
+            let (product, square) = (value * 5.0.into(), value * value);
+            for (actual, expected) in [(product / 5.0.into(), value), (square.sqrt(), value)] {
+                let error = (actual - expected).abs().high / expected.high;
+                assert!(error <= 20.0 * 2.0_f64.powi(-106), "{value:?}: {error:e}");
+            }
+        }
+        assert_eq!(DoubleDouble::of(0.0).sqrt(), DoubleDouble::of(0.0));
+        assert!(DoubleDouble::of(-1.0).sqrt().high.is_nan());
+    }
+
+    #[test]
+    fn comparisons_see_the_low_part() {
+        let (one, more) = (DoubleDouble::of(1.0), number(1.0, 1e-30));
+        assert!(one.less(more) && !more.less(one) && !one.less(one));
+        assert!(one.less_equal(one) && one.less_equal(more) && !more.less_equal(one));
+        assert!((-more).less(-one) && (-more).abs() == more);
+        let nan = DoubleDouble::of(f64::NAN);
+        assert!(!nan.less(one) && !nan.less_equal(nan));
+    }
+}

@@ -1,0 +1,253 @@
+//! Exact arithmetic on the numbers that f64 can hold, and on what sums and products make of them.
+//!
+//! A number is an integer of any size times a power of two. Nothing is rounded, nothing overflows; each operation
+//! allocates, so this is for the few rays that nothing else can decide.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::limbs;
+use crate::math::real::Real;
+
+/// The number `(-1)^negative magnitude 2^exponent`.
+#[derive(Clone, Debug)]
+pub struct Dyadic {
+    negative: bool,
+    /// Little endian, the last limb not zero; empty for zero.
+    magnitude: Vec<u64>,
+    exponent: i64,
+}
+
+impl Dyadic {
+    /// Exactly `value`; none when it is infinite or not a number.
+    #[must_use]
+    pub fn new(value: f64) -> Option<Self> {
+        const FRACTION: u64 = (1 << 52) - 1;
+        if !value.is_finite() {
+            return None;
+        }
+        let bits = value.to_bits();
+        let biased = (bits >> 52 & 0x7ff) as i64;
+        let implicit = if biased == 0 { 0 } else { 1 << 52 };
+        let integer = bits & FRACTION | implicit;
+        let magnitude = if integer == 0 { Vec::new() } else { vec![integer] };
+        Some(Self { negative: value < 0.0, magnitude, exponent: biased.max(1) - 1075 })
+    }
+
+    /// One.
+    #[must_use]
+    pub fn one() -> Self {
+        Self { negative: false, magnitude: vec![1], exponent: 0 }
+    }
+
+    /// How the number compares with zero.
+    #[must_use]
+    pub fn sign(&self) -> Ordering {
+        match (self.magnitude.is_empty(), self.negative) {
+            (true, _) => Ordering::Equal,
+            (false, true) => Ordering::Less,
+            (false, false) => Ordering::Greater,
+        }
+    }
+
+    /// The number's square.
+    #[must_use]
+    pub fn squared(&self) -> Self {
+        self * self
+    }
+
+    /// The number times `2^power`.
+    #[must_use]
+    pub fn scaled(&self, power: i64) -> Self {
+        Self { exponent: self.exponent + power, ..self.clone() }
+    }
+
+    /// The least `e` with `|self| < 2^e`; `None` for zero, which is below every power of two. The stored exponent of a zero
+    /// has no meaning: it is left over from the numbers that cancelled.
+    #[must_use]
+    pub fn order(&self) -> Option<i64> {
+        (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
+    }
+
+    /// The number as `part 2^power`, so that magnitudes beyond the exponents of f64 survive. The part is truncated to 106
+    /// bits, with `0.5 <= |part| < 1`; zero gives `(0, 0)`.
+    #[must_use]
+    pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
+        let power = self.order().unwrap_or(0);
+        (self.scaled(-power).to_double_double(), power)
+    }
+
+    /// The number to 106 bits, the rest cut off.
+    #[must_use]
+    pub fn to_double_double(&self) -> DoubleDouble {
+        let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
+        let (high, low) = (self.digits(0), self.digits(53));
+        let part = |digits: u64, skipped: i64| power_of_two(digits as f64, order - 53 - skipped);
+        let (high, low) = (part(high, 0), part(low, 53));
+        if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }.renormalized()
+    }
+
+    fn bits(&self) -> i64 {
+        self.magnitude.last().map_or(0, |last| 64 * self.magnitude.len() as i64 - i64::from(last.leading_zeros()))
+    }
+
+    /// 53 bits of the magnitude, after the first `skipped`.
+    fn digits(&self, skipped: i64) -> u64 {
+        let lowest = self.bits() - skipped - 53;
+        (0..53).filter(|&index| self.bit(lowest + index)).fold(0, |digits, index| digits | 1 << index)
+    }
+
+    fn bit(&self, index: i64) -> bool {
+        let Ok(index) = usize::try_from(index) else { return false };
+        self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)
+    }
+
+    /// The magnitude as a multiple of `2^exponent`, which is at most the number's own.
+    fn aligned(&self, exponent: i64) -> Vec<u64> {
+        limbs::shifted(&self.magnitude, self.exponent.abs_diff(exponent))
+    }
+}
+
+/// `value 2^power`, zero or infinite when f64 has no such number.
+pub fn power_of_two(mut value: f64, power: i64) -> f64 {
+    let mut left = power.clamp(-4000, 4000);
+    while left != 0 {
+        let step = left.clamp(-1022, 1023);
+        value *= f64::from_bits(((1023 + step) as u64) << 52);
+        left -= step;
+    }
+    value
+}
+
+/// The sign of `x + y sqrt(d)`, for `d >= 0`.
+#[must_use]
+pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
+    let y_sign = if d.sign() == Ordering::Equal { Ordering::Equal } else { y.sign() };
+    match (x.sign(), y_sign) {
+        (sign, Ordering::Equal) | (Ordering::Equal, sign) => sign,
+        (x_sign, y_sign) if x_sign == y_sign => x_sign,
+        // The larger of the two squares decides.
+        (Ordering::Greater, _) => (&x.squared() - &(&y.squared() * d)).sign(),
+        (_, _) => (&(&y.squared() * d) - &x.squared()).sign(),
+    }
+}
+
+impl Add for &Dyadic {
+    type Output = Dyadic;
+    fn add(self, other: Self) -> Dyadic {
+        if self.magnitude.is_empty() {
+            return other.clone();
+        }
+        if other.magnitude.is_empty() {
+            return self.clone();
+        }
+        let exponent = self.exponent.min(other.exponent);
+        let (a, b) = (self.aligned(exponent), other.aligned(exponent));
+        let (negative, magnitude) = match (self.negative == other.negative, limbs::compare(&a, &b)) {
+            (true, _) => (self.negative, limbs::sum(&a, &b)),
+            (false, Ordering::Less) => (other.negative, limbs::difference(&b, &a)),
+            (false, _) => (self.negative, limbs::difference(&a, &b)),
+        };
+        Dyadic { negative, magnitude, exponent }
+    }
+}
+
+impl Neg for &Dyadic {
+    type Output = Dyadic;
+    fn neg(self) -> Dyadic {
+        Dyadic { negative: !self.negative, ..self.clone() }
+    }
+}
+
+impl Sub for &Dyadic {
+    type Output = Dyadic;
+    fn sub(self, other: Self) -> Dyadic {
+        self + &-other
+    }
+}
+
+impl Mul for &Dyadic {
+    type Output = Dyadic;
+    fn mul(self, other: Self) -> Dyadic {
+        Dyadic {
+            negative: self.negative != other.negative,
+            magnitude: limbs::product(&self.magnitude, &other.magnitude),
+            exponent: self.exponent + other.exponent,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::uniform::Uniform;
+
+    fn exact(value: f64) -> Dyadic {
+        Dyadic::new(value).expect("the value is finite")
+    }
+
+    fn high(number: &Dyadic) -> f64 {
+        number.to_double_double().high
+    }
+
+    #[test]
+    fn every_finite_number_is_held_and_no_other() {
+        for value in [0.0, 1.0, -1.5, 0.1, f64::MAX, f64::MIN_POSITIVE, 5e-324, -3e-310] {
+            let sign = value.partial_cmp(&0.0);
+            assert_eq!((high(&exact(value)), Some(exact(value).sign())), (value, sign));
+        }
+        assert!(Dyadic::new(f64::NAN).is_none() && Dyadic::new(f64::INFINITY).is_none());
+    }
+
+    #[test]
+    fn sums_and_products_of_whole_numbers_are_theirs() {
+        // Whole numbers below 2^62, whose products need two limbs and whose sums carry.
+        let mut draws = Uniform::new(1);
+        for _ in 0..2_000 {
+            let [a, b] = [(); 2].map(|()| draws.draw(-4.6e18, 4.6e18).round());
+            let [x, y] = [a, b].map(|value| value as i128);
+            for (actual, expected) in
+                [(&exact(a) + &exact(b), x + y), (&exact(a) - &exact(b), x - y), (&exact(a) * &exact(b), x * y)]
+            {
+                // In digits of 50 bits, which f64 holds exactly.
+                let digit = |place: u32| exact(((expected >> (50 * place)) & ((1 << 50) - 1)) as f64);
+                let top = exact((expected >> 100) as f64);
+                let whole = &(&top.scaled(50) + &digit(1)).scaled(50) + &digit(0);
+                assert_eq!((&actual - &whole).sign(), Ordering::Equal, "{a:e} {b:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_lost_beside_something_large() {
+        let (large, tiny) = (exact(1e300), exact(5e-324));
+        let sum = &large + &tiny;
+        assert_eq!((&sum - &large).sign(), Ordering::Greater);
+        assert_eq!(high(&(&sum - &large)), 5e-324);
+        // (large + tiny)(large - tiny) - large^2 = -tiny^2
+        let difference = &(&sum * &(&large - &tiny)) - &large.squared();
+        assert_eq!((&difference + &tiny.squared()).sign(), Ordering::Equal);
+    }
+
+    #[test]
+    fn roots_are_compared_without_being_taken() {
+        let [one, two, three] = [1.0, 2.0, 3.0].map(exact);
+        assert_eq!(sign_with_root(&-&three, &two, &two), Ordering::Less, "-3 + 2 sqrt(2)");
+        assert_eq!(sign_with_root(&three, &-&two, &two), Ordering::Greater, "3 - 2 sqrt(2)");
+        assert_eq!(sign_with_root(&-&two, &one, &exact(4.0)), Ordering::Equal, "-2 + sqrt(4)");
+        assert_eq!(sign_with_root(&exact(-2.0_f64.next_down()), &one, &exact(4.0)), Ordering::Greater);
+        assert_eq!(sign_with_root(&exact(0.0), &-&one, &two), Ordering::Less);
+        assert_eq!(sign_with_root(&exact(0.0), &one, &exact(0.0)), Ordering::Equal);
+    }
+
+    #[test]
+    fn rounding_keeps_106_bits() {
+        let third = &(&exact(1.0) + &exact(2.0_f64.powi(-100))) * &exact(3.0);
+        let DoubleDouble { high, low } = third.to_double_double();
+        assert_eq!((high, low), (3.0, 3.0 * 2.0_f64.powi(-100)));
+        assert_eq!(power_of_two(1.5, 3000), f64::INFINITY);
+        assert_eq!(power_of_two(1.5, -3000), 0.0);
+        assert_eq!(power_of_two(1.5, -1), 0.75);
+    }
+}

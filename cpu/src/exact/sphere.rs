@@ -1,0 +1,117 @@
+//! Ray against sphere, certified; one step after the other: the plain formula where its
+//! [bound](crate::exact::sphere_filter) allows, the [compensated](sphere_compensated) one, double-double, exact arithmetic.
+
+use crate::counters::{Counter, add};
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::error_bound::Verdict;
+use crate::exact::sphere_compensated;
+use crate::exact::sphere_exact;
+pub use crate::exact::sphere_filter::{Lanes, judge, judge_lanes, judge_seen};
+use crate::geometry::ray::Ray;
+use crate::geometry::sphere::SphereRecord;
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+use crate::simd::instruction_set::InstructionSet;
+use crate::simd::{Kernel, Simd};
+
+/// Where the ray meets the sphere: the contract of [`SphereRecord::intersect`], and right.
+///
+/// ```
+/// use cpu::{Ray, Vec3, exact, geometry::sphere::SphereRecord};
+///
+/// // A grain of sand, 10 km away, touched at its rim; the textbook's discriminant is rounding noise there.
+/// let sand = SphereRecord::new(Vec3::new(1e-4, 0.0, 1e4), 1e-4);
+/// let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(0.0, 0.0, 1.0) };
+/// assert_eq!(exact::sphere::intersect(&sand, &ray), Some(1e4));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+    match judge(record, ray) {
+        Verdict::Certain(answer) => answer,
+        Verdict::Doubtful => reconsider(record, ray),
+    }
+}
+
+/// [`judge`], and where that is in doubt [`sphere_compensated::judge`], without the call that [`reconsider`] is: for a large
+/// sphere, near which most rays are in doubt.
+#[inline(always)]
+#[must_use]
+pub fn judge_large(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
+    let verdict = judge(record, ray);
+    if verdict != Verdict::Doubtful {
+        return verdict;
+    }
+    let lanes = sphere_compensated::judge(record, ray);
+    if !lanes.certain {
+        return Verdict::Doubtful;
+    }
+    add(Counter::Compensated, 1);
+    Verdict::Certain(Some(lanes.lambda))
+}
+
+/// The answer of a ray that is in doubt.
+#[cold]
+#[inline(never)]
+#[must_use]
+pub fn reconsider(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+    let lanes = InstructionSet::fused().run(Compensated { record, ray });
+    if lanes.certain {
+        add(Counter::Compensated, 1);
+        return Some(lanes.lambda);
+    }
+    resolve(record, ray)
+}
+
+/// The answer in double-double or exact arithmetic, at the price of some hundred operations.
+#[cold]
+#[inline(never)]
+#[must_use]
+pub fn resolve(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+    add(Counter::Fallbacks, 1);
+    match InstructionSet::fused().run(Precisely { record, ray }) {
+        Verdict::Certain(answer) => answer.map(|lambda| lambda.high),
+        Verdict::Doubtful => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
+    }
+}
+
+/// [`sphere_compensated::judge`].
+struct Compensated<'a> {
+    record: &'a SphereRecord,
+    ray: &'a Ray,
+}
+
+impl Kernel for Compensated<'_> {
+    type Output = Lanes<f64>;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Lanes<f64> {
+        sphere_compensated::judge(self.record, self.ray)
+    }
+}
+
+/// [`judge`] in double-double arithmetic.
+struct Precisely<'a> {
+    record: &'a SphereRecord,
+    ray: &'a Ray,
+}
+
+impl Kernel for Precisely<'_> {
+    type Output = Verdict<Option<DoubleDouble>>;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Self::Output {
+        let Self { record, ray } = self;
+        let record = SphereRecord::new(widened(record.center), DoubleDouble::of(record.radius));
+        judge(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
+    }
+}
+
+/// The same vector with room for more digits.
+#[inline(always)]
+pub(super) fn widened(vector: Vec3) -> Vec3<DoubleDouble> {
+    Vec3::new(DoubleDouble::of(vector.x), DoubleDouble::of(vector.y), DoubleDouble::of(vector.z))
+}
+
+#[cfg(test)]
+mod tests;

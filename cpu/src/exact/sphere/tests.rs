@@ -1,0 +1,70 @@
+//! Certain answers, doubtful ones, and what is out of scale.
+
+use crate::exact::sphere::*;
+
+fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+    Ray { origin: origin.into(), direction: direction.into() }
+}
+
+fn sphere(center: [f64; 3], radius: f64) -> SphereRecord {
+    SphereRecord::new(center.into(), radius)
+}
+
+#[test]
+fn a_plain_hit_and_a_plain_miss_are_the_textbooks() {
+    let unit = sphere([0.0; 3], 1.0);
+    for (ray, expected) in [
+        (ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5]), Some(4.0)),
+        (ray([0.0, 0.0, 0.0], [0.0, 0.0, 1.0]), Some(1.0)),
+        (ray([1.1, 0.0, -3.0], [0.0, 0.0, 1.0]), None),
+        (ray([0.0, 0.0, 3.0], [0.0, 0.0, 1.0]), None),
+    ] {
+        assert_eq!(judge(&unit, &ray), Verdict::Certain(expected));
+        assert_eq!(intersect(&unit, &ray), unit.intersect(&ray));
+    }
+}
+
+#[test]
+fn a_tangent_is_in_doubt_and_resolved_to_the_last_bit() {
+    let touching = sphere([0.1, 0.0, 1e6], 0.1);
+    let ray = ray([0.0; 3], [0.0, 0.0, 3.0]);
+    assert_eq!(judge(&touching, &ray), Verdict::Doubtful);
+    assert_eq!(intersect(&touching, &ray), Some(1e6 / 3.0));
+    assert_eq!(intersect(&sphere([0.1_f64.next_up(), 0.0, 1e6], 0.1), &ray), None);
+    assert!(intersect(&sphere([0.1_f64.next_down(), 0.0, 1e6], 0.1), &ray).is_some());
+}
+
+#[test]
+fn the_limit_itself_counts_and_the_number_below_does_not() {
+    // 1.001 is not an f64: its neighbours put the surface on either side of the limit.
+    let wall = |center: f64| sphere([center, 0.0, 0.0], 1.0);
+    let along = ray([0.0; 3], [1.0, 0.0, 0.0]);
+    let (nearer, farther) = (1.001_f64, 1.001_f64.next_up());
+    assert!(nearer - 1.0 < 1e-3 && farther - 1.0 > 1e-3);
+    assert_eq!(judge(&wall(nearer), &along), Verdict::Doubtful);
+    assert_eq!(intersect(&wall(nearer), &along), Some(2.001), "the far root");
+    assert_eq!(intersect(&wall(farther), &along), Some(farther - 1.0));
+    // From the other side of the origin the near root is the limit itself.
+    let limit = ray([-1e-3, 0.0, 0.0], [1.0, 0.0, 0.0]);
+    assert_eq!(intersect(&wall(1.0), &limit), Some(1e-3));
+    assert_eq!(intersect(&wall(1.0), &ray([-1e-3_f64.next_down(), 0.0, 0.0], [1.0, 0.0, 0.0])), Some(2.001));
+}
+
+#[test]
+fn a_null_direction_and_numbers_that_are_none_are_the_textbooks() {
+    let unit = sphere([0.0; 3], 1.0);
+    assert_eq!(intersect(&unit, &ray([0.0; 3], [0.0; 3])), None);
+    assert_eq!(intersect(&unit, &ray([0.0, 0.0, f64::NAN], [0.0, 0.0, 1.0])), None);
+    let infinite = ray([0.0, 0.0, -3.0], [0.0, 0.0, f64::INFINITY]);
+    assert_eq!(intersect(&unit, &infinite), unit.intersect(&infinite));
+}
+
+#[test]
+fn scales_beyond_the_squares_of_f64_are_met_all_the_same() {
+    for scale in [1e-300, 1e-170, 1e170, 1e300] {
+        let sphere = sphere([0.0; 3], scale);
+        let ray = ray([0.0, 0.0, -3.0 * scale], [0.0, 0.0, scale]);
+        let lambda = intersect(&sphere, &ray).unwrap_or(f64::NAN);
+        assert!((lambda - 2.0).abs() < 1e-15, "{scale:e}: {lambda}");
+    }
+}

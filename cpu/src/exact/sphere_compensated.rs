@@ -1,0 +1,172 @@
+//! Ray against sphere where the textbook's root is the small difference of two large numbers: a ray that starts near a
+//! sphere much larger than its distance from it, as most rays do above a ground.
+//!
+//! That root, `(h - sqrt(D)) / a` where `h > 0`, equals `c / (h + sqrt(D))`, in which the sum loses nothing. What
+//! still cancels is `c = |C - O|^2 - r^2`, whose products and sums are taken with their rounding errors (Ogita, Rump and
+//! Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
+
+use crate::exact::error_bound::{OVERFLOW, UNDERFLOW, in_scale};
+use crate::exact::sphere_filter::{LIMITS, Lanes};
+use crate::geometry::ray::Ray;
+use crate::geometry::sphere::SphereRecord;
+use crate::math::error_free::{Fused, two_product, two_sum};
+use crate::math::vec3::Vec3;
+
+/// The largest condition number of the root's denominator that is accepted.
+const CONDITION: f64 = 4096.0;
+/// Times `u (|C - O|^2 + r^2)`, what `c` must exceed for its own error to be of no account.
+const LEAST_C: f64 = 64.0;
+
+/// The lambda of rays that start outside and go inward, or inside and outward, in the lanes where it is certain and in
+/// range; of no meaning in the others.
+#[inline(always)]
+#[must_use]
+pub fn judge<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+    let a = ray.direction.dot(ray.direction);
+    let (h, discriminant) = record.quadratic(ray, a);
+    let root = discriminant.sqrt();
+    let (c, squares) = difference_of_squares(record, ray.origin);
+    let denominator = h.abs() + root;
+    let lambda = c.abs() / denominator;
+    let size = a * squares;
+    let accurate = (size + T::of(UNDERFLOW)).less(root * denominator * T::of(CONDITION)) & size.less(T::of(OVERFLOW));
+    let c_counts = (squares * T::of(LEAST_C * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)).less(c.abs());
+    // Of two roots with one sign the smaller; of two with different signs the positive one is the difference.
+    let ahead = T::of(0.0).less(h * c);
+    Lanes { lambda, certain: in_scale(a) & accurate & c_counts & ahead & LIMITS.in_range(lambda) }
+}
+
+/// `|C - O|^2 - r^2`, nearly as if rounded once, and the sum of the two.
+#[inline(always)]
+fn difference_of_squares<T: Fused>(record: &SphereRecord<T>, origin: Vec3<T>) -> (T, T) {
+    let (x, x_rest) = two_sum(record.center.x, -origin.x);
+    let (y, y_rest) = two_sum(record.center.y, -origin.y);
+    let (z, z_rest) = two_sum(record.center.z, -origin.z);
+    let (xx, xx_rest) = two_product(x, x);
+    let (yy, yy_rest) = two_product(y, y);
+    let (zz, zz_rest) = two_product(z, z);
+    let (rr, rr_rest) = two_product(record.radius, record.radius);
+    let (sum, first_rest) = two_sum(xx, yy);
+    let (sum, second_rest) = two_sum(sum, zz);
+    let (difference, third_rest) = two_sum(sum, -rr);
+    let across = x.fused(x_rest, y.fused(y_rest, z * z_rest));
+    let rest =
+        (first_rest + second_rest + third_rest) + ((xx_rest + yy_rest) + (zz_rest - rr_rest)) + (across + across);
+    (difference + rest, sum + rr)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::error_bound::Verdict;
+    use crate::exact::sphere;
+    use crate::exact::sphere::resolve;
+    use crate::sampling::uniform::Uniform;
+    use crate::simd::instruction_set::InstructionSet;
+    use crate::simd::{Kernel, LaneMask, Simd};
+
+    /// Rays that start `10^-4` to `10^2` above or below the surface of spheres of radius 1 to `10^7`.
+    fn cases(count: usize) -> Vec<(SphereRecord, Ray)> {
+        let mut draws = Uniform::new(11);
+        let mut cases = Vec::with_capacity(count);
+        for number in 0..count {
+            let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+            let (center, up, direction) = (vector() * 100.0, vector().unit(), vector());
+            let radius = 10.0_f64.powf(draws.draw(0.0, 7.0));
+            let height = 10.0_f64.powf(draws.draw(-4.0, 2.0)) * if number % 3 == 0 { -1.0 } else { 1.0 };
+            let origin = center + up * (radius + height);
+            cases.push((SphereRecord::new(center, radius), Ray { origin, direction }));
+        }
+        cases
+    }
+
+    #[test]
+    fn what_is_certain_is_the_precise_answer() {
+        let (mut certain, mut worst) = (0, 0.0_f64);
+        for (record, ray) in cases(200_000) {
+            let lanes = judge(&record, &ray);
+            if lanes.certain {
+                let precise = resolve(&record, &ray).expect("the ray meets the sphere");
+                worst = worst.max(((lanes.lambda - precise) / precise).abs());
+                certain += 1;
+            }
+        }
+        assert!(certain > 80_000, "{certain}");
+        // (10.5 k + 4 sqrt(k) + 7) u by proof.
+        assert!(worst < 4.9e-12, "{worst:e}");
+    }
+
+    #[test]
+    fn most_rays_in_doubt_above_a_large_sphere_are_certain() {
+        let (mut doubtful, mut certain) = (0, 0);
+        for (record, ray) in cases(100_000) {
+            if sphere::judge(&record, &ray) == Verdict::Doubtful {
+                doubtful += 1;
+                certain += u32::from(judge(&record, &ray).certain);
+            }
+        }
+        assert!(doubtful > 10_000 && certain * 10 > doubtful * 8, "{certain} of {doubtful}");
+    }
+
+    #[test]
+    fn a_direction_out_of_scale_and_numbers_that_are_none_are_in_doubt() {
+        let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
+        let down = |length: f64| Ray { origin: Vec3::new(0.0, 1.0, 0.0), direction: Vec3::new(0.0, -length, 0.0) };
+        assert!(judge(&ground, &down(1.0)).certain);
+        for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
+            assert!(!judge(&ground, &down(length)).certain, "{length}");
+        }
+        // Away from the sphere, and from its surface.
+        assert!(!judge(&ground, &down(-1.0)).certain);
+        assert!(!judge(&ground, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
+    }
+
+    /// As many of `cases` as there are lanes, compared with each alone.
+    struct Together<'a>(&'a [(SphereRecord, Ray)]);
+
+    impl Kernel for Together<'_> {
+        type Output = usize;
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> usize {
+            use crate::simd::Lanes as _;
+            let cases = &self.0[..S::F64::LANES];
+            let mut values = [[0.0; 8]; 10];
+            for (lane, (record, ray)) in cases.iter().enumerate() {
+                let Ray { origin, direction } = ray;
+                let all = [record.center.to_array(), origin.to_array(), direction.to_array()].concat();
+                for (value, component) in values.iter_mut().zip(all.into_iter().chain([record.radius])) {
+                    value[lane] = component;
+                }
+            }
+            let at = |first: usize| {
+                Vec3::new(
+                    S::F64::load(&values[first]),
+                    S::F64::load(&values[first + 1]),
+                    S::F64::load(&values[first + 2]),
+                )
+            };
+            let record = SphereRecord::new(at(0), S::F64::load(&values[9]));
+            let lanes = judge(&record, &Ray { origin: at(3), direction: at(6) });
+            let mut lambdas = [0.0; 8];
+            lanes.lambda.store(&mut lambdas);
+            for (lane, (record, ray)) in cases.iter().enumerate() {
+                let alone = judge(record, ray);
+                assert_eq!(lanes.certain.bits() >> lane & 1 == 1, alone.certain);
+                assert!(!alone.certain || lambdas[lane].to_bits() == alone.lambda.to_bits());
+            }
+            S::F64::LANES
+        }
+    }
+
+    #[test]
+    fn lanes_are_as_each_alone_in_every_instruction_set() {
+        let cases = cases(4000);
+        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+            let mut at = 0;
+            while at + 8 <= cases.len() {
+                at += set.run(Together(&cases[at..]));
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Ray against sphere without rounding, for rays that nothing else can decide.
+//!
+//! The coefficients of the quadratic are sums of products of the inputs, so they, the discriminant and the outcome of
+//! every comparison are exact. Only then are they rounded, to 106 bits each, for the root itself.
+
+use std::cmp::Ordering;
+
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::dyadic::{Dyadic, power_of_two, sign_with_root};
+use crate::geometry::ray::{LAMBDA_MIN, Ray};
+use crate::geometry::sphere::SphereRecord;
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+
+/// An input is infinite or not a number.
+#[derive(Debug)]
+pub struct NotFinite;
+
+/// A vector of exact numbers.
+pub struct Exact3([Dyadic; 3]);
+
+impl Exact3 {
+    pub fn new(vector: Vec3) -> Result<Self, NotFinite> {
+        let [x, y, z] = vector.to_array().map(exact);
+        Ok(Self([x?, y?, z?]))
+    }
+
+    pub fn dot(&self, other: &Self) -> Dyadic {
+        let [x, y, z] = [0, 1, 2].map(|index| &self.0[index] * &other.0[index]);
+        &(&x + &y) + &z
+    }
+
+    pub fn minus(&self, other: &Self) -> Self {
+        Self([0, 1, 2].map(|index| &self.0[index] - &other.0[index]))
+    }
+
+    pub fn plus(&self, other: &Self) -> Self {
+        Self([0, 1, 2].map(|index| &self.0[index] + &other.0[index]))
+    }
+
+    pub fn times(&self, factor: &Dyadic) -> Self {
+        Self([0, 1, 2].map(|index| &self.0[index] * factor))
+    }
+}
+
+/// The number as it is.
+pub fn exact(value: f64) -> Result<Dyadic, NotFinite> {
+    Dyadic::new(value).ok_or(NotFinite)
+}
+
+/// The quadratic `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0` and `h^2 - a c >= 0`.
+pub struct Quadratic {
+    pub a: Dyadic,
+    pub h: Dyadic,
+    pub c: Dyadic,
+    pub discriminant: Dyadic,
+}
+
+impl Quadratic {
+    /// The quadratic with these coefficients, unless its line misses or has no direction.
+    pub fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
+        let discriminant = &h.squared() - &(&a * &c);
+        let real = a.sign() == Ordering::Greater && discriminant.sign() != Ordering::Less;
+        real.then_some(Self { a, h, c, discriminant })
+    }
+
+    /// Whether `x + y lambda >= 0` for the smaller root or the larger.
+    pub fn is_linear_form_positive(&self, x: &Dyadic, y: &Dyadic, larger: bool) -> bool {
+        // Times a, which is positive: a x + y h -+ y sqrt(D).
+        let root = if larger { y.clone() } else { -y };
+        sign_with_root(&(&(&self.a * x) + &(y * &self.h)), &root, &self.discriminant) != Ordering::Less
+    }
+
+    /// The f64 nearest to a root, or a neighbour.
+    pub fn root(&self, larger: bool) -> f64 {
+        // A common power of two for h and sqrt(D), others for a and c, keep f64 from overflowing. A zero has no part in it;
+        // where both are zero the root is zero, whatever the power.
+        let root_order = self.discriminant.order().map(|order| (order + 1).div_euclid(2));
+        let scale = self.h.order().max(root_order).unwrap_or(0);
+        let h = self.h.scaled(-scale).to_double_double();
+        let root = self.discriminant.scaled(-2 * scale).to_double_double().sqrt();
+        let (sum, root_is_added) = if h.less(DoubleDouble::of(0.0)) { (h - root, false) } else { (h + root, true) };
+        // The root whose numerator does not cancel; the other follows from their product c / a.
+        let (quotient, power) = if root_is_added == larger {
+            let (a, order) = self.a.to_part_and_power();
+            (sum / a, scale - order)
+        } else {
+            let (c, order) = self.c.to_part_and_power();
+            (c / sum, order - scale)
+        };
+        power_of_two(quotient.high, power)
+    }
+}
+
+/// Where the ray meets the sphere.
+pub fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
+    let direction = Exact3::new(ray.direction)?;
+    let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);
+    let c = &r_c.dot(&r_c) - &exact(record.radius)?.squared();
+    let Some(quadratic) = Quadratic::with_roots(direction.dot(&direction), direction.dot(&r_c), c) else {
+        return Ok(None);
+    };
+    let (least, one) = (exact(-LAMBDA_MIN)?, Dyadic::one());
+    let root = [false, true].into_iter().find(|&larger| quadratic.is_linear_form_positive(&least, &one, larger));
+    Ok(root.map(|larger| quadratic.root(larger).max(LAMBDA_MIN)))
+}

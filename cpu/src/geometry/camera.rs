@@ -1,0 +1,145 @@
+//! The projection window, and the rays through its pixels (statement, sections 3.1 and 3.2).
+
+use crate::geometry::ray::Ray;
+use crate::input::config::Config;
+use crate::input::error::Picture;
+use crate::input::size::Size;
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+
+/// Everything a primary ray needs, in scene units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Camera<T = f64> {
+    /// `P`, where all primary rays start.
+    pub position: Vec3<T>,
+    /// `O`, the middle of the top left pixel in the window.
+    pub origin: Vec3<T>,
+    /// One pixel to the right.
+    pub delta_x: Vec3<T>,
+    /// One pixel down.
+    pub delta_y: Vec3<T>,
+}
+
+impl Camera {
+    /// The camera of a picture of `size` pixels.
+    ///
+    /// # Errors
+    /// [`Picture::CameraAtTarget`], [`Picture::NorthParallel`] or [`Picture::CameraOutOfRange`]: there is no window.
+    pub fn new(config: &Config, size: Size) -> Result<Self, Picture> {
+        // A cross product of parallel vectors leaves rounding noise: a few units in the last place of its factors.
+        const PARALLEL: f64 = 4.0 * f64::EPSILON;
+
+        let (position, target, north) = (config.camera_position, config.camera_target, config.camera_north);
+        if position == target {
+            return Err(Picture::CameraAtTarget);
+        }
+        let (width, height) = (size.width() as f64, size.height() as f64);
+        let focal = position - target;
+        let focal_distance = focal.length();
+        if !(focal_distance.is_finite() && focal_distance > 0.0 && north.length().is_finite()) {
+            return Err(Picture::CameraOutOfRange);
+        }
+        let fov = config.field_of_view * std::f64::consts::PI / 180.0;
+        let window_height = 2.0 * (fov / 2.0).tan() * focal_distance;
+        let window_width = window_height * (width / height);
+        let backward = focal.unit();
+        let right = north.cross(backward);
+        if right.length() <= PARALLEL * north.length() {
+            return Err(Picture::NorthParallel);
+        }
+        let u = right.unit();
+        let v = backward.cross(u);
+        let horizontal = u * window_width;
+        let vertical = -v * window_height;
+        let (delta_x, delta_y) = (horizontal / width, vertical / height);
+        let origin = position - focal - (horizontal + vertical) / 2.0 + (delta_x + delta_y) / 2.0;
+        let camera = Self { position, origin, delta_x, delta_y };
+        let finite = [position, origin, delta_x, delta_y].iter().all(|vector| vector.is_finite());
+        if finite { Ok(camera) } else { Err(Picture::CameraOutOfRange) }
+    }
+}
+
+impl Camera {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> Camera<V> {
+        Camera {
+            position: self.position.map(V::of),
+            origin: self.origin.map(V::of),
+            delta_x: self.delta_x.map(V::of),
+            delta_y: self.delta_y.map(V::of),
+        }
+    }
+}
+
+impl<T: Real> Camera<T> {
+    /// The ray from the camera through the point `offset` pixels from the middle of pixel (`row`, `column`);
+    /// `offset` is to the right, then down, each in `[-1/2, 1/2)`. The direction is not normalised.
+    #[inline(always)]
+    #[must_use]
+    pub fn ray(&self, row: T, column: T, offset: [T; 2]) -> Ray<T> {
+        let [x, y] = offset;
+        let target = self.origin + self.delta_x * (column + x) + self.delta_y * (row + y);
+        Ray { origin: self.position, direction: target - self.position }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera(change: impl FnOnce(&mut Config)) -> Result<Camera, Picture> {
+        let mut config = Config { image_width: 4, aspect_ratio: [2, 1], ..Config::default() };
+        change(&mut config);
+        Camera::new(&config, config.image_size()?)
+    }
+
+    fn assert_near(actual: Vec3, expected: [f64; 3]) {
+        assert!((actual - expected.into()).length() < 1e-12, "{actual:?} is not {expected:?}");
+    }
+
+    #[test]
+    fn the_window_passes_through_the_target_and_fills_the_field_of_view() {
+        // From (0, 0, -10) to the origin at 90 degrees: the window is 20 high and 40 wide, for 2 rows and 4 columns.
+        let camera = camera(|_| ()).expect("the defaults make a camera");
+        assert_near(camera.delta_y, [0.0, -10.0, 0.0]);
+        assert_near(camera.delta_x, [-10.0, 0.0, 0.0]);
+        assert_near(camera.origin, [15.0, 5.0, 0.0]);
+    }
+
+    #[test]
+    fn a_ray_goes_through_its_pixel() {
+        let camera = camera(|_| ()).expect("the defaults make a camera");
+        let ray = camera.ray(1.0, 2.0, [0.5, -0.5]);
+        assert_eq!(ray.origin, camera.position);
+        assert_near(ray.at(1.0), [-10.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_camera_at_its_target_is_refused() {
+        let result = camera(|config| config.camera_target = config.camera_position);
+        assert_eq!(result, Err(Picture::CameraAtTarget));
+    }
+
+    #[test]
+    fn a_parallel_or_null_north_is_refused() {
+        for north in [[0.0, 0.0, 2.0], [0.0, 0.0, -1e-9], [0.0; 3]] {
+            let result = camera(|config| config.camera_north = north.into());
+            assert_eq!(result, Err(Picture::NorthParallel), "{north:?}");
+        }
+        let parallel_up_to_rounding = camera(|config| {
+            config.camera_position = Vec3::new(0.3, 0.6, 0.9);
+            config.camera_north = Vec3::new(0.1, 0.2, 0.3);
+        });
+        assert_eq!(parallel_up_to_rounding, Err(Picture::NorthParallel));
+        assert!(camera(|config| config.camera_north = Vec3::new(0.0, 1e-9, 1.0)).is_ok());
+    }
+
+    #[test]
+    fn a_window_that_overflows_is_refused() {
+        let result = camera(|config| config.camera_position = Vec3::new(0.0, 0.0, 1e300));
+        assert_eq!(result, Err(Picture::CameraOutOfRange));
+    }
+}

@@ -1,0 +1,83 @@
+//! Rays, and what is known of a point where one meets a surface.
+
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+
+/// Hits nearer than this are ignored, in lengths of the ray's direction (statement, section 3.4).
+pub const LAMBDA_MIN: f64 = 1e-3;
+
+/// A half-line from `origin` along `direction`, which need not have length one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Ray<T = f64> {
+    /// Where the ray starts, in scene units.
+    pub origin: Vec3<T>,
+    /// Where it goes; lambda counts its lengths.
+    pub direction: Vec3<T>,
+}
+
+impl<T: Real> Ray<T> {
+    /// The point `origin + direction lambda`.
+    #[inline(always)]
+    #[must_use]
+    pub fn at(&self, lambda: T) -> Vec3<T> {
+        self.origin + self.direction * lambda
+    }
+}
+
+/// Whether a hit at `lambda` counts: at least [`LAMBDA_MIN`]; something that is not a number never does.
+#[inline(always)]
+pub fn in_range<T: Real>(lambda: T) -> T::Mask {
+    T::of(LAMBDA_MIN).less_equal(lambda)
+}
+
+/// A point where a ray meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit<T = f64> {
+    /// The point, in scene units.
+    pub point: Vec3<T>,
+    /// The surface's normal on the side that the ray comes from. On the curved side of a cylinder its length is the
+    /// radius; elsewhere it is one.
+    pub normal: Vec3<T>,
+    /// Whether the ray comes from outside.
+    pub front: bool,
+}
+
+impl<T: Real<Mask = bool>> Hit<T> {
+    /// The hit at `point` of a ray along `direction`, given the normal that points `outward` (statement, 3.4.1).
+    #[inline(always)]
+    #[must_use]
+    pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {
+        let front = direction.dot(outward).less(T::of(0.0));
+        Self { point, normal: if front { outward } else { -outward }, front }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    #[test]
+    fn a_ray_advances_by_lengths_of_its_direction() {
+        let ray = Ray { origin: Vec3::ONE, direction: UP * 2.0 };
+        assert_eq!(ray.at(3.0), Vec3::new(1.0, 7.0, 1.0));
+    }
+
+    #[test]
+    fn hits_start_at_a_thousandth() {
+        assert!(in_range(1e-3) && in_range(f64::INFINITY));
+        assert!(!in_range(1e-3_f64.next_down()) && !in_range(-1.0_f64) && !in_range(f64::NAN));
+    }
+
+    #[test]
+    fn the_normal_faces_the_ray() {
+        let outside = Hit::facing(-UP, Vec3::ZERO, UP);
+        assert_eq!((outside.normal, outside.front), (UP, true));
+        let inside = Hit::facing(UP, Vec3::ZERO, UP);
+        assert_eq!((inside.normal, inside.front), (-UP, false));
+        let grazing = Hit::facing(Vec3::new(1.0, 0.0, 0.0), Vec3::ZERO, UP);
+        assert!(!grazing.front, "perpendicular counts as inside, as the statement's 'otherwise' says");
+    }
+}

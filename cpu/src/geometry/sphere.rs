@@ -1,0 +1,190 @@
+//! Ray against sphere (statement, section 3.4.1).
+//!
+//! A point `O + d lambda` lies on the sphere when `a lambda^2 + b lambda + c = 0` with `a = d.d`, `b = -2 d.r_c`,
+//! `c = r_c.r_c - r^2`, `r_c = C - O` (the statement's `b` lacks its sign). The code works with `h = -b / 2`: the roots
+//! `(h -+ sqrt(h^2 - a c)) / a` have the bits of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, since scaling by a power of two
+//! is exact short of overflow and underflow.
+
+use crate::geometry::ray::{Ray, in_range};
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+
+/// A sphere with what its rays need computed once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct SphereRecord<T = f64> {
+    /// Its centre.
+    pub center: Vec3<T>,
+    /// Its radius, positive.
+    pub radius: T,
+    /// Its radius squared.
+    pub radius_squared: T,
+}
+
+/// What the rays from one point share: they need only their directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereView<T = f64> {
+    /// From the origin to the centre.
+    pub r_c: Vec3<T>,
+    /// `r_c.r_c - r^2`: negative inside.
+    pub c: T,
+    /// `r_c.r_c + r^2`.
+    pub squares: T,
+}
+
+impl<T: Real> SphereView<T> {
+    /// Half of `-b`, and a quarter of the discriminant, of the quadratic; `a` is `direction . direction`.
+    #[inline(always)]
+    #[must_use]
+    pub fn quadratic(&self, direction: Vec3<T>, a: T) -> (T, T) {
+        let h = direction.dot(self.r_c);
+        (h, h * h - a * self.c)
+    }
+}
+
+impl SphereView {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> SphereView<V> {
+        SphereView { r_c: self.r_c.map(V::of), c: V::of(self.c), squares: V::of(self.squares) }
+    }
+}
+
+impl SphereRecord {
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> SphereRecord<V> {
+        SphereRecord {
+            center: self.center.map(V::of),
+            radius: V::of(self.radius),
+            radius_squared: V::of(self.radius_squared),
+        }
+    }
+}
+
+impl<T: Real> SphereRecord<T> {
+    /// The record of the sphere at `center`.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(center: Vec3<T>, radius: T) -> Self {
+        Self { center, radius, radius_squared: radius * radius }
+    }
+
+    /// The sphere as rays from `origin` see it.
+    #[inline(always)]
+    #[must_use]
+    pub fn seen_from(&self, origin: Vec3<T>) -> SphereView<T> {
+        let r_c = self.center - origin;
+        let distance_squared = r_c.dot(r_c);
+        let (c, squares) = (distance_squared - self.radius_squared, distance_squared + self.radius_squared);
+        SphereView { r_c, c, squares }
+    }
+
+    /// Half of `-b`, and a quarter of the discriminant, of the ray's quadratic; `a` is `direction . direction`.
+    #[inline(always)]
+    #[must_use]
+    pub fn quadratic(&self, ray: &Ray<T>, a: T) -> (T, T) {
+        self.seen_from(ray.origin).quadratic(ray.direction, a)
+    }
+
+    /// Both roots of the quadratic; not numbers where the discriminant is negative.
+    #[inline(always)]
+    #[must_use]
+    pub fn roots(a: T, h: T, discriminant: T) -> (T, T) {
+        let root = discriminant.sqrt();
+        ((h - root) / a, (h + root) / a)
+    }
+
+    /// The smaller root that is in range, else the larger, and whether that is in range; without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_root(a: T, h: T, discriminant: T) -> (T, T::Mask) {
+        let (near, far) = Self::roots(a, h, discriminant);
+        let lambda = T::select(in_range(near), near, far);
+        (lambda, in_range(lambda))
+    }
+
+    /// The normal at `point` that leaves the sphere, of length one.
+    #[inline(always)]
+    #[must_use]
+    pub fn outward(&self, point: Vec3<T>) -> Vec3<T> {
+        (point - self.center) / self.radius
+    }
+}
+
+impl<T: Real<Mask = bool>> SphereRecord<T> {
+    /// Where the ray meets the sphere: the smaller root that is in range, else the larger; `None` when neither is.
+    ///
+    /// ```
+    /// use cpu::{Ray, Vec3, geometry::sphere::SphereRecord};
+    ///
+    /// let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
+    /// let ray = Ray { origin: Vec3::new(0.0, 0.0, -5.0), direction: Vec3::new(0.0, 0.0, 2.0) };
+    /// assert_eq!(sphere.intersect(&ray), Some(2.0));
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray<T>) -> Option<T> {
+        let a = ray.direction.dot(ray.direction);
+        let (h, discriminant) = self.quadratic(ray, a);
+        if discriminant.less(T::of(0.0)) {
+            return None;
+        }
+        let (lambda, met) = Self::first_root(a, h, discriminant);
+        met.then_some(lambda)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: SphereRecord = SphereRecord { center: Vec3::ZERO, radius: 1.0, radius_squared: 1.0 };
+
+    fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+        Ray { origin: origin.into(), direction: direction.into() }
+    }
+
+    #[test]
+    fn from_outside_the_smaller_root_counts() {
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some(2.0));
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some(4.0));
+    }
+
+    #[test]
+    fn from_inside_or_the_surface_the_larger_root_counts() {
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])), Some(1.0));
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 0.5])), Some(2.0));
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -1.0], [0.0, 0.0, 1.0])), Some(2.0));
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, -1.000_488_281_25], [0.0, 0.0, 1.0])), Some(2.000_488_281_25));
+    }
+
+    #[test]
+    fn a_tangent_touches_and_a_miss_misses() {
+        assert_eq!(UNIT.intersect(&ray([1.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some(3.0));
+        assert_eq!(UNIT.intersect(&ray([1.1, 0.0, -3.0], [0.0, 0.0, 1.0])), None);
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 3.0], [0.0, 0.0, 1.0])), None, "both roots lie behind");
+    }
+
+    #[test]
+    fn a_null_direction_hits_nothing() {
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 0.0], [0.0; 3])), None);
+        assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 3.0], [0.0; 3])), None);
+    }
+
+    #[test]
+    fn the_normal_has_length_one() {
+        let sphere = SphereRecord::new(Vec3::new(1.0, 0.0, 0.0), 2.0);
+        assert_eq!(sphere.radius_squared, 4.0);
+        assert_eq!(sphere.outward(Vec3::new(3.0, 0.0, 0.0)), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn single_precision_takes_the_same_steps() {
+        let sphere = SphereRecord::<f32>::new(Vec3::splat(0.0), 1.0);
+        let ray = Ray { origin: Vec3::new(0.0, 0.0, -3.0_f32), direction: Vec3::new(0.0, 0.0, 1.0) };
+        assert_eq!(sphere.intersect(&ray), Some(2.0));
+    }
+}

@@ -1,0 +1,239 @@
+//! A linear channel to a byte: `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for what is not a number.
+//!
+//! The power function is slow, and a byte has only 256 values: [`Quantizer`] keeps the interval of means that give each
+//! byte and finds the right one by its position in a table. Close to a boundary, where the power function's own rounding
+//! decides, it calls the power function, so the two always agree.
+
+use crate::counters::{Counter, add};
+
+/// The byte of a channel by the definition: one power a call.
+#[must_use]
+pub fn quantize(mean: f64, gamma: f64) -> u8 {
+    // A float-to-integer cast truncates, saturates at 0 and 255, and turns "not a number" into 0.
+    (255.0 * mean.powf(1.0 / gamma)) as u8
+}
+
+/// Cells of the first-guess table over `[0, 1)`.
+const CELLS: usize = 4096;
+
+/// The same bytes as [`quantize`] for one gamma, mostly without a power.
+#[derive(Clone, Debug)]
+pub struct Quantizer {
+    gamma: f64,
+    /// `bounds[k] = (below, from)`: a mean at most `below` gives less than `k`, one of at least `from` gives `k` or more.
+    /// Every mean is at least 0, and less than 256.
+    bounds: Box<[(f64, f64); 257]>,
+    /// The byte of the lowest mean of each cell.
+    first_guess: Box<[u8; CELLS]>,
+}
+
+impl Quantizer {
+    /// The table for a positive `gamma`.
+    #[must_use]
+    pub fn new(gamma: f64) -> Self {
+        let mut bounds = Box::new([(f64::INFINITY, f64::INFINITY); 257]);
+        bounds[0] = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for (byte, bound) in bounds.iter_mut().enumerate().take(256).skip(1) {
+            *bound = bound_of(byte as f64 / 255.0, gamma);
+        }
+        let mut first_guess = Box::new([0; CELLS]);
+        let mut byte = 0;
+        for (cell, guess) in first_guess.iter_mut().enumerate() {
+            let mean = cell as f64 / CELLS as f64;
+            while byte < 255 && mean >= bounds[byte + 1].1 {
+                byte += 1;
+            }
+            *guess = byte as u8;
+        }
+        Self { gamma, bounds, first_guess }
+    }
+
+    /// The byte of a channel.
+    #[inline]
+    #[must_use]
+    pub fn quantize(&self, mean: f64) -> u8 {
+        // Negative means and NaN land in cell 0 and fail the comparisons there.
+        let cell = ((mean * CELLS as f64) as usize).min(CELLS - 1);
+        let mut byte = usize::from(self.first_guess[cell]);
+        while byte < 255 {
+            let (below, from) = self.bounds[byte + 1];
+            if mean >= from {
+                byte += 1;
+            } else if mean > below {
+                return self.at_a_boundary(mean);
+            } else {
+                break;
+            }
+        }
+        byte as u8
+    }
+
+    /// The byte of every mean from `low` to `high`, if they certainly have one in common; `guess` is tried first.
+    #[inline]
+    #[must_use]
+    pub fn quantize_interval(&self, low: f64, high: f64, guess: u8) -> Option<u8> {
+        if self.holds(guess, low, high) {
+            return Some(guess);
+        }
+        let cell = ((low * CELLS as f64) as usize).min(CELLS - 1);
+        let mut byte = usize::from(self.first_guess[cell]);
+        while byte < 255 && low >= self.bounds[byte + 1].1 {
+            byte += 1;
+        }
+        self.holds(byte as u8, low, high).then_some(byte as u8)
+    }
+
+    /// Whether every mean from `low` to `high` certainly gives this byte.
+    #[inline]
+    fn holds(&self, byte: u8, low: f64, high: f64) -> bool {
+        let byte = usize::from(byte);
+        low <= high && low >= self.bounds[byte].1 && high <= self.bounds[byte + 1].0
+    }
+
+    #[cold]
+    fn at_a_boundary(&self, mean: f64) -> u8 {
+        if mean == 1.0 {
+            // A white pixel, to any power.
+            return u8::MAX;
+        }
+        add(Counter::Powers, 1);
+        quantize(mean, self.gamma)
+    }
+}
+
+/// Means that are certainly below, and certainly not below, the boundary `root^gamma`.
+///
+/// With `y = mean^(1 / gamma)`, the byte changes where `255 y` crosses an integer. `1 / gamma`, the power and the
+/// product are each rounded: together they move `y` by less than `SLACK` relatively (the power function of any common
+/// platform is right to a few units in the last place; `1 / gamma`'s rounding enters times `ln mean`, and
+/// `|ln mean| / gamma = |ln y| <= ln 255`). The bounds themselves come from a power, hence the second factor.
+fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
+    const SLACK: f64 = 64.0 * f64::EPSILON;
+    let power_slack = SLACK * (1.0 + gamma) * 8.0;
+    let below = (root * (1.0 - SLACK)).powf(gamma) * (1.0 - power_slack);
+    let from = (root * (1.0 + SLACK)).powf(gamma) * (1.0 + power_slack);
+    // An extreme gamma leaves nothing certain: every mean then takes the power function.
+    if below.is_finite() && from > f64::MIN_POSITIVE && power_slack < 0.5 {
+        (below, from)
+    } else {
+        (f64::NEG_INFINITY, f64::INFINITY)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GAMMAS: [f64; 12] = [1.0, 2.2, 2.1, 2.6, 2.5, 1.8, 0.45, 0.1, 10.0, 100.0, 1e-3, 3.0];
+
+    #[test]
+    fn the_definition_truncates_and_clips() {
+        assert_eq!(quantize(0.5, 1.0), 127);
+        assert_eq!(quantize(1.0, 2.2), 255);
+        assert_eq!(quantize(1.5, 1.0), 255);
+        assert_eq!(quantize(-1e-17, 1.0), 0);
+        assert_eq!(quantize(-1e-17, 2.2), 0);
+        assert_eq!(quantize(f64::NAN, 2.2), 0);
+        assert_eq!(quantize(0.25, 2.0), 127);
+    }
+
+    #[test]
+    fn the_table_agrees_around_every_boundary() {
+        for gamma in GAMMAS.into_iter().chain([1e300, 1e-300, f64::MIN_POSITIVE, f64::MAX]) {
+            let table = Quantizer::new(gamma);
+            for byte in 1..=255 {
+                let boundary = (f64::from(byte) / 255.0).powf(gamma);
+                for steps in -300_i64..=300 {
+                    let mean = f64::from_bits(boundary.to_bits().saturating_add_signed(steps));
+                    assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_table_agrees_everywhere_else() {
+        let mut draws = crate::sampling::uniform::Uniform::new(7);
+        for gamma in GAMMAS {
+            let table = Quantizer::new(gamma);
+            for _ in 0..20_000 {
+                let mean = draws.canonical();
+                assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+            }
+            for mean in [0.0, -0.0, 1.0, 1.0_f64.next_up(), 2.0, -1e-17, f64::INFINITY, f64::NAN] {
+                assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_interval_has_a_byte_where_its_ends_and_all_between_share_it() {
+        let mut draws = crate::sampling::uniform::Uniform::new(8);
+        let mut known = 0;
+        for gamma in GAMMAS {
+            let table = Quantizer::new(gamma);
+            for _ in 0..5000 {
+                let low = draws.draw(-0.01, 1.01);
+                let high = low + draws.draw(0.0, 0.01);
+                let guess = (255.0 * draws.canonical()) as u8;
+                if let Some(byte) = table.quantize_interval(low, high, guess) {
+                    known += 1;
+                    for step in 0..=8 {
+                        let mean = low + (high - low) * f64::from(step) / 8.0;
+                        assert_eq!(quantize(mean.max(0.0), gamma), byte, "gamma {gamma}, {low:e} to {high:e}");
+                    }
+                }
+            }
+        }
+        assert!(known > 1000, "{known} intervals have a byte");
+        assert_eq!(Quantizer::new(2.2).quantize_interval(f64::NAN, f64::NAN, 0), None);
+    }
+
+    #[test]
+    fn a_narrow_interval_hardly_ever_lacks_its_byte_whatever_is_tried_first() {
+        let mut draws = crate::sampling::uniform::Uniform::new(9);
+        for gamma in [1.0, 2.2, 0.45] {
+            let table = Quantizer::new(gamma);
+            let mut known = 0;
+            for guess in (0..=255).cycle().take(10_000) {
+                let low = draws.canonical();
+                if let Some(byte) = table.quantize_interval(low, low + 1e-9, guess) {
+                    assert_eq!(byte, quantize(low, gamma), "gamma {gamma}, from {low:e}");
+                    known += 1;
+                }
+            }
+            assert!(known > 9_900, "gamma {gamma}: {known} of 10,000");
+        }
+    }
+
+    #[test]
+    fn bounds_leave_as_much_room_as_rounding_may_need_and_hardly_more() {
+        for gamma in [0.45, 1.0, 2.2, 10.0] {
+            for root in [0.1, 0.5, 254.0 / 255.0] {
+                let (below, from) = bound_of(root, gamma);
+                let boundary = root.powf(gamma);
+                // In units in the last place: 64 times gamma before the power, 512 times (1 + gamma) after it.
+                let expected = 64.0 * gamma + 512.0 * (1.0 + gamma);
+                for room in [1.0 - below / boundary, from / boundary - 1.0] {
+                    let room = room / f64::EPSILON;
+                    assert!((room - expected).abs() < 10.0, "gamma {gamma}, {root}: {room} for {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_certain_the_bounds_say_so() {
+        // The boundary vanishes, and the room grows beyond the boundary itself.
+        for (root, gamma) in [(1.0 / 255.0, 1000.0), (1.0, 1e13)] {
+            assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, f64::INFINITY));
+        }
+    }
+
+    #[test]
+    fn a_common_gamma_hardly_ever_needs_the_power() {
+        let table = Quantizer::new(2.2);
+        let uncertain: f64 = table.bounds[1..256].iter().map(|(below, from)| from - below).sum();
+        assert!(uncertain < 1e-9, "{uncertain:e} of all means");
+    }
+}

@@ -1,0 +1,49 @@
+//! What surfaces are made of (statement, section 2.1.2). How they scatter light is in [`crate::materials::scatter`].
+
+use crate::math::vec3::Vec3;
+
+/// The material of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Material {
+    /// Scatters around the normal.
+    Matte {
+        /// Share of the light that comes back, a channel each, in `[0, 1]`.
+        reflectance: Vec3,
+    },
+    /// Mirrors, spread by the diffusion.
+    Metal {
+        /// Share of the light that comes back, a channel each, in `[0, 1]`.
+        reflectance: Vec3,
+        /// Half the side of the cube that the spread is drawn from, at least 0.
+        diffusion: f64,
+    },
+    /// Lets light through, bent.
+    Refractive {
+        /// Sine of incidence to sine of refraction for light that enters, positive.
+        index: f64,
+    },
+}
+
+impl Material {
+    /// What the colour of the scattered ray is multiplied by.
+    #[must_use]
+    pub const fn reflectance(&self) -> Vec3 {
+        match *self {
+            Self::Matte { reflectance } | Self::Metal { reflectance, .. } => reflectance,
+            Self::Refractive { .. } => Vec3::ONE,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refractive_surfaces_attenuate_nothing() {
+        let reflectance = Vec3::new(0.1, 0.2, 0.3);
+        assert_eq!(Material::Matte { reflectance }.reflectance(), reflectance);
+        assert_eq!(Material::Metal { reflectance, diffusion: 1.0 }.reflectance(), reflectance);
+        assert_eq!(Material::Refractive { index: 1.5 }.reflectance(), Vec3::ONE);
+    }
+}

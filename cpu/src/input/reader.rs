@@ -1,0 +1,121 @@
+//! Reading files: each is opened once, read once, and read only up to a limit.
+//!
+//! A pipe gives its content once, and a device such as `/dev/zero` never ends. So a program that needs an input twice
+//! keeps its bytes.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// An open file of which at most a limited number of bytes is read.
+#[derive(Debug)]
+pub struct Input {
+    file: File,
+    limit: u64,
+    /// Bytes that may still be read.
+    left: u64,
+}
+
+impl Input {
+    /// Opens `path`, of which at most `limit` bytes may be read.
+    ///
+    /// # Errors
+    /// The system does not open it.
+    pub fn open(path: &Path, limit: u64) -> io::Result<Self> {
+        Ok(Self { file: File::open(path)?, limit, left: limit })
+    }
+}
+
+impl Read for Input {
+    /// Reads as the file does. A byte beyond the limit is an error of the kind [`io::ErrorKind::FileTooLarge`].
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if self.left == 0 {
+            // At the limit, only the end of the file may follow.
+            return match self.file.read(&mut [0; 1])? {
+                0 => Ok(0),
+                _ => Err(too_large(self.limit)),
+            };
+        }
+        let room = usize::try_from(self.left).unwrap_or(usize::MAX).min(buffer.len());
+        let length = self.file.read(&mut buffer[..room])?;
+        self.left -= length as u64;
+        Ok(length)
+    }
+}
+
+/// The error for an input of more than `limit` bytes.
+#[must_use]
+pub fn too_large(limit: u64) -> io::Error {
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {limit} bytes"))
+}
+
+/// The bytes of the file at `path`, of which there may be at most `limit`.
+///
+/// # Errors
+/// It cannot be opened or read, it is too large, or there is too little memory for it.
+pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    // Reports too little memory as an error.
+    Input::open(path, limit)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The text of the file at `path`, of at most `limit` bytes.
+///
+/// # Errors
+/// As [`read`], and bytes that are not UTF-8.
+pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
+    String::from_utf8(read(path, limit)?).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        io::Error::new(io::ErrorKind::InvalidData, format!("it is not UTF-8 text: see the byte at offset {place}"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of `text`, removed at the end.
+    struct Temporary(std::path::PathBuf);
+
+    impl Temporary {
+        fn new(name: &str, text: &[u8]) -> Self {
+            let path = std::env::temp_dir().join(format!("cpu-input-{}-{name}", std::process::id()));
+            std::fs::write(&path, text).expect("the temporary folder is writable");
+            Self(path)
+        }
+    }
+
+    impl Drop for Temporary {
+        fn drop(&mut self) {
+            let _ = std::fs::remove_file(&self.0);
+        }
+    }
+
+    #[test]
+    fn a_file_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
+        let file = Temporary::new("limit", b"12345");
+        assert_eq!(read(&file.0, 6).expect("it is smaller"), b"12345");
+        assert_eq!(read(&file.0, 5).expect("it is as large"), b"12345");
+        let error = read(&file.0, 4).expect_err("it is larger");
+        assert_eq!(
+            (error.kind(), error.to_string()),
+            (io::ErrorKind::FileTooLarge, "it is larger than 4 bytes".into())
+        );
+        assert_eq!(read(&Temporary::new("empty", b"").0, 0).expect("nothing is no more than nothing"), b"");
+    }
+
+    #[test]
+    fn a_text_that_is_not_utf_8_is_refused_with_the_place() {
+        assert_eq!(read_text(&Temporary::new("text", "ä".as_bytes()).0, 9).expect("it is a text"), "ä");
+        let error = read_text(&Temporary::new("bytes", b"abc\xff").0, 9).expect_err("it is none").to_string();
+        assert_eq!(error, "it is not UTF-8 text: see the byte at offset 3");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_endless_device_is_read_up_to_the_limit() {
+        assert!(read(Path::new("/dev/zero"), 1 << 16).is_err());
+        assert!(read(&std::env::temp_dir(), 9).is_err(), "a folder is no file");
+    }
+}

@@ -1,0 +1,261 @@
+//! Three-component vectors, for points, directions and colours alike.
+//!
+//! They are generic over [`Real`], so that a formula is written once and works on one ray or on a lane of rays.
+//!
+//! The order of the operations inside each function is part of the result: images are compared byte for byte, so a
+//! dot product is always summed left to right and a unit vector is always divided by its length, component by component.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::math::real::Real;
+
+/// A point, a direction (both in scene units) or a linear colour (red, green, blue).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Vec3<T = f64> {
+    /// First component; red in a colour.
+    pub x: T,
+    /// Second component; green in a colour. The background's gradient runs along it.
+    pub y: T,
+    /// Third component; blue in a colour.
+    pub z: T,
+}
+
+impl Vec3 {
+    /// The origin, the null direction, black.
+    pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
+    /// White, or a reflectance that changes nothing.
+    pub const ONE: Self = Self::new(1.0, 1.0, 1.0);
+
+    /// Whether every component is finite.
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+    }
+}
+
+impl<T: Copy> Vec3<T> {
+    /// The vector with these components.
+    #[inline(always)]
+    #[must_use]
+    pub const fn new(x: T, y: T, z: T) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The vector with three equal components.
+    #[inline(always)]
+    #[must_use]
+    pub const fn splat(value: T) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// The components in order.
+    #[inline(always)]
+    #[must_use]
+    pub const fn to_array(self) -> [T; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// The vector with `convert` applied to every component.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U: Copy>(self, convert: impl Fn(T) -> U) -> Vec3<U> {
+        Vec3::new(convert(self.x), convert(self.y), convert(self.z))
+    }
+}
+
+impl<T: Real> Vec3<T> {
+    /// `yes` where `mask` holds, `no` elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self::new(T::select(mask, yes.x, no.x), T::select(mask, yes.y, no.y), T::select(mask, yes.z, no.z))
+    }
+
+    /// Scalar product, summed left to right.
+    #[inline(always)]
+    #[must_use]
+    pub fn dot(self, other: Self) -> T {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// Vector product.
+    #[inline(always)]
+    #[must_use]
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+
+    /// Euclidean length.
+    #[inline(always)]
+    #[must_use]
+    pub fn length(self) -> T {
+        self.dot(self).sqrt()
+    }
+
+    /// The vector of length one in the same direction; not a number in every component for a null vector.
+    #[inline(always)]
+    #[must_use]
+    pub fn unit(self) -> Self {
+        self / self.length()
+    }
+
+    /// The vector of length one in the same direction, and the length; for short vectors too, in f64 and double-double.
+    ///
+    /// The square of a length below 2^-537 underflows in f64. In double-double the low half of the square underflows already
+    /// for lengths below 2^-458. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is exact. All
+    /// other vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision cannot hold 2^600: there no
+    /// vector is scaled, and the square of a short one underflows.
+    #[inline(always)]
+    #[must_use]
+    pub fn unit_and_length(self) -> (Self, T) {
+        const SCALE: f64 = f64::from_bits((1023 + 600) << 52);
+        const INVERSE: f64 = f64::from_bits((1023 - 600) << 52);
+        let is_short = self.dot(self).less(T::of(INVERSE));
+        let scaled = self * T::select(is_short, T::of(SCALE), T::of(1.0));
+        let length = scaled.length();
+        (scaled / length, length * T::select(is_short, T::of(INVERSE), T::of(1.0)))
+    }
+
+    /// Product component by component: a colour attenuated by a reflectance.
+    #[inline(always)]
+    #[must_use]
+    pub fn attenuate(self, reflectance: Self) -> Self {
+        Self::new(self.x * reflectance.x, self.y * reflectance.y, self.z * reflectance.z)
+    }
+
+    /// The part of the vector perpendicular to `axis`, a unit vector: `v - (v . axis) axis`.
+    #[inline(always)]
+    #[must_use]
+    pub fn perpendicular_to(self, axis: Self) -> Self {
+        self - axis * self.dot(axis)
+    }
+}
+
+impl<T: Real<Mask = bool>> Vec3<T> {
+    /// Whether every component is smaller than [`NEGLIGIBLE`] in magnitude (statement, section 3.5.1).
+    #[inline(always)]
+    #[must_use]
+    pub fn is_negligible(self) -> bool {
+        self.is_within(T::of(NEGLIGIBLE))
+    }
+
+    /// Whether every component is smaller than `limit` in magnitude.
+    #[inline(always)]
+    #[must_use]
+    pub fn is_within(self, limit: T) -> bool {
+        self.x.abs().less(limit) && self.y.abs().less(limit) && self.z.abs().less(limit)
+    }
+}
+
+/// What the components of a matte surface's scattered direction are smaller than where it is replaced by the normal
+/// (statement, section 3.5.1).
+pub const NEGLIGIBLE: f64 = 1e-8;
+
+impl<T: Copy> From<[T; 3]> for Vec3<T> {
+    fn from([x, y, z]: [T; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl<T: Real> Add for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl<T: Real> Sub for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl<T: Real> Mul<T> for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, factor: T) -> Self {
+        Self::new(self.x * factor, self.y * factor, self.z * factor)
+    }
+}
+
+impl<T: Real> Div<T> for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, divisor: T) -> Self {
+        Self::new(self.x / divisor, self.y / divisor, self.z / divisor)
+    }
+}
+
+impl<T: Real> Neg for Vec3<T> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: Vec3 = Vec3::new(1.0, 2.0, 3.0);
+    const B: Vec3 = Vec3::new(-4.0, 5.0, 0.5);
+
+    #[test]
+    fn operators_work_component_by_component() {
+        assert_eq!(A + B, Vec3::new(-3.0, 7.0, 3.5));
+        assert_eq!(A - B, Vec3::new(5.0, -3.0, 2.5));
+        assert_eq!(A * 2.0, Vec3::new(2.0, 4.0, 6.0));
+        assert_eq!(A / 2.0, Vec3::new(0.5, 1.0, 1.5));
+        assert_eq!(-A, Vec3::new(-1.0, -2.0, -3.0));
+        assert_eq!(A.attenuate(B), Vec3::new(-4.0, 10.0, 1.5));
+    }
+
+    #[test]
+    fn dot_is_summed_left_to_right() {
+        let large = Vec3::new(1e16, 1.0, -1e16);
+        assert_eq!(large.dot(Vec3::ONE), 0.0, "1e16 + 1 rounds to 1e16 before the subtraction");
+        assert_eq!(A.dot(B), 7.5);
+    }
+
+    #[test]
+    fn cross_is_perpendicular_to_both() {
+        let cross = A.cross(B);
+        assert_eq!((cross.dot(A), cross.dot(B)), (0.0, 0.0));
+        assert_eq!(Vec3::new(1.0, 0.0, 0.0).cross(Vec3::new(0.0, 1.0, 0.0)), Vec3::new(0.0, 0.0, 1.0));
+    }
+
+    #[test]
+    fn unit_has_length_one_and_is_nan_for_the_null_vector() {
+        assert_eq!(Vec3::new(0.0, 3.0, 4.0).length(), 5.0);
+        assert_eq!(Vec3::new(0.0, 3.0, 4.0).unit(), Vec3::new(0.0, 0.6, 0.8));
+        assert!(Vec3::ZERO.unit().x.is_nan());
+    }
+
+    #[test]
+    fn perpendicular_part_has_nothing_along_the_axis() {
+        let axis = Vec3::new(0.0, 1.0, 0.0);
+        assert_eq!(A.perpendicular_to(axis), Vec3::new(1.0, 0.0, 3.0));
+    }
+
+    #[test]
+    fn negligible_means_all_components_below_the_limit() {
+        assert!(Vec3::new(9e-9, -9e-9, 0.0).is_negligible());
+        assert!(!Vec3::new(1e-8, 0.0, 0.0).is_negligible());
+        assert!(!Vec3::new(f64::NAN, 0.0, 0.0).is_negligible());
+    }
+
+    #[test]
+    fn finite_and_array_round_trip() {
+        assert!(A.is_finite() && !Vec3::new(0.0, f64::INFINITY, 0.0).is_finite());
+        assert_eq!(Vec3::from(A.to_array()), A);
+    }
+}

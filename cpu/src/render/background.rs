@@ -1,0 +1,66 @@
+//! The colour of a ray that meets nothing: a gradient along y (statement, section 3.6).
+
+use crate::input::config::Config;
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+
+/// The two ends of the gradient, linear colours with channels in `[0, 1]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Background<T = f64> {
+    /// The colour straight along +y.
+    pub dark: Vec3<T>,
+    /// The colour straight along -y.
+    pub light: Vec3<T>,
+}
+
+impl Background {
+    /// The background that the configuration asks for.
+    #[must_use]
+    pub const fn new(config: &Config) -> Self {
+        Self { dark: config.background_dark_color, light: config.background_light_color }
+    }
+
+    /// The same in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn lanes<V: Real>(&self) -> Background<V> {
+        Background { dark: self.dark.map(V::of), light: self.light.map(V::of) }
+    }
+}
+
+impl<T: Real> Background<T> {
+    /// The colour along `direction`, of any length: `(1 - m) light + m dark` with `m = (unit(direction).y + 1) / 2`.
+    #[inline(always)]
+    #[must_use]
+    pub fn color(&self, direction: Vec3<T>) -> Vec3<T> {
+        let m = (direction.y / direction.length() + T::of(1.0)) / T::of(2.0);
+        self.light * (T::of(1.0) - m) + self.dark * m
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gradient_runs_from_light_below_to_dark_above() {
+        let background = Background { dark: Vec3::new(1.0, 0.0, 0.5), light: Vec3::ZERO };
+        assert_eq!(background.color(Vec3::new(0.0, 3.0, 0.0)), background.dark);
+        assert_eq!(background.color(Vec3::new(0.0, -0.1, 0.0)), background.light);
+        assert_eq!(background.color(Vec3::new(7.0, 0.0, 0.0)), background.dark * 0.5);
+    }
+
+    #[test]
+    fn between_the_ends_both_colours_have_their_share() {
+        let background = Background { dark: Vec3::new(1.0, 0.0, 0.5), light: Vec3::new(0.0, 1.0, 0.25) };
+        // The direction's unit vector has y = 3 / 5: four fifths of the way up.
+        let color = background.color(Vec3::new(4.0, 3.0, 0.0));
+        assert!((color - Vec3::new(0.8, 0.2, 0.45)).length() < 1e-15, "{color:?}");
+    }
+
+    #[test]
+    fn a_null_direction_has_no_colour() {
+        assert!(Background::new(&Config::default()).color(Vec3::ZERO).x.is_nan());
+    }
+}

@@ -1,0 +1,157 @@
+//! The walk where objects are two or three: beside every ray the samples that come next, several at once.
+//!
+//! Half of all paths leave with their first ray after a surface that scatters. So the first rays of the next samples are
+//! tried as if each of them left: then each takes the next triple of the stream. Those before the first that may meet
+//! something have left, and of that one it is known what it may meet. What was guessed wrong behind it is tried again.
+//!
+//! They are tried beside the ray before them, as if that left as well: what a ray meets takes the processor long to find
+//! out, but little of what it can do at a time. Where the ray is the last that its path may send, and certainly meets something,
+//! its surface takes one triple more, and nothing else: nobody asks what it meets.
+//!
+//! A sample leaves only where the filter stops its ray, and the filter keeps every ray that it cannot judge: directions that
+//! are too short for it, and what is not a number.
+
+use crate::accel::conservative::is_too_short;
+use crate::accel::side_by_side::TouchedByEach;
+use crate::accel::small_scene::{Few, nearest_of};
+use crate::counters::{Counter, add};
+use crate::geometry::ray::Ray;
+use crate::layout::Layout;
+use crate::math::vec3::Vec3;
+use crate::render::path::Walk;
+use crate::render::path_queue::Queue;
+use crate::render::prepared::Prepared;
+use crate::sampling::scatter_stream::Triples;
+use crate::simd::{LaneMask, Lanes, Simd};
+
+/// The first rays of the samples of the queue from one on, a lane each, as if each of them left.
+#[derive(Clone, Copy)]
+struct Ahead<V: Lanes> {
+    /// The first sample.
+    at: usize,
+    /// Where in the stream the triple stands that it takes.
+    position: u64,
+    /// How many samples there are.
+    tried: usize,
+    direction: Vec3<V>,
+    touched: TouchedByEach,
+}
+
+impl<V: Lanes> Ahead<V> {
+    /// No samples.
+    #[inline(always)]
+    fn nothing() -> Self {
+        let direction = Vec3::splat(V::of(0.0));
+        Self { at: usize::MAX, position: 0, tried: 0, direction, touched: TouchedByEach::NOTHING }
+    }
+
+    /// The samples from `at` on.
+    #[inline(always)]
+    fn look(few: &Few, Walk { queue, triples, .. }: &Walk, at: usize) -> Self {
+        let (rays, short) = first_rays::<V>(queue, triples, at);
+        let tried = V::LANES.min(queue.count - at);
+        add(Counter::Guesses, tried as u64);
+        Self {
+            at,
+            position: triples.position(),
+            tried,
+            direction: rays.direction,
+            touched: few.touched_by_each(&rays, short),
+        }
+    }
+
+    /// Whether it begins with the sample `at` and the triple at `position`.
+    #[inline(always)]
+    fn is_of(&self, at: usize, position: u64) -> bool {
+        self.at == at && self.position == position
+    }
+
+    /// How many samples leave before one that may meet something.
+    #[inline(always)]
+    fn leaving(&self) -> usize {
+        (self.touched.any() | u32::MAX << self.tried).trailing_zeros() as usize
+    }
+}
+
+/// Follows every waiting sample, each of which may send a ray, to its end.
+#[inline(always)]
+pub fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, walk: &mut Walk, simd: S) {
+    let mut ahead = Ahead::<S::F64>::nothing();
+    let mut at = 0;
+    while at < walk.queue.count {
+        walk.triples.prepare(simd);
+        if !ahead.is_of(at, walk.triples.position()) {
+            ahead = Ahead::look(few, walk, at);
+        }
+        let (left, tried, touched) = (ahead.leaving(), ahead.tried, ahead.touched);
+        walk.ended.leave_several(at, ahead.direction);
+        walk.triples.skip(left);
+        add(Counter::WalkRays, left as u64);
+        at += left;
+        if left < tried {
+            walk.triples.skip(1);
+            add(Counter::WalkRays, 1);
+            go_on(prepared, few, walk, simd, at, touched.by(left), &mut ahead);
+            at += 1;
+        }
+    }
+}
+
+/// Follows the queue's sample `at` to its end, from its first ray on, which may meet the objects of `touched`. Looks at the
+/// samples behind it meanwhile.
+#[inline(always)]
+fn go_on<S: Simd, L: Layout>(
+    prepared: &Prepared<L>,
+    few: &Few,
+    walk: &mut Walk,
+    simd: S,
+    at: usize,
+    mut touched: u32,
+    if_it_leaves: &mut Ahead<S::F64>,
+) {
+    let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ended.direction.get(at) };
+    let mut rays = walk.queue.rays[at];
+    loop {
+        let found = nearest_of(&prepared.objects, &ray, touched);
+        if !found.is_hit() {
+            return walk.ended.leave(at, ray.direction);
+        }
+        rays -= 1;
+        let Some(sent) = walk.send_on(prepared, simd, at, rays, &ray, &found) else {
+            return;
+        };
+        ray = sent.ray;
+        add(Counter::WalkRays, 1);
+        walk.triples.prepare(simd);
+        *if_it_leaves = Ahead::look(few, walk, at + 1);
+        touched = few.touched_by_one::<S::F64, _>(&prepared.objects, &ray);
+        // One branch for the commonest answer, as early as it can be known.
+        if touched == 0 {
+            return walk.ended.leave(at, ray.direction);
+        }
+        // Where the ray is the last, and certainly meets something, nobody asks what: all objects scatter alike.
+        if rays == 1 && prepared.scatters_everywhere && few.begins_inside(&prepared.objects, &ray) {
+            add(Counter::Hits, 1);
+            add(Counter::LastRaysSpared, 1);
+            walk.triples.skip(1);
+            return walk.ended.forget(at, &mut walk.queue);
+        }
+    }
+}
+
+/// The first rays of the samples from `at` on, which take the next triples; and the lanes whose directions are too short for
+/// the filter, as bits.
+#[inline(always)]
+fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize) -> (Ray<V>, u32) {
+    let (base, triple) = (queue.base.load::<V>(at), triples.following::<V>());
+    let spread = queue.spread::<V>(at);
+    let mut direction = base + spread.vector(triple);
+    // A direction whose components are all negligible is shorter still.
+    let short = is_too_short(direction.dot(direction)).bits();
+    if short != 0 {
+        let limit = spread.negligible;
+        let negligible = direction.x.abs().less(limit) & direction.y.abs().less(limit) & direction.z.abs().less(limit);
+        direction = Vec3::select(negligible, base, direction);
+    }
+    (Ray { origin: queue.point.load(at), direction }, short)
+}

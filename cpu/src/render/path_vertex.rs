@@ -1,0 +1,52 @@
+//! What is known of a sample on a surface: all that its way on begins with.
+
+use crate::materials::prepared::{Finish, Spread};
+use crate::math::real::Real;
+use crate::math::vec3::Vec3;
+
+/// Numbers that the queue keeps of a sample, besides its rays.
+pub const NUMBERS: usize = 13;
+
+/// A sample on a surface, or a lane of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing<T = f64> {
+    /// Where.
+    pub point: Vec3<T>,
+    /// What is known of the way on before a random vector is added: a matte surface's normal, a metal one's mirror
+    /// direction; the whole direction at a refractive one.
+    pub base: Vec3<T>,
+    /// How its way on is scattered around `base`.
+    pub spread: Spread<T>,
+    /// What the colour of the way on is multiplied by.
+    pub reflectance: Vec3<T>,
+    /// The [object](crate::accel::object::ObjectId) that it stands on, a whole number.
+    pub object: T,
+}
+
+impl<T: Real> Standing<T> {
+    /// On a surface with this finish.
+    #[inline(always)]
+    pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, finish: &Finish) -> Self {
+        Self { point, base, spread: finish.spread.lanes(), reflectance: finish.reflectance.map(T::of), object }
+    }
+
+    /// These where `mask` holds, `others` elsewhere: but for point and object, which are the same in both.
+    #[inline(always)]
+    pub fn where_else(&self, mask: T::Mask, others: &Self) -> Self {
+        let (these, those) = (&self.spread, &others.spread);
+        let spread = Spread {
+            scale: T::select(mask, these.scale, those.scale),
+            shift: T::select(mask, these.shift, those.shift),
+            negligible: T::select(mask, these.negligible, those.negligible),
+        };
+        let reflectance = Vec3::select(mask, self.reflectance, others.reflectance);
+        Self { base: Vec3::select(mask, self.base, others.base), spread, reflectance, ..*self }
+    }
+
+    /// The numbers, in the order of the [queue's](crate::render::path_queue::Queue) arrays.
+    #[inline(always)]
+    pub fn numbers(&self) -> [T; NUMBERS] {
+        let Self { point: p, base: b, spread: s, reflectance: r, object } = *self;
+        [p.x, p.y, p.z, b.x, b.y, b.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object]
+    }
+}

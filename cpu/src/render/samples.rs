@@ -1,0 +1,101 @@
+//! A span's samples on their way: an array for each value, so that several are worked on at once.
+
+use crate::accel::bvh::stack::Stack;
+use crate::counters::{Counter, add};
+use crate::layout::Layout;
+use crate::render::prepared::Prepared;
+use crate::sampling::block::BlockUniform;
+use crate::sampling::scatter_vectors::Scatter;
+use crate::simd::{Kernel, Lanes, Simd};
+
+use crate::render::arrays::{CAPACITY, SLACK, Values, Vectors};
+use crate::render::sample_set::SampleSet;
+use crate::render::span::Span;
+
+/// Begins a span: places its samples in their pixels.
+pub struct Draw<'a, L: Layout> {
+    pub prepared: &'a Prepared<L>,
+    pub span: &'a Span,
+    pub offsets: &'a mut BlockUniform,
+    pub batch: &'a mut Batch,
+}
+
+impl<L: Layout> Kernel for Draw<'_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        self.batch.draw::<S::F64, L>(self.prepared, self.span, self.offsets);
+    }
+}
+
+/// A sample in glass.
+#[derive(Clone, Copy, Debug)]
+pub struct InGlass {
+    /// Its number in the span.
+    pub sample: u32,
+    /// Its place in the queue.
+    pub place: u32,
+}
+
+/// The samples of a span.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// Number of samples.
+    pub count: usize,
+    /// Column of each sample's pixel.
+    pub column: Values,
+    /// Places in their pixels, to the right and down.
+    pub offset: [Values; 2],
+    /// Samples that are in the [queue](crate::render::path_queue::Queue), in the same order.
+    pub queued: SampleSet,
+    /// Samples whose ray has just met a refractive surface.
+    pub in_glass: Vec<InGlass>,
+    /// Colours of the samples, linear; those of samples in the queue are not known yet.
+    pub color: Vectors,
+    /// Room for the search.
+    pub stack: Stack,
+    draws: [f64; 2 * CAPACITY],
+}
+
+impl Batch {
+    /// Room for a batch.
+    pub fn new() -> Box<Self> {
+        Box::new(Self {
+            count: 0,
+            column: [0.0; CAPACITY + SLACK],
+            offset: [[0.0; CAPACITY + SLACK]; 2],
+            queued: SampleSet::EMPTY,
+            in_glass: Vec::with_capacity(CAPACITY),
+            color: Vectors::ZERO,
+            stack: Stack::EMPTY,
+            draws: [0.0; 2 * CAPACITY],
+        })
+    }
+
+    /// See [`Draw`].
+    #[inline(always)]
+    pub fn draw<V: Lanes, L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+        self.count = span.count;
+        let mut left_in_pixel = prepared.samples - span.first_sample;
+        let (mut column, mut from) = (span.first, 0);
+        while from < span.count {
+            let to =
+                span.count.min(usize::try_from(left_in_pixel).map_or(span.count, |left| left.saturating_add(from)));
+            self.column[from..to].fill(column as f64);
+            (from, column, left_in_pixel) = (to, column + 1, prepared.samples);
+        }
+        if prepared.scatter == Scatter::Deterministic {
+            return;
+        }
+        add(Counter::RayDraws, 2 * span.count as u64);
+        offsets.fill(&mut self.draws[..2 * span.count]);
+        // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing. Lanes beyond the last sample are of no meaning.
+        let half = V::of(0.5);
+        for at in (0..span.count).step_by(V::LANES) {
+            let (right, down) = V::load(&self.draws[2 * at..]).unzip(V::load(&self.draws[2 * at + V::LANES..]));
+            (right - half).store(&mut self.offset[0][at..]);
+            (down - half).store(&mut self.offset[1][at..]);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! The surface that a ray meets: its point, its normal, its material, and where it sends the ray.
+
+use crate::accel::closest_hit::Found;
+use crate::accel::object::ObjectId;
+use crate::counters::{Counter, add};
+use crate::geometry::ray::{Hit, Ray};
+use crate::input::scene::MaterialId;
+use crate::layout::Objects;
+use crate::materials::prepared::{Finish, Kind};
+use crate::materials::scatter;
+use crate::math::vec3::Vec3;
+
+/// A point of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Surface {
+    /// The point.
+    pub point: Vec3,
+    /// The normal that leaves the object.
+    pub outward: Vec3,
+    /// The object's material.
+    pub material: MaterialId,
+}
+
+/// Where a surface sends a ray.
+#[derive(Clone, Copy, Debug)]
+pub enum Onward {
+    /// Around this vector: a random one is added.
+    Scattered(Vec3),
+    /// Along this direction.
+    Through(Vec3),
+}
+
+impl Surface {
+    /// The surface that the search has found.
+    #[inline(always)]
+    pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &Found) -> Self {
+        add(Counter::Hits, 1);
+        let point = ray.at(found.lambda);
+        match (found.object as usize).checked_sub(objects.sphere_count()) {
+            None => {
+                let sphere = objects.sphere(found.object as usize);
+                Self { point, outward: sphere.record.outward(point), material: sphere.material }
+            }
+            Some(index) => {
+                let cylinder = objects.cylinder(index);
+                Self { point, outward: cylinder.record.outward(found.part, point), material: cylinder.material }
+            }
+        }
+    }
+
+    /// Where a surface with this finish sends a ray that comes along `direction`.
+    #[inline(always)]
+    pub fn onward(&self, finish: &Finish, direction: Vec3) -> Onward {
+        match finish.kind {
+            Kind::Matte => Onward::Scattered(Hit::facing(direction, self.point, self.outward).normal),
+            // The mirror image is the same, to the bit, for a normal and its opposite: both signs cancel.
+            Kind::Metal => Onward::Scattered(scatter::mirror(direction, self.outward)),
+            Kind::Refractive => {
+                let hit = Hit::facing(direction, self.point, self.outward);
+                let ratio = if hit.front { finish.inverse_index } else { finish.index };
+                Onward::Through(scatter::refract(direction, hit.normal, ratio))
+            }
+        }
+    }
+}
+
+/// The material of the object at `object`.
+#[inline(always)]
+pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
+    match (object as usize).checked_sub(objects.sphere_count()) {
+        None => objects.sphere(object as usize).material,
+        Some(index) => objects.cylinder(index).material,
+    }
+}

@@ -1,0 +1,146 @@
+//! The same stream as [`crate::sampling::uniform::Uniform`], a block of 312 draws at a time.
+//!
+//! `mt19937_64` (Nishimura and Matsumoto, 2000) renews its whole state at once; renewing, tempering and converting are
+//! loops without branches that the compiler turns into lanes. Held against `rand_mt` on 10^8 draws in the tests.
+
+use crate::sampling::uniform::canonical;
+
+const LENGTH: usize = 312;
+const MIDDLE: usize = 156;
+
+/// Words before those of the state: half of it has four words more than lanes fill.
+const LEAD: usize = 4;
+
+/// A state: its last words of the time before, its words, and the first one again.
+type State = [u64; LEAD + LENGTH + 1];
+
+/// A stream of draws in `[0, 1)`.
+#[derive(Clone, Debug)]
+pub struct BlockUniform {
+    state: Box<State>,
+    /// Words of the state already given away.
+    used: usize,
+}
+
+impl BlockUniform {
+    /// The stream that `std::mt19937_64(seed)` gives.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
+        let mut state = Box::new([seed; LEAD + LENGTH + 1]);
+        for index in 1..LENGTH {
+            let before = state[LEAD + index - 1];
+            state[LEAD + index] = (before ^ (before >> 62)).wrapping_mul(MULTIPLIER).wrapping_add(index as u64);
+        }
+        Self { state, used: LENGTH }
+    }
+
+    /// Fills `place` with the next draws.
+    #[inline(always)]
+    pub fn fill(&mut self, mut place: &mut [f64]) {
+        while !place.is_empty() {
+            if self.used == LENGTH {
+                renew(&mut self.state);
+                self.used = 0;
+            }
+            let count = place.len().min(LENGTH - self.used);
+            let (now, later) = place.split_at_mut(count);
+            let words = &self.state[LEAD + self.used..LEAD + self.used + count];
+            for (draw, &word) in now.iter_mut().zip(words) {
+                *draw = canonical(temper(word));
+            }
+            self.used += count;
+            place = later;
+        }
+    }
+
+    /// Passes over `count` draws, for less than drawing them.
+    #[inline(always)]
+    pub fn skip(&mut self, mut count: u64) {
+        loop {
+            let left = (LENGTH - self.used) as u64;
+            if count <= left {
+                self.used += count as usize;
+                return;
+            }
+            count -= left;
+            renew(&mut self.state);
+            self.used = 0;
+        }
+    }
+}
+
+/// The next state. A word depends on itself, its neighbour and the one half a state away.
+#[inline(always)]
+fn renew(state: &mut State) {
+    // Both loops begin where lanes do. So the second begins four words before the middle of the state, for which half a state
+    // away are the last four of the old state.
+    state.copy_within(LENGTH..LENGTH + LEAD, 0);
+    renew_some::<{ MIDDLE - LEAD }>(state, LEAD, LEAD + MIDDLE);
+    state[LEAD + LENGTH] = state[LEAD];
+    renew_some::<{ LENGTH - MIDDLE + LEAD }>(state, MIDDLE, 0);
+}
+
+/// Renews the words from `at` on, with those from `half` on.
+#[inline(always)]
+fn renew_some<const COUNT: usize>(state: &mut State, at: usize, half: usize) {
+    for index in 0..COUNT {
+        state[at + index] = state[half + index] ^ twist(state[at + index], state[at + index + 1]);
+    }
+}
+
+#[inline(always)]
+fn twist(high: u64, low: u64) -> u64 {
+    const UPPER: u64 = 0xFFFF_FFFF_8000_0000;
+    const MATRIX: u64 = 0xB502_6F5A_A966_19E9;
+    let word = (high & UPPER) | (low & !UPPER);
+    (word >> 1) ^ ((word & 1).wrapping_neg() & MATRIX)
+}
+
+#[inline(always)]
+fn temper(mut word: u64) -> u64 {
+    word ^= (word >> 29) & 0x5555_5555_5555_5555;
+    word ^= (word << 17) & 0x71D6_7FFF_EDA6_0000;
+    word ^= (word << 37) & 0xFFF7_EEE0_0000_0000;
+    word ^ (word >> 43)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::uniform::Uniform;
+
+    #[test]
+    fn the_stream_is_rand_mts() {
+        // 10^8 draws where the build is optimised, enough to renew the state often where it is not, or even interpreted.
+        let total = match cfg!(debug_assertions) {
+            _ if cfg!(miri) => 3_000,
+            true => 1_000_000,
+            false => 100_000_000,
+        };
+        let (mut block, mut single) = (BlockUniform::new(45), Uniform::new(45));
+        let mut place = [0.0; 1000];
+        for _ in 0..total / place.len() {
+            block.fill(&mut place);
+            for draw in place {
+                assert_eq!(draw, single.canonical());
+            }
+        }
+    }
+
+    #[test]
+    fn skipping_is_drawing_without_looking() {
+        for (before, skipped) in [(0, 0), (0, 312), (1, 311), (5, 312), (311, 2), (312, 624), (100, 10_000), (7, 3)] {
+            let (mut block, mut single) = (BlockUniform::new(7), Uniform::new(7));
+            let mut place = vec![0.0; before];
+            block.fill(&mut place);
+            block.skip(skipped);
+            (0..before as u64 + skipped).for_each(|_| _ = single.canonical());
+            let mut place = [0.0; 400];
+            block.fill(&mut place);
+            for draw in place {
+                assert_eq!(draw, single.canonical(), "{before} drawn, {skipped} skipped");
+            }
+        }
+    }
+}

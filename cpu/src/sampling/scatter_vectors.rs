@@ -1,0 +1,100 @@
+//! The random vectors that surfaces need to scatter light, in the conventions of SPEC.md.
+
+use crate::math::vec3::Vec3;
+use crate::sampling::uniform::Uniform;
+
+/// Where the random vectors come from: the two conventions of SPEC.md, and none at all.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scatter {
+    /// The statement's: a vector in a cube, three draws. What `render-aos` and `render-soa` follow.
+    #[default]
+    Statement,
+    /// The published images': a vector of length one, drawn by rejection, times the diffusion.
+    Published,
+    /// Deterministic mode, for comparing implementations: one ray a pixel, through its middle, whatever
+    /// `samples_per_pixel` says, and null vectors. Nothing is drawn.
+    Deterministic,
+}
+
+/// The stream of random vectors that all materials share.
+#[derive(Clone, Debug)]
+pub struct ScatterVectors {
+    convention: Scatter,
+    draws: Uniform,
+}
+
+impl ScatterVectors {
+    /// The stream of `convention` from a seed.
+    #[must_use]
+    pub fn new(convention: Scatter, seed: u64) -> Self {
+        Self { convention, draws: Uniform::new(seed) }
+    }
+
+    /// The next vector, of half side or length `extent`: 1 for matte, the diffusion for metal.
+    #[inline]
+    pub fn next(&mut self, extent: f64) -> Vec3 {
+        match self.convention {
+            Scatter::Statement => Vec3::from([(); 3].map(|()| self.draws.draw(-extent, extent))),
+            Scatter::Published => self.unit_vector() * extent,
+            Scatter::Deterministic => Vec3::ZERO,
+        }
+    }
+
+    /// A vector of length one: draws in the cube until one falls in the unit ball, away from its middle.
+    fn unit_vector(&mut self) -> Vec3 {
+        loop {
+            let vector = Vec3::from([(); 3].map(|()| self.draws.draw(-1.0, 1.0)));
+            let length_squared = vector.dot(vector);
+            if length_squared > 1e-160 && length_squared <= 1.0 {
+                return vector / length_squared.sqrt();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_statements_vectors_fill_a_cube_three_draws_each() {
+        let mut vectors = ScatterVectors::new(Scatter::Statement, 13);
+        let mut draws = Uniform::new(13);
+        for extent in [1.0, 2.0, 0.0] {
+            let expected = Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)));
+            assert_eq!(vectors.next(extent), expected);
+        }
+    }
+
+    #[test]
+    fn the_published_vectors_have_the_length_asked_for() {
+        let mut vectors = ScatterVectors::new(Scatter::Published, 13);
+        for _ in 0..1000 {
+            assert!((vectors.next(1.0).length() - 1.0).abs() < 1e-15);
+            assert!((vectors.next(2.5).length() - 2.5).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn a_published_vector_is_the_first_draw_in_the_ball_made_as_long_as_asked_for() {
+        let (mut vectors, mut draws) = (ScatterVectors::new(Scatter::Published, 13), Uniform::new(13));
+        let mut rejected = 0;
+        for _ in 0..1000 {
+            let expected = loop {
+                let [x, y, z] = [(); 3].map(|()| draws.draw(-1.0, 1.0));
+                let squared: f64 = x * x + y * y + z * z;
+                if squared <= 1.0 {
+                    break Vec3::new(x, y, z) / squared.sqrt() * 2.0;
+                }
+                rejected += 1;
+            };
+            assert_eq!(vectors.next(2.0), expected);
+        }
+        assert!(rejected > 0, "the cube is larger than the ball");
+    }
+
+    #[test]
+    fn deterministic_vectors_are_null() {
+        assert_eq!(ScatterVectors::new(Scatter::Deterministic, 1).next(3.0), Vec3::ZERO);
+    }
+}
