@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Which mistakes in cpu no test would notice: cargo-mutants on the parsers, camera, materials, intersections, image and
-# output, against cpu's own unit tests. Half an hour on one core; arguments go to cargo mutants, such as -f FILE.
+# output, against cpu's own unit tests. Half an hour on one core; arguments go to cargo mutants, such as -f FILE. What
+# follows -- goes to cargo test: tests/mutants.sh -f cpu/src/output.rs -- output::
 #
 # Needs cargo install --locked cargo-mutants. Mutants do what nobody meant, and one of output.rs may well rename a file
 # over what it is told to write to: as root this runs where nothing outside the temporary folders can be changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-files=(text config scene camera material scatter sphere cylinder image quantize ppm output output/stop background surface error program layout ray)
+files=(text config scene camera material scatter sphere cylinder image quantize ppm output output/{folder,place,stdout,stop,temporary} input background surface error program layout ray)
 if [ $# -eq 0 ]; then
     for file in "${files[@]}"; do
         set -- "$@" "--file=cpu/src/$file.rs"
@@ -20,4 +21,5 @@ if [ "$(id -u)" -eq 0 ] && [ -z "${MUTANTS_CONFINED:-}" ]; then
 fi
 # Without optimisation a mutant is built in a second or two.
 export CARGO_PROFILE_DEV_OPT_LEVEL=0 CARGO_PROFILE_DEV_DEBUG=none
-cargo mutants -p cpu --minimum-test-timeout 12 --no-shuffle --cargo-test-arg=--lib "$@"
+# The library alone, in the build too: the other tests' programs take far longer to build.
+cargo mutants -p cpu --minimum-test-timeout 12 --no-shuffle --cargo-arg=--lib "$@"

@@ -99,14 +99,20 @@ impl Output {
     }
 }
 
+impl Output {
+    /// Keeps the first error of a write. Callers write again after an interruption, so that is none.
+    fn remember(&mut self, error: &io::Error) {
+        if error.kind() != io::ErrorKind::Interrupted && self.failure.is_none() {
+            self.failure = Some(error.raw_os_error().map_or(error.kind().into(), io::Error::from_raw_os_error));
+        }
+    }
+}
+
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let result = self.place.write(bytes);
         if let Err(error) = &result {
-            // Callers write again after an interruption.
-            if error.kind() != io::ErrorKind::Interrupted && self.failure.is_none() {
-                self.failure = Some(error.raw_os_error().map_or(error.kind().into(), io::Error::from_raw_os_error));
-            }
+            self.remember(error);
         }
         result
     }

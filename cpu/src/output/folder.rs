@@ -250,3 +250,6 @@ fn retry(mut call: impl FnMut() -> c_int) -> io::Result<c_int> {
         }
     }
 }
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests;

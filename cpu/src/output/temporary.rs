@@ -235,3 +235,6 @@ impl Name {
         Err(io::Error::new(ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -164,8 +164,9 @@ fn a_named_temporary_file_goes_when_it_is_dropped() {
 
     let folder = Folder::new("named");
     let path = folder.0.join("out.ppm");
-    let files: Vec<_> = (0..16).map(|_| Temporary::named(&path, true).expect("the folder is writable")).collect();
-    assert!(folder.names().len() >= 16);
+    // Half of the names that a process has at a time: other tests of this process write files meanwhile.
+    let files: Vec<_> = (0..8).map(|_| Temporary::named(&path, true).expect("the folder is writable")).collect();
+    assert_eq!(folder.names().len(), 8);
     drop(files);
     assert!(folder.names().is_empty());
 }

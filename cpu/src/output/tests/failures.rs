@@ -20,3 +20,24 @@ fn a_failed_write_fails_the_commit_too_when_its_error_was_ignored() {
     assert!(matches!(ignored, Err(Error::Write { .. })), "{ignored:?}");
     open(full).and_then(Output::commit).expect("nothing was lost");
 }
+
+#[test]
+fn an_interrupted_write_is_no_failure_and_the_first_failure_is_the_one_that_is_told() {
+    let folder = Folder::new("interrupted");
+    let path = folder.0.join("out.ppm");
+    let mut output = open(&path).expect("the folder is writable");
+    output.remember(&io::ErrorKind::Interrupted.into());
+    output.write_all(b"whole").expect("the disk has room");
+    output.commit().expect("nothing was lost");
+    assert_eq!(fs::read(&path).expect("written"), b"whole");
+    let mut output = open(&path).expect("the folder is writable");
+    for kind in [io::ErrorKind::StorageFull, io::ErrorKind::BrokenPipe] {
+        output.remember(&kind.into());
+    }
+    let result = output.commit();
+    assert!(
+        matches!(&result, Err(Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::StorageFull),
+        "{result:?}"
+    );
+    assert_eq!(fs::read(&path).expect("it stands"), b"whole");
+}
