@@ -8,7 +8,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-files=(text config scene camera material scatter sphere cylinder image quantize ppm output output/{folder,place,stdout,stop,temporary} input background surface error program layout ray)
+files=(input/{text,config,scene,material,error,reader} geometry/{camera,sphere,cylinder,ray} materials/scatter image image/{quantize,ppm}
+    output output/{folder,place,stdout,stop,temporary} render/{background,surface} program layout)
 if [ $# -eq 0 ]; then
     for file in "${files[@]}"; do
         set -- "$@" "--file=cpu/src/$file.rs"

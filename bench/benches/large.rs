@@ -5,7 +5,7 @@
 use std::fs::File;
 use std::time::Instant;
 
-use cpu::accel::choice::Search;
+use cpu::accel::choice::Accel;
 use cpu::accel::extent::Extent;
 use cpu::accel::object::order_of;
 use cpu::layout::Objects;
@@ -61,8 +61,8 @@ fn read() {
     let build = || {
         let objects = AosObjects::build(&scene).expect("it fits");
         let extent = Extent::new(&objects, &camera, &scene.materials_in_use().expect("they fit"));
-        let search = Search::new(&objects, &extent).expect("it fits");
-        assert!(matches!(search, Search::Tree(_)) && order_of(&objects, 0) < OBJECTS as u32);
+        let search = Accel::new(&objects, &extent).expect("it fits");
+        assert!(matches!(search, Accel::Bvh(_)) && order_of(&objects, 0) < OBJECTS as u32);
         search
     };
     let (read, built) = (fastest(3, parse), fastest(3, build));

@@ -4,7 +4,7 @@
 use std::hint::black_box;
 
 use bench::time::compare;
-use cpu::accel::choice::Search;
+use cpu::accel::choice::Accel;
 use cpu::image::quantize;
 use cpu::image::quantize::Quantizer;
 use cpu::sampling::uniform::Uniform;
@@ -80,7 +80,7 @@ fn board(what: &str, objects: usize, width: u64) {
     let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
     let new = || Prepared::<Aos>::new(&config, &generator::scene(&options), Scatter::Statement).expect("it is small");
     let (skipping, mut doing) = (new(), new());
-    doing.search = Search::Plain;
+    doing.search = Accel::EveryObject;
     pictures(what, || render(&skipping), || render(&doing));
 }
 
@@ -90,7 +90,7 @@ fn ground(what: &str, objects: u32) {
     let above: String = row.map(|x| format!("sphere: {} 1 {} .4 g\n", x % 5.0, (x / 5.0).floor())).collect();
     let scene = format!("metal: m .9 .8 .7 4\nrefractive: g 1.5\nsphere: 0 -60 0 60 m\n{above}");
     let config = format!("{COLORS}camera_position: 0 5 -10\n");
-    without(what, &config, &scene, |prepared| prepared.search.forget_who_is_alone());
+    without(what, &config, &scene, |prepared| prepared.search.without_isolation());
 }
 
 fn gamma() {
@@ -147,7 +147,7 @@ fn main() {
         prepared.scatters_everywhere = false;
     });
     without("an unused material that no filter bears, 40 spheres", COLORS, &format!("{MATTE}{forty}"), |prepared| {
-        prepared.search = Search::Plain;
+        prepared.search = Accel::EveryObject;
     });
     gamma();
 }

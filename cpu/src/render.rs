@@ -46,13 +46,13 @@ use crate::input::scene::Scene;
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::accumulation::Sums;
-use crate::render::background_pixels::{Look, Sky};
+use crate::render::background_pixels::{BackgroundPixels, FindBytes};
 use crate::render::frustum::Candidates;
-use crate::render::path::Walk;
+use crate::render::path::PathTracer;
 use crate::render::prepared::Prepared;
 use crate::render::samples::{Batch, Draw};
 use crate::render::span::{Span, Spans};
-use crate::sampling::pixel_jitter::Offsets;
+use crate::sampling::pixel_jitter::PixelJitter;
 use crate::sampling::scatter_vectors::Scatter;
 use crate::simd::instruction_set::InstructionSet;
 use crate::simd::{Kernel, Simd};
@@ -166,16 +166,16 @@ impl<L: Layout, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<
         let mut painter = Painter {
             prepared,
             sink,
-            offsets: Offsets::new(prepared.ray_seed),
+            offsets: PixelJitter::new(prepared.ray_seed),
             batch: Batch::new(),
-            walk: Walk::new(prepared),
+            walk: PathTracer::new(prepared),
             candidates,
             sums: Sums::new(prepared.samples),
-            sky: Sky::new(prepared),
+            sky: BackgroundPixels::new(prepared),
         };
         for row in 0..prepared.size.height() {
             painter.row(simd, row);
-            painter.walk.ended.check()?;
+            painter.walk.ends.check()?;
             if after_row(row + 1).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -188,12 +188,12 @@ impl<L: Layout, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<
 struct Painter<'a, L: Layout, K> {
     prepared: &'a Prepared<L>,
     sink: K,
-    offsets: Offsets,
+    offsets: PixelJitter,
     batch: Box<Batch>,
-    walk: Box<Walk>,
+    walk: Box<PathTracer>,
     candidates: Candidates,
     sums: Sums,
-    sky: Sky,
+    sky: BackgroundPixels,
 }
 
 impl<L: Layout, K: Sink> Painter<'_, L, K> {
@@ -219,7 +219,7 @@ impl<L: Layout, K: Sink> Painter<'_, L, K> {
         let mut done = 0;
         while done < span.width() {
             let (sky, offsets, batch) = (&mut self.sky, &mut self.offsets, &mut *self.batch);
-            let known = simd.run(Look { prepared, row, span, done, sky, offsets, batch });
+            let known = simd.run(FindBytes { prepared, row, span, done, sky, offsets, batch });
             add(Counter::SkyPixels, (known - done) as u64);
             for at in done..known {
                 let [red, green, blue] = self.sky.bytes[at];
@@ -238,13 +238,13 @@ impl<L: Layout, K: Sink> Painter<'_, L, K> {
         let (prepared, batch) = (self.prepared, &mut *self.batch);
         let queue = &mut self.walk.queue;
         simd.run(camera_rays::Trace { prepared, row, candidates: &self.candidates, batch, queue });
-        if !batch.in_glass.is_empty() {
+        if !batch.specular.is_empty() {
             simd.run(specular_chains::Trace { prepared, batch, queue });
         }
         if queue.count > 0 {
             simd.run(trace_paths::Follow { prepared, walk: &mut self.walk });
-            let Walk { queue, ended, .. } = &mut *self.walk;
-            simd.run(path_ends::Color { prepared, queue, ended, batch });
+            let PathTracer { queue, ends, .. } = &mut *self.walk;
+            simd.run(path_ends::Color { prepared, queue, ends, batch });
         }
         let first_pixel = row * prepared.size.width();
         self.sums.add(span, batch, |column, mean| self.sink.mean(first_pixel + column, mean));

@@ -6,7 +6,7 @@
 //!
 //! The portable implementation is always compiled and tested; the others are held against it.
 //!
-//! Uses [`math`](crate::math). Begin with [`Lanes`] and [`portable`].
+//! Uses [`math`](crate::math). Begin with [`SimdF64`] and [`portable`].
 
 #![allow(unsafe_code)]
 
@@ -31,9 +31,9 @@ use crate::math::real::MulAdd;
 /// only [`run`](instruction_set::InstructionSet::run) makes one, after asking.
 pub trait Simd: Copy + 'static {
     /// Lanes of `f64`.
-    type F64: Lanes;
+    type F64: SimdF64;
     /// Lanes of `f32`, for filters.
-    type F32: FilterLanes;
+    type F32: SimdF32;
     /// Whether a product and a sum that are rounded together are one instruction, not the call of a function.
     const FUSES: bool;
 
@@ -65,7 +65,7 @@ pub trait LaneMask: Copy {
 }
 
 /// Lanes of `f64`.
-pub trait Lanes: Fused<Mask: LaneMask> + MulAdd {
+pub trait SimdF64: Fused<Mask: LaneMask> + MulAdd {
     /// Their number.
     const LANES: usize;
 
@@ -89,13 +89,13 @@ pub trait Lanes: Fused<Mask: LaneMask> + MulAdd {
 
 /// The lanes that are filled when `left` values are left, as bits.
 #[inline(always)]
-pub fn valid_lanes<V: Lanes>(left: usize) -> u32 {
+pub fn valid_lanes<V: SimdF64>(left: usize) -> u32 {
     let all = (1_u32 << V::LANES) - 1;
     if left >= V::LANES { all } else { all & ((1_u32 << left) - 1) }
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.
-pub trait FilterLanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub trait SimdF32: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// Their number; it divides 16.
     const LANES: usize;
 

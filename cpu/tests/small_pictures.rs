@@ -6,7 +6,7 @@
 
 use std::ops::RangeInclusive;
 
-use cpu::accel::choice::Search;
+use cpu::accel::choice::Accel;
 use cpu::layout::aos::AosImage;
 use cpu::reference::intersect::Certified;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
@@ -28,7 +28,7 @@ fn board(count: usize) -> String {
 
 /// The picture of `objects`, with the materials m, s and g, which must be seen in as many pixels as `seen` says, of 15, and be
 /// searched as the test's name says.
-fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Search) -> bool) {
+fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Accel) -> bool) {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
     let scene = Scene::parse(format!("{MATERIALS}{objects}").as_bytes()).expect("the scene is valid");
@@ -65,7 +65,7 @@ fn same<L: Layout>(config: &Config, scene: &Scene, expected: &AosImage) {
 
 #[test]
 fn a_background_alone() {
-    check("", 0..=0, |search| matches!(search, Search::Few(_)));
+    check("", 0..=0, |search| matches!(search, Accel::SmallScene(_)));
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn two_objects_whose_samples_are_tried_ahead() {
     check(
         "sphere: 0 -102 0 100 s\ncylinder: 0 0 0 1.5 .5 3 0 m\n",
         6..=15,
-        |search| matches!(search, Search::Few(few) if !few.is_side_by_side()),
+        |search| matches!(search, Accel::SmallScene(few) if !few.uses_object_lanes()),
     );
 }
 
@@ -82,24 +82,24 @@ fn a_handful_asked_side_by_side_with_glass_among_them() {
     check(
         "sphere: 0 0 0 2 g\nsphere: 0 2 0 1 s\nsphere: 0 -2 0 1 m\ncylinder: 1 0 -1 .5 1 1 .2 g\nsphere: 2 0 0 .5 s\n",
         6..=15,
-        |search| matches!(search, Search::Few(few) if few.is_side_by_side()),
+        |search| matches!(search, Accel::SmallScene(few) if few.uses_object_lanes()),
     );
 }
 
 #[test]
 fn objects_behind_a_filter_over_a_ground() {
-    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6..=15, |search| matches!(search, Search::Flat(_)));
+    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6..=15, |search| matches!(search, Accel::FlatFilter(_)));
 }
 
 #[test]
 fn objects_in_a_tree_over_a_ground() {
-    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12..=15, |search| matches!(search, Search::Tree(_)));
+    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12..=15, |search| matches!(search, Accel::Bvh(_)));
 }
 
 #[test]
 #[cfg_attr(miri, ignore = "exact arithmetic takes too long there")]
 fn objects_too_far_apart_for_any_filter() {
     check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4..=15, |search| {
-        matches!(search, Search::Plain)
+        matches!(search, Accel::EveryObject)
     });
 }

@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 use std::rc::Rc;
 
 use cpu::Vec3;
-use cpu::geometry::cylinder::Part;
+use cpu::geometry::cylinder::CylinderPart;
 use cpu::input::scene::Shape;
 use shaders::Library;
 use stability::case::Case;
@@ -111,9 +111,9 @@ fn answer<T: Float>(report: &[T]) -> Option<Answer> {
     let some = report.number().wide() == 1.0;
     let lambda = report.number().wide();
     let part = match report.number().wide() {
-        1.0 => Part::Top,
-        2.0 => Part::Bottom,
-        _ => Part::Side,
+        1.0 => CylinderPart::Top,
+        2.0 => CylinderPart::Bottom,
+        _ => CylinderPart::Side,
     };
     let front = report.number().wide() == 1.0;
     let point = report.vector().map(Float::wide);

@@ -3,7 +3,7 @@
 //!
 //! The formulas are those of `cpu`; `cpu::reference`, which has its own, is what f64 is held against.
 
-use cpu::geometry::cylinder::Part;
+use cpu::geometry::cylinder::CylinderPart;
 use cpu::layout::Placed;
 use cpu::materials::scatter;
 use cpu::math::real::Real;
@@ -32,7 +32,7 @@ pub(crate) struct Found<T> {
 
 enum Surface {
     Sphere(usize),
-    Cylinder(usize, Part),
+    Cylinder(usize, CylinderPart),
 }
 
 impl<T: Real<Mask = bool>> Picture<T> {

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use cpu::accel::choice::Search;
+use cpu::accel::choice::Accel;
 use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
 
 use crate::picture::Picture;
@@ -107,7 +107,7 @@ impl Engine {
             Self::Real(LayoutName::Aos, set) => rendered(&prepared::<Aos>(config, scene)?, set),
             Self::Real(LayoutName::Soa, set) => rendered(&prepared::<Soa>(config, scene)?, set),
             Self::PlainSearch => {
-                let prepared = Prepared { search: Search::Plain, ..prepared::<Aos>(config, scene)? };
+                let prepared = Prepared { search: Accel::EveryObject, ..prepared::<Aos>(config, scene)? };
                 rendered(&prepared, InstructionSet::best())
             }
         }

@@ -5,8 +5,8 @@
 //! that docs/accuracy.md proves.
 
 use cpu::exact;
-use cpu::exact::error_bound::Verdict;
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::exact::error_bound::Decision;
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::Shape;
 
@@ -18,11 +18,11 @@ use crate::regimes::Regime;
 
 /// The certified intersection of a case, with all its fallbacks.
 #[must_use]
-pub fn certified_answer(case: &Case) -> Option<(f64, Part)> {
+pub fn certified_answer(case: &Case) -> Option<(f64, CylinderPart)> {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
-            exact::sphere::intersect(&record, &case.ray).map(|lambda| (lambda, Part::Side))
+            exact::sphere::intersect(&record, &case.ray).map(|lambda| (lambda, CylinderPart::Side))
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
@@ -36,12 +36,12 @@ fn is_answered_in_f64(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
-            exact::sphere::judge(&record, &case.ray) != Verdict::Doubtful
-                || exact::sphere_compensated::judge(&record, &case.ray).certain
+            exact::sphere::filtered(&record, &case.ray) != Decision::Uncertain
+                || exact::sphere_compensated::compensated(&record, &case.ray).certain
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            exact::cylinder::judge(&record, &case.ray) != Verdict::Doubtful
+            exact::cylinder::filtered(&record, &case.ray) != Decision::Uncertain
         }
     }
 }

@@ -3,8 +3,8 @@
 use cpu::Vec3;
 use cpu::exact;
 use cpu::exact::double_double::DoubleDouble;
-use cpu::exact::error_bound::Verdict;
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::exact::error_bound::Decision;
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::Shape;
 use cpu::math::real::Real;
@@ -126,7 +126,7 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
 
 /// The relative error of lambda, 0 for a miss; none when the decision is wrong. An answer is a lambda and a part.
 #[must_use]
-pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, Part)>, unit_roundoff: f64) -> Option<f64> {
+pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, unit_roundoff: f64) -> Option<f64> {
     match (&judgement.truth, answer) {
         (None, None) => Some(0.0),
         (Some(truth), Some((lambda, part))) if truth.part == part => {
@@ -166,12 +166,12 @@ fn is_doubtful(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
-            exact::sphere::judge(&record, &case.ray) == Verdict::Doubtful
-                && !exact::sphere_compensated::judge(&record, &case.ray).certain
+            exact::sphere::filtered(&record, &case.ray) == Decision::Uncertain
+                && !exact::sphere_compensated::compensated(&record, &case.ray).certain
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-            exact::cylinder::judge(&record, &case.ray) == Verdict::Doubtful
+            exact::cylinder::filtered(&record, &case.ray) == Decision::Uncertain
         }
     }
 }
@@ -182,11 +182,11 @@ fn is_doubtful_in_double_double(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(wide(sphere.center), sphere.radius.into());
-            exact::sphere::judge(&record, &ray) == Verdict::Doubtful
+            exact::sphere::filtered(&record, &ray) == Decision::Uncertain
         }
         Shape::Cylinder(cylinder) => {
             let record = CylinderRecord::new(wide(cylinder.center), cylinder.radius.into(), wide(cylinder.axis));
-            exact::cylinder::judge(&record, &ray) == Verdict::Doubtful
+            exact::cylinder::filtered(&record, &ray) == Decision::Uncertain
         }
     }
 }

@@ -10,7 +10,7 @@ use std::error::Error;
 use std::time::Duration;
 
 use cpu::Vec3;
-use cpu::geometry::cylinder::Part;
+use cpu::geometry::cylinder::CylinderPart;
 use cpu::reference::intersect::{Certified, Textbook};
 
 use crate::case::Case;
@@ -23,7 +23,7 @@ pub struct Answer {
     /// Where.
     pub lambda: f64,
     /// What.
-    pub part: Part,
+    pub part: CylinderPart,
     /// The point, as the implementation rounds it.
     pub point: Vec3,
     /// Whether it finds the ray outside.

@@ -3,8 +3,8 @@
 use std::cell::Cell;
 
 use cpu::exact;
-use cpu::exact::error_bound::Verdict;
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::exact::error_bound::Decision;
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::reference::intersect::{Certified, Intersect, Precision};
 use cpu::{Ray, Vec3};
@@ -39,9 +39,9 @@ impl Counts {
         }
     }
 
-    fn record<A>(&mut self, textbook: Option<f64>, truth: Option<f64>, same_part: bool, verdict: &Verdict<A>) {
+    fn record<A>(&mut self, textbook: Option<f64>, truth: Option<f64>, same_part: bool, verdict: &Decision<A>) {
         self.tests += 1;
-        self.doubtful += u64::from(matches!(verdict, Verdict::Doubtful));
+        self.doubtful += u64::from(matches!(verdict, Decision::Uncertain));
         self.hits += u64::from(truth.is_some());
         match (textbook, truth) {
             (Some(lambda), Some(truth)) => {
@@ -84,16 +84,16 @@ impl Intersect for Observed {
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         let truth = Certified::sphere(record, ray);
-        let verdict = exact::sphere::judge(record, ray);
+        let verdict = exact::sphere::filtered(record, ray);
         update(0, |counts| counts.record(record.intersect(ray), truth, true, &verdict));
         truth
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
         let (textbook, truth) = (record.intersect(ray), Certified::cylinder(record, axis, ray));
-        let verdict = exact::cylinder::judge(record, ray);
+        let verdict = exact::cylinder::filtered(record, ray);
         let same_part = textbook.map(|(_, part)| part) == truth.map(|(_, part)| part);
-        let lambda = |hit: (f64, Part)| hit.0;
+        let lambda = |hit: (f64, CylinderPart)| hit.0;
         update(1, |counts| counts.record(textbook.map(lambda), truth.map(lambda), same_part, &verdict));
         truth
     }

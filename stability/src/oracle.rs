@@ -6,7 +6,7 @@
 //! Written apart from `cpu::exact` and with another big-number library, so that each can tell when the other is
 //! wrong: here formulas are plain and comparisons compare lambdas, there no root is ever taken to decide.
 
-use cpu::geometry::cylinder::{PARALLEL, Part};
+use cpu::geometry::cylinder::{CylinderPart, PARALLEL};
 use cpu::geometry::ray::LAMBDA_MIN;
 use cpu::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
@@ -33,7 +33,7 @@ pub struct Truth {
     /// The nearest lambda that counts.
     pub lambda: Big,
     /// What is met.
-    pub part: Part,
+    pub part: CylinderPart,
     /// Whether the ray comes from outside.
     pub front: bool,
 }
@@ -113,7 +113,7 @@ fn judge_sphere(sphere: &Sphere, ray: &Ray) -> Judgement {
     let crossings = vec![(&h - &root) / &a, (&h + &root) / &a];
     let truth = crossings.iter().enumerate().find(|(_, lambda)| in_range(lambda)).map(|(index, lambda)| Truth {
         lambda: lambda.clone(),
-        part: Part::Side,
+        part: CylinderPart::Side,
         front: index == 0 && root > Big::ZERO,
     });
     Judgement { truth, crossings, slack }
@@ -142,13 +142,13 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         };
         if let Some(index) = (0..2).find(|&index| counts(&roots[index])) {
             let front = index == 0 && root > Big::ZERO;
-            hits.push(Truth { lambda: roots[index].clone(), part: Part::Side, front });
+            hits.push(Truth { lambda: roots[index].clone(), part: CylinderPart::Side, front });
         }
         crossings.extend(roots);
     }
 
     let steep = &slope * &slope >= big(PARALLEL) * big(PARALLEL) * &square;
-    for (sign, part) in [(1.0, Part::Top), (-1.0, Part::Bottom)] {
+    for (sign, part) in [(1.0, CylinderPart::Top), (-1.0, CylinderPart::Bottom)] {
         if !steep {
             continue;
         }
@@ -169,18 +169,18 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
 
 /// How far `point` is from a part of the object's surface.
 #[must_use]
-pub fn distance_from_surface(case: &Case, part: Part, point: Vec3) -> f64 {
+pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f64 {
     let from_center = minus(&big3(point), &big3(case.center()));
     let distance = match (&case.shape, part) {
         (Shape::Sphere(sphere), _) => dot(&from_center, &from_center).sqrt() - big(sphere.radius),
-        (Shape::Cylinder(cylinder), Part::Side) => {
+        (Shape::Cylinder(cylinder), CylinderPart::Side) => {
             let axis = big3(cylinder.axis);
             let along = dot(&from_center, &axis);
             let across = dot(&from_center, &from_center) - &along * &along / dot(&axis, &axis);
             // Rounded far away, a point on the axis may have a square below zero by the division's last bit.
             across.max(Big::ZERO).sqrt() - big(cylinder.radius)
         }
-        (Shape::Cylinder(cylinder), Part::Top | Part::Bottom) => {
+        (Shape::Cylinder(cylinder), CylinderPart::Top | CylinderPart::Bottom) => {
             let axis = big3(cylinder.axis);
             let length = dot(&axis, &axis).sqrt();
             magnitude(&(dot(&from_center, &axis) / &length)) - (length >> 1)

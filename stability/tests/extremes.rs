@@ -2,7 +2,7 @@
 //!
 //! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
 
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::{Cylinder, Shape};
 use cpu::reference::intersect::{Certified, Intersect};
@@ -87,7 +87,7 @@ fn a_coefficient_that_cancels_to_zero_leaves_the_root_its_size() {
     let axis = Vec3::new(0.0, 0.0, 2.0);
     let cylinder = Cylinder { center: far, radius: 1.0, axis };
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
-    assert_eq!(Certified::cylinder(&record, &axis, &ray), Some((1.0, Part::Side)));
+    assert_eq!(Certified::cylinder(&record, &axis, &ray), Some((1.0, CylinderPart::Side)));
     let sphere = SphereRecord::new(far, 2.0);
     let ray = Ray { direction: Vec3::new(0.0, 4.0, 0.0), ..ray };
     assert_eq!(Certified::sphere(&sphere, &ray), Some(0.5));

@@ -3,8 +3,8 @@
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use cpu::exact;
-use cpu::exact::error_bound::Verdict;
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::exact::error_bound::Decision;
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::Shape;
 use cpu::math::real::Real;
@@ -115,14 +115,14 @@ fn spheres_in_lanes_are_as_alone() {
         let (center, radius) = (together(records[0].center, records[1].center), records.map(|record| record.radius));
         let ray = rays(cases);
         let a = ray.direction.dot(ray.direction);
-        let lanes = exact::sphere::judge_lanes(&SphereRecord::new(center, Pair(radius)), &ray, a);
+        let lanes = exact::sphere::filtered_lanes(&SphereRecord::new(center, Pair(radius)), &ray, a);
         for lane in 0..2 {
-            let alone = exact::sphere::judge(&records[lane], &cases[lane].ray);
+            let alone = exact::sphere::filtered(&records[lane], &cases[lane].ray);
             match alone {
-                Verdict::Certain(answer) => assert_eq!(lanes.lambda.0[lane], answer.unwrap_or(f64::INFINITY)),
-                Verdict::Doubtful => {}
+                Decision::Certain(answer) => assert_eq!(lanes.lambda.0[lane], answer.unwrap_or(f64::INFINITY)),
+                Decision::Uncertain => {}
             }
-            assert_eq!(lanes.certain.0[lane], alone != Verdict::Doubtful, "{:?}", cases[lane]);
+            assert_eq!(lanes.certain.0[lane], alone != Decision::Uncertain, "{:?}", cases[lane]);
         }
         lanes.certain.0
     });
@@ -138,23 +138,23 @@ fn cylinders_in_lanes_are_as_alone() {
         let center = together(shapes[0].center, shapes[1].center);
         let axis = together(shapes[0].axis, shapes[1].axis);
         let radius = Pair(shapes.map(|shape| shape.radius));
-        let lanes = exact::cylinder::judge_lanes(&CylinderRecord::new(center, radius, axis), &rays(cases));
+        let lanes = exact::cylinder::filtered_lanes(&CylinderRecord::new(center, radius, axis), &rays(cases));
         for lane in 0..2 {
             let shape = shapes[lane];
             let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
-            let alone = exact::cylinder::judge(&record, &cases[lane].ray);
-            assert_eq!(lanes.certain.0[lane], alone != Verdict::Doubtful, "{:?}", cases[lane]);
+            let alone = exact::cylinder::filtered(&record, &cases[lane].ray);
+            assert_eq!(lanes.certain.0[lane], alone != Decision::Uncertain, "{:?}", cases[lane]);
             match alone {
-                Verdict::Certain(Some((lambda, part))) => {
+                Decision::Certain(Some((lambda, part))) => {
                     let met = match (lanes.bottom.0[lane], lanes.top.0[lane]) {
-                        (true, _) => Part::Bottom,
-                        (false, true) => Part::Top,
-                        (false, false) => Part::Side,
+                        (true, _) => CylinderPart::Bottom,
+                        (false, true) => CylinderPart::Top,
+                        (false, false) => CylinderPart::Side,
                     };
                     assert_eq!((lanes.lambda.0[lane], met), (lambda, part), "{:?}", cases[lane]);
                 }
-                Verdict::Certain(None) => assert_eq!(lanes.lambda.0[lane], f64::INFINITY),
-                Verdict::Doubtful => {}
+                Decision::Certain(None) => assert_eq!(lanes.lambda.0[lane], f64::INFINITY),
+                Decision::Uncertain => {}
             }
         }
         lanes.certain.0
@@ -168,16 +168,16 @@ fn what_is_certain_has_the_textbooks_bits() {
         let same = match case.shape {
             Shape::Sphere(sphere) => {
                 let record = SphereRecord::new(sphere.center, sphere.radius);
-                match exact::sphere::judge(&record, &case.ray) {
-                    Verdict::Certain(answer) => answer == record.intersect(&case.ray),
-                    Verdict::Doubtful => continue,
+                match exact::sphere::filtered(&record, &case.ray) {
+                    Decision::Certain(answer) => answer == record.intersect(&case.ray),
+                    Decision::Uncertain => continue,
                 }
             }
             Shape::Cylinder(cylinder) => {
                 let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-                match exact::cylinder::judge(&record, &case.ray) {
-                    Verdict::Certain(answer) => answer == record.intersect(&case.ray),
-                    Verdict::Doubtful => continue,
+                match exact::cylinder::filtered(&record, &case.ray) {
+                    Decision::Certain(answer) => answer == record.intersect(&case.ray),
+                    Decision::Uncertain => continue,
                 }
             }
         };

@@ -1,6 +1,6 @@
 //! What must hold along whole paths, whatever the scene.
 
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::ray::LAMBDA_MIN;
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::{Cylinder, Shape, Sphere};
@@ -32,7 +32,7 @@ fn meet<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
             let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
             let (lambda, part) = P::cylinder(&record, &cylinder.axis, ray)?;
             let outward = record.outward(part, ray.at(lambda));
-            (lambda, if part == Part::Side { outward.unit() } else { outward })
+            (lambda, if part == CylinderPart::Side { outward.unit() } else { outward })
         }
     };
     Some((lambda, Hit::facing(ray.direction, ray.at(lambda), outward)))

@@ -2,7 +2,7 @@
 //! all the time, and the answer is known to the last bit.
 
 use cpu::Vec3;
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::Cylinder;
 use cpu::reference::intersect::{Certified, Intersect};
@@ -31,7 +31,7 @@ fn scales(random: &mut Random) -> [f64; 2] {
     [(); 2].map(|()| 2.0_f64.powi(random.below(41) as i32 - 20))
 }
 
-fn agrees(case: &Case, answer: Option<(f64, Part)>) -> bool {
+fn agrees(case: &Case, answer: Option<(f64, CylinderPart)>) -> bool {
     let judgement = oracle::judge(case);
     match (&judgement.truth, answer) {
         (Some(truth), Some((lambda, part))) => {
@@ -55,7 +55,7 @@ fn spheres_of_small_numbers_are_met_rightly() {
         let (origin, direction) = (whole(&mut random, 6) * scale, some_direction(&mut random, 4) * length);
         let case = Case::sphere(center, radius, origin, direction);
         let lambda = Certified::sphere(&SphereRecord::new(center, radius), &case.ray);
-        hits += usize::from(agrees(&case, lambda.map(|lambda| (lambda, Part::Side))));
+        hits += usize::from(agrees(&case, lambda.map(|lambda| (lambda, CylinderPart::Side))));
         let crossings = oracle::judge(&case).crossings;
         tangents += usize::from(crossings.len() == 2 && crossings[0] == crossings[1]);
     }

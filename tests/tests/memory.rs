@@ -13,7 +13,7 @@ use std::ops::ControlFlow;
 use std::ptr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use cpu::accel::choice::Search;
+use cpu::accel::choice::Accel;
 use cpu::accel::extent::Extent;
 use cpu::layout::Objects;
 use cpu::{Aos, Camera, Config, Error, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Size, Soa};
@@ -101,7 +101,7 @@ fn preparation<L: Layout>(count: usize) {
     let extent = Extent::new(&objects, &camera, &scene.materials);
     assert!(extent.moderate, "there is something to prepare");
     assert!(refused("objects", 1, || L::Objects::build(&scene).map(drop)) >= 2);
-    assert!(refused("search", 1, || Search::new(&objects, &extent).map(drop)) >= 1);
+    assert!(refused("search", 1, || Accel::new(&objects, &extent).map(drop)) >= 1);
 }
 
 /// More than any block that a rendering takes whatever the scene is; those are not refused.

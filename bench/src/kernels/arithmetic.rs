@@ -9,7 +9,7 @@ use cpu::render::background::Background;
 use cpu::sampling::block::BlockUniform;
 use cpu::sampling::uniform::Uniform;
 use cpu::simd;
-use cpu::simd::{Lanes, Simd};
+use cpu::simd::{Simd, SimdF64};
 use cpu::{Config, InstructionSet, Ray, Vec3, exact};
 
 use super::{Kernel, Work, plain};
@@ -22,11 +22,11 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "quantize-interval", new: quantize_interval },
     Kernel { name: "sphere", new: || spheres(SPHERE, exact::sphere::intersect) },
     Kernel { name: "sphere-compensated", new: ground },
-    Kernel { name: "sphere-precise", new: || spheres(SPHERE, exact::sphere::resolve) },
-    Kernel { name: "sphere-exact", new: || spheres(Vec3::ONE, exact::sphere::resolve) },
+    Kernel { name: "sphere-precise", new: || spheres(SPHERE, exact::sphere::precise) },
+    Kernel { name: "sphere-exact", new: || spheres(Vec3::ONE, exact::sphere::precise) },
     Kernel { name: "cylinder", new: || cylinders(false, exact::cylinder::intersect) },
-    Kernel { name: "cylinder-precise", new: || cylinders(false, exact::cylinder::resolve) },
-    Kernel { name: "cylinder-exact", new: || cylinders(true, exact::cylinder::resolve) },
+    Kernel { name: "cylinder-precise", new: || cylinders(false, exact::cylinder::precise) },
+    Kernel { name: "cylinder-exact", new: || cylinders(true, exact::cylinder::precise) },
 ];
 
 /// Work on this many at a turn.
@@ -160,10 +160,10 @@ fn ground() -> Box<dyn Work> {
         Ray { origin: Vec3::new(x, 1.0, z), direction: Vec3::new(x, -y, z) }
     };
     let rays: Vec<_> = (0..COUNT).map(down).collect();
-    let compensated = |ray: &&Ray| exact::sphere_compensated::judge(&ground, ray).certain;
+    let compensated = |ray: &&Ray| exact::sphere_compensated::compensated(&ground, ray).certain;
     assert_eq!(rays.iter().filter(compensated).count(), COUNT);
     plain(COUNT, move || {
-        let lambdas = black_box(&rays).iter().filter_map(|ray| exact::sphere::reconsider(&ground, ray));
+        let lambdas = black_box(&rays).iter().filter_map(|ray| exact::sphere::compensated_or_precise(&ground, ray));
         black_box(lambdas.fold(0.0, f64::max));
     })
 }
@@ -171,7 +171,7 @@ fn ground() -> Box<dyn Work> {
 /// Rays against a cylinder; through its rim to the last bit if wanted.
 fn cylinders(
     through_rim: bool,
-    intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::geometry::cylinder::Part)> + 'static,
+    intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::geometry::cylinder::CylinderPart)> + 'static,
 ) -> Box<dyn Work> {
     let axis = if through_rim { Vec3::new(0.0, 4.0, 0.0) } else { Vec3::new(0.2, 1.5, 0.4) };
     let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);

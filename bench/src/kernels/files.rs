@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::io;
 
-use cpu::accel::choice::Search;
+use cpu::accel::choice::Accel;
 use cpu::accel::extent::Extent;
 use cpu::layout::Objects;
 use cpu::layout::aos::{AosImage, AosObjects};
@@ -39,7 +39,7 @@ fn build(objects: usize) -> Box<dyn Work> {
     let objects = AosObjects::build(&scene).expect("it fits");
     let extent = Extent { reach: 100.0, moderate: true };
     plain(objects.sphere_count() + objects.cylinder_count(), move || {
-        black_box(Search::new(black_box(&objects), &extent).expect("it fits"));
+        black_box(Accel::new(black_box(&objects), &extent).expect("it fits"));
     })
 }
 

@@ -8,23 +8,23 @@ pub mod stack;
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::build::build;
-use crate::accel::bvh::collapsed_root::Top;
+use crate::accel::bvh::collapsed_root::CollapsedRoot;
 use crate::accel::bvh::node::{Child, Node, WIDTH};
-use crate::accel::bvh::slab_ray::{BoxRay, Steps, is_in_scale};
+use crate::accel::bvh::slab_ray::{SlabRay, Steps, is_in_scale};
 use crate::accel::bvh::stack::{Stack, wait};
-use crate::accel::closest_hit::Found;
-use crate::accel::conservative::Touch;
-use crate::accel::dominant_sphere::Ground;
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::conservative::ConservativeRay;
+use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::plain;
 use crate::accel::extent::Extent;
-use crate::accel::find::{Find, Origin};
-use crate::accel::isolated::{Alone, roomy_bounds};
+use crate::accel::find::{Accelerator, Origin};
+use crate::accel::isolated::{Isolated, roomy_bounds};
 use crate::accel::object::{NOWHERE, ObjectId};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Objects;
-use crate::simd::{FilterLanes, Simd};
+use crate::simd::{Simd, SimdF32};
 
 /// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
 const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
@@ -34,20 +34,20 @@ const MOST_VISITS: usize = 64;
 
 /// The tree over all objects of a scene.
 #[derive(Debug)]
-pub struct Hierarchy {
+pub struct Bvh {
     nodes: Vec<Node>,
     /// The two highest levels in one row.
-    top: Top,
+    top: CollapsedRoot,
     /// How far its planes are moved.
     steps: Steps,
     /// It is not in the tree.
-    ground: Ground,
-    alone: Alone,
+    ground: DominantSphere,
+    alone: Isolated,
     /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
     reach: f64,
 }
 
-impl Hierarchy {
+impl Bvh {
     /// The tree over `objects`.
     ///
     /// # Errors
@@ -57,16 +57,17 @@ impl Hierarchy {
         if count >= Child::OBJECT as usize {
             return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
         }
-        let ground = Ground::of(objects);
+        let ground = DominantSphere::of(objects);
         let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
         let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
-        let top = Top::new(&mut nodes)?;
+        let top = CollapsedRoot::new(&mut nodes)?;
         let all = nodes.first().into_iter().flat_map(Node::children).fold(Bounds::EMPTY, |all, (it, _)| all.union(&it));
         let steps = Steps::new(&all);
-        let mut tree = Self { nodes, top, steps, ground, alone: Alone::none(), reach: 2.0 * extent.reach };
+        let mut tree = Self { nodes, top, steps, ground, alone: Isolated::none(), reach: 2.0 * extent.reach };
         if count <= MOST_ASKED_WHETHER_ALONE {
-            let alone =
-                Alone::new(count, |id| ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent)))?;
+            let alone = Isolated::new(count, |id| {
+                ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent))
+            })?;
             tree.alone = alone;
         }
         Ok(tree)
@@ -100,55 +101,61 @@ impl Hierarchy {
         true
     }
 
-    /// See [`Search::forget_who_is_alone`](crate::accel::choice::Search::forget_who_is_alone).
-    pub fn forget_who_is_alone(&mut self) {
-        self.alone = Alone::none();
+    /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
+    pub fn without_isolation(&mut self) {
+        self.alone = Isolated::none();
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
-        let mut found = Found::NOTHING;
-        let touch = Touch::new(*ray);
+    pub fn closest_hit<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        from: ObjectId,
+        stack: &mut Stack,
+    ) -> ClosestHit {
+        let mut found = ClosestHit::NOTHING;
+        let touch = ConservativeRay::new(*ray);
         // A ray starts at the camera or on a surface, so within the scene's reach.
         if !is_in_scale(touch.length_squared) {
             return plain(objects, ray);
         }
-        self.ground.ask_closely::<S, O>(&mut found, objects, &touch);
+        self.ground.intersect_closely::<S, O>(&mut found, objects, &touch);
         if self.nodes.is_empty() {
             return found;
         }
         if from != NOWHERE && !self.ground.is(from) {
-            let mut again = Found::NOTHING;
-            again.ask_if_touched(objects, from, &touch, self.reach);
+            let mut again = ClosestHit::NOTHING;
+            again.intersect_if_may_hit(objects, from, &touch, self.reach);
             if again.is_hit() {
-                found.offer(again.lambda, again.object, again.order, again.part);
+                found.update(again.lambda, again.object, again.order, again.part);
                 if self.alone.is(from) {
                     return found;
                 }
             }
         }
-        let query = Query { objects, ray, from, box_ray: BoxRay::<S::F32>::new(ray, &self.steps) };
+        let query = Query { objects, ray, from, box_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
         if S::F32::LANES < WIDTH {
-            self.ask_below::<S, O>(&self.nodes[0], &query, &mut found, stack);
+            self.traverse::<S, O>(&self.nodes[0], &query, &mut found, stack);
             return found;
         }
         let mut met = self.top.met(&query.box_ray, farthest(&found));
         let backwards = self.top.is_passed_backwards(ray.direction);
         while met != 0 {
             let place = self.top.take(&mut met, backwards);
-            self.ask_below::<S, O>(&self.nodes[place], &query, &mut found, stack);
+            self.traverse::<S, O>(&self.nodes[place], &query, &mut found, stack);
         }
         found
     }
 
     /// Takes the objects below a node into account, but for the one that the ray leaves.
     #[inline(always)]
-    fn ask_below<'tree, S: Simd, O: Objects>(
+    fn traverse<'tree, S: Simd, O: Objects>(
         &'tree self,
         mut node: &'tree Node,
         query: &Query<O, S::F32>,
-        found: &mut Found,
+        found: &mut ClosestHit,
         Stack(stack): &mut Stack,
     ) {
         let &Query { objects, ray, from, ref box_ray } = query;
@@ -168,7 +175,7 @@ impl Hierarchy {
             while asked != 0 {
                 let lane = asked.trailing_zeros() as usize % WIDTH;
                 asked &= asked - 1;
-                found.ask(objects, node.child(lane).as_id(), ray);
+                found.intersect(objects, node.child(lane).as_id(), ray);
             }
             if entered == 0 && waiting == 0 {
                 return;
@@ -230,18 +237,24 @@ struct Query<'a, O, F> {
     ray: &'a Ray,
     /// The object that the ray leaves.
     from: ObjectId,
-    box_ray: BoxRay<F>,
+    box_ray: SlabRay<F>,
 }
 
 /// The nearest hit so far, rounded up; infinite at first.
 #[inline(always)]
-fn farthest(found: &Found) -> f32 {
+fn farthest(found: &ClosestHit) -> f32 {
     found.lambda as f32 * (1.0 + f32::EPSILON)
 }
 
-impl Find for Hierarchy {
+impl Accelerator for Bvh {
     #[inline(always)]
-    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, stack: &mut Stack) -> Found {
-        self.nearest::<S, O>(objects, ray, origin.object, stack)
+    fn closest_hit_from<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        origin: Origin,
+        stack: &mut Stack,
+    ) -> ClosestHit {
+        self.closest_hit::<S, O>(objects, ray, origin.object, stack)
     }
 }

@@ -1,16 +1,16 @@
 //! Which acceleration structure a scene gets.
 
-use crate::accel::bvh::Hierarchy;
+use crate::accel::bvh::Bvh;
 use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::Found;
-use crate::accel::every_object::Plain;
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::every_object::EveryObject;
 use crate::accel::extent::Extent;
-use crate::accel::find::Find;
+use crate::accel::find::Accelerator;
 use crate::accel::flat_filter;
-use crate::accel::flat_filter::Filter;
+use crate::accel::flat_filter::FlatFilter;
 use crate::accel::object::ObjectId;
 use crate::accel::small_scene;
-use crate::accel::small_scene::Few;
+use crate::accel::small_scene::SmallScene;
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
@@ -20,18 +20,18 @@ use crate::simd::Simd;
 /// How the nearest object is found; chosen once for a scene.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
-pub enum Search {
+pub enum Accel {
     /// Every object is asked: for scenes whose magnitudes no filter bears.
-    Plain,
+    EveryObject,
     /// All objects at once: for a handful.
-    Few(Few),
+    SmallScene(SmallScene),
     /// A filter over all objects, several at once.
-    Flat(Filter),
+    FlatFilter(FlatFilter),
     /// A tree of boxes.
-    Tree(Hierarchy),
+    Bvh(Bvh),
 }
 
-impl Search {
+impl Accel {
     /// The search that fits the objects.
     ///
     /// # Errors
@@ -39,35 +39,49 @@ impl Search {
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let count = objects.sphere_count().max(objects.cylinder_count());
         Ok(if !extent.moderate {
-            Self::Plain
+            Self::EveryObject
         } else if small_scene::suits(objects) {
-            Self::Few(Few::new(objects, extent)?)
+            Self::SmallScene(SmallScene::new(objects, extent)?)
         } else if count <= flat_filter::CAPACITY && extent.reach <= flat_filter::LARGEST_REACH {
-            Self::Flat(Filter::new(objects, extent)?)
+            Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else {
-            Self::Tree(Hierarchy::new(objects, extent)?)
+            Self::Bvh(Bvh::new(objects, extent)?)
         })
     }
 
     /// Forgets which objects no other reaches into, so that rays inside them are searched for like all others: for measuring
     /// what it gains to know.
-    pub fn forget_who_is_alone(&mut self) {
+    pub fn without_isolation(&mut self) {
         match self {
-            Self::Plain | Self::Few(_) => {}
-            Self::Flat(filter) => filter.forget_who_is_alone(),
-            Self::Tree(tree) => tree.forget_who_is_alone(),
+            Self::EveryObject | Self::SmallScene(_) => {}
+            Self::FlatFilter(filter) => filter.without_isolation(),
+            Self::Bvh(tree) => tree.without_isolation(),
         }
     }
 
     /// The nearest object that a ray from the surface of `from` meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: ObjectId, stack: &mut Stack) -> Found {
+    pub fn closest_hit<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        from: ObjectId,
+        stack: &mut Stack,
+    ) -> ClosestHit {
         add(Counter::WalkRays, 1);
         match self {
-            Self::Plain => Plain.find::<S, O>(objects, ray, Plain.origin(objects, ray, from), stack),
-            Self::Few(search) => search.find::<S, O>(objects, ray, search.origin(objects, ray, from), stack),
-            Self::Flat(search) => search.find::<S, O>(objects, ray, search.origin(objects, ray, from), stack),
-            Self::Tree(search) => search.find::<S, O>(objects, ray, search.origin(objects, ray, from), stack),
+            Self::EveryObject => {
+                EveryObject.closest_hit_from::<S, O>(objects, ray, EveryObject.origin(objects, ray, from), stack)
+            }
+            Self::SmallScene(search) => {
+                search.closest_hit_from::<S, O>(objects, ray, search.origin(objects, ray, from), stack)
+            }
+            Self::FlatFilter(search) => {
+                search.closest_hit_from::<S, O>(objects, ray, search.origin(objects, ray, from), stack)
+            }
+            Self::Bvh(search) => {
+                search.closest_hit_from::<S, O>(objects, ray, search.origin(objects, ray, from), stack)
+            }
         }
     }
 }

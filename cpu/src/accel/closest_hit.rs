@@ -1,11 +1,11 @@
 //! The nearest hit so far.
 
-use crate::accel::conservative::Touch;
+use crate::accel::conservative::ConservativeRay;
 use crate::accel::object::{NOWHERE, ObjectId};
 use crate::counters::{Counter, add};
 use crate::exact;
-use crate::exact::error_bound::Verdict;
-use crate::geometry::cylinder::Part;
+use crate::exact::error_bound::Decision;
+use crate::geometry::cylinder::CylinderPart;
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
@@ -13,7 +13,7 @@ use crate::simd::Simd;
 
 /// The nearest hit among the objects asked so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct ClosestHit {
     /// Where on the ray; infinite when there is none.
     pub lambda: f64,
     /// What is met, or [`NOWHERE`].
@@ -21,12 +21,12 @@ pub struct Found {
     /// The object's place in the file: of two hits at the same lambda the later object counts.
     pub order: u32,
     /// The part of a cylinder; the side for a sphere.
-    pub part: Part,
+    pub part: CylinderPart,
 }
 
-impl Found {
+impl ClosestHit {
     /// Nothing yet.
-    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NOWHERE, order: 0, part: Part::Side };
+    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NOWHERE, order: 0, part: CylinderPart::Side };
 
     /// Whether anything is met.
     #[inline(always)]
@@ -37,7 +37,7 @@ impl Found {
 
     /// Takes a hit into account.
     #[inline(always)]
-    pub fn offer(&mut self, lambda: f64, object: ObjectId, order: u32, part: Part) {
+    pub fn update(&mut self, lambda: f64, object: ObjectId, order: u32, part: CylinderPart) {
         if lambda < self.lambda || (lambda == self.lambda && (order > self.order || !self.is_hit())) {
             *self = Self { lambda, object, order, part };
         }
@@ -45,25 +45,31 @@ impl Found {
 
     /// Takes the object at `id` into account.
     #[inline(always)]
-    pub fn ask<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
+    pub fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
         match (id as usize).checked_sub(objects.sphere_count()) {
-            None => self.ask_sphere(objects, id as usize, ray),
-            Some(index) => self.ask_cylinder(objects, index, ray),
+            None => self.intersect_sphere(objects, id as usize, ray),
+            Some(index) => self.intersect_cylinder(objects, index, ray),
         }
     }
 
     /// The same, unless the filter stops the ray, in a scene of this reach.
     #[inline(always)]
-    pub fn ask_if_touched<O: Objects>(&mut self, objects: &O, id: ObjectId, touch: &Touch<f64>, reach: f64) {
+    pub fn intersect_if_may_hit<O: Objects>(
+        &mut self,
+        objects: &O,
+        id: ObjectId,
+        touch: &ConservativeRay<f64>,
+        reach: f64,
+    ) {
         match (id as usize).checked_sub(objects.sphere_count()) {
             None => {
                 if touch.sphere_at(objects, id as usize) {
-                    self.ask_sphere(objects, id as usize, &touch.ray);
+                    self.intersect_sphere(objects, id as usize, &touch.ray);
                 }
             }
             Some(index) => {
                 if touch.cylinder_at(objects, index, reach) {
-                    self.ask_cylinder(objects, index, &touch.ray);
+                    self.intersect_cylinder(objects, index, &touch.ray);
                 }
             }
         }
@@ -71,49 +77,52 @@ impl Found {
 
     /// Takes the sphere at `index` into account.
     #[inline(always)]
-    pub fn ask_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        let verdict = exact::sphere::judge(&objects.sphere(index).record, ray);
+    pub fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let verdict = exact::sphere::filtered(&objects.sphere(index).record, ray);
         self.take_sphere(objects, index, ray, verdict);
     }
 
     /// The same, for a sphere so large that rays near it are often in doubt.
     #[inline(always)]
-    pub fn ask_large_sphere<S: Simd, O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub fn intersect_dominant_sphere<S: Simd, O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let record = objects.sphere(index).record;
-        let verdict =
-            if S::FUSES { exact::sphere::judge_large(&record, ray) } else { exact::sphere::judge(&record, ray) };
+        let verdict = if S::FUSES {
+            exact::sphere::filtered_or_compensated(&record, ray)
+        } else {
+            exact::sphere::filtered(&record, ray)
+        };
         self.take_sphere(objects, index, ray, verdict);
     }
 
     #[inline(always)]
-    fn take_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, verdict: Verdict<Option<f64>>) {
+    fn take_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, verdict: Decision<Option<f64>>) {
         add(Counter::SphereAsks, 1);
         let lambda = match verdict {
-            Verdict::Certain(lambda) => lambda,
-            Verdict::Doubtful => {
+            Decision::Certain(lambda) => lambda,
+            Decision::Uncertain => {
                 let Ray { origin: o, direction: d } = *ray;
-                resolve_sphere(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
+                precise_sphere(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
             }
         };
         if let Some(lambda) = lambda {
-            self.offer(lambda, index as ObjectId, objects.sphere(index).order, Part::Side);
+            self.update(lambda, index as ObjectId, objects.sphere(index).order, CylinderPart::Side);
         }
     }
 
     /// Takes the cylinder at `index` among the cylinders into account.
     #[inline(always)]
-    pub fn ask_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+    pub fn intersect_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::CylinderAsks, 1);
         let cylinder = objects.cylinder(index);
-        let met = match exact::cylinder::judge(&cylinder.record, ray) {
-            Verdict::Certain(met) => met,
-            Verdict::Doubtful => {
+        let met = match exact::cylinder::filtered(&cylinder.record, ray) {
+            Decision::Certain(met) => met,
+            Decision::Uncertain => {
                 let Ray { origin: o, direction: d } = *ray;
-                resolve_cylinder(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
+                precise_cylinder(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
             }
         };
         if let Some((lambda, part)) = met {
-            self.offer(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
+            self.update(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
         }
     }
 }
@@ -123,7 +132,7 @@ impl Found {
 #[cold]
 #[inline(never)]
 #[expect(clippy::too_many_arguments, reason = "these fit the registers")]
-fn resolve_sphere<O: Objects>(
+fn precise_sphere<O: Objects>(
     objects: &O,
     index: usize,
     x: f64,
@@ -134,14 +143,14 @@ fn resolve_sphere<O: Objects>(
     dz: f64,
 ) -> Option<f64> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    exact::sphere::reconsider(&objects.sphere(index).record, &ray)
+    exact::sphere::compensated_or_precise(&objects.sphere(index).record, &ray)
 }
 
-/// See [`resolve_sphere`].
+/// See [`precise_sphere`].
 #[cold]
 #[inline(never)]
 #[expect(clippy::too_many_arguments, reason = "these fit the registers")]
-fn resolve_cylinder<O: Objects>(
+fn precise_cylinder<O: Objects>(
     objects: &O,
     index: usize,
     x: f64,
@@ -150,9 +159,9 @@ fn resolve_cylinder<O: Objects>(
     dx: f64,
     dy: f64,
     dz: f64,
-) -> Option<(f64, Part)> {
+) -> Option<(f64, CylinderPart)> {
     let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
-    exact::cylinder::resolve(&objects.cylinder(index).record, &objects.axis(index), &ray)
+    exact::cylinder::precise(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }
 
 #[cfg(test)]
@@ -161,22 +170,22 @@ mod tests {
 
     #[test]
     fn the_nearest_counts_and_of_equals_the_later_in_the_file() {
-        let mut found = Found::NOTHING;
+        let mut found = ClosestHit::NOTHING;
         assert!(!found.is_hit());
-        found.offer(2.0, 7, 3, Part::Side);
-        found.offer(2.0, 8, 1, Part::Side);
+        found.update(2.0, 7, 3, CylinderPart::Side);
+        found.update(2.0, 8, 1, CylinderPart::Side);
         assert_eq!(found.object, 7);
-        found.offer(2.0, 9, 4, Part::Top);
-        assert_eq!((found.object, found.part), (9, Part::Top));
-        found.offer(1.0, 1, 0, Part::Side);
-        found.offer(1.5, 2, 9, Part::Side);
+        found.update(2.0, 9, 4, CylinderPart::Top);
+        assert_eq!((found.object, found.part), (9, CylinderPart::Top));
+        found.update(1.0, 1, 0, CylinderPart::Side);
+        found.update(1.5, 2, 9, CylinderPart::Side);
         assert_eq!((found.object, found.lambda), (1, 1.0));
     }
 
     #[test]
     fn even_a_hit_at_infinity_is_a_hit() {
-        let mut found = Found::NOTHING;
-        found.offer(f64::INFINITY, 5, 0, Part::Side);
+        let mut found = ClosestHit::NOTHING;
+        found.update(f64::INFINITY, 5, 0, CylinderPart::Side);
         assert_eq!(found.object, 5);
     }
 }

@@ -5,7 +5,7 @@
 //! [`crate::geometry::sphere`] and [`crate::geometry::cylinder`], multiplied out to be short and rounded as it comes. The margin covers that, and
 //! what rounding may do to the exact formulas (docs/performance.md); where the filter stops nothing, these decide.
 
-use crate::accel::target::{CylinderTarget, SphereTarget};
+use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
 use crate::math::real::{MulAdd, Real};
@@ -31,7 +31,7 @@ pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 /// object. It does so rightly: a direction longer than 10^13 takes the ray past all objects before the smallest lambda in
 /// range, 10^-3. A NaN rejects no object, because every comparison with NaN is false.
 #[derive(Clone, Copy, Debug)]
-pub struct Touch<T> {
+pub struct ConservativeRay<T> {
     /// The ray.
     pub ray: Ray<T>,
     /// `direction.direction`.
@@ -48,21 +48,21 @@ pub(super) struct Quadratic<T> {
     pub size: T,
 }
 
-impl Touch<f64> {
+impl ConservativeRay<f64> {
     /// Whether the ray may meet the sphere at `index`.
     #[inline(always)]
     pub fn sphere_at<O: Objects>(&self, objects: &O, index: usize) -> bool {
-        self.sphere(&SphereTarget::new(&objects.sphere(index).record))
+        self.sphere(&ConservativeSphere::new(&objects.sphere(index).record))
     }
 
     /// Whether the ray may meet the cylinder at `index` among the cylinders, in a scene of this reach.
     #[inline(always)]
     pub fn cylinder_at<O: Objects>(&self, objects: &O, index: usize, reach: f64) -> bool {
-        self.cylinder(&CylinderTarget::new(&objects.cylinder(index).record, reach))
+        self.cylinder(&ConservativeCylinder::new(&objects.cylinder(index).record, reach))
     }
 }
 
-impl<T: MulAdd> Touch<T> {
+impl<T: MulAdd> ConservativeRay<T> {
     /// The ray.
     #[inline(always)]
     pub fn new(ray: Ray<T>) -> Self {
@@ -71,15 +71,15 @@ impl<T: MulAdd> Touch<T> {
 
     /// Whether it may meet the sphere.
     #[inline(always)]
-    pub fn sphere(&self, target: &SphereTarget<T>) -> T::Mask {
+    pub fn sphere(&self, target: &ConservativeSphere<T>) -> T::Mask {
         let quadratic = self.sphere_quadratic(target);
         let Quadratic { a, c, size, .. } = quadratic;
-        !quadratic.is_passed(a * size.times_plus(T::of(-MARGIN), c))
+        !quadratic.is_passed(a * size.mul_add_loosely(T::of(-MARGIN), c))
     }
 
     /// The sphere's quadratic.
     #[inline(always)]
-    pub(super) fn sphere_quadratic(&self, target: &SphereTarget<T>) -> Quadratic<T> {
+    pub(super) fn sphere_quadratic(&self, target: &ConservativeSphere<T>) -> Quadratic<T> {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (c, size) = (q - target.radius_squared, q + target.radius_squared);
@@ -88,26 +88,26 @@ impl<T: MulAdd> Touch<T> {
 
     /// Whether it may meet the cylinder.
     #[inline(always)]
-    pub fn cylinder(&self, target: &CylinderTarget<T>) -> T::Mask {
+    pub fn cylinder(&self, target: &ConservativeCylinder<T>) -> T::Mask {
         let (across, slope, along) = self.cylinder_quadratic(target);
         let Quadratic { a, c, size, .. } = across;
         // Of the whole direction: what is left of it across the axis may be nothing but rounding.
-        let least_product = size.times_plus(self.length_squared * T::of(-MARGIN), a * c);
+        let least_product = size.mul_add_loosely(self.length_squared * T::of(-MARGIN), a * c);
         // Seen in the direction in which the ray advances: how far the first point that counts is past the middle.
-        let past_middle = slope.abs().times_plus(T::of(LAMBDA_MIN), -along.flipped_by(slope));
+        let past_middle = slope.abs().mul_add_loosely(T::of(LAMBDA_MIN), -along.flipped_by(slope));
         !(across.is_passed(least_product) | target.half_height.less(past_middle))
     }
 
     /// The quadratic of the cylinder's side; the direction and the way to the centre, along the axis.
     #[inline(always)]
-    pub(super) fn cylinder_quadratic(&self, target: &CylinderTarget<T>) -> (Quadratic<T>, T, T) {
+    pub(super) fn cylinder_quadratic(&self, target: &ConservativeCylinder<T>) -> (Quadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
         let (h, q) = (dot(self.ray.direction, to_center), dot(to_center, to_center));
         let (slope, along) = (dot(self.ray.direction, target.axis), dot(to_center, target.axis));
         let across = Quadratic {
-            a: (-slope).times_plus(slope, self.length_squared),
-            h: (-slope).times_plus(along, h),
-            c: (-along).times_plus(along, q - target.radius_squared),
+            a: (-slope).mul_add_loosely(slope, self.length_squared),
+            h: (-slope).mul_add_loosely(along, h),
+            c: (-along).mul_add_loosely(along, q - target.radius_squared),
             // With the height: the ray may come in far along the axis, by an angle that rounding is large against.
             size: q + target.squares,
         };
@@ -120,11 +120,11 @@ impl<T: MulAdd> Quadratic<T> {
     #[inline(always)]
     fn is_passed(&self, least_product: T) -> T::Mask {
         let Self { a, h, c, size } = *self;
-        let most_discriminant = h.times_plus(h, -least_product);
-        let least_c = size.times_plus(T::of(-MARGIN), c);
+        let most_discriminant = h.mul_add_loosely(h, -least_product);
+        let least_c = size.mul_add_loosely(T::of(-MARGIN), c);
         // f at the smallest lambda that counts; where h is negative it rises from there on.
-        let least_at_first = a.times_plus(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
-        let least_at_first = h.times_plus(T::of(-2.0 * LAMBDA_MIN), least_at_first);
+        let least_at_first = a.mul_add_loosely(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
+        let least_at_first = h.mul_add_loosely(T::of(-2.0 * LAMBDA_MIN), least_at_first);
         let zero = T::of(0.0);
         most_discriminant.less(zero) | (h.less(zero) & zero.less(least_at_first))
     }
@@ -132,7 +132,7 @@ impl<T: MulAdd> Quadratic<T> {
 
 #[inline(always)]
 fn dot<T: MulAdd>(left: Vec3<T>, right: Vec3<T>) -> T {
-    left.z.times_plus(right.z, left.y.times_plus(right.y, left.x * right.x))
+    left.z.mul_add_loosely(right.z, left.y.mul_add_loosely(right.y, left.x * right.x))
 }
 
 #[cfg(test)]
@@ -144,11 +144,11 @@ mod tests {
     use crate::sampling::uniform::Uniform;
 
     fn may_meet_sphere(record: &SphereRecord, ray: &Ray) -> bool {
-        Touch::new(*ray).sphere(&SphereTarget::new(record))
+        ConservativeRay::new(*ray).sphere(&ConservativeSphere::new(record))
     }
 
     fn may_meet_cylinder(record: &CylinderRecord, ray: &Ray) -> bool {
-        Touch::new(*ray).cylinder(&CylinderTarget::new(record, 10.0))
+        ConservativeRay::new(*ray).cylinder(&ConservativeCylinder::new(record, 10.0))
     }
 
     #[test]
@@ -207,8 +207,8 @@ mod tests {
             let side = normal.perpendicular_to(cylinder.axis).unit();
             let (on_sphere, on_side) = (from(normal), from(side));
             let maybe = [
-                Touch::new(on_sphere).sphere(&SphereTarget::new(&sphere)),
-                Touch::new(on_side).cylinder(&CylinderTarget::new(&cylinder, reach)),
+                ConservativeRay::new(on_sphere).sphere(&ConservativeSphere::new(&sphere)),
+                ConservativeRay::new(on_side).cylinder(&ConservativeCylinder::new(&cylinder, reach)),
             ];
             let hits = [
                 sphere.intersect(&on_sphere).is_some() || exact::sphere::intersect(&sphere, &on_sphere).is_some(),
@@ -237,8 +237,8 @@ mod tests {
             let across = aside.perpendicular_to(cylinder.axis);
             let direction = (cylinder.axis + across * tilt) * (axis.length() * 10.0_f64.powf(draws.draw(-3.0, 2.0)));
             let origin = cylinder.bottom + across.unit() * (size * draws.draw(0.0, 0.9));
-            let touch = Touch::new(Ray { origin, direction });
-            let target = CylinderTarget::new(&cylinder, center.length() + 5.0 * size);
+            let touch = ConservativeRay::new(Ray { origin, direction });
+            let target = ConservativeCylinder::new(&cylinder, center.length() + 5.0 * size);
             assert!(touch.cylinder(&target), "{cylinder:?}, {:?}", touch.ray);
         }
     }

@@ -4,13 +4,13 @@
 //! to go decides how soon it is answered, and never what.
 
 use crate::accel::bounds::Bounds;
-use crate::accel::closest_hit::Found;
-use crate::accel::conservative::Touch;
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::conservative::ConservativeRay;
 use crate::accel::extent::Extent;
 use crate::accel::object::ObjectId;
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
-use crate::materials::prepared::{Finish, Kind};
+use crate::materials::prepared::{BsdfKind, PreparedMaterial};
 use crate::math::vec3::Vec3;
 use crate::simd::Simd;
 
@@ -22,9 +22,9 @@ const MOST_SUNK: usize = 4;
 
 /// The sphere that is asked apart, if there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ground(Option<ObjectId>);
+pub struct DominantSphere(Option<ObjectId>);
 
-impl Ground {
+impl DominantSphere {
     /// The ground among `objects`.
     #[must_use]
     pub fn of(objects: &impl Objects) -> Self {
@@ -59,23 +59,23 @@ impl Ground {
     /// meets it again stays inside in between, for it is convex, and can meet no other. `None` when there are more than
     /// [`MOST_SUNK`], or no ground.
     #[must_use]
-    pub fn sunk(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
+    pub fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
         let ground = self.0?;
         let record = objects.sphere(ground as usize).record;
         // A textbook's root moves a point off the surface by some 26 units in the last place of (q + r^2) / r.
         let squares = 12.0 * extent.reach * extent.reach;
         let slack = 1e-9 * extent.reach + 64.0 * f64::EPSILON * squares / record.radius;
         let count = objects.sphere_count() + objects.cylinder_count();
-        let mut sunk = Vec::new();
+        let mut overlapping = Vec::new();
         for id in (0..count as ObjectId).filter(|&id| !self.is(id)) {
             if Bounds::of_object(objects, id as usize, extent).distance(record.center) <= record.radius + slack {
-                if sunk.len() == MOST_SUNK {
+                if overlapping.len() == MOST_SUNK {
                     return None;
                 }
-                sunk.push(id);
+                overlapping.push(id);
             }
         }
-        Some(sunk)
+        Some(overlapping)
     }
 
     /// Whether a ray from its surface goes into it; false where there is none.
@@ -96,7 +96,7 @@ impl Ground {
         objects: &O,
         ray: &Ray,
         lambda: f64,
-        finish: &Finish,
+        material_data: &PreparedMaterial,
         vector: Vec3,
     ) -> bool {
         let Some(id) = self.0 else {
@@ -107,8 +107,8 @@ impl Ground {
         let squared = direction.dot(direction);
         let of_direction = direction.dot(from_center) + lambda * squared;
         let of_vector = vector.dot(from_center) + lambda * vector.dot(direction);
-        let of_base = match finish.kind {
-            Kind::Matte => record.radius.copysign(-of_direction),
+        let of_base = match material_data.kind {
+            BsdfKind::Matte => record.radius.copysign(-of_direction),
             // Single precision is enough for a guess, and sooner there.
             _ => -of_direction * f64::from(1.0 / (squared as f32).sqrt()),
         };
@@ -117,27 +117,32 @@ impl Ground {
 
     /// Whether the ray may meet it; false where there is none.
     #[inline(always)]
-    pub fn may_be_met<O: Objects>(self, objects: &O, touch: &Touch<f64>) -> bool {
+    pub fn may_be_met<O: Objects>(self, objects: &O, touch: &ConservativeRay<f64>) -> bool {
         self.0.is_some_and(|id| touch.sphere_at(objects, id as usize))
     }
 
     /// Takes it into account, unless the ray certainly does not meet it.
     #[inline(always)]
-    pub fn ask<O: Objects>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
+    pub fn intersect<O: Objects>(self, found: &mut ClosestHit, objects: &O, touch: &ConservativeRay<f64>) {
         if let Some(id) = self.0
             && self.may_be_met(objects, touch)
         {
-            found.ask_sphere(objects, id as usize, &touch.ray);
+            found.intersect_sphere(objects, id as usize, &touch.ray);
         }
     }
 
     /// The same, where the closer look that large spheres often take is no call, if the machine is good at it.
     #[inline(always)]
-    pub fn ask_closely<S: Simd, O: Objects>(self, found: &mut Found, objects: &O, touch: &Touch<f64>) {
+    pub fn intersect_closely<S: Simd, O: Objects>(
+        self,
+        found: &mut ClosestHit,
+        objects: &O,
+        touch: &ConservativeRay<f64>,
+    ) {
         if let Some(id) = self.0
             && self.may_be_met(objects, touch)
         {
-            found.ask_large_sphere::<S, O>(objects, id as usize, &touch.ray);
+            found.intersect_dominant_sphere::<S, O>(objects, id as usize, &touch.ray);
         }
     }
 }
@@ -148,13 +153,13 @@ mod tests {
 
     use crate::input::scene::Scene;
     use crate::layout::aos::AosObjects;
-    use crate::render::surface::{Onward, Surface};
+    use crate::render::surface::{ScatterResult, Surface};
     use crate::sampling::scatter_vectors::Scatter;
     use crate::sampling::uniform::Uniform;
 
     fn ground_of(objects: &str) -> Option<ObjectId> {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{objects}").as_bytes()).expect("the scene is valid");
-        Ground::of(&AosObjects::build(&scene).expect("it fits")).id()
+        DominantSphere::of(&AosObjects::build(&scene).expect("it fits")).id()
     }
 
     #[test]
@@ -172,7 +177,7 @@ mod tests {
                     sphere: 0 -50 0 50 m\nsphere: 0 0 0 1 m\nsphere: 0 2 0 1 m\n";
         let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
-        let (ground, record) = (Ground::of(&objects), objects.sphere(0).record);
+        let (ground, record) = (DominantSphere::of(&objects), objects.sphere(0).record);
         let mut draws = Uniform::new(12);
         let mut counts = [[0; 2]; 3];
         for number in 0..30_000 {
@@ -182,20 +187,28 @@ mod tests {
                 if number % 2 == 0 { Vec3::new(0.0, 5.0, 0.0) + vector() } else { vector() * 20.0 + record.center };
             let ray = Ray { origin, direction: vector() * 3.0 };
             let triple = vector().map(|component| (component + 1.0) / 2.0);
-            let mut found = Found::NOTHING;
-            found.ask_sphere(&objects, 0, &ray);
+            let mut found = ClosestHit::NOTHING;
+            found.intersect_sphere(&objects, 0, &ray);
             if !found.is_hit() {
                 continue;
             }
             let material = number % 3;
-            let finish = Finish::new(&scene.materials[material], Scatter::Statement);
+            let material_data = PreparedMaterial::new(&scene.materials[material], Scatter::Statement);
             let surface = Surface::new(&objects, &ray, &found);
-            let Onward::Scattered(base) = surface.onward(&finish, ray.direction) else { unreachable!() };
-            let next = Ray { origin: surface.point, direction: finish.spread.around(base, triple) };
-            let told = ground.will_be_entered(&objects, &ray, found.lambda, &finish, finish.spread.vector(triple));
+            let ScatterResult::Around(base) = surface.scatter_result(&material_data, ray.direction) else {
+                unreachable!()
+            };
+            let next = Ray { origin: surface.point, direction: material_data.spread.around(base, triple) };
+            let told = ground.will_be_entered(
+                &objects,
+                &ray,
+                found.lambda,
+                &material_data,
+                material_data.spread.vector(triple),
+            );
             // Along the surface it may be told wrong.
             if next.direction.dot(surface.outward).abs() > 1e-5 {
-                assert_eq!(told, ground.is_entered_by(&objects, &next), "{ray:?}, {finish:?}");
+                assert_eq!(told, ground.is_entered_by(&objects, &next), "{ray:?}, {material_data:?}");
                 counts[material][usize::from(told)] += 1;
             }
         }

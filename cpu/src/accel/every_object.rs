@@ -1,8 +1,8 @@
 //! The plain search: every object is asked.
 
 use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::Found;
-use crate::accel::find::{Find, Origin};
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::find::{Accelerator, Origin};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
@@ -10,25 +10,25 @@ use crate::simd::Simd;
 
 /// Every object is asked.
 #[derive(Debug)]
-pub struct Plain;
+pub struct EveryObject;
 
-impl Find for Plain {
+impl Accelerator for EveryObject {
     #[inline(always)]
-    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
+    fn closest_hit_from<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
         plain(objects, ray)
     }
 }
 
 /// The nearest object, by asking every one.
 #[inline(never)]
-pub fn plain<O: Objects>(objects: &O, ray: &Ray) -> Found {
+pub fn plain<O: Objects>(objects: &O, ray: &Ray) -> ClosestHit {
     add(Counter::PlainAsks, (objects.sphere_count() + objects.cylinder_count()) as u64);
-    let mut found = Found::NOTHING;
+    let mut found = ClosestHit::NOTHING;
     for index in 0..objects.sphere_count() {
-        found.ask_sphere(objects, index, ray);
+        found.intersect_sphere(objects, index, ray);
     }
     for index in 0..objects.cylinder_count() {
-        found.ask_cylinder(objects, index, ray);
+        found.intersect_cylinder(objects, index, ray);
     }
     found
 }

@@ -20,7 +20,7 @@
 
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::math::vec3::Vec3;
-use crate::simd::FilterLanes;
+use crate::simd::SimdF32;
 
 /// The largest reach of a scene that is filtered; see the module's head.
 pub const LARGEST_REACH: f64 = 2e7;
@@ -119,7 +119,7 @@ pub struct Ball<F> {
     pub miss: F,
 }
 
-impl<F: FilterLanes> FilterRay<F> {
+impl<F: SimdF32> FilterRay<F> {
     /// The ray, in a scene around `middle`.
     #[inline(always)]
     pub fn new(ray: &Ray, middle: Vec3) -> Self {
@@ -172,35 +172,35 @@ impl<F: FilterLanes> FilterRay<F> {
 /// The objects that the ray certainly misses, a bit a lane: those where `miss` is positive. Lanes offer `<=` only, so `miss` is
 /// compared with the smallest positive number.
 #[inline(always)]
-pub fn misses<F: FilterLanes>(miss: F) -> u32 {
+pub fn misses<F: SimdF32>(miss: F) -> u32 {
     const LEAST_POSITIVE: f32 = f32::from_bits(1);
     F::splat(LEAST_POSITIVE).less_equal(miss)
 }
 
 /// `value` in every lane.
 #[inline(always)]
-fn number<F: FilterLanes>(value: f64) -> F {
+fn number<F: SimdF32>(value: f64) -> F {
     F::splat(value as f32)
 }
 
 /// The vector in every lane.
 #[inline(always)]
-fn everywhere<F: FilterLanes>(vector: Vec3) -> [F; 3] {
+fn everywhere<F: SimdF32>(vector: Vec3) -> [F; 3] {
     [number(vector.x), number(vector.y), number(vector.z)]
 }
 
 /// The vectors from `at` on, a lane each.
 #[inline(always)]
-fn load<F: FilterLanes>([x, y, z]: &[Row; 3], at: usize) -> [F; 3] {
+fn load<F: SimdF32>([x, y, z]: &[Row; 3], at: usize) -> [F; 3] {
     [F::load(&x[at..]), F::load(&y[at..]), F::load(&z[at..])]
 }
 
 #[inline(always)]
-fn dot<F: FilterLanes>([x, y, z]: [F; 3], other: [F; 3]) -> F {
+fn dot<F: SimdF32>([x, y, z]: [F; 3], other: [F; 3]) -> F {
     z.mul_add(other[2], y.mul_add(other[1], x * other[0]))
 }
 
 #[inline(always)]
-fn plus_dot<F: FilterLanes>(term: F, [x, y, z]: [F; 3], other: [F; 3]) -> F {
+fn plus_dot<F: SimdF32>(term: F, [x, y, z]: [F; 3], other: [F; 3]) -> F {
     z.mul_add(other[2], y.mul_add(other[1], x.mul_add(other[0], term)))
 }

@@ -1,22 +1,22 @@
 //! A filter over all objects, several at once, in single precision.
 
 use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::Found;
-use crate::accel::conservative::{Touch, is_too_short};
-use crate::accel::dominant_sphere::Ground;
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::conservative::{ConservativeRay, is_too_short};
+use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::plain;
 use crate::accel::extent::Extent;
 use crate::accel::filter_ray::{BLOCK, Balls, FilterRay, Tubes, misses};
-use crate::accel::find::Find;
+use crate::accel::find::Accelerator;
 use crate::accel::find::Origin;
 use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Objects;
-use crate::materials::prepared::Finish;
+use crate::materials::prepared::PreparedMaterial;
 use crate::math::vec3::Vec3;
-use crate::simd::{FilterLanes, Simd};
+use crate::simd::{Simd, SimdF32};
 
 /// Most spheres, and most cylinders, of a filter: their bits fill a word.
 pub const CAPACITY: usize = u64::BITS as usize;
@@ -25,11 +25,11 @@ pub use crate::accel::filter_ray::LARGEST_REACH;
 
 /// The filter's data: lanes in both layouts, for it decides nothing but which objects are asked.
 #[derive(Debug)]
-pub struct Filter {
+pub struct FlatFilter {
     middle: Vec3,
-    ground: Ground,
-    /// See [`Ground::sunk`].
-    sunk: Option<Vec<ObjectId>>,
+    ground: DominantSphere,
+    /// See [`DominantSphere::overlapping`].
+    overlapping: Option<Vec<ObjectId>>,
     spheres: Vec<Balls>,
     cylinders: Vec<(Balls, Tubes)>,
     /// The lanes that objects fill, as bits.
@@ -37,14 +37,14 @@ pub struct Filter {
     cylinder_lanes: u64,
 }
 
-impl Filter {
+impl FlatFilter {
     /// The filter over `objects`.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = (objects.sphere_count(), objects.cylinder_count());
-        let ground = Ground::of(objects);
+        let ground = DominantSphere::of(objects);
         let middle = middle(objects, ground);
         let (mut sphere_lanes, mut cylinder_lanes) = (0, 0);
         let mut spheres = blocks(sphere_count, Balls::EMPTY)?;
@@ -64,44 +64,44 @@ impl Filter {
             tubes.set(lane, center, cylinder.axis, (cylinder.radius_squared, half_height_squared));
             cylinder_lanes |= 1 << index;
         }
-        let sunk = ground.sunk(objects, extent);
-        Ok(Self { middle, ground, sunk, spheres, cylinders, sphere_lanes, cylinder_lanes })
+        let overlapping = ground.overlapping(objects, extent);
+        Ok(Self { middle, ground, overlapping, spheres, cylinders, sphere_lanes, cylinder_lanes })
     }
 
-    /// See [`Search::forget_who_is_alone`](crate::accel::choice::Search::forget_who_is_alone).
-    pub fn forget_who_is_alone(&mut self) {
-        self.sunk = None;
+    /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
+    pub fn without_isolation(&mut self) {
+        self.overlapping = None;
     }
 
     /// The sphere that is asked apart.
     #[inline(always)]
     #[must_use]
-    pub const fn ground(&self) -> Ground {
+    pub const fn ground(&self) -> DominantSphere {
         self.ground
     }
 
     /// The nearest object that a ray meets.
     #[inline(always)]
-    pub fn nearest<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin) -> Found {
-        let mut found = Found::NOTHING;
-        let touch = Touch::new(*ray);
+    pub fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin) -> ClosestHit {
+        let mut found = ClosestHit::NOTHING;
+        let touch = ConservativeRay::new(*ray);
         let Ray { origin: o, direction: d } = *ray;
         if is_too_short(touch.length_squared) {
             return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
         }
         if self.ground.is(origin.object)
-            && let Some(sunk) = &self.sunk
+            && let Some(overlapping) = &self.overlapping
         {
             // The branch that the processor cannot guess is on what is expected, which is known early; whether it is as
             // expected it guesses right.
             if origin.goes_in {
-                self.ground.ask(&mut found, objects, &touch);
+                self.ground.intersect(&mut found, objects, &touch);
                 if !found.is_hit() {
                     add(Counter::Unexpected, 1);
                     return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
                 }
-                for &id in sunk {
-                    found.ask(objects, id, ray);
+                for &id in overlapping {
+                    found.intersect(objects, id, ray);
                 }
                 return found;
             }
@@ -112,7 +112,7 @@ impl Filter {
         }
         let (mut spheres, mut cylinders) = self.may_meet::<S>(ray);
         if let Some(ground) = self.ground.id()
-            && !(self.sunk.is_some() && origin.object == ground)
+            && !(self.overlapping.is_some() && origin.object == ground)
             && self.ground.may_be_met(objects, &touch)
         {
             spheres |= 1 << ground;
@@ -122,11 +122,11 @@ impl Filter {
             return found;
         }
         while spheres != 0 {
-            found.ask_sphere(objects, spheres.trailing_zeros() as usize, ray);
+            found.intersect_sphere(objects, spheres.trailing_zeros() as usize, ray);
             spheres &= spheres - 1;
         }
         while cylinders != 0 {
-            found.ask_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
+            found.intersect_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
             cylinders &= cylinders - 1;
         }
         found
@@ -159,7 +159,7 @@ impl Filter {
 /// memory.
 #[cold]
 #[inline(never)]
-fn ask_every_object<O: Objects>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> Found {
+fn ask_every_object<O: Objects>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> ClosestHit {
     plain(objects, &Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) })
 }
 
@@ -173,7 +173,7 @@ fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
 }
 
 /// The middle of all that is filtered: coordinates relative to it lose least in single precision.
-fn middle(objects: &impl Objects, ground: Ground) -> Vec3 {
+fn middle(objects: &impl Objects, ground: DominantSphere) -> Vec3 {
     let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
     let spheres = (0..objects.sphere_count()).filter(|&index| !ground.is(index as ObjectId));
     let centers = spheres.map(|index| objects.sphere(index).record.center);
@@ -184,10 +184,16 @@ fn middle(objects: &impl Objects, ground: Ground) -> Vec3 {
     if low.x > high.x { Vec3::ZERO } else { (low + high) * 0.5 }
 }
 
-impl Find for Filter {
+impl Accelerator for FlatFilter {
     #[inline(always)]
-    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin, _: &mut Stack) -> Found {
-        self.nearest::<S, O>(objects, ray, origin)
+    fn closest_hit_from<S: Simd, O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        origin: Origin,
+        _: &mut Stack,
+    ) -> ClosestHit {
+        self.closest_hit::<S, O>(objects, ray, origin)
     }
 
     #[inline(always)]
@@ -197,9 +203,16 @@ impl Find for Filter {
     }
 
     #[inline(always)]
-    fn next_origin<O: Objects>(&self, objects: &O, ray: &Ray, found: &Found, finish: &Finish, vector: Vec3) -> Origin {
+    fn next_origin<O: Objects>(
+        &self,
+        objects: &O,
+        ray: &Ray,
+        found: &ClosestHit,
+        material_data: &PreparedMaterial,
+        vector: Vec3,
+    ) -> Origin {
         let (object, ground) = (found.object, self.ground());
-        let goes_in = ground.is(object) && ground.will_be_entered(objects, ray, found.lambda, finish, vector);
+        let goes_in = ground.is(object) && ground.will_be_entered(objects, ray, found.lambda, material_data, vector);
         Origin { object, goes_in }
     }
 }

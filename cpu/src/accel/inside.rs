@@ -6,9 +6,9 @@
 //! A ray is inside only where comparisons hold, which none does with what is not a number, and only if the length of its
 //! direction is between 2^-150 and 2^150: with coordinates of up to 10^9 nothing overflows then.
 
-use crate::accel::conservative::{MARGIN, Quadratic, Touch};
-use crate::accel::small_scene::Few;
-use crate::accel::target::{CylinderTarget, SLACK, SphereTarget};
+use crate::accel::conservative::{ConservativeRay, MARGIN, Quadratic};
+use crate::accel::small_scene::SmallScene;
+use crate::accel::target::{ConservativeCylinder, ConservativeSphere, SLACK};
 use crate::exact::error_bound::in_scale;
 use crate::geometry::cylinder::PARALLEL;
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
@@ -19,44 +19,44 @@ use crate::layout::Objects;
 const STEEP: f64 = 2.0 * PARALLEL;
 const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 
-impl Touch<f64> {
+impl ConservativeRay<f64> {
     /// Whether the ray is certainly inside the sphere at the smallest lambda that counts.
     #[inline(always)]
-    fn begins_in_sphere(&self, target: &SphereTarget) -> bool {
-        self.begins_within(&self.sphere_quadratic(target))
+    fn starts_in_sphere(&self, target: &ConservativeSphere) -> bool {
+        self.starts_within(&self.sphere_quadratic(target))
     }
 
     /// Whether it is certainly inside the cylinder there, in a scene of this reach, and not parallel to its bases.
     #[inline(always)]
-    fn begins_in_cylinder(&self, target: &CylinderTarget, reach: f64) -> bool {
+    fn starts_in_cylinder(&self, target: &ConservativeCylinder, reach: f64) -> bool {
         let (across, slope, along) = self.cylinder_quadratic(target);
         let (height, least_half_height) = (slope * LAMBDA_MIN - along, target.half_height - reach * (2.0 * SLACK));
         let is_steep = slope.abs() > STEEP && slope * slope > self.length_squared * STEEP_SHARE;
-        self.begins_within(&across) & (height.abs() < least_half_height) & is_steep
+        self.starts_within(&across) & (height.abs() < least_half_height) & is_steep
     }
 
     /// Whether the quadratic is certainly negative at the smallest lambda that counts.
     #[inline(always)]
-    fn begins_within(&self, &Quadratic { a, h, c, size }: &Quadratic<f64>) -> bool {
+    fn starts_within(&self, &Quadratic { a, h, c, size }: &Quadratic<f64>) -> bool {
         const SQUARED: f64 = LAMBDA_MIN * LAMBDA_MIN;
         let most_c = c + (size + self.length_squared * SQUARED) * MARGIN;
         a * SQUARED - h * (2.0 * LAMBDA_MIN) + most_c < 0.0
     }
 }
 
-impl Few {
+impl SmallScene {
     /// Whether a ray, which starts within the scene's reach, is certainly inside one of the objects where it begins to
     /// count, and so meets one.
     #[inline(always)]
-    pub fn begins_inside<O: Objects>(&self, objects: &O, ray: &Ray) -> bool {
-        let touch = Touch::new(*ray);
+    pub fn starts_inside<O: Objects>(&self, objects: &O, ray: &Ray) -> bool {
+        let touch = ConservativeRay::new(*ray);
         let mut inside = false;
         for index in 0..objects.sphere_count() {
-            inside |= touch.begins_in_sphere(&SphereTarget::new(&objects.sphere(index).record));
+            inside |= touch.starts_in_sphere(&ConservativeSphere::new(&objects.sphere(index).record));
         }
         for index in 0..objects.cylinder_count() {
-            let target = CylinderTarget::new(&objects.cylinder(index).record, self.reach());
-            inside |= touch.begins_in_cylinder(&target, self.reach());
+            let target = ConservativeCylinder::new(&objects.cylinder(index).record, self.reach());
+            inside |= touch.starts_in_cylinder(&target, self.reach());
         }
         // A direction that is null meets nothing.
         inside & in_scale(touch.length_squared)
@@ -94,8 +94,9 @@ mod tests {
             let on_sphere = Ray { origin: center + outward.unit() * (size * start), direction };
             let on_cylinder = Ray { origin: center + side * (size * start) + along, direction };
             let found = [
-                Touch::new(on_sphere).begins_in_sphere(&SphereTarget::new(&sphere)),
-                Touch::new(on_cylinder).begins_in_cylinder(&CylinderTarget::new(&cylinder, reach), reach),
+                ConservativeRay::new(on_sphere).starts_in_sphere(&ConservativeSphere::new(&sphere)),
+                ConservativeRay::new(on_cylinder)
+                    .starts_in_cylinder(&ConservativeCylinder::new(&cylinder, reach), reach),
             ];
             let hits = [
                 exact::sphere::intersect(&sphere, &on_sphere).is_some(),
@@ -112,16 +113,16 @@ mod tests {
 
     #[test]
     fn at_the_limits_nothing_is_certain() {
-        let sphere = SphereTarget::new(&SphereRecord::new(Vec3::ZERO, 1.0));
-        let cylinder = CylinderTarget::new(&CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 2.0, 0.0)), 4.0);
+        let sphere = ConservativeSphere::new(&SphereRecord::new(Vec3::ZERO, 1.0));
+        let cylinder = ConservativeCylinder::new(&CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 2.0, 0.0)), 4.0);
         let touch = |origin: [f64; 3], direction: [f64; 3]| {
-            Touch::new(Ray { origin: origin.into(), direction: direction.into() })
+            ConservativeRay::new(Ray { origin: origin.into(), direction: direction.into() })
         };
         // Inward and outward from the surface; from where the limit is on the surface.
-        assert!(touch([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]).begins_in_sphere(&sphere));
-        assert!(!touch([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).begins_in_sphere(&sphere));
-        assert!(!touch([1.0 - LAMBDA_MIN, 0.0, 0.0], [1.0, 0.0, 0.0]).begins_in_sphere(&sphere));
-        let begins = |origin, direction| touch(origin, direction).begins_in_cylinder(&cylinder, 4.0);
+        assert!(touch([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
+        assert!(!touch([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
+        assert!(!touch([1.0 - LAMBDA_MIN, 0.0, 0.0], [1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
+        let begins = |origin, direction| touch(origin, direction).starts_in_cylinder(&cylinder, 4.0);
         assert!(begins([1.0, 0.0, 0.0], [-1.0, 0.1, 0.0]) && begins([0.0, 1.0, 0.0], [0.1, -1.0, 0.0]));
         assert!(!begins([0.0, 1.0, 0.0], [0.1, 1.0, 0.0]) && !begins([0.0, 1.0 - LAMBDA_MIN, 0.0], [0.0, 1.0, 0.0]));
         // Parallel to the bases it might meet nothing but one of them, which then does not count.

@@ -15,9 +15,9 @@ use crate::layout::Objects;
 
 /// Which objects are alone, a bit each.
 #[derive(Clone, Debug)]
-pub struct Alone(Vec<u64>);
+pub struct Isolated(Vec<u64>);
 
-impl Alone {
+impl Isolated {
     /// The objects whose box no other's overlaps, as `overlapped` says, but for one that is asked apart anyway.
     ///
     /// # Errors
@@ -56,15 +56,15 @@ mod tests {
 
     #[test]
     fn what_no_other_overlaps_is_alone() {
-        let alone = Alone::new(3, |id| id == 1).expect("it fits");
+        let alone = Isolated::new(3, |id| id == 1).expect("it fits");
         assert_eq!([0, 1, 2].map(|id| alone.is(id)), [true, false, true]);
         assert!(!alone.is(crate::accel::object::NOWHERE));
-        assert!(!Alone::none().is(0));
+        assert!(!Isolated::none().is(0));
     }
 
     #[test]
     fn a_hundred_answers_keep_their_places() {
-        let alone = Alone::new(100, |id| id % 3 == 0).expect("it fits");
+        let alone = Isolated::new(100, |id| id % 3 == 0).expect("it fits");
         for id in 0..128 {
             assert_eq!(alone.is(id), id < 100 && id % 3 != 0, "{id}");
         }

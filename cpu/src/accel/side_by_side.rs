@@ -1,12 +1,12 @@
 //! A handful of objects for the [filter](crate::accel::conservative): many rays against one after the other, or one ray against several
 //! at once, an object a lane.
 
-use crate::accel::conservative::{Touch, is_too_short};
-use crate::accel::target::{CylinderTarget, SphereTarget};
+use crate::accel::conservative::{ConservativeRay, is_too_short};
+use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
-use crate::simd::{LaneMask, Lanes};
+use crate::simd::{LaneMask, SimdF64};
 
 /// Places for objects; every instruction set's lanes divide it.
 pub const PLACES: usize = 8;
@@ -17,25 +17,25 @@ type Row = [f64; PLACES];
 /// The objects by their [ids](crate::accel::object::ObjectId), a place each; places that are left over repeat the first one. A sphere stands
 /// among them as a cylinder without an axis, and of any height: for the filter it is one.
 #[derive(Clone, Debug)]
-pub struct SideBySide {
+pub struct ObjectLanes {
     sphere_count: usize,
     count: usize,
-    targets: CylinderTarget<Row>,
+    targets: ConservativeCylinder<Row>,
 }
 
-impl SideBySide {
+impl ObjectLanes {
     /// The objects, of which those beyond [`PLACES`] are left out, of a scene of this reach.
     pub fn new(objects: &impl Objects, reach: f64) -> Self {
         let sphere_count = objects.sphere_count().min(PLACES);
         let count = (objects.sphere_count() + objects.cylinder_count()).min(PLACES);
         let target = |id| {
             if id < sphere_count {
-                SphereTarget::new(&objects.sphere(id).record).as_cylinder()
+                ConservativeSphere::new(&objects.sphere(id).record).as_cylinder()
             } else {
-                CylinderTarget::new(&objects.cylinder(id - sphere_count).record, reach)
+                ConservativeCylinder::new(&objects.cylinder(id - sphere_count).record, reach)
             }
         };
-        let targets = CylinderTarget {
+        let targets = ConservativeCylinder {
             center: rows(count, |id| target(id).center),
             axis: rows(count, |id| target(id).axis),
             radius_squared: row(count, |id| target(id).radius_squared),
@@ -47,8 +47,8 @@ impl SideBySide {
 
     /// The objects that one ray may meet: a bit each.
     #[inline(always)]
-    pub fn touched_by_one<V: Lanes>(&self, ray: &Ray) -> u32 {
-        let touch = Touch::new(Ray { origin: ray.origin.map(V::of), direction: ray.direction.map(V::of) });
+    pub fn objects_may_hit<V: SimdF64>(&self, ray: &Ray) -> u32 {
+        let touch = ConservativeRay::new(Ray { origin: ray.origin.map(V::of), direction: ray.direction.map(V::of) });
         let all = (1 << self.count) - 1;
         if is_too_short(touch.length_squared).bits() != 0 {
             return all;
@@ -68,10 +68,10 @@ impl SideBySide {
     /// Whether each of several rays may meet the object at this place. Of no meaning for directions that are
     /// [too short](is_too_short).
     #[inline(always)]
-    pub fn touches<V: Lanes>(&self, at: usize, touch: &Touch<V>) -> V::Mask {
+    pub fn touches<V: SimdF64>(&self, at: usize, touch: &ConservativeRay<V>) -> V::Mask {
         let target = self.targets.one::<V>(at);
         if at < self.sphere_count {
-            touch.sphere(&SphereTarget { center: target.center, radius_squared: target.radius_squared })
+            touch.sphere(&ConservativeSphere { center: target.center, radius_squared: target.radius_squared })
         } else {
             touch.cylinder(&target)
         }
@@ -79,9 +79,9 @@ impl SideBySide {
 
     /// The objects that each of several rays may meet; all objects for the lanes of `too_short`, which are bits.
     #[inline(always)]
-    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>, too_short: u32) -> TouchedByEach {
-        let touch = Touch::new(*ray);
-        let mut touched = TouchedByEach::NOTHING;
+    pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
+        let touch = ConservativeRay::new(*ray);
+        let mut touched = MayHitLanes::NOTHING;
         for at in 0..self.count.min(PLACES) {
             touched.add(at, self.touches(at, &touch).bits());
         }
@@ -94,14 +94,14 @@ impl SideBySide {
 
 /// Which of a handful of objects each of several rays may meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TouchedByEach {
+pub struct MayHitLanes {
     /// Eight bits an object, one for each ray.
     bits: u64,
     /// The rays that may meet any.
     any: u32,
 }
 
-impl TouchedByEach {
+impl MayHitLanes {
     /// No ray may meet any.
     pub const NOTHING: Self = Self { bits: 0, any: 0 };
 
@@ -129,17 +129,20 @@ impl TouchedByEach {
 }
 
 // No closures here: they would be compiled without the instruction set.
-impl CylinderTarget<Row> {
+impl ConservativeCylinder<Row> {
     /// The spheres from `at` on, a lane each.
     #[inline(always)]
-    fn spheres<V: Lanes>(&self, at: usize) -> SphereTarget<V> {
-        SphereTarget { center: vector_lanes(&self.center, at), radius_squared: V::load(&self.radius_squared[at..]) }
+    fn spheres<V: SimdF64>(&self, at: usize) -> ConservativeSphere<V> {
+        ConservativeSphere {
+            center: vector_lanes(&self.center, at),
+            radius_squared: V::load(&self.radius_squared[at..]),
+        }
     }
 
     /// The objects from `at` on, a lane each.
     #[inline(always)]
-    fn lanes<V: Lanes>(&self, at: usize) -> CylinderTarget<V> {
-        CylinderTarget {
+    fn lanes<V: SimdF64>(&self, at: usize) -> ConservativeCylinder<V> {
+        ConservativeCylinder {
             center: vector_lanes(&self.center, at),
             axis: vector_lanes(&self.axis, at),
             radius_squared: V::load(&self.radius_squared[at..]),
@@ -150,8 +153,8 @@ impl CylinderTarget<Row> {
 
     /// The object at `at` in every lane.
     #[inline(always)]
-    fn one<V: Lanes>(&self, at: usize) -> CylinderTarget<V> {
-        CylinderTarget {
+    fn one<V: SimdF64>(&self, at: usize) -> ConservativeCylinder<V> {
+        ConservativeCylinder {
             center: one_vector(&self.center, at),
             axis: one_vector(&self.axis, at),
             radius_squared: V::of(self.radius_squared[at]),
@@ -177,13 +180,13 @@ fn rows(count: usize, vector: impl Fn(usize) -> Vec3) -> Vec3<Row> {
 
 /// The vectors from `at` on, a lane each.
 #[inline(always)]
-fn vector_lanes<V: Lanes>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
+fn vector_lanes<V: SimdF64>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
     Vec3::new(V::load(&x[at..]), V::load(&y[at..]), V::load(&z[at..]))
 }
 
 /// The vector at `at` in every lane.
 #[inline(always)]
-fn one_vector<V: Lanes>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
+fn one_vector<V: SimdF64>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
     Vec3::new(V::of(x[at]), V::of(y[at]), V::of(z[at]))
 }
 
@@ -197,7 +200,7 @@ mod tests {
         for _ in 0..2000 {
             let rays: [u32; PLACES] =
                 std::array::from_fn(|_| draws.draw(0.0, 256.0) as u32 & draws.draw(0.0, 256.0) as u32);
-            let mut touched = TouchedByEach::NOTHING;
+            let mut touched = MayHitLanes::NOTHING;
             (0..PLACES).for_each(|id| touched.add(id, rays[id]));
             for lane in 0..8 {
                 let expected = (0..PLACES).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();

@@ -5,35 +5,35 @@
 //! formulas are for the others.
 
 use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::Found;
-use crate::accel::conservative::{Touch, is_too_short};
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::conservative::{ConservativeRay, is_too_short};
 use crate::accel::extent::Extent;
-use crate::accel::find::{Find, Origin};
+use crate::accel::find::{Accelerator, Origin};
 use crate::accel::object::ObjectId;
-use crate::accel::side_by_side::{PLACES, SideBySide, TouchedByEach};
+use crate::accel::side_by_side::{MayHitLanes, ObjectLanes, PLACES};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Objects;
-use crate::simd::{Lanes, Simd};
+use crate::simd::{Simd, SimdF64};
 
 /// Fewest objects of which those that one ray may meet are found side by side: fewer fill too few lanes.
 const FEWEST_SIDE_BY_SIDE: usize = 4;
 
 /// A search over a handful of objects.
 #[derive(Clone, Debug)]
-pub struct Few {
+pub struct SmallScene {
     in_order: Vec<ObjectId>,
-    side_by_side: SideBySide,
+    side_by_side: ObjectLanes,
     reach: f64,
 }
 
-impl Few {
+impl SmallScene {
     /// The search over `objects`.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let side_by_side = SideBySide::new(objects, extent.reach);
+        let side_by_side = ObjectLanes::new(objects, extent.reach);
         Ok(Self { in_order: crate::accel::object::in_order(objects)?, side_by_side, reach: extent.reach })
     }
 
@@ -52,31 +52,31 @@ impl Few {
     /// Whether one ray asks several objects at once; otherwise several rays ask one.
     #[inline(always)]
     #[must_use]
-    pub fn is_side_by_side(&self) -> bool {
+    pub fn uses_object_lanes(&self) -> bool {
         self.in_order.len() >= FEWEST_SIDE_BY_SIDE
     }
 
     /// The nearest object that a ray, which starts within the scene's reach, meets.
     #[inline(always)]
-    pub fn nearest<V: Lanes, O: Objects>(&self, objects: &O, ray: &Ray) -> Found {
-        let (touched, mut found) = (self.touched_by_one::<V, O>(objects, ray), Found::NOTHING);
+    pub fn closest_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> ClosestHit {
+        let (touched, mut found) = (self.objects_may_hit::<V, O>(objects, ray), ClosestHit::NOTHING);
         // Where there are several of a kind, mostly none of them is touched.
         if touched & ((1 << objects.sphere_count()) - 1) != 0 {
-            ask_spheres(&mut found, objects, ray, touched);
+            intersect_spheres(&mut found, objects, ray, touched);
         }
         if touched >> objects.sphere_count() != 0 {
-            ask_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
+            intersect_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
         }
         found
     }
 
     /// The objects that one ray, which starts within the scene's reach, may meet: a bit each, by [id](ObjectId).
     #[inline(always)]
-    pub fn touched_by_one<V: Lanes, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
-        if self.is_side_by_side() {
-            return self.side_by_side.touched_by_one::<V>(ray);
+    pub fn objects_may_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
+        if self.uses_object_lanes() {
+            return self.side_by_side.objects_may_hit::<V>(ray);
         }
-        let touch = Touch::new(*ray);
+        let touch = ConservativeRay::new(*ray);
         if is_too_short(touch.length_squared) {
             return (1 << self.in_order.len()) - 1;
         }
@@ -94,44 +94,44 @@ impl Few {
     /// Whether each of several rays, which start within the scene's reach, may meet an object. Of no meaning for directions
     /// that are [too short](is_too_short).
     #[inline(always)]
-    pub fn touches<V: Lanes>(&self, id: ObjectId, touch: &Touch<V>) -> V::Mask {
+    pub fn touches<V: SimdF64>(&self, id: ObjectId, touch: &ConservativeRay<V>) -> V::Mask {
         self.side_by_side.touches(id as usize, touch)
     }
 
     /// The objects that each of several rays, which start within the scene's reach, may meet. `too_short` holds the lanes whose
     /// directions are [too short](is_too_short), as bits, or more lanes.
     #[inline(always)]
-    pub fn touched_by_each<V: Lanes>(&self, ray: &Ray<V>, too_short: u32) -> TouchedByEach {
-        self.side_by_side.touched_by_each(ray, too_short)
+    pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
+        self.side_by_side.objects_may_hit_lanes(ray, too_short)
     }
 }
 
 /// Of the objects that this ray may meet, a bit each, the nearest that it meets.
 #[inline(always)]
-pub fn nearest_of<O: Objects>(objects: &O, ray: &Ray, touched: u32) -> Found {
-    let mut found = Found::NOTHING;
-    ask_spheres(&mut found, objects, ray, touched);
-    ask_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
+pub fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, touched: u32) -> ClosestHit {
+    let mut found = ClosestHit::NOTHING;
+    intersect_spheres(&mut found, objects, ray, touched);
+    intersect_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
     found
 }
 
 /// Takes the spheres of `touched` into account: one after the other, so that the processor can guess which it will be
 /// before it knows the bits.
 #[inline(always)]
-fn ask_spheres<O: Objects>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
+fn intersect_spheres<O: Objects>(found: &mut ClosestHit, objects: &O, ray: &Ray, touched: u32) {
     for index in 0..objects.sphere_count() {
         if touched >> index & 1 == 1 {
-            found.ask_sphere(objects, index, ray);
+            found.intersect_sphere(objects, index, ray);
         }
     }
 }
 
 /// The same with cylinders.
 #[inline(always)]
-fn ask_cylinders<O: Objects>(found: &mut Found, objects: &O, ray: &Ray, touched: u32) {
+fn intersect_cylinders<O: Objects>(found: &mut ClosestHit, objects: &O, ray: &Ray, touched: u32) {
     for index in 0..objects.cylinder_count() {
         if touched >> index & 1 == 1 {
-            found.ask_cylinder(objects, index, ray);
+            found.intersect_cylinder(objects, index, ray);
         }
     }
 }
@@ -142,10 +142,10 @@ pub fn suits(objects: &impl Objects) -> bool {
     objects.sphere_count() + objects.cylinder_count() <= PLACES
 }
 
-impl Find for Few {
+impl Accelerator for SmallScene {
     #[inline(always)]
-    fn find<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> Found {
-        self.nearest::<S::F64, O>(objects, ray)
+    fn closest_hit_from<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
+        self.closest_hit::<S::F64, O>(objects, ray)
     }
 }
 
@@ -167,23 +167,23 @@ mod tests {
 
     /// Which objects the first lane's ray, the same in all lanes, may meet, and which it meets first.
     struct Touched<'a> {
-        few: &'a Few,
+        few: &'a SmallScene,
         objects: &'a AosObjects,
         ray: Ray,
     }
 
     impl Kernel for Touched<'_> {
-        type Output = (u32, Found);
+        type Output = (u32, ClosestHit);
 
         #[inline(always)]
-        fn call<S: Simd>(self, _: S) -> (u32, Found) {
+        fn call<S: Simd>(self, _: S) -> (u32, ClosestHit) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
-            let each = self.few.touched_by_each(&ray, 0);
+            let each = self.few.objects_may_hit_lanes(&ray, 0);
             let touched = each.by(0);
             assert_eq!(each.any(), if touched == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.by(lane) == touched), "{each:?}");
-            assert_eq!(self.few.touched_by_one::<S::F64, _>(self.objects, &self.ray), touched);
-            (touched, self.few.nearest::<S::F64, _>(self.objects, &self.ray))
+            assert_eq!(self.few.objects_may_hit::<S::F64, _>(self.objects, &self.ray), touched);
+            (touched, self.few.closest_hit::<S::F64, _>(self.objects, &self.ray))
         }
     }
 
@@ -191,9 +191,9 @@ mod tests {
     fn what_a_ray_meets_it_touches_and_most_of_what_it_touches_it_meets() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
-        let few = Few::new(&objects, &Extent { reach: REACH, moderate: true }).expect("it fits");
+        let few = SmallScene::new(&objects, &Extent { reach: REACH, moderate: true }).expect("it fits");
         // As few as make it ask one object after the other, of all.
-        let one_by_one = Few { in_order: few.in_order[..1].to_vec(), ..few.clone() };
+        let one_by_one = SmallScene { in_order: few.in_order[..1].to_vec(), ..few.clone() };
         let mut draws = Uniform::new(5);
         let (mut touched_in_all, mut met_in_all) = (0, 0);
         for number in 0..4000 {
@@ -225,7 +225,7 @@ mod tests {
                 assert_eq!(met & !touched, 0, "{}, {ray:?}: met {met:b}, touched {touched:b}", set.name());
                 let alone = set.run(Touched { few: &one_by_one, objects: &objects, ray });
                 assert_eq!((touched, nearest), alone, "{}, {ray:?}", set.name());
-                assert_eq!(nearest, nearest_of(&objects, &ray, met), "{}, {ray:?}", set.name());
+                assert_eq!(nearest, closest_hit_among(&objects, &ray, met), "{}, {ray:?}", set.name());
                 touched_in_all += touched.count_ones();
                 met_in_all += met.count_ones();
             }

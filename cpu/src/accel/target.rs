@@ -9,7 +9,7 @@ pub const SLACK: f64 = 8192.0 * f64::EPSILON;
 
 /// What the filter knows of a sphere; a number, lanes, or an array of each.
 #[derive(Clone, Copy, Debug)]
-pub struct SphereTarget<T = f64> {
+pub struct ConservativeSphere<T = f64> {
     /// Its centre.
     pub center: Vec3<T>,
     /// The square of its radius.
@@ -18,7 +18,7 @@ pub struct SphereTarget<T = f64> {
 
 /// What the filter knows of a cylinder.
 #[derive(Clone, Copy, Debug)]
-pub struct CylinderTarget<T = f64> {
+pub struct ConservativeCylinder<T = f64> {
     /// Its centre.
     pub center: Vec3<T>,
     /// Of length one; null for a sphere.
@@ -31,7 +31,7 @@ pub struct CylinderTarget<T = f64> {
     pub half_height: T,
 }
 
-impl SphereTarget {
+impl ConservativeSphere {
     /// The sphere.
     #[inline(always)]
     pub fn new(record: &SphereRecord) -> Self {
@@ -39,13 +39,19 @@ impl SphereTarget {
     }
 
     /// The same to the filter: a cylinder without an axis, and of any height.
-    pub fn as_cylinder(self) -> CylinderTarget {
+    pub fn as_cylinder(self) -> ConservativeCylinder {
         let Self { center, radius_squared } = self;
-        CylinderTarget { center, axis: Vec3::ZERO, radius_squared, squares: radius_squared, half_height: f64::INFINITY }
+        ConservativeCylinder {
+            center,
+            axis: Vec3::ZERO,
+            radius_squared,
+            squares: radius_squared,
+            half_height: f64::INFINITY,
+        }
     }
 }
 
-impl CylinderTarget {
+impl ConservativeCylinder {
     /// The cylinder, in a scene of this [reach](crate::accel::extent::Extent::reach).
     #[inline(always)]
     pub fn new(record: &CylinderRecord, reach: f64) -> Self {

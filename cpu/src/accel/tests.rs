@@ -1,9 +1,9 @@
 //! What each search finds, held against asking every object.
 
 use crate::accel::bvh::stack::Stack;
-use crate::accel::choice::Search;
-use crate::accel::closest_hit::Found;
-use crate::accel::dominant_sphere::Ground;
+use crate::accel::choice::Accel;
+use crate::accel::closest_hit::ClosestHit;
+use crate::accel::dominant_sphere::DominantSphere;
 use crate::accel::every_object::plain;
 use crate::accel::extent::Extent;
 use crate::accel::object::{NOWHERE, ObjectId, in_order};
@@ -37,7 +37,7 @@ fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
 
 /// Asks a search with one ray.
 struct Ask<'a> {
-    search: &'a Search,
+    search: &'a Accel,
     objects: &'a AosObjects,
     ray: Ray,
     from: ObjectId,
@@ -45,17 +45,17 @@ struct Ask<'a> {
 }
 
 impl Kernel for Ask<'_> {
-    type Output = Found;
+    type Output = ClosestHit;
 
     #[inline(always)]
-    fn call<S: Simd>(self, _: S) -> Found {
+    fn call<S: Simd>(self, _: S) -> ClosestHit {
         let Self { search, objects, ray, from, stack } = self;
-        search.nearest::<S, _>(objects, &ray, from, stack)
+        search.closest_hit::<S, _>(objects, &ray, from, stack)
     }
 }
 
 /// Compares a search with the plain one, on rays from anywhere and on from where these hit, many of them grazing.
-fn agrees_with_plain(search: &Search, objects: &AosObjects, rays: usize) {
+fn agrees_with_plain(search: &Accel, objects: &AosObjects, rays: usize) {
     let mut draws = Uniform::new(99);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
@@ -76,8 +76,8 @@ fn agrees_with_plain(search: &Search, objects: &AosObjects, rays: usize) {
             let mut from = NOWHERE;
             for _ in 0..3 {
                 let found = plain(objects, &ray);
-                let ask = Ask { search, objects, ray, from, stack: &mut stack };
-                assert_eq!(set.run(ask), found, "{}, {ray:?}", set.name());
+                let intersect = Ask { search, objects, ray, from, stack: &mut stack };
+                assert_eq!(set.run(intersect), found, "{}, {ray:?}", set.name());
                 if !found.is_hit() {
                     misses += 1;
                     break;
@@ -92,15 +92,15 @@ fn agrees_with_plain(search: &Search, objects: &AosObjects, rays: usize) {
     assert!(hits > rays / 4 && misses > rays / 4, "{hits} hits, {misses} misses");
 }
 
-fn search(objects: &AosObjects) -> Search {
-    Search::new(objects, &Extent { reach: 240.0, moderate: true }).expect("it fits")
+fn search(objects: &AosObjects) -> Accel {
+    Accel::new(objects, &Extent { reach: 240.0, moderate: true }).expect("it fits")
 }
 
 #[test]
 fn a_handful_of_objects_is_searched_at_once() {
     let objects = objects(7, 3.0, 1);
     let search = search(&objects);
-    assert!(matches!(search, Search::Few(_)));
+    assert!(matches!(search, Accel::SmallScene(_)));
     agrees_with_plain(&search, &objects, 2000);
 }
 
@@ -108,7 +108,7 @@ fn a_handful_of_objects_is_searched_at_once() {
 fn some_tens_of_objects_are_filtered() {
     let objects = objects(90, 2.0, 2);
     let search = search(&objects);
-    assert!(matches!(search, Search::Flat(_)));
+    assert!(matches!(search, Accel::FlatFilter(_)));
     agrees_with_plain(&search, &objects, 1000);
 }
 
@@ -116,19 +116,19 @@ fn some_tens_of_objects_are_filtered() {
 fn many_objects_are_searched_in_a_tree() {
     let objects = objects(1000, 1.0, 3);
     let search = search(&objects);
-    assert!(matches!(search, Search::Tree(_)));
+    assert!(matches!(search, Accel::Bvh(_)));
     agrees_with_plain(&search, &objects, 300);
 }
 
-/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first `sunk` of
+/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first `overlapping` of
 /// them; so far from each other that all are alone.
-fn above_a_ground(count: usize, above: f64, sunk: usize) -> AosObjects {
+fn above_a_ground(count: usize, above: f64, overlapping: usize) -> AosObjects {
     let mut draws = Uniform::new(8);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
     for index in 0..count {
         let (x, z) = ((index % 10) as f64 - 4.5, (index / 10) as f64 - 4.5);
         let radius = draws.draw(0.1, 0.45);
-        let y = if index < sunk { -0.4 } else { radius + above };
+        let y = if index < overlapping { -0.4 } else { radius + above };
         if index % 2 == 0 {
             text += &format!("sphere: {x} {y} {z} {radius} m\n");
         } else {
@@ -144,16 +144,19 @@ fn above_a_ground(count: usize, above: f64, sunk: usize) -> AosObjects {
 #[test]
 fn rays_inside_an_object_or_the_ground_meet_what_reaches_into_it() {
     let extent = Extent { reach: 120.0, moderate: true };
-    for (above, sunk, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
-        let objects = above_a_ground(30, above, sunk);
-        assert_eq!(Ground::of(&objects).sunk(&objects, &extent).map(|sunk| sunk.len()), known);
+    for (above, overlapping, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
+        let objects = above_a_ground(30, above, overlapping);
+        assert_eq!(
+            DominantSphere::of(&objects).overlapping(&objects, &extent).map(|overlapping| overlapping.len()),
+            known
+        );
         agrees_with_plain(&search(&objects), &objects, 600);
     }
     for count in [30, 100] {
         let objects = above_a_ground(count, 1e-3, 9);
         let mut search = search(&objects);
         agrees_with_plain(&search, &objects, 300);
-        search.forget_who_is_alone();
+        search.without_isolation();
         agrees_with_plain(&search, &objects, 300);
     }
 }
@@ -161,8 +164,8 @@ fn rays_inside_an_object_or_the_ground_meet_what_reaches_into_it() {
 #[test]
 fn a_scene_of_extreme_magnitudes_is_searched_plainly() {
     let extent = Extent { reach: 1e12, moderate: false };
-    let plain = Search::new(&objects(7, 3.0, 1), &extent).expect("it fits");
-    assert!(matches!(plain, Search::Plain));
+    let plain = Accel::new(&objects(7, 3.0, 1), &extent).expect("it fits");
+    assert!(matches!(plain, Accel::EveryObject));
 }
 
 #[test]
@@ -174,7 +177,7 @@ fn the_order_of_the_file_is_kept() {
 
 /// Compares a search with asking every object, for directions of any length, from `10^-300` to `10^300`, null, infinite and
 /// not a number, of rays that start on the objects or between them; `far` is how far that is.
-fn agrees_for_directions_of_any_length(search: &Search, objects: &AosObjects, far: f64) {
+fn agrees_for_directions_of_any_length(search: &Accel, objects: &AosObjects, far: f64) {
     let mut draws = Uniform::new(17);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
@@ -207,7 +210,7 @@ fn agrees_for_directions_of_any_length(search: &Search, objects: &AosObjects, fa
                 let found = set.run(Ask { search, objects, ray, from, stack: &mut stack });
                 assert_eq!(found, expected, "{}, {ray:?}", set.name());
             }
-            let found = search.nearest::<PositiveNan, _>(objects, &ray, from, &mut stack);
+            let found = search.closest_hit::<PositiveNan, _>(objects, &ray, from, &mut stack);
             assert_eq!(found, expected, "with positive NaNs, {ray:?}");
         }
     }
@@ -244,8 +247,8 @@ fn scenes_of_every_size_find_what_asking_every_object_finds() {
     for count in [3, 9, 60, 100] {
         for scale in [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8] {
             let objects = ring(count, scale);
-            let search = Search::new(&objects, &Extent { reach: 6.0 * scale, moderate: true }).expect("it fits");
-            let is_filter = matches!(search, Search::Flat(_));
+            let search = Accel::new(&objects, &Extent { reach: 6.0 * scale, moderate: true }).expect("it fits");
+            let is_filter = matches!(search, Accel::FlatFilter(_));
             assert_eq!(
                 is_filter,
                 (9..100).contains(&count) && 6.0 * scale <= crate::accel::filter_ray::LARGEST_REACH,

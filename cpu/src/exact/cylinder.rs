@@ -7,11 +7,11 @@
 
 use crate::exact::cylinder_surfaces::{Plane, Side};
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::error_bound::{Verdict, in_scale};
+use crate::exact::error_bound::{Decision, in_scale};
 use crate::exact::sphere::widened;
 use crate::exact::sphere_exact::NotFinite;
 use crate::exact::{cylinder_exact, cylinder_lanes};
-use crate::geometry::cylinder::{CylinderRecord, Part};
+use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
 use crate::geometry::ray::Ray;
 use crate::math::real::Real;
 use crate::math::rounding::Rounding;
@@ -19,7 +19,7 @@ use crate::math::vec3::Vec3;
 use crate::simd::instruction_set::InstructionSet;
 use crate::simd::{Kernel, Simd};
 
-pub use cylinder_lanes::{Lanes, SideLanes, judge_lanes};
+pub use cylinder_lanes::{CylinderHits, SideLanes, filtered_lanes};
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
 /// as long as the cylinder is high, and `record` was made from it.
@@ -35,10 +35,10 @@ pub use cylinder_lanes::{Lanes, SideLanes, judge_lanes};
 /// ```
 #[inline(always)]
 #[must_use]
-pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
-    match judge(record, ray) {
-        Verdict::Certain(answer) => answer,
-        Verdict::Doubtful => resolve(record, axis, ray),
+pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+    match filtered(record, ray) {
+        Decision::Certain(answer) => answer,
+        Decision::Uncertain => precise(record, axis, ray),
     }
 }
 
@@ -50,68 +50,71 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 /// is left mostly decides alone.
 #[inline(always)]
 #[must_use]
-pub fn judge<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Verdict<Option<(T, Part)>> {
+pub fn filtered<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+) -> Decision<Option<(T, CylinderPart)>> {
     let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
     if !in_scale(side.length_squared) {
-        return Verdict::Doubtful;
+        return Decision::Uncertain;
     }
     if side.certificate.misses(side.discriminant) {
-        return Verdict::Certain(None);
+        return Decision::Certain(None);
     }
     let root = side.discriminant.sqrt();
     let (near, far) = (-side.h - root, -side.h + root);
     if side.is_behind(near, root) {
         let exit = side.crossing(record, ray, far, root);
         if exit.straight {
-            return Verdict::Certain(Some((exit.lambda, Part::Side)));
+            return Decision::Certain(Some((exit.lambda, CylinderPart::Side)));
         }
     }
     let entry = side.crossing(record, ray, near, root);
     if entry.hits {
-        return Verdict::Certain(Some((entry.lambda, Part::Side)));
+        return Decision::Certain(Some((entry.lambda, CylinderPart::Side)));
     }
     let exit = side.crossing(record, ray, far, root);
     if !(entry.fails() && (exit.hits || exit.fails())) {
-        return Verdict::Doubtful;
+        return Decision::Uncertain;
     }
     if entry.passes_by(&exit) {
-        return Verdict::Certain(None);
+        return Decision::Certain(None);
     }
     // Which base faces the ray cannot be guessed, so its centre is computed, by the formula of `record.top` and
     // `record.bottom`: a selection would become a branch.
     let slope = ray.direction.dot(record.axis);
     let along = record.axis * record.half_height.flipped_by(slope);
     let (facing, other) = (record.center - along, record.center + along);
-    let part = |is_top: bool| if is_top { Part::Top } else { Part::Bottom };
+    let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
     let down = slope.less(T::of(0.0));
     match base(record, ray, facing) {
-        Verdict::Certain(None) if exit.hits => Verdict::Certain(Some((exit.lambda, Part::Side))),
-        Verdict::Certain(None) => with(base(record, ray, other), part(!down)),
+        Decision::Certain(None) if exit.hits => Decision::Certain(Some((exit.lambda, CylinderPart::Side))),
+        Decision::Certain(None) => with(base(record, ray, other), part(!down)),
         found => with(found, part(down)),
     }
 }
 
 /// The part that is met, if any.
 #[inline(always)]
-fn with<T>(verdict: Verdict<Option<T>>, part: Part) -> Verdict<Option<(T, Part)>> {
+fn with<T>(verdict: Decision<Option<T>>, part: CylinderPart) -> Decision<Option<(T, CylinderPart)>> {
     match verdict {
-        Verdict::Certain(lambda) => Verdict::Certain(lambda.map(|lambda| (lambda, part))),
-        Verdict::Doubtful => Verdict::Doubtful,
+        Decision::Certain(lambda) => Decision::Certain(lambda.map(|lambda| (lambda, part))),
+        Decision::Uncertain => Decision::Uncertain,
     }
 }
 
 /// The base around `center` alone.
 #[inline(always)]
-fn base<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Verdict<Option<T>> {
+fn base<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Decision<Option<T>> {
     let plane = Plane::new(record, ray, center);
     if plane.fails {
-        return Verdict::Certain(None);
+        return Decision::Certain(None);
     }
     let disc = plane.disc(record, ray);
     match (disc.hits, disc.fails) {
-        (true, _) => Verdict::Certain(Some(disc.lambda)),
-        (_, true) => Verdict::Certain(None),
-        _ => Verdict::Doubtful,
+        (true, _) => Decision::Certain(Some(disc.lambda)),
+        (_, true) => Decision::Certain(None),
+        _ => Decision::Uncertain,
     }
 }
 
@@ -119,16 +122,16 @@ fn base<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, cent
 #[cold]
 #[inline(never)]
 #[must_use]
-pub fn resolve(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     crate::counters::add(crate::counters::Counter::Fallbacks, 1);
     match InstructionSet::fused().run(Precisely { record, axis, ray }) {
-        Verdict::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
-        Verdict::Doubtful => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
+        Decision::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
+        Decision::Uncertain => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
             .unwrap_or_else(|NotFinite| record.intersect(ray)),
     }
 }
 
-/// [`judge`] in double-double arithmetic.
+/// [`filtered`] in double-double arithmetic.
 struct Precisely<'a> {
     record: &'a CylinderRecord,
     axis: &'a Vec3,
@@ -136,13 +139,13 @@ struct Precisely<'a> {
 }
 
 impl Kernel for Precisely<'_> {
-    type Output = Verdict<Option<(DoubleDouble, Part)>>;
+    type Output = Decision<Option<(DoubleDouble, CylinderPart)>>;
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> Self::Output {
         let Self { record, axis, ray } = self;
         let record = CylinderRecord::new(widened(record.center), DoubleDouble::of(record.radius), widened(*axis));
-        judge(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
+        filtered(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
     }
 }
 
@@ -155,7 +158,7 @@ mod tests {
         Ray { origin: origin.into(), direction: direction.into() }
     }
 
-    fn meets(axis: [f64; 3], ray: &Ray) -> Option<(f64, Part)> {
+    fn meets(axis: [f64; 3], ray: &Ray) -> Option<(f64, CylinderPart)> {
         let axis = axis.into();
         intersect(&CylinderRecord::new(Vec3::ZERO, 1.0, axis), &axis, ray)
     }
@@ -166,32 +169,32 @@ mod tests {
     fn plain_rays_are_certain_and_the_textbooks() {
         let record = CylinderRecord::new(Vec3::ZERO, 1.0, UPRIGHT.into());
         for (ray, expected) in [
-            (ray([0.1, 0.0, -3.0], [0.0, 0.1, 1.0]), Some(Part::Side)),
-            (ray([0.0, 0.1, 0.0], [0.0, 0.1, 1.0]), Some(Part::Side)),
-            (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(Part::Top)),
-            (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(Part::Bottom)),
-            (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(Part::Top)),
+            (ray([0.1, 0.0, -3.0], [0.0, 0.1, 1.0]), Some(CylinderPart::Side)),
+            (ray([0.0, 0.1, 0.0], [0.0, 0.1, 1.0]), Some(CylinderPart::Side)),
+            (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(CylinderPart::Top)),
+            (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(CylinderPart::Bottom)),
+            (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(CylinderPart::Top)),
             // In the endless cylinder: above the base it is met first, and within it the side.
-            (ray([0.0, 3.0, 0.0], [1.0, -1.5, 0.0]), Some(Part::Top)),
-            (ray([0.0, -3.0, 0.0], [1.0, 1.5, 0.0]), Some(Part::Bottom)),
-            (ray([0.0, 1.9, 0.0], [1.0, -1.5, 0.0]), Some(Part::Side)),
+            (ray([0.0, 3.0, 0.0], [1.0, -1.5, 0.0]), Some(CylinderPart::Top)),
+            (ray([0.0, -3.0, 0.0], [1.0, 1.5, 0.0]), Some(CylinderPart::Bottom)),
+            (ray([0.0, 1.9, 0.0], [1.0, -1.5, 0.0]), Some(CylinderPart::Side)),
             (ray([1.1, 5.0, 0.0], [0.0, -1.0, 0.1]), None),
             (ray([0.0, 2.1, -3.0], [0.0, 0.1, 1.0]), None),
             (ray([0.0, 0.0, 3.0], [0.0, 0.1, 1.0]), None),
         ] {
-            let verdict = judge(&record, &ray);
-            assert_eq!(verdict, Verdict::Certain(record.intersect(&ray)), "{ray:?}");
-            let Verdict::Certain(answer) = verdict else { unreachable!() };
+            let verdict = filtered(&record, &ray);
+            assert_eq!(verdict, Decision::Certain(record.intersect(&ray)), "{ray:?}");
+            let Decision::Certain(answer) = verdict else { unreachable!() };
             assert_eq!(answer.map(|(_, part)| part), expected, "{ray:?}");
         }
     }
 
     #[test]
     fn through_the_rim_the_base_counts() {
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, Part::Top)));
-        assert_eq!(meets(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, Part::Bottom)));
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Top)));
+        assert_eq!(meets(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Bottom)));
         // Out of it: the far root is on the rim.
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, Part::Top)));
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Top)));
     }
 
     #[test]
@@ -199,18 +202,26 @@ mod tests {
         for axis in [UPRIGHT, [1.0, 2.0, -0.3]] {
             let direction = axis.map(|component| component * 0.25);
             let hit = meets(axis, &ray([0.0; 3], direction));
-            assert_eq!(hit, Some((2.0, Part::Top)), "{axis:?}");
+            assert_eq!(hit, Some((2.0, CylinderPart::Top)), "{axis:?}");
         }
-        assert_eq!(meets(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])), Some((1.5, Part::Top)), "on the rim");
+        assert_eq!(
+            meets(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])),
+            Some((1.5, CylinderPart::Top)),
+            "on the rim"
+        );
         assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 5.0, 0.0], [0.0, -2.0, 0.0])), None);
     }
 
     #[test]
     fn along_the_bases_only_the_side_is_met() {
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])), Some((2.0, Part::Side)), "in the plane");
+        assert_eq!(
+            meets(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])),
+            Some((2.0, CylinderPart::Side)),
+            "in the plane"
+        );
         assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, Part::Side)));
-        assert_eq!(meets(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, Part::Side)), "tangent");
+        assert_eq!(meets(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, CylinderPart::Side)));
+        assert_eq!(meets(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, CylinderPart::Side)), "tangent");
         assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 0.0, -3.0], [0.0, 0.0, 0.5])), None);
     }
 
@@ -220,7 +231,7 @@ mod tests {
         let start = [0.0, 1.0 - 1e-9, 0.0];
         let toward = |slope: f64| ray(start, [0.5, slope, 0.0]);
         let flat = [0.0, 2.0, 0.0];
-        assert_eq!(meets(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(Part::Top));
+        assert_eq!(meets(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(CylinderPart::Top));
         assert_eq!(meets(flat, &toward(PARALLEL.next_down())), None, "the side is met above the base");
     }
 

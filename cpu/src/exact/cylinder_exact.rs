@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use crate::exact::dyadic::{Dyadic, power_of_two};
 use crate::exact::sphere_exact::{Exact3, NotFinite, Quadratic, exact};
-use crate::geometry::cylinder::{PARALLEL, Part};
+use crate::geometry::cylinder::{CylinderPart, PARALLEL};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::math::vec3::Vec3;
 
@@ -36,7 +36,7 @@ struct Fraction {
 }
 
 /// Where the ray meets the cylinder.
-pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Option<(f64, Part)>, NotFinite> {
+pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
     let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
     let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
     let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
@@ -97,7 +97,7 @@ impl Setting {
         side: Option<(Quadratic, bool)>,
         top: Option<Fraction>,
         bottom: Option<Fraction>,
-    ) -> Option<(f64, Part)> {
+    ) -> Option<(f64, CylinderPart)> {
         let side_is_nearer = |base: &Fraction| {
             side.as_ref().is_some_and(|(quadratic, larger)| {
                 // lambda_base > lambda_side exactly when not (lambda_side - lambda_base >= 0).
@@ -112,9 +112,11 @@ impl Setting {
             })
         });
         match (side, top, bottom) {
-            (_, _, Some(bottom)) => Some((bottom.value(), Part::Bottom)),
-            (_, Some(top), None) => Some((top.value(), Part::Top)),
-            (Some((quadratic, larger)), None, None) => Some((quadratic.root(larger).max(LAMBDA_MIN), Part::Side)),
+            (_, _, Some(bottom)) => Some((bottom.value(), CylinderPart::Bottom)),
+            (_, Some(top), None) => Some((top.value(), CylinderPart::Top)),
+            (Some((quadratic, larger)), None, None) => {
+                Some((quadratic.root(larger).max(LAMBDA_MIN), CylinderPart::Side))
+            }
             (None, None, None) => None,
         }
     }

@@ -9,14 +9,14 @@ use crate::math::vec3::Vec3;
 
 /// The answers of several rays or cylinders at once.
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes<T: Real> {
+pub struct CylinderHits<T: Real> {
     /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
     pub lambda: T,
-    /// Lanes that meet the upper base, if they meet anything.
+    /// CylinderHits that meet the upper base, if they meet anything.
     pub top: T::Mask,
-    /// Lanes that meet the lower base, if they meet anything.
+    /// CylinderHits that meet the lower base, if they meet anything.
     pub bottom: T::Mask,
-    /// Lanes whose answer is right. The others are for [`resolve`](crate::exact::cylinder::resolve).
+    /// CylinderHits whose answer is right. The others are for [`precise`](crate::exact::cylinder::precise).
     pub certain: T::Mask,
 }
 
@@ -24,19 +24,19 @@ pub struct Lanes<T: Real> {
 pub struct SideLanes<T: Real> {
     entry: Crossing<T>,
     exit: Crossing<T>,
-    /// Lanes that certainly meet no part of the cylinder.
+    /// CylinderHits that certainly meet no part of the cylinder.
     nothing: T::Mask,
-    /// Lanes that certainly meet the side where they leave it.
+    /// CylinderHits that certainly meet the side where they leave it.
     through: T::Mask,
-    /// Lanes whose answer needs the bases.
+    /// CylinderHits whose answer needs the bases.
     pub open: T::Mask,
 }
 
-/// [`judge`](crate::exact::cylinder::judge) without a branch, for several lanes at once: the same bits in every lane. That
+/// [`filtered`](crate::exact::cylinder::filtered) without a branch, for several lanes at once: the same bits in every lane. That
 /// directions are [in scale](crate::exact::error_bound::in_scale) the caller sees to, once a ray.
 #[inline(always)]
 #[must_use]
-pub fn judge_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+pub fn filtered_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
     SideLanes::new(record, &record.seen_from(ray.origin), ray).with_bases(record, ray)
 }
 
@@ -57,10 +57,10 @@ impl<T: Rounding> SideLanes<T> {
     /// The answer where no lane is [open](Self::open).
     #[inline(always)]
     #[must_use]
-    pub fn without_bases(&self) -> Lanes<T> {
+    pub fn without_bases(&self) -> CylinderHits<T> {
         let none = T::of(1.0).less(T::of(0.0));
         let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
-        Lanes {
+        CylinderHits {
             lambda: T::select(self.nothing, T::of(f64::INFINITY), lambda),
             top: none,
             bottom: none,
@@ -71,7 +71,7 @@ impl<T: Rounding> SideLanes<T> {
     /// The answer with the bases.
     #[inline(always)]
     #[must_use]
-    pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+    pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
         let facing = Plane::new(record, ray, center(record, down)).disc(record, ray);
@@ -84,7 +84,7 @@ impl<T: Rounding> SideLanes<T> {
         lambda = T::select(by_facing, facing.lambda, lambda);
         lambda = T::select(entry.hits & !nothing, entry.lambda, lambda);
         let past_facing = facing.fails & (exit.hits | other.hits | other.fails);
-        Lanes {
+        CylinderHits {
             lambda,
             top: (by_facing & down) | (by_other & !down),
             bottom: (by_facing & !down) | (by_other & down),

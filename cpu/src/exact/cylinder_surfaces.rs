@@ -1,6 +1,6 @@
 //! The side of a cylinder and the planes of its bases, each with its certificate; [`crate::exact::cylinder`] puts them together.
 
-use crate::exact::error_bound::{Certificate, Limits, Outcome};
+use crate::exact::error_bound::{ErrorBound, Limits, Outcome};
 use crate::geometry::cylinder::{CylinderRecord, CylinderView, PARALLEL};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::math::real::Real;
@@ -13,7 +13,7 @@ pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
 /// The endless cylinder's quadratic, and its certificate.
 pub(super) struct Side<T> {
-    pub certificate: Certificate<T>,
+    pub certificate: ErrorBound<T>,
     pub length_squared: T,
     a: T,
     pub h: T,
@@ -61,7 +61,7 @@ impl<T: Rounding> Side<T> {
     pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>) -> Self {
         let length_squared = direction.dot(direction);
         let (a, h, discriminant) = record.quadratic(view, direction);
-        let certificate = Certificate::new(LIMITS, length_squared, view.squares);
+        let certificate = ErrorBound::new(LIMITS, length_squared, view.squares);
         let slope = direction.dot(record.axis);
         Self { certificate, length_squared, a, h, discriminant, along: view.along, slope }
     }

@@ -18,11 +18,11 @@ use crate::math::rounding::Rounding;
 
 /// What a formula gives, or that rounding may have changed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict<A> {
+pub enum Decision<A> {
     /// The decisions are right, and a lambda is accurate.
     Certain(A),
     /// Something may be wrong.
-    Doubtful,
+    Uncertain,
 }
 
 /// What depends on the shape.
@@ -86,7 +86,7 @@ pub struct Outcome<T: Real> {
 
 /// The bounds for one ray and one object.
 #[derive(Clone, Copy, Debug)]
-pub struct Certificate<T> {
+pub struct ErrorBound<T> {
     limits: Limits,
     /// `M`, the size of what cancels in the discriminant.
     size: T,
@@ -94,7 +94,7 @@ pub struct Certificate<T> {
     noise: T,
 }
 
-impl<T: Rounding> Certificate<T> {
+impl<T: Rounding> ErrorBound<T> {
     /// The bounds for a direction's length squared, and the sum of the squares of distance to the centre and radius.
     #[inline(always)]
     #[must_use]

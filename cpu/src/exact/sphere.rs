@@ -3,10 +3,10 @@
 
 use crate::counters::{Counter, add};
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::error_bound::Verdict;
+use crate::exact::error_bound::Decision;
 use crate::exact::sphere_compensated;
 use crate::exact::sphere_exact;
-pub use crate::exact::sphere_filter::{Lanes, judge, judge_lanes, judge_seen};
+pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from, filtered_lanes};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
 use crate::math::real::Real;
@@ -27,83 +27,83 @@ use crate::simd::{Kernel, Simd};
 #[inline(always)]
 #[must_use]
 pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-    match judge(record, ray) {
-        Verdict::Certain(answer) => answer,
-        Verdict::Doubtful => reconsider(record, ray),
+    match filtered(record, ray) {
+        Decision::Certain(answer) => answer,
+        Decision::Uncertain => compensated_or_precise(record, ray),
     }
 }
 
-/// [`judge`], and where that is in doubt [`sphere_compensated::judge`], without the call that [`reconsider`] is: for a large
+/// [`filtered`], and where that is in doubt [`sphere_compensated::compensated`], without the call that [`compensated_or_precise`] is: for a large
 /// sphere, near which most rays are in doubt.
 #[inline(always)]
 #[must_use]
-pub fn judge_large(record: &SphereRecord, ray: &Ray) -> Verdict<Option<f64>> {
-    let verdict = judge(record, ray);
-    if verdict != Verdict::Doubtful {
+pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
+    let verdict = filtered(record, ray);
+    if verdict != Decision::Uncertain {
         return verdict;
     }
-    let lanes = sphere_compensated::judge(record, ray);
+    let lanes = sphere_compensated::compensated(record, ray);
     if !lanes.certain {
-        return Verdict::Doubtful;
+        return Decision::Uncertain;
     }
     add(Counter::Compensated, 1);
-    Verdict::Certain(Some(lanes.lambda))
+    Decision::Certain(Some(lanes.lambda))
 }
 
 /// The answer of a ray that is in doubt.
 #[cold]
 #[inline(never)]
 #[must_use]
-pub fn reconsider(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     let lanes = InstructionSet::fused().run(Compensated { record, ray });
     if lanes.certain {
         add(Counter::Compensated, 1);
         return Some(lanes.lambda);
     }
-    resolve(record, ray)
+    precise(record, ray)
 }
 
 /// The answer in double-double or exact arithmetic, at the price of some hundred operations.
 #[cold]
 #[inline(never)]
 #[must_use]
-pub fn resolve(record: &SphereRecord, ray: &Ray) -> Option<f64> {
+pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     add(Counter::Fallbacks, 1);
     match InstructionSet::fused().run(Precisely { record, ray }) {
-        Verdict::Certain(answer) => answer.map(|lambda| lambda.high),
-        Verdict::Doubtful => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
+        Decision::Certain(answer) => answer.map(|lambda| lambda.high),
+        Decision::Uncertain => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
     }
 }
 
-/// [`sphere_compensated::judge`].
+/// [`sphere_compensated::compensated`].
 struct Compensated<'a> {
     record: &'a SphereRecord,
     ray: &'a Ray,
 }
 
 impl Kernel for Compensated<'_> {
-    type Output = Lanes<f64>;
+    type Output = SphereHits<f64>;
 
     #[inline(always)]
-    fn call<S: Simd>(self, _: S) -> Lanes<f64> {
-        sphere_compensated::judge(self.record, self.ray)
+    fn call<S: Simd>(self, _: S) -> SphereHits<f64> {
+        sphere_compensated::compensated(self.record, self.ray)
     }
 }
 
-/// [`judge`] in double-double arithmetic.
+/// [`filtered`] in double-double arithmetic.
 struct Precisely<'a> {
     record: &'a SphereRecord,
     ray: &'a Ray,
 }
 
 impl Kernel for Precisely<'_> {
-    type Output = Verdict<Option<DoubleDouble>>;
+    type Output = Decision<Option<DoubleDouble>>;
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> Self::Output {
         let Self { record, ray } = self;
         let record = SphereRecord::new(widened(record.center), DoubleDouble::of(record.radius));
-        judge(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
+        filtered(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
     }
 }
 

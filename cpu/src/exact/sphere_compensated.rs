@@ -6,7 +6,7 @@
 //! Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
 
 use crate::exact::error_bound::{OVERFLOW, UNDERFLOW, in_scale};
-use crate::exact::sphere_filter::{LIMITS, Lanes};
+use crate::exact::sphere_filter::{LIMITS, SphereHits};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
 use crate::math::error_free::{Fused, two_product, two_sum};
@@ -21,7 +21,7 @@ const LEAST_C: f64 = 64.0;
 /// range; of no meaning in the others.
 #[inline(always)]
 #[must_use]
-pub fn judge<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> Lanes<T> {
+pub fn compensated<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHits<T> {
     let a = ray.direction.dot(ray.direction);
     let (h, discriminant) = record.quadratic(ray, a);
     let root = discriminant.sqrt();
@@ -33,7 +33,7 @@ pub fn judge<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> Lanes<T> {
     let c_counts = (squares * T::of(LEAST_C * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)).less(c.abs());
     // Of two roots with one sign the smaller; of two with different signs the positive one is the difference.
     let ahead = T::of(0.0).less(h * c);
-    Lanes { lambda, certain: in_scale(a) & accurate & c_counts & ahead & LIMITS.in_range(lambda) }
+    SphereHits { lambda, certain: in_scale(a) & accurate & c_counts & ahead & LIMITS.in_range(lambda) }
 }
 
 /// `|C - O|^2 - r^2`, nearly as if rounded once, and the sum of the two.
@@ -58,9 +58,9 @@ fn difference_of_squares<T: Fused>(record: &SphereRecord<T>, origin: Vec3<T>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::error_bound::Verdict;
+    use crate::exact::error_bound::Decision;
     use crate::exact::sphere;
-    use crate::exact::sphere::resolve;
+    use crate::exact::sphere::precise;
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, LaneMask, Simd};
@@ -84,9 +84,9 @@ mod tests {
     fn what_is_certain_is_the_precise_answer() {
         let (mut certain, mut worst) = (0, 0.0_f64);
         for (record, ray) in cases(200_000) {
-            let lanes = judge(&record, &ray);
+            let lanes = compensated(&record, &ray);
             if lanes.certain {
-                let precise = resolve(&record, &ray).expect("the ray meets the sphere");
+                let precise = precise(&record, &ray).expect("the ray meets the sphere");
                 worst = worst.max(((lanes.lambda - precise) / precise).abs());
                 certain += 1;
             }
@@ -100,9 +100,9 @@ mod tests {
     fn most_rays_in_doubt_above_a_large_sphere_are_certain() {
         let (mut doubtful, mut certain) = (0, 0);
         for (record, ray) in cases(100_000) {
-            if sphere::judge(&record, &ray) == Verdict::Doubtful {
+            if sphere::filtered(&record, &ray) == Decision::Uncertain {
                 doubtful += 1;
-                certain += u32::from(judge(&record, &ray).certain);
+                certain += u32::from(compensated(&record, &ray).certain);
             }
         }
         assert!(doubtful > 10_000 && certain * 10 > doubtful * 8, "{certain} of {doubtful}");
@@ -112,13 +112,13 @@ mod tests {
     fn a_direction_out_of_scale_and_numbers_that_are_none_are_in_doubt() {
         let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
         let down = |length: f64| Ray { origin: Vec3::new(0.0, 1.0, 0.0), direction: Vec3::new(0.0, -length, 0.0) };
-        assert!(judge(&ground, &down(1.0)).certain);
+        assert!(compensated(&ground, &down(1.0)).certain);
         for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
-            assert!(!judge(&ground, &down(length)).certain, "{length}");
+            assert!(!compensated(&ground, &down(length)).certain, "{length}");
         }
         // Away from the sphere, and from its surface.
-        assert!(!judge(&ground, &down(-1.0)).certain);
-        assert!(!judge(&ground, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
+        assert!(!compensated(&ground, &down(-1.0)).certain);
+        assert!(!compensated(&ground, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
     }
 
     /// As many of `cases` as there are lanes, compared with each alone.
@@ -129,7 +129,7 @@ mod tests {
 
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> usize {
-            use crate::simd::Lanes as _;
+            use crate::simd::SimdF64 as _;
             let cases = &self.0[..S::F64::LANES];
             let mut values = [[0.0; 8]; 10];
             for (lane, (record, ray)) in cases.iter().enumerate() {
@@ -147,11 +147,11 @@ mod tests {
                 )
             };
             let record = SphereRecord::new(at(0), S::F64::load(&values[9]));
-            let lanes = judge(&record, &Ray { origin: at(3), direction: at(6) });
+            let lanes = compensated(&record, &Ray { origin: at(3), direction: at(6) });
             let mut lambdas = [0.0; 8];
             lanes.lambda.store(&mut lambdas);
             for (lane, (record, ray)) in cases.iter().enumerate() {
-                let alone = judge(record, ray);
+                let alone = compensated(record, ray);
                 assert_eq!(lanes.certain.bits() >> lane & 1 == 1, alone.certain);
                 assert!(!alone.certain || lambdas[lane].to_bits() == alone.lambda.to_bits());
             }

@@ -3,7 +3,7 @@
 //! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. The two forms, with branches for one ray and
 //! without for lanes, give the same bits.
 
-use crate::exact::error_bound::{Certificate, Limits, Verdict, in_scale};
+use crate::exact::error_bound::{Decision, ErrorBound, Limits, in_scale};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::{SphereRecord, SphereView};
 use crate::math::real::Real;
@@ -17,69 +17,69 @@ pub const LIMITS: Limits = Limits { noise: 32.0, condition: 12288.0 };
 /// What the textbook says in the arithmetic `T`, unless rounding may have changed it.
 #[inline(always)]
 #[must_use]
-pub fn judge<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Verdict<Option<T>> {
+pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Decision<Option<T>> {
     let a = ray.direction.dot(ray.direction);
     let (h, discriminant) = record.quadratic(ray, a);
     let certificate = certificate(record, ray, a);
     if !in_scale(a) {
-        return Verdict::Doubtful;
+        return Decision::Uncertain;
     }
     if certificate.misses(discriminant) {
-        return Verdict::Certain(None);
+        return Decision::Certain(None);
     }
     let root = discriminant.sqrt();
     let near_fails = certificate.is_too_small(a, h - root, root);
     if !near_fails {
         let near = certificate.root(a, h - root, root);
         if near.hits {
-            return Verdict::Certain(Some(near.lambda));
+            return Decision::Certain(Some(near.lambda));
         }
     }
     let far = certificate.root(a, h + root, root);
     match (near_fails && far.hits, far.fails) {
-        (true, _) => Verdict::Certain(Some(far.lambda)),
+        (true, _) => Decision::Certain(Some(far.lambda)),
         // The larger root too near: the smaller too.
-        (_, true) => Verdict::Certain(None),
-        _ => Verdict::Doubtful,
+        (_, true) => Decision::Certain(None),
+        _ => Decision::Uncertain,
     }
 }
 
 /// The answers of several rays or spheres at once.
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes<T: Real> {
+pub struct SphereHits<T: Real> {
     /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
     pub lambda: T,
-    /// Lanes whose answer is right. The others are for [`sphere::reconsider`](crate::exact::sphere::reconsider).
+    /// SphereHits whose answer is right. The others are for [`sphere::compensated_or_precise`](crate::exact::sphere::compensated_or_precise).
     pub certain: T::Mask,
 }
 
-/// [`judge`] without a branch, for several lanes at once: the same bits in every lane. `a` is the direction's length
+/// [`filtered`] without a branch, for several lanes at once: the same bits in every lane. `a` is the direction's length
 /// squared; that it is [in scale](in_scale) the caller sees to, once a ray.
 #[inline(always)]
 #[must_use]
-pub fn judge_lanes<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Lanes<T> {
-    judge_seen(&record.seen_from(ray.origin), ray.direction, a)
+pub fn filtered_lanes<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> SphereHits<T> {
+    filtered_from(&record.seen_from(ray.origin), ray.direction, a)
 }
 
 /// The same for a sphere as it is seen from where the rays begin.
 #[inline(always)]
 #[must_use]
-pub fn judge_seen<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> Lanes<T> {
+pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> SphereHits<T> {
     let (h, discriminant) = view.quadratic(direction, a);
-    let certificate = Certificate::new(LIMITS, a, view.squares);
+    let certificate = ErrorBound::new(LIMITS, a, view.squares);
     let root = discriminant.sqrt();
     let (near, far) = (certificate.root(a, h - root, root), certificate.root(a, h + root, root));
     let misses = certificate.misses(discriminant) | far.fails;
     let lambda = T::select(near.hits, near.lambda, far.lambda);
-    Lanes {
+    SphereHits {
         lambda: T::select(misses, T::of(f64::INFINITY), lambda),
         certain: misses | near.hits | (near.fails & far.hits),
     }
 }
 
 #[inline(always)]
-fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> Certificate<T> {
+fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> ErrorBound<T> {
     // The compiler finds this product again in the quadratic.
     let r_c = record.center - ray.origin;
-    Certificate::new(LIMITS, a, r_c.dot(r_c) + record.radius_squared)
+    ErrorBound::new(LIMITS, a, r_c.dot(r_c) + record.radius_squared)
 }

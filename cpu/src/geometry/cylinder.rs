@@ -85,7 +85,7 @@ impl CylinderRecord {
 /// The part of a cylinder that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
-pub enum Part {
+pub enum CylinderPart {
     /// The curved side.
     Side = 0,
     /// The base that the axis points to.
@@ -187,11 +187,11 @@ impl<T: Real> CylinderRecord<T> {
     /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
     #[inline(always)]
     #[must_use]
-    pub fn outward(&self, part: Part, point: Vec3<T>) -> Vec3<T> {
+    pub fn outward(&self, part: CylinderPart, point: Vec3<T>) -> Vec3<T> {
         match part {
-            Part::Side => (point - self.center).perpendicular_to(self.axis),
-            Part::Top => self.axis,
-            Part::Bottom => -self.axis,
+            CylinderPart::Side => (point - self.center).perpendicular_to(self.axis),
+            CylinderPart::Top => self.axis,
+            CylinderPart::Bottom => -self.axis,
         }
     }
 }
@@ -208,15 +208,16 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     /// ```
     #[inline(always)]
     #[must_use]
-    pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, Part)> {
+    pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, CylinderPart)> {
         let view = self.seen_from(ray.origin);
         let quadratic = self.quadratic(&view, ray.direction);
         let mut nearest = None;
         if !quadratic.2.less(T::of(0.0)) {
             let (lambda, met) = self.side(ray, quadratic);
-            nearest = met.then_some((lambda, Part::Side));
+            nearest = met.then_some((lambda, CylinderPart::Side));
         }
-        for (base, distance, part) in [(self.top, view.to_top, Part::Top), (self.bottom, view.to_bottom, Part::Bottom)]
+        for (base, distance, part) in
+            [(self.top, view.to_top, CylinderPart::Top), (self.bottom, view.to_bottom, CylinderPart::Bottom)]
         {
             let (lambda, met) = self.base(ray, base, distance);
             if met && nearest.is_none_or(|(best, _)| lambda.less_equal(best)) {

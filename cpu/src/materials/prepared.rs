@@ -8,7 +8,7 @@ use crate::sampling::scatter_vectors::Scatter;
 
 /// How a surface scatters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum BsdfKind {
     /// Around the normal.
     Matte,
     /// Around the mirror image.
@@ -19,11 +19,11 @@ pub enum Kind {
 
 /// A material as the renderer uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Finish {
+pub struct PreparedMaterial {
     /// How it scatters.
-    pub kind: Kind,
+    pub kind: BsdfKind,
     /// What it makes of the stream's triples.
-    pub spread: Spread,
+    pub spread: ScatterParams,
     /// `rho`, where a ray leaves.
     pub index: f64,
     /// `1 / rho`, where a ray enters.
@@ -34,7 +34,7 @@ pub struct Finish {
 
 /// How a surface scatters light around a direction, or how several do.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread<T = f64> {
+pub struct ScatterParams<T = f64> {
     /// A random vector is the stream's next triple times `scale`, plus `shift`.
     pub scale: T,
     /// See `scale`.
@@ -44,7 +44,7 @@ pub struct Spread<T = f64> {
     pub negligible: T,
 }
 
-impl<T: Real> Spread<T> {
+impl<T: Real> ScatterParams<T> {
     /// The random vector that the stream's next triple stands for.
     #[inline(always)]
     #[must_use]
@@ -53,7 +53,7 @@ impl<T: Real> Spread<T> {
     }
 }
 
-impl Spread {
+impl ScatterParams {
     /// The direction of a ray scattered around `base` with the stream's next triple.
     #[inline(always)]
     #[must_use]
@@ -64,16 +64,16 @@ impl Spread {
     /// The same in every lane.
     #[inline(always)]
     #[must_use]
-    pub fn lanes<V: Real>(&self) -> Spread<V> {
-        Spread { scale: V::of(self.scale), shift: V::of(self.shift), negligible: V::of(self.negligible) }
+    pub fn lanes<V: Real>(&self) -> ScatterParams<V> {
+        ScatterParams { scale: V::of(self.scale), shift: V::of(self.shift), negligible: V::of(self.negligible) }
     }
 }
 
-impl Finish {
+impl PreparedMaterial {
     /// A surface that sends nothing on.
     pub const BLACK: Self = Self {
-        kind: Kind::Metal,
-        spread: Spread { scale: 0.0, shift: 0.0, negligible: 0.0 },
+        kind: BsdfKind::Metal,
+        spread: ScatterParams { scale: 0.0, shift: 0.0, negligible: 0.0 },
         index: 1.0,
         inverse_index: 1.0,
         reflectance: Vec3::ZERO,
@@ -83,9 +83,9 @@ impl Finish {
     #[must_use]
     pub fn new(material: &Material, scatter: Scatter) -> Self {
         let (kind, extent, index) = match *material {
-            Material::Matte { .. } => (Kind::Matte, 1.0, 1.0),
-            Material::Metal { diffusion, .. } => (Kind::Metal, diffusion, 1.0),
-            Material::Refractive { index } => (Kind::Refractive, 0.0, index),
+            Material::Matte { .. } => (BsdfKind::Matte, 1.0, 1.0),
+            Material::Metal { diffusion, .. } => (BsdfKind::Metal, diffusion, 1.0),
+            Material::Refractive { index } => (BsdfKind::Refractive, 0.0, index),
         };
         let (scale, shift) = match scatter {
             // A draw in [-extent, extent) is u * (extent - -extent) + -extent.
@@ -93,7 +93,7 @@ impl Finish {
             // Adding -0 changes no number, not even the sign of a zero.
             Scatter::Published | Scatter::Deterministic => (extent, -0.0),
         };
-        let spread = Spread { scale, shift, negligible: if kind == Kind::Matte { NEGLIGIBLE } else { 0.0 } };
+        let spread = ScatterParams { scale, shift, negligible: if kind == BsdfKind::Matte { NEGLIGIBLE } else { 0.0 } };
         Self { kind, spread, index, inverse_index: 1.0 / index, reflectance: material.reflectance() }
     }
 }
@@ -107,7 +107,7 @@ mod tests {
         let metal = Material::Metal { reflectance: Vec3::ONE, diffusion: 0.3 };
         let triple = Vec3::new(0.25, 0.0, 0.999);
         let expected = triple.map(|u| u * (0.3 - -0.3) + -0.3);
-        let vector = |material, scatter, triple| Finish::new(material, scatter).spread.vector(triple);
+        let vector = |material, scatter, triple| PreparedMaterial::new(material, scatter).spread.vector(triple);
         assert_eq!(vector(&metal, Scatter::Statement, triple), expected);
         assert_eq!(vector(&metal, Scatter::Published, triple), triple * 0.3);
         let matte = Material::Matte { reflectance: Vec3::ONE };
@@ -118,8 +118,10 @@ mod tests {
     #[test]
     fn a_matte_direction_that_is_negligible_is_replaced_and_no_metal_one() {
         let up = Vec3::new(0.0, 1.0, 0.0);
-        let matte = Finish::new(&Material::Matte { reflectance: Vec3::ONE }, Scatter::Published).spread;
-        let metal = Finish::new(&Material::Metal { reflectance: Vec3::ONE, diffusion: 1.0 }, Scatter::Published).spread;
+        let matte = PreparedMaterial::new(&Material::Matte { reflectance: Vec3::ONE }, Scatter::Published).spread;
+        let metal =
+            PreparedMaterial::new(&Material::Metal { reflectance: Vec3::ONE, diffusion: 1.0 }, Scatter::Published)
+                .spread;
         for (triple, negligible) in
             [(-up, true), (Vec3::new(9e-9, -1.0, 0.0), true), (Vec3::new(2e-8, -1.0, 0.0), false), (up, false)]
         {
@@ -131,8 +133,11 @@ mod tests {
 
     #[test]
     fn both_ratios_of_a_refractive_material_are_ready() {
-        let finish = Finish::new(&Material::Refractive { index: 1.5 }, Scatter::Statement);
-        assert_eq!((finish.kind, finish.index, finish.inverse_index), (Kind::Refractive, 1.5, 1.0 / 1.5));
-        assert_eq!(finish.reflectance, Vec3::ONE);
+        let material_data = PreparedMaterial::new(&Material::Refractive { index: 1.5 }, Scatter::Statement);
+        assert_eq!(
+            (material_data.kind, material_data.index, material_data.inverse_index),
+            (BsdfKind::Refractive, 1.5, 1.0 / 1.5)
+        );
+        assert_eq!(material_data.reflectance, Vec3::ONE);
     }
 }

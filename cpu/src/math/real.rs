@@ -35,13 +35,13 @@ pub trait Real:
 pub trait MulAdd: Real {
     /// `self * factor + term`, rounded once or twice.
     #[must_use]
-    fn times_plus(self, factor: Self, term: Self) -> Self;
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self;
 }
 
 impl MulAdd for f64 {
     // Not every machine has an instruction for both, and the function in its place is slow.
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
 }

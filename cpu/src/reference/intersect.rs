@@ -1,7 +1,7 @@
 //! Which intersections the reference renders with.
 
 use crate::exact;
-use crate::geometry::cylinder::{CylinderRecord, Part};
+use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
 use crate::math::vec3::Vec3;
@@ -25,7 +25,7 @@ pub trait Intersect {
 
     /// Where the ray meets the cylinder that the file describes with `axis`; the contract of
     /// [`CylinderRecord::intersect`].
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)>;
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 }
 
 /// [`Precision::Textbook`] as a type.
@@ -43,7 +43,7 @@ impl Intersect for Textbook {
         record.intersect(ray)
     }
 
-    fn cylinder(record: &CylinderRecord, _: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    fn cylinder(record: &CylinderRecord, _: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
         record.intersect(ray)
     }
 }
@@ -55,7 +55,7 @@ impl Intersect for Certified {
         exact::sphere::intersect(record, ray)
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
         exact::cylinder::intersect(record, axis, ray)
     }
 }

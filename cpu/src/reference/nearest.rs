@@ -1,6 +1,6 @@
 //! Where a ray meets one object after the other, by the definition: the nearest hit so far counts.
 
-use crate::geometry::cylinder::{CylinderRecord, Part};
+use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
 use crate::input::scene::{Cylinder, Sphere};
@@ -41,9 +41,9 @@ pub(super) fn meets_certified_cylinder<P: Intersect>(cylinder: &Cylinder, ray: R
     let (axis, _) = cylinder.axis.unit_and_length();
     let point = ray.origin + ray.direction * lambda;
     let outward = match part {
-        Part::Side => (point - cylinder.center) - axis * (point - cylinder.center).dot(axis),
-        Part::Top => axis,
-        Part::Bottom => -axis,
+        CylinderPart::Side => (point - cylinder.center) - axis * (point - cylinder.center).dot(axis),
+        CylinderPart::Top => axis,
+        CylinderPart::Bottom => -axis,
     };
     *nearest = Nearest { lambda, point, outward };
     true

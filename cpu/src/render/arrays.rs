@@ -1,7 +1,7 @@
 //! Arrays with a place for each sample of a span.
 
 use crate::math::vec3::Vec3;
-use crate::simd::Lanes;
+use crate::simd::SimdF64;
 
 /// Most samples of a batch.
 pub const CAPACITY: usize = 1024;
@@ -43,13 +43,13 @@ impl Vectors {
 
     /// The lanes of the samples from `at` on.
     #[inline(always)]
-    pub fn load<V: Lanes>(&self, at: usize) -> Vec3<V> {
+    pub fn load<V: SimdF64>(&self, at: usize) -> Vec3<V> {
         Vec3::new(V::load(&self.x[at..]), V::load(&self.y[at..]), V::load(&self.z[at..]))
     }
 
     /// Replaces the samples from `at` on, as many as there are lanes.
     #[inline(always)]
-    pub fn store<V: Lanes>(&mut self, at: usize, vectors: Vec3<V>) {
+    pub fn store<V: SimdF64>(&mut self, at: usize, vectors: Vec3<V>) {
         vectors.x.store(&mut self.x[at..]);
         vectors.y.store(&mut self.y[at..]);
         vectors.z.store(&mut self.z[at..]);

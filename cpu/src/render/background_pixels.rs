@@ -14,12 +14,12 @@
 
 use crate::layout::Layout;
 use crate::math::real::Real;
-use crate::render::background_slope::{Slope, Slopes};
+use crate::render::background_slope::{DerivativeBound, DerivativeBounds};
 use crate::render::prepared::Prepared;
 use crate::render::samples::Batch;
 use crate::render::span::{Span, WIDEST};
-use crate::sampling::pixel_jitter::Offsets;
-use crate::simd::{Kernel, Lanes, Simd};
+use crate::sampling::pixel_jitter::PixelJitter;
+use crate::simd::{Kernel, Simd, SimdF64};
 
 /// Rounding of a channel's mean: of each sample's colour, and of their sum, relative to colours of at most one.
 fn rounding(samples: u64) -> f64 {
@@ -28,13 +28,13 @@ fn rounding(samples: u64) -> f64 {
 
 /// What is known of a span's pixels.
 #[derive(Debug)]
-pub struct Sky {
+pub struct BackgroundPixels {
     /// The bytes of those looked at, in order.
     pub bytes: [[u8; 3]; WIDEST],
-    slopes: Slopes,
+    slopes: DerivativeBounds,
     /// Between what each channel's mean lies, wherever the samples are.
     anywhere: [Between<[f64; WIDEST]>; 3],
-    /// The byte of a channel that is 0 or 1 at both ends, in pixels that [are slanted](crate::render::background_slope::Slope::is_slanted).
+    /// The byte of a channel that is 0 or 1 at both ends, in pixels that [are slanted](crate::render::background_slope::DerivativeBound::is_slanted).
     constant: [Option<u8>; 3],
     rounding: f64,
     /// The bytes of the last pixel found: the next one's mostly are the same.
@@ -60,7 +60,7 @@ impl<T: Real> Between<T> {
     }
 }
 
-impl Sky {
+impl BackgroundPixels {
     /// Nothing yet.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
         let background = &prepared.background;
@@ -70,7 +70,7 @@ impl Sky {
         });
         Self {
             bytes: [[0; 3]; WIDEST],
-            slopes: Slopes::new(&prepared.camera),
+            slopes: DerivativeBounds::new(&prepared.camera),
             anywhere: [Between { low: [0.0; WIDEST], high: [0.0; WIDEST] }; 3],
             constant,
             rounding: rounding(prepared.samples),
@@ -80,7 +80,7 @@ impl Sky {
 
     /// Begins with the span's pixels: finds what needs no places of samples, as many pixels at once as there are lanes.
     #[inline(always)]
-    fn begin<V: Lanes, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
+    fn begin<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
         self.slopes.find::<V>(&prepared.camera, row, span.first, span.width());
         for at in (0..span.width()).step_by(V::LANES) {
@@ -96,12 +96,12 @@ impl Sky {
 
     /// Looks for the bytes of the span's pixel `at`; if they cannot be known, its samples have been drawn into the batch.
     #[inline(always)]
-    fn look<V: Lanes, L: Layout>(
+    fn look<V: SimdF64, L: Layout>(
         &mut self,
         prepared: &Prepared<L>,
         span: &Span,
         at: usize,
-        (offsets, batch): (&mut Offsets, &mut Batch),
+        (offsets, batch): (&mut PixelJitter, &mut Batch),
     ) -> Option<[u8; 3]> {
         let slope = self.slopes.of(at);
         let anywhere = [0, 1, 2].map(|channel| {
@@ -126,7 +126,7 @@ impl Sky {
         &mut self,
         prepared: &Prepared<L>,
         means: [Between; 3],
-        slope: &Slope,
+        slope: &DerivativeBound,
     ) -> Option<[u8; 3]> {
         for (channel, Between { low, high }) in means.into_iter().enumerate() {
             self.last[channel] = match self.constant[channel] {
@@ -140,19 +140,19 @@ impl Sky {
 
 /// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known: says of how many from
 /// the first on they are. If that is not all, the next one's samples, drawn into the batch, must be traced.
-pub struct Look<'a, L: Layout> {
+pub struct FindBytes<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub row: usize,
     /// Made of whole pixels.
     pub span: &'a Span,
     /// Pixels of it that are done.
     pub done: usize,
-    pub sky: &'a mut Sky,
-    pub offsets: &'a mut Offsets,
+    pub sky: &'a mut BackgroundPixels,
+    pub offsets: &'a mut PixelJitter,
     pub batch: &'a mut Batch,
 }
 
-impl<L: Layout> Kernel for Look<'_, L> {
+impl<L: Layout> Kernel for FindBytes<'_, L> {
     type Output = usize;
 
     #[inline(always)]
@@ -226,9 +226,9 @@ mod tests {
     fn no_ray_is_needed(color: &str) {
         let text = format!("image_width: 40\nbackground_dark_color: {color}\nbackground_light_color: {color}\n");
         let prepared = prepared(&text);
-        let (mut sky, mut offsets, mut batch) = (Sky::new(&prepared), Offsets::new(1), Batch::new());
+        let (mut sky, mut offsets, mut batch) = (BackgroundPixels::new(&prepared), PixelJitter::new(1), Batch::new());
         let span = Span { first: 8, first_sample: 0, count: 640, last: 39 };
-        let look = Look {
+        let look = FindBytes {
             prepared: &prepared,
             row: 3,
             span: &span,

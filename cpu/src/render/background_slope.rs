@@ -12,11 +12,11 @@ use crate::geometry::camera::Camera;
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
 use crate::render::span::WIDEST;
-use crate::simd::Lanes;
+use crate::simd::SimdF64;
 
 /// `s` over a pixel, or over a lane of them.
 #[derive(Clone, Copy, Debug)]
-pub struct Slope<T = f64> {
+pub struct DerivativeBound<T = f64> {
     /// `s(d0)`.
     middle: T,
     /// `g.dx` and `g.dy`.
@@ -25,7 +25,7 @@ pub struct Slope<T = f64> {
     rest: T,
 }
 
-impl<T: Real> Slope<T> {
+impl<T: Real> DerivativeBound<T> {
     /// Over the pixel at `row` and `column`, if no point of a pixel is farther from its middle than `reach`.
     #[inline(always)]
     fn new(camera: &Camera<T>, row: T, column: T, reach: T) -> Self {
@@ -48,7 +48,7 @@ impl<T: Real> Slope<T> {
     }
 }
 
-impl Slope {
+impl DerivativeBound {
     /// Whether `(s + 1) / 2`, as it is computed, is in `[0, 1]` all over the pixel.
     #[inline(always)]
     pub fn is_slanted(&self) -> bool {
@@ -65,7 +65,7 @@ impl Slope {
 
 /// The slopes of pixels side by side.
 #[derive(Debug)]
-pub struct Slopes {
+pub struct DerivativeBounds {
     /// The largest `|e|`.
     reach: f64,
     middle: [f64; WIDEST],
@@ -73,7 +73,7 @@ pub struct Slopes {
     rest: [f64; WIDEST],
 }
 
-impl Slopes {
+impl DerivativeBounds {
     /// Of no pixel yet.
     pub fn new(camera: &Camera) -> Self {
         let reach = (camera.delta_x.length() + camera.delta_y.length()) / 2.0;
@@ -82,11 +82,12 @@ impl Slopes {
 
     /// Finds those of `count` pixels of a row, from the column `first` on: as many at once as there are lanes.
     #[inline(always)]
-    pub fn find<V: Lanes>(&mut self, camera: &Camera, row: usize, first: usize, count: usize) {
+    pub fn find<V: SimdF64>(&mut self, camera: &Camera, row: usize, first: usize, count: usize) {
         let (camera, row, reach) = (camera.lanes::<V>(), V::of(row as f64), V::of(self.reach));
         for at in (0..count).step_by(V::LANES) {
             let column = V::of(first as f64) + V::load(&FROM_ZERO[at..]);
-            let Slope { middle, along: [right, down], rest } = Slope::new(&camera, row, column, reach);
+            let DerivativeBound { middle, along: [right, down], rest } =
+                DerivativeBound::new(&camera, row, column, reach);
             middle.store(&mut self.middle[at..]);
             right.store(&mut self.along[0][at..]);
             down.store(&mut self.along[1][at..]);
@@ -96,16 +97,16 @@ impl Slopes {
 
     /// Those of the pixels found from `at` on, a lane each.
     #[inline(always)]
-    pub fn lanes<V: Lanes>(&self, at: usize) -> Slope<V> {
+    pub fn lanes<V: SimdF64>(&self, at: usize) -> DerivativeBound<V> {
         let along = [V::load(&self.along[0][at..]), V::load(&self.along[1][at..])];
-        Slope { middle: V::load(&self.middle[at..]), along, rest: V::load(&self.rest[at..]) }
+        DerivativeBound { middle: V::load(&self.middle[at..]), along, rest: V::load(&self.rest[at..]) }
     }
 
     /// That of one of the pixels found.
     #[inline(always)]
-    pub fn of(&self, at: usize) -> Slope {
+    pub fn of(&self, at: usize) -> DerivativeBound {
         let along = [self.along[0][at], self.along[1][at]];
-        Slope { middle: self.middle[at], along, rest: self.rest[at] }
+        DerivativeBound { middle: self.middle[at], along, rest: self.rest[at] }
     }
 }
 
@@ -129,7 +130,7 @@ mod tests {
 
     /// Finds the slopes of a row's pixels.
     struct Row<'a> {
-        slopes: &'a mut Slopes,
+        slopes: &'a mut DerivativeBounds,
         camera: &'a Camera,
         row: usize,
         first: usize,
@@ -156,7 +157,7 @@ mod tests {
         let mut draws = crate::sampling::uniform::Uniform::new(3);
         for fov in [1.0, 20.0, 90.0, 150.0, 175.0] {
             let camera = camera(&format!("image_width: 12\nfield_of_view: {fov}\ncamera_north: 1 2 0\n"));
-            let mut slopes = Slopes::new(&camera);
+            let mut slopes = DerivativeBounds::new(&camera);
             let (mut tight, mut all) = (0, 0);
             for row in 0..6 {
                 InstructionSet::best().run(Row { slopes: &mut slopes, camera: &camera, row, first: 0, count: 12 });
@@ -182,11 +183,12 @@ mod tests {
     fn slopes_found_side_by_side_are_those_found_alone_on_every_instruction_set() {
         let camera = camera("image_width: 100\ncamera_north: 1 2 0\n");
         for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-            let mut slopes = Slopes::new(&camera);
+            let mut slopes = DerivativeBounds::new(&camera);
             set.run(Row { slopes: &mut slopes, camera: &camera, row: 7, first: 40, count: 29 });
             for at in 0..29 {
-                let (found, alone) = (slopes.of(at), Slope::new(&camera, 7.0, 40.0 + at as f64, slopes.reach));
-                let numbers = |slope: &Slope| [slope.middle, slope.along[0], slope.along[1], slope.rest];
+                let (found, alone) =
+                    (slopes.of(at), DerivativeBound::new(&camera, 7.0, 40.0 + at as f64, slopes.reach));
+                let numbers = |slope: &DerivativeBound| [slope.middle, slope.along[0], slope.along[1], slope.rest];
                 assert_eq!(numbers(&found), numbers(&alone), "{}, {at}", set.name());
             }
         }
@@ -196,7 +198,7 @@ mod tests {
     fn a_pixel_around_the_camera_has_no_bound() {
         let camera = Camera { position: Vec3::ZERO, origin: Vec3::new(0.0, 0.0, 1.0), ..camera("") };
         for reach in [1.0, 2.0, f64::NAN] {
-            let (_, radius) = Slope::new(&camera, 0.0, 0.0, reach).anywhere();
+            let (_, radius) = DerivativeBound::new(&camera, 0.0, 0.0, reach).anywhere();
             assert!(!radius.is_finite(), "{reach}: {radius}");
         }
     }

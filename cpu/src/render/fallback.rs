@@ -4,36 +4,36 @@
 //! takes the rays apart in front of the loop over the objects, once for every group of rays, of which hardly any is in doubt.
 
 use crate::exact;
-use crate::geometry::cylinder::{CylinderRecord, Part};
+use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
 use crate::math::vec3::Vec3;
 use crate::render::lane_by_lane::{LaneByLane, MOST_LANES, for_each_lane};
-use crate::simd::Lanes;
+use crate::simd::SimdF64;
 
 /// Components of origin and direction.
 type Rays = LaneByLane<6>;
 
 /// Replaces lambda in the doubtful lanes by the precise answer.
 #[inline(always)]
-pub fn resolve_spheres<V: Lanes>(record: &SphereRecord, ray: &Ray<V>, lambda: V, doubtful: u32) -> V {
+pub fn precise_spheres<V: SimdF64>(record: &SphereRecord, ray: &Ray<V>, lambda: V, doubtful: u32) -> V {
     let mut lambdas = [0.0; MOST_LANES];
     lambda.store(&mut lambdas);
-    resolve_spheres_apart(record, &apart(ray), doubtful, &mut lambdas);
+    precise_spheres_apart(record, &apart(ray), doubtful, &mut lambdas);
     V::load(&lambdas)
 }
 
 #[cold]
 #[inline(never)]
-fn resolve_spheres_apart(record: &SphereRecord, rays: &Rays, doubtful: u32, lambdas: &mut [f64; MOST_LANES]) {
+fn precise_spheres_apart(record: &SphereRecord, rays: &Rays, doubtful: u32, lambdas: &mut [f64; MOST_LANES]) {
     for_each_lane(doubtful, |lane| {
-        lambdas[lane] = exact::sphere::resolve(record, &ray_of(rays, lane)).unwrap_or(f64::INFINITY);
+        lambdas[lane] = exact::sphere::precise(record, &ray_of(rays, lane)).unwrap_or(f64::INFINITY);
     });
 }
 
 /// Replaces lambda and part in the doubtful lanes by the precise answer.
 #[inline(always)]
-pub fn resolve_cylinders<V: Lanes>(
+pub fn precise_cylinders<V: SimdF64>(
     cylinder: (&CylinderRecord, &Vec3),
     ray: &Ray<V>,
     (lambda, part): (V, V),
@@ -42,13 +42,13 @@ pub fn resolve_cylinders<V: Lanes>(
     let (mut lambdas, mut parts) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
     lambda.store(&mut lambdas);
     part.store(&mut parts);
-    resolve_cylinders_apart(cylinder, &apart(ray), doubtful, (&mut lambdas, &mut parts));
+    precise_cylinders_apart(cylinder, &apart(ray), doubtful, (&mut lambdas, &mut parts));
     (V::load(&lambdas), V::load(&parts))
 }
 
 #[cold]
 #[inline(never)]
-fn resolve_cylinders_apart(
+fn precise_cylinders_apart(
     (record, axis): (&CylinderRecord, &Vec3),
     rays: &Rays,
     doubtful: u32,
@@ -56,13 +56,13 @@ fn resolve_cylinders_apart(
 ) {
     for_each_lane(doubtful, |lane| {
         let (lambda, part) =
-            exact::cylinder::resolve(record, axis, &ray_of(rays, lane)).unwrap_or((f64::INFINITY, Part::Side));
+            exact::cylinder::precise(record, axis, &ray_of(rays, lane)).unwrap_or((f64::INFINITY, CylinderPart::Side));
         (lambdas[lane], parts[lane]) = (lambda, f64::from(part as u32));
     });
 }
 
 #[inline(always)]
-fn apart<V: Lanes>(Ray { origin: o, direction: d }: &Ray<V>) -> Rays {
+fn apart<V: SimdF64>(Ray { origin: o, direction: d }: &Ray<V>) -> Rays {
     Rays::new([o.x, o.y, o.z, d.x, d.y, d.z])
 }
 

@@ -5,7 +5,7 @@
 //! whose coordinates, window or pixels are beyond 10^9 or below 10^-12 are not culled ([`Candidates::are_culled`]).
 
 use crate::accel::bounds::Bounds;
-use crate::accel::choice::Search;
+use crate::accel::choice::Accel;
 use crate::accel::object;
 use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
@@ -90,7 +90,7 @@ impl Candidates {
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let all = object::in_order(&prepared.objects)?;
         let (row, span) = (object::room(all.len())?, object::room(all.len())?);
-        Ok(Self { all, row, span, culls: !matches!(prepared.search, Search::Plain) })
+        Ok(Self { all, row, span, culls: !matches!(prepared.search, Accel::EveryObject) })
     }
 
     /// Whether the scene's magnitudes are moderate, so that bounds of what rays may meet and see can be trusted.
@@ -106,7 +106,7 @@ impl Candidates {
         let walls = [-0.5, 0.5].map(|side| wall(camera.delta_x, at(row as f64 + side), inside));
         self.row.clear();
         match &prepared.search {
-            Search::Tree(tree) => {
+            Accel::Bvh(tree) => {
                 let reaches = |bounds: &Bounds| box_reaches(bounds, camera.position, &walls);
                 tree.visit(reaches, |id| self.row.push(Ball::new(prepared, id)));
                 self.row.sort_unstable_by_key(|ball| object::order_of(&prepared.objects, ball.id));

@@ -1,6 +1,6 @@
 //! Lanes one by one, for what is not done together.
 
-use crate::simd::Lanes;
+use crate::simd::SimdF64;
 
 /// Most lanes of any instruction set.
 pub const MOST_LANES: usize = 8;
@@ -12,7 +12,7 @@ pub struct LaneByLane<const NUMBERS: usize>([[f64; MOST_LANES]; NUMBERS]);
 impl<const NUMBERS: usize> LaneByLane<NUMBERS> {
     /// The lanes of these.
     #[inline(always)]
-    pub fn new<V: Lanes>(numbers: [V; NUMBERS]) -> Self {
+    pub fn new<V: SimdF64>(numbers: [V; NUMBERS]) -> Self {
         let mut apart = [[0.0; MOST_LANES]; NUMBERS];
         for (place, lanes) in apart.iter_mut().zip(numbers) {
             lanes.store(place);

@@ -12,21 +12,21 @@
 //! are too short for it, and what is not a number.
 
 use crate::accel::conservative::is_too_short;
-use crate::accel::side_by_side::TouchedByEach;
-use crate::accel::small_scene::{Few, nearest_of};
+use crate::accel::side_by_side::MayHitLanes;
+use crate::accel::small_scene::{SmallScene, closest_hit_among};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
-use crate::render::path::Walk;
-use crate::render::path_queue::Queue;
+use crate::render::path::PathTracer;
+use crate::render::path_queue::PathQueue;
 use crate::render::prepared::Prepared;
-use crate::sampling::scatter_stream::Triples;
-use crate::simd::{LaneMask, Lanes, Simd};
+use crate::sampling::scatter_stream::ScatterSamples;
+use crate::simd::{LaneMask, Simd, SimdF64};
 
 /// The first rays of the samples of the queue from one on, a lane each, as if each of them left.
 #[derive(Clone, Copy)]
-struct Ahead<V: Lanes> {
+struct Lookahead<V: SimdF64> {
     /// The first sample.
     at: usize,
     /// Where in the stream the triple stands that it takes.
@@ -34,29 +34,29 @@ struct Ahead<V: Lanes> {
     /// How many samples there are.
     tried: usize,
     direction: Vec3<V>,
-    touched: TouchedByEach,
+    touched: MayHitLanes,
 }
 
-impl<V: Lanes> Ahead<V> {
+impl<V: SimdF64> Lookahead<V> {
     /// No samples.
     #[inline(always)]
     fn nothing() -> Self {
         let direction = Vec3::splat(V::of(0.0));
-        Self { at: usize::MAX, position: 0, tried: 0, direction, touched: TouchedByEach::NOTHING }
+        Self { at: usize::MAX, position: 0, tried: 0, direction, touched: MayHitLanes::NOTHING }
     }
 
     /// The samples from `at` on.
     #[inline(always)]
-    fn look(few: &Few, Walk { queue, triples, .. }: &Walk, at: usize) -> Self {
-        let (rays, short) = first_rays::<V>(queue, triples, at);
+    fn look(few: &SmallScene, PathTracer { queue, scatter_samples, .. }: &PathTracer, at: usize) -> Self {
+        let (rays, short) = first_rays::<V>(queue, scatter_samples, at);
         let tried = V::LANES.min(queue.count - at);
         add(Counter::Guesses, tried as u64);
         Self {
             at,
-            position: triples.position(),
+            position: scatter_samples.position(),
             tried,
             direction: rays.direction,
-            touched: few.touched_by_each(&rays, short),
+            touched: few.objects_may_hit_lanes(&rays, short),
         }
     }
 
@@ -75,23 +75,23 @@ impl<V: Lanes> Ahead<V> {
 
 /// Follows every waiting sample, each of which may send a ray, to its end.
 #[inline(always)]
-pub fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, walk: &mut Walk, simd: S) {
-    let mut ahead = Ahead::<S::F64>::nothing();
+pub fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &SmallScene, walk: &mut PathTracer, simd: S) {
+    let mut ahead = Lookahead::<S::F64>::nothing();
     let mut at = 0;
     while at < walk.queue.count {
-        walk.triples.prepare(simd);
-        if !ahead.is_of(at, walk.triples.position()) {
-            ahead = Ahead::look(few, walk, at);
+        walk.scatter_samples.prepare(simd);
+        if !ahead.is_of(at, walk.scatter_samples.position()) {
+            ahead = Lookahead::look(few, walk, at);
         }
         let (left, tried, touched) = (ahead.leaving(), ahead.tried, ahead.touched);
-        walk.ended.leave_several(at, ahead.direction);
-        walk.triples.skip(left);
+        walk.ends.escape_several(at, ahead.direction);
+        walk.scatter_samples.skip(left);
         add(Counter::WalkRays, left as u64);
         at += left;
         if left < tried {
-            walk.triples.skip(1);
+            walk.scatter_samples.skip(1);
             add(Counter::WalkRays, 1);
-            go_on(prepared, few, walk, simd, at, touched.by(left), &mut ahead);
+            trace_path(prepared, few, walk, simd, at, touched.by(left), &mut ahead);
             at += 1;
         }
     }
@@ -100,41 +100,41 @@ pub fn follow<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &Few, walk: &mut 
 /// Follows the queue's sample `at` to its end, from its first ray on, which may meet the objects of `touched`. Looks at the
 /// samples behind it meanwhile.
 #[inline(always)]
-fn go_on<S: Simd, L: Layout>(
+fn trace_path<S: Simd, L: Layout>(
     prepared: &Prepared<L>,
-    few: &Few,
-    walk: &mut Walk,
+    few: &SmallScene,
+    walk: &mut PathTracer,
     simd: S,
     at: usize,
     mut touched: u32,
-    if_it_leaves: &mut Ahead<S::F64>,
+    if_it_leaves: &mut Lookahead<S::F64>,
 ) {
-    let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ended.direction.get(at) };
+    let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ends.direction.get(at) };
     let mut rays = walk.queue.rays[at];
     loop {
-        let found = nearest_of(&prepared.objects, &ray, touched);
+        let found = closest_hit_among(&prepared.objects, &ray, touched);
         if !found.is_hit() {
-            return walk.ended.leave(at, ray.direction);
+            return walk.ends.escape(at, ray.direction);
         }
         rays -= 1;
-        let Some(sent) = walk.send_on(prepared, simd, at, rays, &ray, &found) else {
+        let Some(sent) = walk.scatter(prepared, simd, at, rays, &ray, &found) else {
             return;
         };
         ray = sent.ray;
         add(Counter::WalkRays, 1);
-        walk.triples.prepare(simd);
-        *if_it_leaves = Ahead::look(few, walk, at + 1);
-        touched = few.touched_by_one::<S::F64, _>(&prepared.objects, &ray);
+        walk.scatter_samples.prepare(simd);
+        *if_it_leaves = Lookahead::look(few, walk, at + 1);
+        touched = few.objects_may_hit::<S::F64, _>(&prepared.objects, &ray);
         // One branch for the commonest answer, as early as it can be known.
         if touched == 0 {
-            return walk.ended.leave(at, ray.direction);
+            return walk.ends.escape(at, ray.direction);
         }
         // Where the ray is the last, and certainly meets something, nobody asks what: all objects scatter alike.
-        if rays == 1 && prepared.scatters_everywhere && few.begins_inside(&prepared.objects, &ray) {
+        if rays == 1 && prepared.scatters_everywhere && few.starts_inside(&prepared.objects, &ray) {
             add(Counter::Hits, 1);
             add(Counter::LastRaysSpared, 1);
-            walk.triples.skip(1);
-            return walk.ended.forget(at, &mut walk.queue);
+            walk.scatter_samples.skip(1);
+            return walk.ends.terminate(at, &mut walk.queue);
         }
     }
 }
@@ -142,8 +142,8 @@ fn go_on<S: Simd, L: Layout>(
 /// The first rays of the samples from `at` on, which take the next triples; and the lanes whose directions are too short for
 /// the filter, as bits.
 #[inline(always)]
-fn first_rays<V: Lanes>(queue: &Queue, triples: &Triples, at: usize) -> (Ray<V>, u32) {
-    let (base, triple) = (queue.base.load::<V>(at), triples.following::<V>());
+fn first_rays<V: SimdF64>(queue: &PathQueue, scatter_samples: &ScatterSamples, at: usize) -> (Ray<V>, u32) {
+    let (base, triple) = (queue.base.load::<V>(at), scatter_samples.following::<V>());
     let spread = queue.spread::<V>(at);
     let mut direction = base + spread.vector(triple);
     // A direction whose components are all negligible is shorter still.

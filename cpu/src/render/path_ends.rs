@@ -6,18 +6,18 @@ use crate::input::scene::MaterialId;
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::arrays::{CAPACITY, Vectors};
-use crate::render::path_queue::Queue;
+use crate::render::path_queue::PathQueue;
 use crate::render::prepared::Prepared;
 use crate::render::samples::Batch;
-use crate::simd::{Kernel, Lanes, Simd};
+use crate::simd::{Kernel, Simd, SimdF64};
 
 /// The ends of the queue's paths, by place in the queue.
 #[derive(Debug)]
-pub struct Ended {
+pub struct PathEnds {
     /// The last direction of each path.
     pub direction: Vectors,
     /// What paths met after the surface that they stand on in the queue, path after path; room behind the last.
-    met: Vec<Met>,
+    met: Vec<Attenuation>,
     /// How many these are.
     count: usize,
     /// How many they were when the present path began.
@@ -28,19 +28,19 @@ pub struct Ended {
 
 /// A surface that attenuates, met by a path.
 #[derive(Clone, Copy, Debug)]
-struct Met {
+struct Attenuation {
     path: u32,
     material: MaterialId,
 }
 
-impl Met {
+impl Attenuation {
     const NOTHING: Self = Self { path: 0, material: 0 };
 }
 
-impl Ended {
+impl PathEnds {
     /// No path yet.
     pub fn new() -> Self {
-        let met = vec![Met::NOTHING; 8 * CAPACITY];
+        let met = vec![Attenuation::NOTHING; 8 * CAPACITY];
         Self { direction: Vectors::ZERO, met, count: 0, begin: 0, is_incomplete: false }
     }
 
@@ -59,13 +59,13 @@ impl Ended {
     }
 
     /// Path `at`, the present one, has met a material that attenuates. Says whether it could be kept; see
-    /// [`Ended::check`].
+    /// [`PathEnds::check`].
     #[inline(always)]
-    pub fn meet(&mut self, at: usize, material: MaterialId) -> bool {
+    pub fn push_attenuation(&mut self, at: usize, material: MaterialId) -> bool {
         if self.count == self.met.len() && !self.grow() {
             return false;
         }
-        self.met[self.count] = Met { path: at as u32, material };
+        self.met[self.count] = Attenuation { path: at as u32, material };
         self.count += 1;
         true
     }
@@ -77,7 +77,7 @@ impl Ended {
         let more = self.met.len();
         let fits = self.met.try_reserve_exact(more).is_ok();
         if fits {
-            self.met.resize(2 * more, Met::NOTHING);
+            self.met.resize(2 * more, Attenuation::NOTHING);
         }
         self.is_incomplete |= !fits;
         fits
@@ -85,7 +85,7 @@ impl Ended {
 
     /// Path `at`, the present one, has used up its depth: nothing comes back along it.
     #[inline(always)]
-    pub fn forget(&mut self, at: usize, queue: &mut Queue) {
+    pub fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
         self.count = self.begin;
         self.direction.set(at, Vec3::ONE);
         queue.reflectance.set(at, Vec3::ZERO);
@@ -94,14 +94,14 @@ impl Ended {
 
     /// Path `at`, the present one, leaves the scene.
     #[inline(always)]
-    pub fn leave(&mut self, at: usize, direction: Vec3) {
+    pub fn escape(&mut self, at: usize, direction: Vec3) {
         self.direction.set(at, direction);
     }
 
     /// The paths before `at` are done; it and those after it leave the scene with their first rays. What is said later of
     /// one of them replaces this.
     #[inline(always)]
-    pub fn leave_several<V: Lanes>(&mut self, at: usize, directions: Vec3<V>) {
+    pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
         self.direction.store(at, directions);
         self.begin();
     }
@@ -110,8 +110,8 @@ impl Ended {
 /// Gives every path of the queue its colour, and forgets it.
 pub struct Color<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
-    pub queue: &'a Queue,
-    pub ended: &'a mut Ended,
+    pub queue: &'a PathQueue,
+    pub ends: &'a mut PathEnds,
     pub batch: &'a mut Batch,
 }
 
@@ -125,20 +125,20 @@ impl<L: Layout> Kernel for Color<'_, L> {
 }
 
 #[inline(always)]
-fn color<S: Simd, L: Layout>(Color { prepared, queue, ended, batch }: Color<'_, L>) {
+fn color<S: Simd, L: Layout>(Color { prepared, queue, ends, batch }: Color<'_, L>) {
     let background = prepared.background.lanes::<S::F64>();
-    let colors = &mut ended.direction;
+    let colors = &mut ends.direction;
     for at in (0..queue.count).step_by(S::F64::LANES) {
         let color = background.color(colors.load::<S::F64>(at));
         colors.store(at, color);
     }
     // From the last surface back to the first, in the order in which the recursion returns; all paths in one loop, for no
     // processor guesses how long each is.
-    for &Met { path, material } in ended.met[..ended.count].iter().rev() {
-        let reflectance = prepared.finishes[material as usize].reflectance;
+    for &Attenuation { path, material } in ends.met[..ends.count].iter().rev() {
+        let reflectance = prepared.materials[material as usize].reflectance;
         colors.set(path as usize, colors.get(path as usize).attenuate(reflectance));
     }
-    ended.count = 0;
+    ends.count = 0;
     let mut from = 0;
     for at in (0..batch.count).step_by(S::F64::LANES) {
         let bits = batch.queued.bits(at, S::F64::LANES);
@@ -168,7 +168,7 @@ mod tests {
         let direction = Vec3::new(0.3, -0.7, 0.2);
         let background = prepared.background.color(direction);
         for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-            let (mut queue, mut ended, mut batch) = (Queue::new(), Ended::new(), Batch::new());
+            let (mut queue, mut ends, mut batch) = (PathQueue::new(), PathEnds::new(), Batch::new());
             batch.count = 11;
             for sample in 0..batch.count {
                 batch.color.set(sample, Vec3::splat(sample as f64));
@@ -177,15 +177,15 @@ mod tests {
             batch.queued.add(9, 1);
             queue.count = 3;
             (0..3).for_each(|at| queue.reflectance.set(at, reflectance(at / 2)));
-            ended.begin();
-            assert!(ended.meet(0, 1) && ended.meet(0, 0));
-            ended.leave(0, direction);
-            ended.begin();
-            assert!(ended.meet(1, 0));
-            ended.forget(1, &mut queue);
-            ended.begin();
-            ended.leave(2, direction);
-            set.run(Color { prepared: &prepared, queue: &queue, ended: &mut ended, batch: &mut batch });
+            ends.begin();
+            assert!(ends.push_attenuation(0, 1) && ends.push_attenuation(0, 0));
+            ends.escape(0, direction);
+            ends.begin();
+            assert!(ends.push_attenuation(1, 0));
+            ends.terminate(1, &mut queue);
+            ends.begin();
+            ends.escape(2, direction);
+            set.run(Color { prepared: &prepared, queue: &queue, ends: &mut ends, batch: &mut batch });
             let expected = background.attenuate(reflectance(0)).attenuate(reflectance(1)).attenuate(reflectance(0));
             assert_eq!(batch.color.get(2), expected);
             assert_eq!(batch.color.get(3), Vec3::ZERO, "a path without an end is black");
@@ -193,20 +193,20 @@ mod tests {
             for sample in [0, 1, 4, 5, 6, 7, 8, 10] {
                 assert_eq!(batch.color.get(sample), Vec3::splat(sample as f64), "it was not in the queue");
             }
-            assert_eq!(ended.count, 0, "they are forgotten");
+            assert_eq!(ends.count, 0, "they are forgotten");
         }
     }
 
     #[test]
     fn a_path_longer_than_the_room_for_it_makes_more() {
-        let mut ended = Ended::new();
-        let room = ended.met.len();
-        ended.begin();
+        let mut ends = PathEnds::new();
+        let room = ends.met.len();
+        ends.begin();
         for number in 0..3 * room {
-            assert!(ended.meet(1, number as MaterialId));
+            assert!(ends.push_attenuation(1, number as MaterialId));
         }
-        let material = ended.met[room].material;
-        assert_eq!((ended.count, material, ended.check().is_ok()), (3 * room, room as MaterialId, true));
-        assert!(ended.met.len() >= 3 * room);
+        let material = ends.met[room].material;
+        assert_eq!((ends.count, material, ends.check().is_ok()), (3 * room, room as MaterialId, true));
+        assert!(ends.met.len() >= 3 * room);
     }
 }

@@ -4,20 +4,20 @@
 //! have their places among them and are taken out where they leave the scene.
 
 use crate::geometry::ray::Ray;
-use crate::materials::prepared::Spread;
+use crate::materials::prepared::ScatterParams;
 use crate::math::vec3::Vec3;
 use crate::render::arrays::{CAPACITY, SLACK, Values, Vectors};
 use crate::render::lane_by_lane::LaneByLane;
-use crate::render::path_vertex::{NUMBERS, Standing};
+use crate::render::path_vertex::{NUMBERS, PathVertex};
 use crate::render::sample_set::SampleSet;
-use crate::simd::{Lanes, valid_lanes};
+use crate::simd::{SimdF64, valid_lanes};
 
 /// Waiting samples in order. What lies behind the last is of no meaning.
 #[derive(Debug)]
-pub struct Queue {
+pub struct PathQueue {
     /// Their number.
     pub count: usize,
-    /// Where each stands; for this and what follows see [`Standing`].
+    /// Where each stands; for this and what follows see [`PathVertex`].
     pub point: Vectors,
     pub base: Vectors,
     scale: Values,
@@ -31,7 +31,7 @@ pub struct Queue {
     pub fewest_rays: u64,
 }
 
-impl Queue {
+impl PathQueue {
     /// Nobody waits.
     pub fn new() -> Self {
         Self {
@@ -48,7 +48,7 @@ impl Queue {
         }
     }
 
-    /// The arrays of [`Standing::numbers`].
+    /// The arrays of [`PathVertex::numbers`].
     #[inline(always)]
     const fn arrays(&mut self) -> [&mut Values; NUMBERS] {
         let Self { point: p, base: b, reflectance: r, .. } = self;
@@ -77,15 +77,15 @@ impl Queue {
 
     /// Adds the samples that `bits` selects, each of which may send `rays` rays.
     #[inline(always)]
-    pub fn push<V: Lanes>(&mut self, standing: &Standing<V>, bits: u32, rays: u64) {
+    pub fn push<V: SimdF64>(&mut self, vertex: &PathVertex<V>, bits: u32, rays: u64) {
         let at = self.count;
         // Neighbours mostly meet something all together.
         if bits == valid_lanes::<V>(V::LANES) {
-            for (array, lanes) in self.arrays().into_iter().zip(standing.numbers()) {
+            for (array, lanes) in self.arrays().into_iter().zip(vertex.numbers()) {
                 lanes.store(&mut array[at..]);
             }
         } else {
-            for (array, lanes) in self.arrays().into_iter().zip(standing.numbers()) {
+            for (array, lanes) in self.arrays().into_iter().zip(vertex.numbers()) {
                 lanes.compress(bits).store(&mut array[at..]);
             }
         }
@@ -96,8 +96,8 @@ impl Queue {
 
     /// Replaces the sample at `at`.
     #[inline(always)]
-    pub fn set(&mut self, at: usize, standing: &Standing, rays: u64) {
-        for (array, number) in self.arrays().into_iter().zip(standing.numbers()) {
+    pub fn set(&mut self, at: usize, vertex: &PathVertex, rays: u64) {
+        for (array, number) in self.arrays().into_iter().zip(vertex.numbers()) {
             array[at] = number;
         }
         self.rays[at] = rays;
@@ -124,7 +124,7 @@ impl Queue {
 
     /// Takes out the samples at the places in `gone`.
     #[inline(always)]
-    pub fn take_out<V: Lanes>(&mut self, gone: &SampleSet) {
+    pub fn take_out<V: SimdF64>(&mut self, gone: &SampleSet) {
         let (mut to, count) = (0, self.count);
         for from in (0..count).step_by(V::LANES) {
             let bits = !gone.bits(from, V::LANES) & valid_lanes::<V>(count - from);
@@ -142,15 +142,19 @@ impl Queue {
 
     /// How the ways on of the samples from `at` on are scattered.
     #[inline(always)]
-    pub fn spread<V: Lanes>(&self, at: usize) -> Spread<V> {
+    pub fn spread<V: SimdF64>(&self, at: usize) -> ScatterParams<V> {
         let Self { scale, shift, negligible, .. } = self;
-        Spread { scale: V::load(&scale[at..]), shift: V::load(&shift[at..]), negligible: V::load(&negligible[at..]) }
+        ScatterParams {
+            scale: V::load(&scale[at..]),
+            shift: V::load(&shift[at..]),
+            negligible: V::load(&negligible[at..]),
+        }
     }
 
     /// The first ray of the sample at `at`, with the stream's next triple.
     #[inline(always)]
     pub fn ray(&self, at: usize, triple: Vec3) -> Ray {
-        let spread = Spread { scale: self.scale[at], shift: self.shift[at], negligible: self.negligible[at] };
+        let spread = ScatterParams { scale: self.scale[at], shift: self.shift[at], negligible: self.negligible[at] };
         Ray { origin: self.point.get(at), direction: spread.around(self.base.get(at), triple) }
     }
 }
@@ -159,28 +163,29 @@ impl Queue {
 mod tests {
     use super::*;
     use crate::input::material::Material;
-    use crate::materials::prepared::Finish;
+    use crate::materials::prepared::PreparedMaterial;
     use crate::math::real::Real;
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
 
     /// A sample that can be told from others, in lanes numbered from 0 or alone.
-    fn numbered<T: Real>(number: T) -> Standing<T> {
-        let finish = Finish::new(&Material::Matte { reflectance: Vec3::new(0.1, 0.2, 0.3) }, Scatter::Statement);
+    fn numbered<T: Real>(number: T) -> PathVertex<T> {
+        let material_data =
+            PreparedMaterial::new(&Material::Matte { reflectance: Vec3::new(0.1, 0.2, 0.3) }, Scatter::Statement);
         let tenth = number * T::of(0.1);
-        Standing::new(Vec3::new(number, tenth, -number), Vec3::new(tenth, number, tenth), number, &finish)
+        PathVertex::new(Vec3::new(number, tenth, -number), Vec3::new(tenth, number, tenth), number, &material_data)
     }
 
     /// Puts every third of a number of samples into a queue, replaces two of them and takes out every other.
     struct Fill;
 
     impl Kernel for Fill {
-        type Output = Queue;
+        type Output = PathQueue;
 
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> Self::Output {
-            let mut queue = Queue::new();
+            let mut queue = PathQueue::new();
             let each: [f64; 16] = std::array::from_fn(|lane| lane as f64);
             for at in (0..240).step_by(S::F64::LANES) {
                 let numbers = S::F64::of(at as f64) + S::F64::load(&each);

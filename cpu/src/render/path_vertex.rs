@@ -1,6 +1,6 @@
 //! What is known of a sample on a surface: all that its way on begins with.
 
-use crate::materials::prepared::{Finish, Spread};
+use crate::materials::prepared::{PreparedMaterial, ScatterParams};
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
 
@@ -9,32 +9,38 @@ pub const NUMBERS: usize = 13;
 
 /// A sample on a surface, or a lane of them.
 #[derive(Clone, Copy, Debug)]
-pub struct Standing<T = f64> {
+pub struct PathVertex<T = f64> {
     /// Where.
     pub point: Vec3<T>,
     /// What is known of the way on before a random vector is added: a matte surface's normal, a metal one's mirror
     /// direction; the whole direction at a refractive one.
     pub base: Vec3<T>,
     /// How its way on is scattered around `base`.
-    pub spread: Spread<T>,
+    pub spread: ScatterParams<T>,
     /// What the colour of the way on is multiplied by.
     pub reflectance: Vec3<T>,
     /// The [object](crate::accel::object::ObjectId) that it stands on, a whole number.
     pub object: T,
 }
 
-impl<T: Real> Standing<T> {
+impl<T: Real> PathVertex<T> {
     /// On a surface with this finish.
     #[inline(always)]
-    pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, finish: &Finish) -> Self {
-        Self { point, base, spread: finish.spread.lanes(), reflectance: finish.reflectance.map(T::of), object }
+    pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, material_data: &PreparedMaterial) -> Self {
+        Self {
+            point,
+            base,
+            spread: material_data.spread.lanes(),
+            reflectance: material_data.reflectance.map(T::of),
+            object,
+        }
     }
 
     /// These where `mask` holds, `others` elsewhere: but for point and object, which are the same in both.
     #[inline(always)]
     pub fn where_else(&self, mask: T::Mask, others: &Self) -> Self {
         let (these, those) = (&self.spread, &others.spread);
-        let spread = Spread {
+        let spread = ScatterParams {
             scale: T::select(mask, these.scale, those.scale),
             shift: T::select(mask, these.shift, those.shift),
             negligible: T::select(mask, these.negligible, those.negligible),
@@ -43,7 +49,7 @@ impl<T: Real> Standing<T> {
         Self { base: Vec3::select(mask, self.base, others.base), spread, reflectance, ..*self }
     }
 
-    /// The numbers, in the order of the [queue's](crate::render::path_queue::Queue) arrays.
+    /// The numbers, in the order of the [queue's](crate::render::path_queue::PathQueue) arrays.
     #[inline(always)]
     pub fn numbers(&self) -> [T; NUMBERS] {
         let Self { point: p, base: b, spread: s, reflectance: r, object } = *self;

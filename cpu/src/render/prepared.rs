@@ -1,9 +1,9 @@
 //! From checked values to what the rendering needs and nothing more.
 
 use crate::accel::extent::Extent;
-use crate::materials::prepared::Finish;
+use crate::materials::prepared::PreparedMaterial;
 
-use crate::accel::choice::Search;
+use crate::accel::choice::Accel;
 use crate::geometry::camera::Camera;
 use crate::image::quantize::Quantizer;
 use crate::input::config::Config;
@@ -27,9 +27,9 @@ pub struct Prepared<L: Layout> {
     /// The scene's objects, in the layout's storage.
     pub objects: L::Objects,
     /// The scene's materials, ready to scatter.
-    pub finishes: Vec<Finish>,
+    pub materials: Vec<PreparedMaterial>,
     /// How the nearest object of a ray is found.
-    pub search: Search,
+    pub search: Accel,
     /// Means to bytes.
     pub quantizer: Quantizer,
     /// Rays a pixel.
@@ -64,9 +64,9 @@ impl<L: Layout> Prepared<L> {
             size,
             camera,
             background: Background::new(config),
-            search: Search::new(&objects, &extent)?,
+            search: Accel::new(&objects, &extent)?,
             objects,
-            finishes: finishes(scene, scatter)?,
+            materials: prepare_materials(scene, scatter)?,
             quantizer: Quantizer::new(config.gamma),
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,
@@ -79,12 +79,12 @@ impl<L: Layout> Prepared<L> {
     }
 }
 
-fn finishes(scene: &Scene, scatter: Scatter) -> Result<Vec<Finish>, Error> {
-    let mut finishes = Vec::new();
+fn prepare_materials(scene: &Scene, scatter: Scatter) -> Result<Vec<PreparedMaterial>, Error> {
+    let mut prepared = Vec::new();
     let out_of_memory = |_| Error::OutOfMemory { what: "the materials" };
-    finishes.try_reserve_exact(scene.materials.len()).map_err(out_of_memory)?;
-    finishes.extend(scene.materials.iter().map(|material| Finish::new(material, scatter)));
-    Ok(finishes)
+    prepared.try_reserve_exact(scene.materials.len()).map_err(out_of_memory)?;
+    prepared.extend(scene.materials.iter().map(|material| PreparedMaterial::new(material, scatter)));
+    Ok(prepared)
 }
 
 /// Whether a random vector may reach a pixel. With a depth of one every path that scatters is black; a metal without

@@ -6,7 +6,7 @@ use crate::layout::Layout;
 use crate::render::prepared::Prepared;
 use crate::sampling::block::BlockUniform;
 use crate::sampling::scatter_vectors::Scatter;
-use crate::simd::{Kernel, Lanes, Simd};
+use crate::simd::{Kernel, Simd, SimdF64};
 
 use crate::render::arrays::{CAPACITY, SLACK, Values, Vectors};
 use crate::render::sample_set::SampleSet;
@@ -31,7 +31,7 @@ impl<L: Layout> Kernel for Draw<'_, L> {
 
 /// A sample in glass.
 #[derive(Clone, Copy, Debug)]
-pub struct InGlass {
+pub struct SpecularSample {
     /// Its number in the span.
     pub sample: u32,
     /// Its place in the queue.
@@ -47,10 +47,10 @@ pub struct Batch {
     pub column: Values,
     /// Places in their pixels, to the right and down.
     pub offset: [Values; 2],
-    /// Samples that are in the [queue](crate::render::path_queue::Queue), in the same order.
+    /// Samples that are in the [queue](crate::render::path_queue::PathQueue), in the same order.
     pub queued: SampleSet,
     /// Samples whose ray has just met a refractive surface.
-    pub in_glass: Vec<InGlass>,
+    pub specular: Vec<SpecularSample>,
     /// Colours of the samples, linear; those of samples in the queue are not known yet.
     pub color: Vectors,
     /// Room for the search.
@@ -66,7 +66,7 @@ impl Batch {
             column: [0.0; CAPACITY + SLACK],
             offset: [[0.0; CAPACITY + SLACK]; 2],
             queued: SampleSet::EMPTY,
-            in_glass: Vec::with_capacity(CAPACITY),
+            specular: Vec::with_capacity(CAPACITY),
             color: Vectors::ZERO,
             stack: Stack::EMPTY,
             draws: [0.0; 2 * CAPACITY],
@@ -75,7 +75,7 @@ impl Batch {
 
     /// See [`Draw`].
     #[inline(always)]
-    pub fn draw<V: Lanes, L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
+    pub fn draw<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, offsets: &mut BlockUniform) {
         self.count = span.count;
         let mut left_in_pixel = prepared.samples - span.first_sample;
         let (mut column, mut from) = (span.first, 0);

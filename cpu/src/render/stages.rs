@@ -4,14 +4,14 @@ use crate::layout::aos::Aos;
 use crate::render::prepared::Prepared;
 use crate::simd::instruction_set::InstructionSet;
 
-use crate::render::background_pixels::{Look, Sky};
+use crate::render::background_pixels::{BackgroundPixels, FindBytes};
 use crate::render::frustum::Candidates;
-use crate::render::path::Walk;
+use crate::render::path::PathTracer;
 use crate::render::samples::{Batch, Draw};
 use crate::render::span::{Span, Spans};
 use crate::render::trace_paths::Follow;
 use crate::render::{camera_rays, path_ends, specular_chains};
-use crate::sampling::pixel_jitter::Offsets;
+use crate::sampling::pixel_jitter::PixelJitter;
 
 /// A span of a picture, and where its samples are on their way.
 #[derive(Debug)]
@@ -20,10 +20,10 @@ pub struct Stages<'a> {
     set: InstructionSet,
     row: usize,
     span: Span,
-    offsets: Offsets,
-    sky: Sky,
+    offsets: PixelJitter,
+    sky: BackgroundPixels,
     batch: Box<Batch>,
-    walk: Box<Walk>,
+    walk: Box<PathTracer>,
     candidates: Candidates,
 }
 
@@ -41,10 +41,10 @@ impl<'a> Stages<'a> {
             set,
             row,
             span,
-            offsets: Offsets::new(prepared.ray_seed),
-            sky: Sky::new(prepared),
+            offsets: PixelJitter::new(prepared.ray_seed),
+            sky: BackgroundPixels::new(prepared),
             batch: Batch::new(),
-            walk: Walk::new(prepared),
+            walk: PathTracer::new(prepared),
             candidates: Candidates::new(prepared).expect("a benchmark's scene fits"),
         };
         stages.cull();
@@ -60,7 +60,7 @@ impl<'a> Stages<'a> {
     /// Samples that wait for the glass stage, and for the walk.
     #[must_use]
     pub const fn waiting(&self) -> (usize, usize) {
-        (self.batch.in_glass.len(), self.walk.queue.count)
+        (self.batch.specular.len(), self.walk.queue.count)
     }
 
     /// Finds the candidates of the row and of the span.
@@ -75,7 +75,7 @@ impl<'a> Stages<'a> {
         let (mut done, mut known) = (0, 0);
         while done < span.width() {
             let (sky, offsets, batch) = (&mut self.sky, &mut self.offsets, &mut *self.batch);
-            let to = self.set.run(Look { prepared, row, span, done, sky, offsets, batch });
+            let to = self.set.run(FindBytes { prepared, row, span, done, sky, offsets, batch });
             known += to - done;
             done = to + 1;
         }
@@ -108,7 +108,7 @@ impl<'a> Stages<'a> {
 
     /// Gives the ended paths their colours.
     pub fn ends(&mut self) {
-        let Walk { queue, ended, .. } = &mut *self.walk;
-        self.set.run(path_ends::Color { prepared: self.prepared, queue, ended, batch: &mut self.batch });
+        let PathTracer { queue, ends, .. } = &mut *self.walk;
+        self.set.run(path_ends::Color { prepared: self.prepared, queue, ends, batch: &mut self.batch });
     }
 }

@@ -1,12 +1,12 @@
 //! The surface that a ray meets: its point, its normal, its material, and where it sends the ray.
 
-use crate::accel::closest_hit::Found;
+use crate::accel::closest_hit::ClosestHit;
 use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
 use crate::geometry::ray::{Hit, Ray};
 use crate::input::scene::MaterialId;
 use crate::layout::Objects;
-use crate::materials::prepared::{Finish, Kind};
+use crate::materials::prepared::{BsdfKind, PreparedMaterial};
 use crate::materials::scatter;
 use crate::math::vec3::Vec3;
 
@@ -23,17 +23,17 @@ pub struct Surface {
 
 /// Where a surface sends a ray.
 #[derive(Clone, Copy, Debug)]
-pub enum Onward {
+pub enum ScatterResult {
     /// Around this vector: a random one is added.
-    Scattered(Vec3),
+    Around(Vec3),
     /// Along this direction.
-    Through(Vec3),
+    Along(Vec3),
 }
 
 impl Surface {
     /// The surface that the search has found.
     #[inline(always)]
-    pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &Found) -> Self {
+    pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &ClosestHit) -> Self {
         add(Counter::Hits, 1);
         let point = ray.at(found.lambda);
         match (found.object as usize).checked_sub(objects.sphere_count()) {
@@ -50,15 +50,15 @@ impl Surface {
 
     /// Where a surface with this finish sends a ray that comes along `direction`.
     #[inline(always)]
-    pub fn onward(&self, finish: &Finish, direction: Vec3) -> Onward {
-        match finish.kind {
-            Kind::Matte => Onward::Scattered(Hit::facing(direction, self.point, self.outward).normal),
+    pub fn scatter_result(&self, material_data: &PreparedMaterial, direction: Vec3) -> ScatterResult {
+        match material_data.kind {
+            BsdfKind::Matte => ScatterResult::Around(Hit::facing(direction, self.point, self.outward).normal),
             // The mirror image is the same, to the bit, for a normal and its opposite: both signs cancel.
-            Kind::Metal => Onward::Scattered(scatter::mirror(direction, self.outward)),
-            Kind::Refractive => {
+            BsdfKind::Metal => ScatterResult::Around(scatter::mirror(direction, self.outward)),
+            BsdfKind::Refractive => {
                 let hit = Hit::facing(direction, self.point, self.outward);
-                let ratio = if hit.front { finish.inverse_index } else { finish.index };
-                Onward::Through(scatter::refract(direction, hit.normal, ratio))
+                let ratio = if hit.front { material_data.inverse_index } else { material_data.index };
+                ScatterResult::Along(scatter::refract(direction, hit.normal, ratio))
             }
         }
     }

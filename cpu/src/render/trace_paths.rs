@@ -3,20 +3,20 @@
 //!
 //! With two or three objects it is done [otherwise](crate::render::lookahead).
 
-use crate::accel::choice::Search;
-use crate::accel::every_object::Plain;
-use crate::accel::find::Find;
-use crate::accel::small_scene::Few;
+use crate::accel::choice::Accel;
+use crate::accel::every_object::EveryObject;
+use crate::accel::find::Accelerator;
+use crate::accel::small_scene::SmallScene;
 use crate::layout::Layout;
 use crate::render::lookahead;
-use crate::render::path::Walk;
+use crate::render::path::PathTracer;
 use crate::render::prepared::Prepared;
 use crate::simd::{Kernel, Simd};
 
 /// Follows every waiting sample to its end.
 pub struct Follow<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
-    pub walk: &'a mut Walk,
+    pub walk: &'a mut PathTracer,
 }
 
 impl<L: Layout> Kernel for Follow<'_, L> {
@@ -26,13 +26,13 @@ impl<L: Layout> Kernel for Follow<'_, L> {
     fn call<S: Simd>(self, simd: S) {
         // Each kind of search has a walk of its own, compiled apart; with many objects lanes count for more than promptness.
         match &self.prepared.search {
-            Search::Plain => simd.run_promptly(OneByOne { follow: self, search: &Plain }),
-            Search::Few(few) if !few.is_side_by_side() && self.walk.queue.fewest_rays > 0 => {
+            Accel::EveryObject => simd.run_promptly(OneByOne { follow: self, search: &EveryObject }),
+            Accel::SmallScene(few) if !few.uses_object_lanes() && self.walk.queue.fewest_rays > 0 => {
                 simd.run_promptly(Leaping { follow: self, few });
             }
-            Search::Few(search) => simd.run_promptly(OneByOne { follow: self, search }),
-            Search::Flat(search) => simd.run(OneByOne { follow: self, search }),
-            Search::Tree(search) => simd.run(OneByOne { follow: self, search }),
+            Accel::SmallScene(search) => simd.run_promptly(OneByOne { follow: self, search }),
+            Accel::FlatFilter(search) => simd.run(OneByOne { follow: self, search }),
+            Accel::Bvh(search) => simd.run(OneByOne { follow: self, search }),
         }
     }
 }
@@ -43,20 +43,20 @@ struct OneByOne<'a, L: Layout, F> {
     search: &'a F,
 }
 
-impl<L: Layout, F: Find> Kernel for OneByOne<'_, L, F> {
+impl<L: Layout, F: Accelerator> Kernel for OneByOne<'_, L, F> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
         let Self { follow: Follow { prepared, walk }, search } = self;
-        walk.follow::<S, L, F>(prepared, search, simd);
+        walk.trace::<S, L, F>(prepared, search, simd);
     }
 }
 
 /// The same with [leaps].
 struct Leaping<'a, L: Layout> {
     follow: Follow<'a, L>,
-    few: &'a Few,
+    few: &'a SmallScene,
 }
 
 impl<L: Layout> Kernel for Leaping<'_, L> {
@@ -65,6 +65,6 @@ impl<L: Layout> Kernel for Leaping<'_, L> {
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
         let Self { follow: Follow { prepared, walk }, few } = self;
-        lookahead::follow(prepared, few, walk, simd);
+        lookahead::trace(prepared, few, walk, simd);
     }
 }

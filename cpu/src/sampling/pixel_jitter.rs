@@ -5,12 +5,12 @@ use crate::sampling::block::BlockUniform;
 
 /// The stream, with draws that have been passed over but not yet skipped.
 #[derive(Debug)]
-pub struct Offsets {
+pub struct PixelJitter {
     stream: BlockUniform,
     passed_over: u64,
 }
 
-impl Offsets {
+impl PixelJitter {
     /// At the beginning of the stream.
     pub fn new(seed: u64) -> Self {
         Self { stream: BlockUniform::new(seed), passed_over: 0 }
@@ -40,7 +40,7 @@ mod tests {
 
     #[test]
     fn draws_passed_over_are_skipped_before_the_next_is_made() {
-        let (mut offsets, mut stream) = (Offsets::new(5), BlockUniform::new(5));
+        let (mut offsets, mut stream) = (PixelJitter::new(5), BlockUniform::new(5));
         offsets.pass_over(3);
         offsets.pass_over(200);
         stream.skip(406);

@@ -5,21 +5,21 @@ use crate::counters::{Counter, add};
 use crate::math::vec3::Vec3;
 use crate::sampling::block::BlockUniform;
 use crate::sampling::scatter_vectors::Scatter;
-use crate::simd::{Kernel, Lanes, Simd};
+use crate::simd::{Kernel, Simd, SimdF64};
 
 /// Room before the new triples for those that are left over.
 const SLACK: usize = 16;
 /// Triples made at a time.
 const TRIPLES: usize = 512;
-/// Triples that there are at least after [`Triples::prepare`].
+/// Triples that there are at least after [`ScatterSamples::prepare`].
 pub const RESERVE: usize = 12;
 /// Places for them: those that are left over come before.
 const PLACES: usize = SLACK + TRIPLES;
 
 /// The triples, in order: draws in `[0, 1)` for the statement's convention, vectors of length one for the published
-/// images', null vectors in deterministic mode. A [`Finish`](crate::materials::prepared::Finish) makes a random vector of each.
+/// images', null vectors in deterministic mode. A [`PreparedMaterial`](crate::materials::prepared::PreparedMaterial) makes a random vector of each.
 #[derive(Debug)]
-pub struct Triples {
+pub struct ScatterSamples {
     convention: Scatter,
     draws: BlockUniform,
     raw: [f64; 3 * TRIPLES],
@@ -31,7 +31,7 @@ pub struct Triples {
     before: u64,
 }
 
-impl Triples {
+impl ScatterSamples {
     /// The stream of `convention` from a seed.
     pub fn new(convention: Scatter, seed: u64) -> Self {
         let (raw, empty) = ([0.0; 3 * TRIPLES], [0.0; PLACES]);
@@ -47,7 +47,7 @@ impl Triples {
     }
 
     /// The next triple, which is used up. At most [`RESERVE`] are used between two calls of
-    /// [`Triples::prepare`].
+    /// [`ScatterSamples::prepare`].
     #[inline(always)]
     pub fn next(&mut self) -> Vec3 {
         let triple = Vec3::new(self.x[self.next], self.y[self.next], self.z[self.next]);
@@ -64,7 +64,7 @@ impl Triples {
 
     /// The next triples, a lane each. None is used up.
     #[inline(always)]
-    pub fn following<V: Lanes>(&self) -> Vec3<V> {
+    pub fn following<V: SimdF64>(&self) -> Vec3<V> {
         let at = self.next;
         Vec3::new(V::load(&self.x[at..]), V::load(&self.y[at..]), V::load(&self.z[at..]))
     }
@@ -105,7 +105,7 @@ impl Triples {
 }
 
 /// Makes the next triples.
-struct Make<'a>(&'a mut Triples);
+struct Make<'a>(&'a mut ScatterSamples);
 
 impl Kernel for Make<'_> {
     type Output = ();
@@ -140,13 +140,14 @@ mod tests {
     #[test]
     fn triples_in_bulk_are_the_ones_drawn_singly() {
         for convention in [Scatter::Published, Scatter::Deterministic] {
-            let (mut bulk, mut single) = (Triples::new(convention, 3), ScatterVectors::new(convention, 3));
+            let (mut bulk, mut single) = (ScatterSamples::new(convention, 3), ScatterVectors::new(convention, 3));
             for _ in 0..3 * TRIPLES {
                 bulk.prepare(Portable);
                 assert_eq!(bulk.next(), single.next(1.0));
             }
         }
-        let (mut bulk, mut single) = (Triples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
+        let (mut bulk, mut single) =
+            (ScatterSamples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
         for _ in 0..3 * TRIPLES {
             bulk.prepare(Portable);
             assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
@@ -156,7 +157,8 @@ mod tests {
     #[test]
     fn lanes_see_the_triples_that_follow_and_use_none_up() {
         type V = <Portable as Simd>::F64;
-        let (mut lanes, mut single) = (Triples::new(Scatter::Statement, 3), Triples::new(Scatter::Statement, 3));
+        let (mut lanes, mut single) =
+            (ScatterSamples::new(Scatter::Statement, 3), ScatterSamples::new(Scatter::Statement, 3));
         for round in 0..2 * TRIPLES {
             lanes.prepare(Portable);
             let mut seen = [0.0; V::LANES];

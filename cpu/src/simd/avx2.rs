@@ -13,7 +13,7 @@ use crate::math::error_free::Fused;
 use crate::math::real::{MulAdd, Real};
 use crate::math::rounding::Rounding;
 use crate::simd::avx2::permutations::{COMPRESSED, EXPANDED, Halves, SELECTED};
-use crate::simd::{Kernel, LaneMask, Lanes, Simd, operators};
+use crate::simd::{Kernel, LaneMask, Simd, SimdF64, operators};
 
 /// AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]
@@ -148,12 +148,12 @@ impl Fused for F64 {
 
 impl MulAdd for F64 {
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self.fused(factor, term)
     }
 }
 
-impl Lanes for F64 {
+impl SimdF64 for F64 {
     const LANES: usize = 4;
 
     #[inline(always)]

@@ -12,7 +12,7 @@ use crate::math::error_free::Fused;
 use crate::math::real::{MulAdd, Real};
 use crate::math::rounding::Rounding;
 use crate::simd::avx2::Avx2;
-use crate::simd::{Kernel, LaneMask, Lanes, Simd, operators};
+use crate::simd::{Kernel, LaneMask, Simd, SimdF64, operators};
 
 /// AVX-512 F, DQ, BW and VL.
 #[derive(Clone, Copy, Debug)]
@@ -172,12 +172,12 @@ impl Fused for F64 {
 
 impl MulAdd for F64 {
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self.fused(factor, term)
     }
 }
 
-impl Lanes for F64 {
+impl SimdF64 for F64 {
     const LANES: usize = 8;
 
     #[inline(always)]

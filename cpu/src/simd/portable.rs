@@ -6,7 +6,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use crate::math::error_free::Fused;
 use crate::math::real::{MulAdd, Real};
 use crate::math::rounding::Rounding;
-use crate::simd::{FilterLanes, Kernel, LaneMask, Lanes, Simd};
+use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64};
 
 /// The portable implementation.
 #[derive(Clone, Copy, Debug)]
@@ -117,12 +117,12 @@ impl Fused for F64x4 {
 
 impl MulAdd for F64x4 {
     #[inline(always)]
-    fn times_plus(self, factor: Self, term: Self) -> Self {
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self * factor + term
     }
 }
 
-impl Lanes for F64x4 {
+impl SimdF64 for F64x4 {
     const LANES: usize = 4;
 
     #[inline(always)]
@@ -160,7 +160,7 @@ impl Lanes for F64x4 {
     }
 }
 
-impl FilterLanes for F32x4 {
+impl SimdF32 for F32x4 {
     const LANES: usize = 4;
 
     #[inline(always)]

@@ -5,7 +5,7 @@
 use std::ops::{Add, Mul, Sub};
 
 use crate::simd::portable::{F32x4, Portable};
-use crate::simd::{FilterLanes, Kernel, Simd};
+use crate::simd::{Kernel, Simd, SimdF32};
 
 /// The portable set with positive NaNs in the lanes for filters.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub struct PositiveNan;
 
 impl Simd for PositiveNan {
     type F64 = <Portable as Simd>::F64;
-    type F32 = Lanes;
+    type F32 = SimdF64;
     const FUSES: bool = false;
 
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
@@ -23,18 +23,18 @@ impl Simd for PositiveNan {
 
 /// Four numbers, none of them a negative NaN.
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes(F32x4);
+pub struct SimdF64(F32x4);
 
 /// Returns the lanes, with the sign of every NaN made positive.
-fn positive(lanes: F32x4) -> Lanes {
+fn positive(lanes: F32x4) -> SimdF64 {
     let mut numbers = [0.0; 4];
     lanes.store(&mut numbers);
-    Lanes(F32x4::load(&numbers.map(|number: f32| if number.is_nan() { f32::NAN.copysign(1.0) } else { number })))
+    SimdF64(F32x4::load(&numbers.map(|number: f32| if number.is_nan() { f32::NAN.copysign(1.0) } else { number })))
 }
 
 macro_rules! operators {
     ($($trait:ident $method:ident),+) => {
-        $(impl $trait for Lanes {
+        $(impl $trait for SimdF64 {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
                 positive(self.0.$method(other.0))
@@ -44,7 +44,7 @@ macro_rules! operators {
 }
 operators!(Add add, Sub sub, Mul mul);
 
-impl FilterLanes for Lanes {
+impl SimdF32 for SimdF64 {
     const LANES: usize = F32x4::LANES;
 
     fn splat(value: f32) -> Self {

@@ -52,7 +52,7 @@ impl Kernel for Doubles {
                 same(x.fused(y, x), |lane| left[lane].mul_add(right[lane], left[lane]));
                 same(S::F64::of(right[0]), |_| right[0]);
                 let mut loosely = [0.0; 16];
-                x.times_plus(y, x).store(&mut loosely);
+                x.mul_add_loosely(y, x).store(&mut loosely);
                 for (&found, (l, r)) in loosely.iter().zip(left.into_iter().zip(right)).take(S::F64::LANES) {
                     assert!([l.mul_add(r, l), l * r + l].map(bits).contains(&bits(found)), "{l:e} {r:e}: {found:e}");
                 }
@@ -93,7 +93,7 @@ impl Kernel for Doubles {
 
 /// Every lane holds what `expected` says.
 #[inline(always)]
-fn same<V: Lanes>(lanes: V, expected: impl Fn(usize) -> f64) {
+fn same<V: SimdF64>(lanes: V, expected: impl Fn(usize) -> f64) {
     let mut found = [0.0; 16];
     lanes.store(&mut found);
     for (lane, &number) in found.iter().enumerate().take(V::LANES) {

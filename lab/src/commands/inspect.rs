@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use cpu::accel::bounds::Bounds;
-use cpu::accel::bvh::Hierarchy;
-use cpu::accel::choice::Search;
+use cpu::accel::bvh::Bvh;
+use cpu::accel::choice::Accel;
 use cpu::accel::extent::Extent;
 use cpu::input::scene::Shape;
 use cpu::{Aos, Config, Material, Prepared, Scatter, Scene};
@@ -123,10 +123,10 @@ impl Inspection {
             reach: extent.reach,
             moderate: extent.moderate,
             search: match &prepared.search {
-                Search::Plain => SearchKind::Plain,
-                Search::Few(_) => SearchKind::Few,
-                Search::Flat(_) => SearchKind::Flat,
-                Search::Tree(tree) => SearchKind::Tree(Tree::of(tree, scene.objects.len())),
+                Accel::EveryObject => SearchKind::Plain,
+                Accel::SmallScene(_) => SearchKind::Few,
+                Accel::FlatFilter(_) => SearchKind::Flat,
+                Accel::Bvh(tree) => SearchKind::Tree(Tree::of(tree, scene.objects.len())),
             },
             picture: [prepared.size.width(), prepared.size.height()],
             samples: prepared.samples,
@@ -165,7 +165,7 @@ fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
 }
 
 impl Tree {
-    fn of(tree: &Hierarchy, objects: usize) -> Self {
+    fn of(tree: &Bvh, objects: usize) -> Self {
         // Every box but the root's own is seen once as somebody's child; the objects are the others.
         let (mut boxes, mut surface, mut whole) = (0, 0.0, Bounds::EMPTY);
         tree.visit(

@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use cpu::exact;
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::math::real::Real;
 use cpu::reference::intersect::{Intersect, Precision};
@@ -26,7 +26,7 @@ pub trait Formulas {
         record: &CylinderRecord<Self::Number>,
         axis: &Vec3<Self::Number>,
         ray: &Ray<Self::Number>,
-    ) -> Option<(Self::Number, Part)>;
+    ) -> Option<(Self::Number, CylinderPart)>;
 }
 
 /// What a renderer in f64 may use.
@@ -40,7 +40,7 @@ impl<P: Intersect> Formulas for InDouble<P> {
         P::sphere(record, ray)
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
         P::cylinder(record, axis, ray)
     }
 }
@@ -52,11 +52,11 @@ impl Intersect for Resolved {
     const PRECISION: Precision = Precision::Certified;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-        exact::sphere::resolve(record, ray)
+        exact::sphere::precise(record, ray)
     }
 
-    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, Part)> {
-        exact::cylinder::resolve(record, axis, ray)
+    fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
+        exact::cylinder::precise(record, axis, ray)
     }
 }
 
@@ -71,7 +71,7 @@ impl Formulas for TextbookSingle {
         record.intersect(ray)
     }
 
-    fn cylinder(record: &CylinderRecord<f32>, _: &Vec3<f32>, ray: &Ray<f32>) -> Option<(f32, Part)> {
+    fn cylinder(record: &CylinderRecord<f32>, _: &Vec3<f32>, ray: &Ray<f32>) -> Option<(f32, CylinderPart)> {
         record.intersect(ray)
     }
 }
@@ -87,7 +87,7 @@ impl Formulas for ProjectedSingle {
         projected::sphere(record, ray)
     }
 
-    fn cylinder(record: &CylinderRecord<f32>, _: &Vec3<f32>, ray: &Ray<f32>) -> Option<(f32, Part)> {
+    fn cylinder(record: &CylinderRecord<f32>, _: &Vec3<f32>, ray: &Ray<f32>) -> Option<(f32, CylinderPart)> {
         projected::cylinder(record, ray)
     }
 }

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 use std::time::Instant;
 
-use cpu::geometry::cylinder::{CylinderRecord, Part};
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::geometry::sphere::SphereRecord;
 use cpu::input::scene::{Cylinder, Shape, Sphere};
 use cpu::math::real::Real;
@@ -42,7 +42,7 @@ impl<F: Formulas> Method for Host<F> {
                 Shape::Sphere(sphere) => {
                     let record = sphere_record(sphere);
                     let lambda = F::sphere(&record, &ray)?;
-                    Some(arrived(&ray, lambda, Part::Side, |point| record.outward(point)))
+                    Some(arrived(&ray, lambda, CylinderPart::Side, |point| record.outward(point)))
                 }
                 Shape::Cylinder(cylinder) => {
                     let (record, axis) = cylinder_record(cylinder);
@@ -98,7 +98,7 @@ fn cylinder_record<T: Real>(cylinder: &Cylinder) -> (CylinderRecord<T>, Vec3<T>)
 fn arrived<T: Real<Mask = bool> + Into<f64>>(
     ray: &Ray<T>,
     lambda: T,
-    part: Part,
+    part: CylinderPart,
     outward: impl Fn(Vec3<T>) -> Vec3<T>,
 ) -> Answer {
     let point = ray.at(lambda);

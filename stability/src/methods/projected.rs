@@ -1,7 +1,7 @@
 //! The projected form, the best that one precision can do: from the point of the line nearest to the centre or the
 //! axis, half a chord to each side. What cancels is then only as large as the miss distance, not as the way there.
 
-use cpu::geometry::cylinder::{CylinderRecord, PARALLEL, Part};
+use cpu::geometry::cylinder::{CylinderPart, CylinderRecord, PARALLEL};
 use cpu::geometry::ray::in_range;
 use cpu::geometry::sphere::SphereRecord;
 use cpu::math::real::Real;
@@ -28,7 +28,7 @@ pub fn sphere<T: Real<Mask = bool>>(sphere: &SphereRecord<T>, ray: &Ray<T>) -> O
 }
 
 /// Where the ray meets the cylinder, and its part; the contract of [`CylinderRecord::intersect`].
-pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>) -> Option<(T, Part)> {
+pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>) -> Option<(T, CylinderPart)> {
     let r_c = (cylinder.center - ray.origin).perpendicular_to(cylinder.axis);
     let side = crossings(ray.direction.perpendicular_to(cylinder.axis), r_c, cylinder.radius_squared)
         .and_then(|roots| roots.into_iter().find(|&root| in_range(root) && cylinder.within_height(ray, root)));
@@ -37,7 +37,11 @@ pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>
         let met = T::of(PARALLEL).less_equal(slope.abs()) && in_range(lambda) && cylinder.on_disc(ray, base, lambda);
         met.then_some(lambda)
     };
-    let hits = [(side, Part::Side), (base(cylinder.top), Part::Top), (base(cylinder.bottom), Part::Bottom)];
+    let hits = [
+        (side, CylinderPart::Side),
+        (base(cylinder.top), CylinderPart::Top),
+        (base(cylinder.bottom), CylinderPart::Bottom),
+    ];
     let found = hits.into_iter().filter_map(|(lambda, part)| Some((lambda?, part)));
     found.reduce(|best, hit| if hit.0.less_equal(best.0) { hit } else { best })
 }

@@ -6,12 +6,12 @@
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::node::{Child, Node, WIDTH};
-use crate::accel::bvh::slab_ray::BoxRay;
+use crate::accel::bvh::slab_ray::SlabRay;
 use crate::accel::object::room;
 use crate::counters::{Counter, add};
 use crate::input::error::Error;
 use crate::math::vec3::Vec3;
-use crate::simd::FilterLanes;
+use crate::simd::SimdF32;
 
 /// Most children of the root's children: a bit each in a word.
 pub const MOST: usize = 64;
@@ -29,7 +29,7 @@ pub fn planned(objects: usize) -> Option<usize> {
 /// The row: the children of the root's children, and those of the root's children that have objects themselves, sorted
 /// along an axis.
 #[derive(Debug)]
-pub struct Top {
+pub struct CollapsedRoot {
     /// 16 boxes each; none where there would be more than [`MOST`], or one node.
     rows: Vec<Node>,
     /// Where in the tree the nodes stand that they lead to, side by side: so none has to be looked up. Where there is no row,
@@ -39,7 +39,7 @@ pub struct Top {
     axis: usize,
 }
 
-impl Top {
+impl CollapsedRoot {
     /// The row of a tree.
     ///
     /// # Errors
@@ -83,7 +83,7 @@ impl Top {
 
     /// The boxes that a ray meets within `farthest`, as bits; one for the root, whose box is not asked, where there is no row.
     #[inline(always)]
-    pub fn met<F: FilterLanes>(&self, box_ray: &BoxRay<F>, farthest: f32) -> u64 {
+    pub fn met<F: SimdF32>(&self, box_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = u64::from(self.rows.is_empty());
         for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
@@ -165,7 +165,7 @@ mod tests {
                 (Bounds { low, high: low.map(|value| value + 0.1) }, id)
             });
             let mut nodes = build(count, bounds).expect("it fits");
-            let top = Top::new(&mut nodes).expect("it fits");
+            let top = CollapsedRoot::new(&mut nodes).expect("it fits");
             let children = top.children().count();
             if let Some(planned) = planned(count) {
                 assert!(
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn boxes_are_taken_from_the_end_that_the_ray_comes_from() {
-        let top = Top { rows: Vec::new(), begin: 1, axis: 1 };
+        let top = CollapsedRoot { rows: Vec::new(), begin: 1, axis: 1 };
         let all = |direction: [f64; 3]| {
             let (mut bits, mut taken) = (1 << 63 | 1 << 17 | 1 << 5 | 1, Vec::new());
             while bits != 0 {

@@ -2,7 +2,7 @@
 
 use crate::accel::bounds::Bounds;
 use crate::accel::object::ObjectId;
-use crate::simd::FilterLanes;
+use crate::simd::SimdF32;
 
 /// Children of a node; every instruction set's lanes divide it.
 pub const WIDTH: usize = 16;
@@ -87,7 +87,7 @@ impl Node {
 
     /// The lanes from `at` on, as many as `F` has, that lead to the object at `id`, as bits.
     #[inline(always)]
-    pub fn lanes_of<F: FilterLanes>(&self, id: ObjectId, at: usize) -> u32 {
+    pub fn lanes_of<F: SimdF32>(&self, id: ObjectId, at: usize) -> u32 {
         F::places_of(Child::object(id).0, &self.children[at..])
     }
 

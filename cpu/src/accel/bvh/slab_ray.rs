@@ -16,7 +16,7 @@ use crate::accel::bounds::Bounds;
 use crate::accel::bvh::node::{Node, WIDTH};
 use crate::accel::conservative::is_too_short;
 use crate::geometry::ray::Ray;
-use crate::simd::FilterLanes;
+use crate::simd::SimdF32;
 
 /// How much planes and origins are moved by, relative to them.
 const STEP: f32 = 8.0 * f32::EPSILON;
@@ -51,7 +51,7 @@ impl Steps {
 }
 
 /// A ray as the boxes see it.
-pub struct BoxRay<F> {
+pub struct SlabRay<F> {
     /// Of its direction.
     reciprocal: [F; 3],
     /// Minus the origin times the reciprocal, moved.
@@ -62,7 +62,7 @@ pub struct BoxRay<F> {
     far: [usize; 3],
 }
 
-impl<F: FilterLanes> BoxRay<F> {
+impl<F: SimdF32> SlabRay<F> {
     // Without a branch on where the ray goes, which no processor could guess.
     /// The ray, for boxes whose planes are moved by these steps.
     #[inline(always)]
@@ -126,7 +126,7 @@ mod tests {
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> u32 {
             let Self(ray, node, all, farthest) = self;
-            let box_ray = BoxRay::new(ray, &Steps::new(&all));
+            let box_ray = SlabRay::new(ray, &Steps::new(&all));
             let lanes = (0..WIDTH).step_by(S::F32::LANES);
             lanes.map(|at| box_ray.meets(node, at, S::F32::splat(farthest)).1 << at).sum()
         }

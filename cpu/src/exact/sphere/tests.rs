@@ -19,7 +19,7 @@ fn a_plain_hit_and_a_plain_miss_are_the_textbooks() {
         (ray([1.1, 0.0, -3.0], [0.0, 0.0, 1.0]), None),
         (ray([0.0, 0.0, 3.0], [0.0, 0.0, 1.0]), None),
     ] {
-        assert_eq!(judge(&unit, &ray), Verdict::Certain(expected));
+        assert_eq!(filtered(&unit, &ray), Decision::Certain(expected));
         assert_eq!(intersect(&unit, &ray), unit.intersect(&ray));
     }
 }
@@ -28,7 +28,7 @@ fn a_plain_hit_and_a_plain_miss_are_the_textbooks() {
 fn a_tangent_is_in_doubt_and_resolved_to_the_last_bit() {
     let touching = sphere([0.1, 0.0, 1e6], 0.1);
     let ray = ray([0.0; 3], [0.0, 0.0, 3.0]);
-    assert_eq!(judge(&touching, &ray), Verdict::Doubtful);
+    assert_eq!(filtered(&touching, &ray), Decision::Uncertain);
     assert_eq!(intersect(&touching, &ray), Some(1e6 / 3.0));
     assert_eq!(intersect(&sphere([0.1_f64.next_up(), 0.0, 1e6], 0.1), &ray), None);
     assert!(intersect(&sphere([0.1_f64.next_down(), 0.0, 1e6], 0.1), &ray).is_some());
@@ -41,7 +41,7 @@ fn the_limit_itself_counts_and_the_number_below_does_not() {
     let along = ray([0.0; 3], [1.0, 0.0, 0.0]);
     let (nearer, farther) = (1.001_f64, 1.001_f64.next_up());
     assert!(nearer - 1.0 < 1e-3 && farther - 1.0 > 1e-3);
-    assert_eq!(judge(&wall(nearer), &along), Verdict::Doubtful);
+    assert_eq!(filtered(&wall(nearer), &along), Decision::Uncertain);
     assert_eq!(intersect(&wall(nearer), &along), Some(2.001), "the far root");
     assert_eq!(intersect(&wall(farther), &along), Some(farther - 1.0));
     // From the other side of the origin the near root is the limit itself.

@@ -13,9 +13,9 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
 #[test]
 fn the_normal_of_the_side_starts_at_the_axis() {
     let record = CylinderRecord::new(Vec3::new(5.0, 6.0, 7.0), 2.0, Vec3::new(0.0, 4.0, 0.0));
-    assert_eq!(record.outward(Part::Side, Vec3::new(7.0, 6.5, 7.0)), Vec3::new(2.0, 0.0, 0.0));
-    assert_eq!(record.outward(Part::Top, Vec3::new(5.0, 8.0, 7.0)), Vec3::new(0.0, 1.0, 0.0));
-    assert_eq!(record.outward(Part::Bottom, Vec3::new(5.0, 4.0, 7.0)), Vec3::new(0.0, -1.0, 0.0));
+    assert_eq!(record.outward(CylinderPart::Side, Vec3::new(7.0, 6.5, 7.0)), Vec3::new(2.0, 0.0, 0.0));
+    assert_eq!(record.outward(CylinderPart::Top, Vec3::new(5.0, 8.0, 7.0)), Vec3::new(0.0, 1.0, 0.0));
+    assert_eq!(record.outward(CylinderPart::Bottom, Vec3::new(5.0, 4.0, 7.0)), Vec3::new(0.0, -1.0, 0.0));
 }
 
 #[test]
@@ -29,19 +29,19 @@ fn the_record_holds_the_derived_values() {
 #[test]
 fn the_side_is_met_from_outside_and_inside() {
     let hit = upright().intersect(&ray([0.0, 0.0, -3.0], [0.0, 0.0, 1.0]));
-    assert_eq!(hit, Some((2.0, Part::Side)));
+    assert_eq!(hit, Some((2.0, CylinderPart::Side)));
     let hit = upright().intersect(&ray([0.0, 0.0, 0.0], [0.0, 0.0, 1.0]));
-    assert_eq!(hit, Some((1.0, Part::Side)));
+    assert_eq!(hit, Some((1.0, CylinderPart::Side)));
 }
 
 #[test]
 fn bases_are_met_from_outside_and_inside() {
     let hit = upright().intersect(&ray([0.5, 5.0, 0.0], [0.0, -1.0, 0.0]));
-    assert_eq!(hit, Some((3.0, Part::Top)));
+    assert_eq!(hit, Some((3.0, CylinderPart::Top)));
     let hit = upright().intersect(&ray([0.5, -5.0, 0.0], [0.0, 1.0, 0.0]));
-    assert_eq!(hit, Some((3.0, Part::Bottom)));
+    assert_eq!(hit, Some((3.0, CylinderPart::Bottom)));
     let hit = upright().intersect(&ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]));
-    assert_eq!(hit, Some((2.0, Part::Top)));
+    assert_eq!(hit, Some((2.0, CylinderPart::Top)));
 }
 
 #[test]
@@ -55,18 +55,18 @@ fn beyond_the_rim_nothing_is_met() {
 fn a_ray_from_above_the_top_meets_the_base() {
     // Enters the infinite cylinder above the top: the smaller root is out of bounds, the base comes first.
     let hit = upright().intersect(&ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0]));
-    assert_eq!(hit, Some((2.0, Part::Top)), "on the rim side and base are equally near, and the later wins");
+    assert_eq!(hit, Some((2.0, CylinderPart::Top)), "on the rim side and base are equally near, and the later wins");
     let hit = upright().intersect(&ray([0.0, 4.5, -3.0], [0.0, -1.0, 1.0]));
-    assert_eq!(hit, Some((2.5, Part::Top)));
+    assert_eq!(hit, Some((2.5, CylinderPart::Top)));
 }
 
 #[test]
 fn a_ray_along_the_axis_meets_only_bases() {
     // The quadratic is 0/0 for the side; the base still counts.
     let hit = upright().intersect(&ray([0.0, 5.0, 0.0], [0.0, -2.0, 0.0]));
-    assert_eq!(hit, Some((1.5, Part::Top)));
+    assert_eq!(hit, Some((1.5, CylinderPart::Top)));
     let hit = upright().intersect(&ray([0.0, 1.0, 0.0], [0.0, 2.0, 0.0]));
-    assert_eq!(hit, Some((0.5, Part::Top)));
+    assert_eq!(hit, Some((0.5, CylinderPart::Top)));
 }
 
 #[test]
@@ -77,13 +77,13 @@ fn a_null_direction_meets_nothing() {
 #[test]
 fn a_ray_parallel_to_the_bases_skips_them() {
     let hit = upright().intersect(&ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0]));
-    assert_eq!(hit, Some((2.0, Part::Side)));
+    assert_eq!(hit, Some((2.0, CylinderPart::Side)));
 }
 
 #[test]
 fn the_sides_normal_is_as_long_as_the_radius() {
     let record = CylinderRecord::new(Vec3::ZERO, 2.0, Vec3::new(0.0, 4.0, 0.0));
-    assert_eq!(record.outward(Part::Side, Vec3::new(2.0, 1.5, 0.0)), Vec3::new(2.0, 0.0, 0.0));
-    assert_eq!(record.outward(Part::Top, Vec3::ONE), Vec3::new(0.0, 1.0, 0.0));
-    assert_eq!(record.outward(Part::Bottom, Vec3::ONE), Vec3::new(0.0, -1.0, 0.0));
+    assert_eq!(record.outward(CylinderPart::Side, Vec3::new(2.0, 1.5, 0.0)), Vec3::new(2.0, 0.0, 0.0));
+    assert_eq!(record.outward(CylinderPart::Top, Vec3::ONE), Vec3::new(0.0, 1.0, 0.0));
+    assert_eq!(record.outward(CylinderPart::Bottom, Vec3::ONE), Vec3::new(0.0, -1.0, 0.0));
 }

@@ -2,10 +2,10 @@
 
 use std::arch::x86_64::*;
 
-use crate::simd::FilterLanes;
+use crate::simd::SimdF32;
 use crate::simd::avx2::F32;
 
-impl FilterLanes for F32 {
+impl SimdF32 for F32 {
     const LANES: usize = 8;
 
     #[inline(always)]
