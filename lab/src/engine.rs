@@ -65,6 +65,10 @@ pub enum Engine {
     PlainSearch,
 }
 
+/// Names of the instruction sets that results may have, the plainest first: those of today, and `sse2`, which the renderer had
+/// until November 2026.
+pub const MEASURED_SETS: [&str; 5] = ["portable", "sse2", "avx2", "avx512", "avx512-throughout"];
+
 impl Engine {
     /// Every implementation that this machine can run.
     #[must_use]
@@ -196,6 +200,13 @@ mod tests {
         for engine in engines {
             assert!(engine.ppm(&config, &scene).expect("it is small") == expected, "{engine}");
         }
+    }
+
+    #[test]
+    fn results_may_have_every_set_of_today_in_its_order() {
+        let today = InstructionSet::ALL.map(InstructionSet::name);
+        let measured: Vec<_> = MEASURED_SETS.into_iter().filter(|name| today.contains(name)).collect();
+        assert_eq!(measured, today);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use super::style::{engine_name, power_of_ten, seconds, short};
 use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
 use crate::bench::statistics::Median;
+use crate::engine::MEASURED_SETS;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
 
@@ -153,9 +154,7 @@ fn energy(results: &Results) -> Vec<Chart> {
 /// How many times as fast as the literal renderer each engine is, at the most samples that both were measured with.
 fn speed_ups(results: &Results) -> Option<Chart> {
     // From the plainest instruction set on, the layouts side by side.
-    let engines = cpu::simd::instruction_set::InstructionSet::ALL
-        .iter()
-        .flat_map(|set| ["aos", "soa"].map(|l| format!("{l}-{}", set.name())));
+    let engines = MEASURED_SETS.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
     let is_there = |engine: &String| results.timings.iter().any(|timing| timing.setting.engine == *engine);
     let rows: Vec<String> = engines.filter(is_there).collect();
     let mut series: Vec<Series> = Vec::new();

@@ -2,6 +2,7 @@
 
 use crate::bench::gain::Gain;
 use crate::bench::results::{Results, Timing};
+use crate::engine::MEASURED_SETS;
 use crate::report::style::short;
 
 /// Pairs of times that differ in the engine alone.
@@ -66,7 +67,9 @@ pub fn literal(results: &Results) -> Option<String> {
 }
 
 pub fn instruction_sets(results: &Results) -> Option<String> {
-    let sets: Vec<_> = cpu::simd::instruction_set::InstructionSet::ALL.iter().map(|set| set.name()).collect();
+    let is_there =
+        |set: &&str| results.timings.iter().any(|timing| timing.setting.engine.ends_with(&format!("-{set}")));
+    let sets: Vec<_> = MEASURED_SETS.into_iter().filter(is_there).collect();
     let steps: Vec<_> = sets
         .windows(2)
         .filter_map(|pair| {
