@@ -1,6 +1,6 @@
 //! How surfaces send light on: matte, metal and refractive.
 //!
-//! [`scatter`] has the formulas of the statement, [`prepared`] what of them is the same for every ray. Uses
+//! [`scatter`] has the formulas of the statement, [`prepared`] their constants, computed once. Uses
 //! [`math`](crate::math), [`input`](crate::input) and [`sampling`](crate::sampling). Begin with [`scatter`].
 
 pub mod prepared;

@@ -1,4 +1,4 @@
-//! The arithmetic that everything else is written in: numbers, vectors, and sums that lose nothing.
+//! The arithmetic that everything else is written in: numbers, vectors, and sums with their rounding errors.
 //!
 //! [`real`] is one number or several at once, so that a formula is written once for both; [`vec3`] are vectors over it;
 //! [`rounding`] is arithmetic whose rounding is known, and [`error_free`] gives sums and products together with their rounding

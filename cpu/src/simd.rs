@@ -1,8 +1,9 @@
 //! Several numbers at once, on whatever the machine offers.
 //!
 //! A kernel is written once, over [`Simd`], and compiled for each instruction set by [`Simd::run`]. The set is chosen
-//! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly rounded IEEE operation,
-//! so the choice never changes a byte. Only the `f32` lanes, which serve filters, may fuse.
+//! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly rounded IEEE
+//! operation, so the choice never changes a byte. Only `mul_add_loosely` and the `f32` lanes, which serve conservative tests alone, may
+//! round once or twice.
 //!
 //! The portable implementation is always compiled and tested; the others are held against it.
 //!

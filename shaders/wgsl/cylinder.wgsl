@@ -11,7 +11,7 @@ struct CylinderRecord {
     half_height: real,
 }
 
-// Part: the part of a cylinder that a ray meets.
+// CylinderPart: the part of a cylinder that a ray meets.
 const SIDE: u32 = 0u;
 const TOP: u32 = 1u;
 const BOTTOM: u32 = 2u;
@@ -102,7 +102,7 @@ fn cylinder_outward(cylinder: CylinderRecord, part: u32, point: vec3<real>) -> v
     }
 }
 
-// Option<(T, Part)>
+// Option<(T, CylinderPart)>
 struct CylinderRoot {
     some: bool,
     lambda: real,

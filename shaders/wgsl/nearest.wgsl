@@ -1,4 +1,4 @@
-// The nearest hit of a ray over all objects; twin of cpu/src/render/nearest.rs.
+// The nearest hit of a ray over all objects; twin of cpu/src/accel/every_object.rs.
 
 // Nearest: the nearest surface so far. Of two at the same lambda, the later object of the file counts.
 struct Nearest {
@@ -10,7 +10,7 @@ struct Nearest {
     part: u32,
 }
 
-// Nearest::offer
+// ClosestHit::update
 fn nearest_is_beaten_by(nearest: Nearest, lambda: real, order: u32) -> bool {
     return !nearest.some || lambda < nearest.lambda || (lambda == nearest.lambda && order > nearest.order);
 }

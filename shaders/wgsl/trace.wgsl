@@ -1,4 +1,4 @@
-// One ray's way through the scene; twin of cpu/src/render/path.rs.
+// One ray's way through the scene; twin of Path::color in cpu/src/reference.rs.
 
 // Path::color: writes the colour that arrives along `primary`; `slot` is the invocation's place in `met`, `paths` and
 // `pixels`. Drivers bound the iterations that the loops of an invocation may have together (lavapipe: 65,535), so a
@@ -54,7 +54,7 @@ fn trace_onward(ray: Ray, hit: Hit, material: Material, scatter_vector: vec3<rea
     return Ray(hit.point, direction);
 }
 
-// Path::attenuated: `color` after all surfaces met, from the last to the first, as the recursion returns.
+// `color` after all surfaces met, from the last to the first, as the recursion returns.
 fn trace_attenuated(color: vec3<real>, first: u32, met_count: u32) -> vec3<real> {
     var attenuated = color;
     for (var left = met_count; left > 0u; left--) {

@@ -26,7 +26,7 @@ use crate::input::error::Error;
 use crate::layout::Objects;
 use crate::simd::{Simd, SimdF32};
 
-/// Most objects of which each is asked whether it is alone: the answers take as long as building the tree.
+/// Most objects for which isolation is computed: it takes as long as building the tree.
 const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
 
 /// Most nodes visited for such an answer, so that no scene makes it long.
@@ -43,7 +43,7 @@ pub struct Bvh {
     /// It is not in the tree.
     ground: DominantSphere,
     alone: Isolated,
-    /// Rays that start beyond this are asked by the plain search: the boxes' margins do not cover them.
+    /// The margin with which the object that a ray starts on is tested.
     reach: f64,
 }
 
@@ -208,7 +208,7 @@ impl Bvh {
         }
     }
 
-    /// Calls `visit` with the ground, and every object whose box, or that of a node above it, `reaches` does not rule
+    /// Calls `visit` with the dominant sphere, and every object whose box, or that of a node above it, `reaches` does not rule
     /// out.
     pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
         let mut pending = Vec::with_capacity(stack::MOST);

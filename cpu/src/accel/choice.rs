@@ -21,9 +21,9 @@ use crate::simd::Simd;
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Accel {
-    /// Every object is asked: for scenes whose magnitudes no filter bears.
+    /// Every object is intersected: magnitudes are too extreme for conservative tests.
     EveryObject,
-    /// All objects at once: for a handful.
+    /// Up to eight objects, tested all at once.
     SmallScene(SmallScene),
     /// A filter over all objects, several at once.
     FlatFilter(FlatFilter),
@@ -32,7 +32,7 @@ pub enum Accel {
 }
 
 impl Accel {
-    /// The search that fits the objects.
+    /// The structure that fits the objects.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -49,8 +49,8 @@ impl Accel {
         })
     }
 
-    /// Forgets which objects no other reaches into, so that rays inside them are searched for like all others: for measuring
-    /// what it gains to know.
+    /// Forgets which objects are isolated, so that rays inside them are traced like all others: for measuring what it gains to
+    /// know.
     pub fn without_isolation(&mut self) {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}

@@ -11,7 +11,7 @@ use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 use crate::simd::Simd;
 
-/// The nearest hit among the objects asked so far.
+/// The closest hit among the objects intersected so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosestHit {
     /// Where on the ray; infinite when there is none.
@@ -52,7 +52,7 @@ impl ClosestHit {
         }
     }
 
-    /// The same, unless the filter stops the ray, in a scene of this reach.
+    /// Intersects the object if the conservative test keeps it; `reach`, the extent of the scene, is its margin.
     #[inline(always)]
     pub fn intersect_if_may_hit<O: Objects>(
         &mut self,
@@ -82,7 +82,7 @@ impl ClosestHit {
         self.take_sphere(objects, index, ray, verdict);
     }
 
-    /// The same, for a sphere so large that rays near it are often in doubt.
+    /// Intersects the dominant sphere, with the compensated formula inline: rays near it are often uncertain.
     #[inline(always)]
     pub fn intersect_dominant_sphere<S: Simd, O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let record = objects.sphere(index).record;

@@ -17,15 +17,15 @@ use crate::simd::Simd;
 /// A sphere at least this many times as large as everything else is asked apart.
 const RATIO: f64 = 8.0;
 
-/// Most objects that reach into the ground for it to pay to ask each of them.
+/// Most overlapping objects for which it pays to test each of them.
 const MOST_SUNK: usize = 4;
 
-/// The sphere that is asked apart, if there is one.
+/// The sphere that is tested apart, if there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DominantSphere(Option<ObjectId>);
 
 impl DominantSphere {
-    /// The ground among `objects`.
+    /// Finds the dominant sphere among `objects`.
     #[must_use]
     pub fn of(objects: &impl Objects) -> Self {
         let radius = |index| objects.sphere(index).record.radius;
@@ -42,7 +42,7 @@ impl DominantSphere {
         Self((radius(largest) >= RATIO * next).then_some(largest as ObjectId))
     }
 
-    /// Its position in the search.
+    /// Its number among the objects.
     #[must_use]
     pub const fn id(self) -> Option<ObjectId> {
         self.0
@@ -84,8 +84,8 @@ impl DominantSphere {
         self.0.is_some_and(|id| ray.direction.dot(ray.origin - objects.sphere(id as usize).record.center) < 0.0)
     }
 
-    /// Whether the ray goes into it that its surface, with this finish and a random vector, makes of one that meets it at `lambda`:
-    /// nearly always right, and early. The ray itself is known only when a point, a normal, a mirror image and its length have
+    /// Predicts whether the ray that its surface scatters, with this material and a random vector, at `lambda` enters it: nearly
+    /// always right, and early. The ray itself is known only when a point, a normal, a mirror image and its length have
     /// been computed one after the other, and nobody can guess which way it goes.
     ///
     /// With `w` from the centre to the point, a mirror image of length one has the product `-d.w / |d|` with `w`, a normal

@@ -11,7 +11,7 @@ pub struct Extent {
     /// Largest magnitude of a coordinate that an object, or the camera, reaches.
     pub reach: f64,
     /// Whether all magnitudes are moderate. Where one is extreme, intermediate values of the filters could overflow or
-    /// underflow, and the intersections with them: every object is then tested, by the literal formulas.
+    /// underflow, and the intersections with them: every object is then intersected, by the exact formulas.
     pub moderate: bool,
 }
 

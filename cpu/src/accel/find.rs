@@ -1,4 +1,4 @@
-//! What the kinds of search have in common: walks are written once over it, and compiled for each kind apart.
+//! The trait of acceleration structures; the path tracing loop is written once over it, and compiled for each.
 
 use crate::accel::bvh::stack::Stack;
 use crate::accel::closest_hit::ClosestHit;
@@ -20,7 +20,7 @@ pub struct Origin {
 
 /// A kind of search.
 pub trait Accelerator {
-    /// The nearest object that a ray meets. Who asks counts the ray.
+    /// The closest hit of a ray. The caller counts the ray.
     fn closest_hit_from<S: Simd, O: Objects>(
         &self,
         objects: &O,
@@ -35,8 +35,8 @@ pub trait Accelerator {
         Origin { object, goes_in: false }
     }
 
-    /// Where the ray starts that a surface with this finish makes, with a random vector, of one that has found it; told before
-    /// that ray is known.
+    /// The origin of the ray that a surface of this material scatters with a random vector; predicted before that ray is
+    /// computed.
     #[inline(always)]
     fn next_origin<O: Objects>(&self, _: &O, _: &Ray, found: &ClosestHit, _: &PreparedMaterial, _: Vec3) -> Origin {
         Origin { object: found.object, goes_in: false }

@@ -13,7 +13,7 @@ use crate::accel::object::{ObjectId, room};
 use crate::input::error::Error;
 use crate::layout::Objects;
 
-/// Which objects are alone, a bit each.
+/// Which objects are isolated, a bit each.
 #[derive(Clone, Debug)]
 pub struct Isolated(Vec<u64>);
 

@@ -49,7 +49,7 @@ impl SmallScene {
         self.reach
     }
 
-    /// Whether one ray asks several objects at once; otherwise several rays ask one.
+    /// Whether lanes hold several objects for one ray; otherwise they hold several rays for one object.
     #[inline(always)]
     #[must_use]
     pub fn uses_object_lanes(&self) -> bool {

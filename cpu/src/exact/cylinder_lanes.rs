@@ -12,11 +12,11 @@ use crate::math::vec3::Vec3;
 pub struct CylinderHits<T: Real> {
     /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
     pub lambda: T,
-    /// CylinderHits that meet the upper base, if they meet anything.
+    /// Lanes whose hit, if there is one, is on the top cap.
     pub top: T::Mask,
-    /// CylinderHits that meet the lower base, if they meet anything.
+    /// Lanes whose hit, if there is one, is on the bottom cap.
     pub bottom: T::Mask,
-    /// CylinderHits whose answer is right. The others are for [`precise`](crate::exact::cylinder::precise).
+    /// Lanes whose answer is right. The others need [`precise`](crate::exact::cylinder::precise).
     pub certain: T::Mask,
 }
 
@@ -24,11 +24,11 @@ pub struct CylinderHits<T: Real> {
 pub struct SideLanes<T: Real> {
     entry: Crossing<T>,
     exit: Crossing<T>,
-    /// CylinderHits that certainly meet no part of the cylinder.
+    /// Lanes that certainly miss the cylinder.
     nothing: T::Mask,
-    /// CylinderHits that certainly meet the side where they leave it.
+    /// Lanes that certainly hit the side from inside.
     through: T::Mask,
-    /// CylinderHits whose answer needs the bases.
+    /// Lanes whose answer needs the caps.
     pub open: T::Mask,
 }
 

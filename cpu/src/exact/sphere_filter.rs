@@ -1,4 +1,4 @@
-//! The plain formula of ray and sphere with a bound of its rounding errors: an answer, or a doubt.
+//! The plain formula of ray and sphere with a bound of its rounding errors: an answer that is certain, or none.
 //!
 //! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. The two forms, with branches for one ray and
 //! without for lanes, give the same bits.
@@ -49,7 +49,8 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>
 pub struct SphereHits<T: Real> {
     /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
     pub lambda: T,
-    /// SphereHits whose answer is right. The others are for [`sphere::compensated_or_precise`](crate::exact::sphere::compensated_or_precise).
+    /// Lanes whose answer is right. The others need
+    /// [`compensated_or_precise`](crate::exact::sphere::compensated_or_precise).
     pub certain: T::Mask,
 }
 

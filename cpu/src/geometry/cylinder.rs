@@ -200,11 +200,11 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     /// Where the ray meets the cylinder first: the side, then the upper base, then the lower; of equals the later.
     ///
     /// ```
-    /// use cpu::{Ray, Vec3, geometry::cylinder::{CylinderRecord, Part}};
+    /// use cpu::{Ray, Vec3, geometry::cylinder::{CylinderPart, CylinderRecord}};
     ///
     /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
     /// let ray = Ray { origin: Vec3::new(0.0, 5.0, 0.5), direction: Vec3::new(0.0, -1.0, 0.0) };
-    /// assert_eq!(cylinder.intersect(&ray), Some((3.0, Part::Top)));
+    /// assert_eq!(cylinder.intersect(&ray), Some((3.0, CylinderPart::Top)));
     /// ```
     #[inline(always)]
     #[must_use]

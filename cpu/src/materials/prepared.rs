@@ -79,7 +79,7 @@ impl PreparedMaterial {
         reflectance: Vec3::ZERO,
     };
 
-    /// The finish of `material` under a convention.
+    /// Prepares `material` for a convention of random vectors.
     #[must_use]
     pub fn new(material: &Material, scatter: Scatter) -> Self {
         let (kind, extent, index) = match *material {

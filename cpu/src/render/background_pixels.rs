@@ -138,8 +138,8 @@ impl BackgroundPixels {
     }
 }
 
-/// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known: says of how many from
-/// the first on they are. If that is not all, the next one's samples, drawn into the batch, must be traced.
+/// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known; returns how many, from the
+/// first on. If that is not all, the next one's samples, drawn into the batch, must be traced.
 pub struct FindBytes<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub row: usize,

@@ -1,15 +1,13 @@
-//! The walk where objects are two or three: beside every ray the samples that come next, several at once.
+//! Path tracing with fewer than four objects: the first rays of the next paths are tested ahead, several at once.
 //!
-//! Half of all paths leave with their first ray after a surface that scatters. So the first rays of the next samples are
-//! tried as if each of them left: then each takes the next triple of the stream. Those before the first that may meet
-//! something have left, and of that one it is known what it may meet. What was guessed wrong behind it is tried again.
+//! Half of all paths escape with their first ray. So the first rays of the next paths are tested as if each of them escaped: then
+//! each takes the next sample of the stream. The paths before the first that may hit something have escaped, and of that one it is
+//! known what it may hit. Lanes behind a wrong guess are computed again.
 //!
-//! They are tried beside the ray before them, as if that left as well: what a ray meets takes the processor long to find
-//! out, but little of what it can do at a time. Where the ray is the last that its path may send, and certainly meets something,
-//! its surface takes one triple more, and nothing else: nobody asks what it meets.
+//! A path's intersections wait for one another, so these tests beside them cost next to nothing. Where a ray is the last that its
+//! path may send, and certainly hits something, the hit itself is not needed: its surface takes one sample of the stream.
 //!
-//! A sample leaves only where the filter stops its ray, and the filter keeps every ray that it cannot judge: directions that
-//! are too short for it, and what is not a number.
+//! A path escapes only if the conservative test rejects every object; a NaN and a very short direction are never rejected.
 
 use crate::accel::conservative::is_too_short;
 use crate::accel::side_by_side::MayHitLanes;
@@ -24,7 +22,7 @@ use crate::render::prepared::Prepared;
 use crate::sampling::scatter_stream::ScatterSamples;
 use crate::simd::{LaneMask, Simd, SimdF64};
 
-/// The first rays of the samples of the queue from one on, a lane each, as if each of them left.
+/// First rays of consecutive paths of the queue, one a lane, as if each of them escaped.
 #[derive(Clone, Copy)]
 struct Lookahead<V: SimdF64> {
     /// The first sample.
@@ -97,8 +95,8 @@ pub fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &SmallScene, walk:
     }
 }
 
-/// Follows the queue's sample `at` to its end, from its first ray on, which may meet the objects of `touched`. Looks at the
-/// samples behind it meanwhile.
+/// Traces path `at` of the queue to its end, from its first ray on, which may hit the objects of `touched`. Tests the first rays
+/// of the paths behind it meanwhile.
 #[inline(always)]
 fn trace_path<S: Simd, L: Layout>(
     prepared: &Prepared<L>,
@@ -129,7 +127,7 @@ fn trace_path<S: Simd, L: Layout>(
         if touched == 0 {
             return walk.ends.escape(at, ray.direction);
         }
-        // Where the ray is the last, and certainly meets something, nobody asks what: all objects scatter alike.
+        // On a certain hit by the last ray the object does not matter: every material takes one sample.
         if rays == 1 && prepared.scatters_everywhere && few.starts_inside(&prepared.objects, &ray) {
             add(Counter::Hits, 1);
             add(Counter::LastRaysSpared, 1);

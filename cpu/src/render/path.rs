@@ -16,14 +16,14 @@ use crate::render::surface::{ScatterResult, Surface, material_of};
 use crate::sampling::scatter_stream::ScatterSamples;
 use crate::simd::Simd;
 
-/// Where a surface has sent a path.
+/// The ray that a surface scatters.
 pub struct Scattered<'a> {
     pub ray: Ray,
-    /// The surface's finish and the random vector, if it scatters.
+    /// The prepared material and the random vector; `None` after refraction.
     scattered: Option<(&'a PreparedMaterial, Vec3)>,
 }
 
-/// Walks paths; holds the stream and what waits for its background.
+/// Traces paths; holds the stream of scatter samples, the queue and the ends of its paths.
 #[derive(Debug)]
 pub struct PathTracer {
     pub scatter_samples: ScatterSamples,
@@ -44,7 +44,7 @@ impl PathTracer {
         })
     }
 
-    /// Follows every waiting sample to its end.
+    /// Traces every path of the queue to its end.
     #[inline(always)]
     pub fn trace<S: Simd, L: Layout, F: Accelerator>(&mut self, prepared: &Prepared<L>, search: &F, simd: S) {
         for at in 0..self.queue.count {
@@ -60,7 +60,7 @@ impl PathTracer {
         }
     }
 
-    /// Follows the queue's sample `at` from its first ray to its end.
+    /// Traces path `at` of the queue from its first ray to its end.
     #[inline(always)]
     fn trace_path<S: Simd, L: Layout, F: Accelerator>(
         &mut self,
@@ -92,7 +92,7 @@ impl PathTracer {
         }
     }
 
-    /// Sends path `at` on from what its ray has found, as one that may send `rays` more; or ends it where there is none.
+    /// Scatters path `at` at its hit, or terminates it if `rays`, how many more it may send, is 0.
     #[inline(always)]
     pub fn scatter<'a, S: Simd, L: Layout>(
         &mut self,
@@ -105,7 +105,7 @@ impl PathTracer {
     ) -> Option<Scattered<'a>> {
         let Self { scatter_samples, queue, ends, .. } = self;
         if rays == 0 {
-            // The last surface takes its vector all the same.
+            // At the maximum depth a surface that scatters takes its sample all the same.
             add(Counter::Hits, 1);
             let material = material_of(&prepared.objects, found.object);
             if prepared.materials[material as usize].kind != BsdfKind::Refractive {

@@ -83,7 +83,7 @@ impl PathEnds {
         fits
     }
 
-    /// Path `at`, the present one, has used up its depth: nothing comes back along it.
+    /// Path `at`, the present one, has reached the maximum depth: it contributes black.
     #[inline(always)]
     pub fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
         self.count = self.begin;
@@ -98,8 +98,8 @@ impl PathEnds {
         self.direction.set(at, direction);
     }
 
-    /// The paths before `at` are done; it and those after it leave the scene with their first rays. What is said later of
-    /// one of them replaces this.
+    /// The paths before `at` are done; it and those after it escape with their first rays. A later call for one of them replaces
+    /// this.
     #[inline(always)]
     pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
         self.direction.store(at, directions);

@@ -32,7 +32,7 @@ pub struct PathQueue {
 }
 
 impl PathQueue {
-    /// Nobody waits.
+    /// An empty queue.
     pub fn new() -> Self {
         Self {
             count: 0,
@@ -69,7 +69,7 @@ impl PathQueue {
         ]
     }
 
-    /// Nobody waits any more.
+    /// Empties the queue.
     pub const fn clear(&mut self) {
         self.count = 0;
         self.fewest_rays = u64::MAX;
@@ -114,7 +114,7 @@ impl PathQueue {
         self.fewest_rays = self.fewest_rays.min(rays);
     }
 
-    /// Moves the sample at `at`, which is in glass, to another point, from where it goes another way.
+    /// Moves the sample at `at`, whose hit was refractive, to its next hit.
     #[inline(always)]
     pub fn pass_on(&mut self, at: usize, numbers: &LaneByLane<NUMBERS>, lane: usize) {
         let [x, y, z, dx, dy, dz, ..] = numbers.of(lane);

@@ -12,8 +12,8 @@ pub const NUMBERS: usize = 13;
 pub struct PathVertex<T = f64> {
     /// Where.
     pub point: Vec3<T>,
-    /// What is known of the way on before a random vector is added: a matte surface's normal, a metal one's mirror
-    /// direction; the whole direction at a refractive one.
+    /// The scattered direction before the random vector is added: the normal of a matte surface, the mirror direction of a
+    /// metal one; the whole direction at a refractive one.
     pub base: Vec3<T>,
     /// How its way on is scattered around `base`.
     pub spread: ScatterParams<T>,
@@ -24,7 +24,7 @@ pub struct PathVertex<T = f64> {
 }
 
 impl<T: Real> PathVertex<T> {
-    /// On a surface with this finish.
+    /// A vertex on a surface of this prepared material.
     #[inline(always)]
     pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, material_data: &PreparedMaterial) -> Self {
         Self {

@@ -29,7 +29,7 @@ impl<L: Layout> Kernel for Draw<'_, L> {
     }
 }
 
-/// A sample in glass.
+/// A sample whose last hit was refractive.
 #[derive(Clone, Copy, Debug)]
 pub struct SpecularSample {
     /// Its number in the span.

@@ -19,8 +19,8 @@ use crate::render::shade::shade;
 use crate::render::surface::{ScatterResult, Surface};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF64, valid_lanes};
 
-/// Follows the samples in glass until each meets a surface that scatters, leaves the scene, or has used up its depth.
-/// Those that leave or have used it up are no longer in the queue.
+/// Traces specular chains until each hits a surface that scatters, escapes, or has used up its depth. Those that escape or
+/// have used it up are no longer in the queue.
 pub struct Trace<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub batch: &'a mut Batch,
@@ -110,7 +110,7 @@ fn gather<V: SimdF64>(queue: &PathQueue, samples: &[SpecularSample; MOST_LANES])
     }
 }
 
-/// Takes every sample to the next surface, as many at once as there are lanes; those that stay in glass remain in the
+/// Takes every chain to its next hit, as many at once as there are lanes; those that hit a refractive surface stay in the
 /// list. After that surface each may send `rays` rays.
 #[inline(always)]
 fn step_all<S: Simd, L: Layout>(

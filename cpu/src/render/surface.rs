@@ -31,7 +31,7 @@ pub enum ScatterResult {
 }
 
 impl Surface {
-    /// The surface that the search has found.
+    /// The surface at the closest hit.
     #[inline(always)]
     pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &ClosestHit) -> Self {
         add(Counter::Hits, 1);
@@ -48,7 +48,7 @@ impl Surface {
         }
     }
 
-    /// Where a surface with this finish sends a ray that comes along `direction`.
+    /// Scatters a ray that comes along `direction` by this prepared material.
     #[inline(always)]
     pub fn scatter_result(&self, material_data: &PreparedMaterial, direction: Vec3) -> ScatterResult {
         match material_data.kind {

@@ -1,7 +1,7 @@
 //! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
 //! each taking its random vectors from one stream.
 //!
-//! With two or three objects it is done [otherwise](crate::render::lookahead).
+//! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop.
 
 use crate::accel::choice::Accel;
 use crate::accel::every_object::EveryObject;
@@ -24,7 +24,7 @@ impl<L: Layout> Kernel for Follow<'_, L> {
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
-        // Each kind of search has a walk of its own, compiled apart; with many objects lanes count for more than promptness.
+        // The loop is compiled once for each structure; with many objects width matters more than latency.
         match &self.prepared.search {
             Accel::EveryObject => simd.run_promptly(OneByOne { follow: self, search: &EveryObject }),
             Accel::SmallScene(few) if !few.uses_object_lanes() && self.walk.queue.fewest_rays > 0 => {
@@ -37,7 +37,7 @@ impl<L: Layout> Kernel for Follow<'_, L> {
     }
 }
 
-/// The same, with the instruction set that it is called with, perhaps the one for work on one ray after the other.
+/// Traces the paths one after the other.
 struct OneByOne<'a, L: Layout, F> {
     follow: Follow<'a, L>,
     search: &'a F,
@@ -53,7 +53,7 @@ impl<L: Layout, F: Accelerator> Kernel for OneByOne<'_, L, F> {
     }
 }
 
-/// The same with [leaps].
+/// Traces the paths with [`lookahead`].
 struct Leaping<'a, L: Layout> {
     follow: Follow<'a, L>,
     few: &'a SmallScene,
