@@ -30,7 +30,7 @@ fn with_too_little_memory_the_program_says_so_and_never_dies() {
             return;
         }
         let stderr = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.code() == Some(1) && stderr.contains("Error: "), "at {kilobytes} kB: {output:?}");
+        assert!(output.status.code() == Some(2) && stderr.contains("Error: "), "at {kilobytes} kB: {output:?}");
         assert!(!stderr.contains("panicked") && !folder.path().join("out.png").exists(), "at {kilobytes} kB: {stderr}");
     }
     panic!("{MOST} kB are not enough");

@@ -29,6 +29,8 @@ pub const FILES: [&str; 2] = ["index.html", "findings.json"];
 /// # Errors
 /// A file cannot be written, or there is nothing to draw.
 pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), Failure> {
+    // Before anything is written.
+    let pictures = thumbnails::of(results, &::tests::project_root().join("scenes"))?;
     let charts = charts::all(results);
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
     let figures = folder.join("charts");
@@ -37,7 +39,6 @@ pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), F
     for (name, (_, svg)) in file_names(&charts).into_iter().zip(&drawn) {
         put(&figures.join(format!("{name}.svg")), svg, options)?;
     }
-    let pictures = thumbnails::of(results, &::tests::project_root().join("scenes"));
     let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())?;
     put(&folder.join("findings.json"), &format!("{json}\n"), options)?;
     put(&folder.join("index.html"), &html::page(results, &findings, &drawn, &pictures), options)

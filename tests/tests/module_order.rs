@@ -151,7 +151,9 @@ fn uses(sources: &Sources) -> Uses {
         .collect();
     let is_test = |module: &Module| {
         let (child, parent) = (module.last(), &module[..module.len().saturating_sub(1)]);
-        child.is_some_and(|child| read.get(&parent.to_vec()).is_some_and(|paths| paths.test_modules.contains(child)))
+        child.is_some_and(|child| {
+            child == "tests" || read.get(&parent.to_vec()).is_some_and(|paths| paths.test_modules.contains(child))
+        })
     };
     let mut uses = Uses::new();
     for (&module, paths) in read.iter().filter(|(module, _)| !is_test(module)) {
