@@ -81,7 +81,8 @@ pub fn width_of(words: &str) -> usize {
     Text::new(words, Point::zero(), style).bounding_box().size.width as usize
 }
 
-/// Panels of one size below each other, each with its caption above it. The canvas is as wide as the widest caption needs.
+/// Panels of one size below each other, each with its caption above it. The canvas is as wide as the widest caption
+/// needs.
 ///
 /// # Errors
 /// There is too little memory for it.

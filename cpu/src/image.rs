@@ -1,4 +1,5 @@
-//! Pictures: what both layouts of their pixels can do, how a mean becomes a byte ([`quantize`]), and the text of a file ([`ppm`]).
+//! Pictures: what both layouts of their pixels can do, how a mean becomes a byte ([`quantize`]), and the text of a file
+//! ([`ppm`]).
 //!
 //! Uses [`input`](crate::input). Begin with [`quantize`].
 

@@ -1,9 +1,9 @@
 //! A sequential renderer of spheres and cylinders, exact to the byte.
 //!
 //! Text becomes checked values ([`Config`], [`Scene`]), these become what the rendering needs and nothing more
-//! ([`Prepared`]), then pixels in one of two layouts ([`layout`]), then a PPM file ([`image::ppm`]). What is wrong with the two
-//! texts is found on the way to [`Prepared`]; after it only memory and the file can fail. docs/design.md says what each folder
-//! holds, and which others it uses.
+//! ([`Prepared`]), then pixels in one of two layouts ([`layout`]), then a PPM file ([`image::ppm`]). What is wrong with
+//! the two texts is found on the way to [`Prepared`]; after it only memory and the file can fail. docs/design.md says
+//! what each folder holds, and which others it uses.
 //!
 //! ```
 //! use cpu::{Aos, Config, Scatter, Scene};

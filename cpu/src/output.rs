@@ -1,8 +1,8 @@
 //! Writing a file so that it is either the old one or the new one, never a mixture.
 //!
 //! A regular file is written aside and put in its place when it is complete. Anything else that can be written to
-//! (`/dev/stdout`, `/dev/null`, a pipe) takes the bytes directly. What is promised and why stands in `docs/decisions.md`.
-//! Uses [`input::error`](crate::input::error) alone. Begin with [`Output`].
+//! (`/dev/stdout`, `/dev/null`, a pipe) takes the bytes directly. What is promised and why stands in
+//! `docs/decisions.md`. Uses [`input::error`](crate::input::error) alone. Begin with [`Output`].
 //!
 //! ```
 //! use cpu::output::{Options, Output};
@@ -41,21 +41,22 @@ use crate::output::place::Place;
 /// How a file is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// [`Output::commit`] waits until the file and its name are on the disk. Then a loss of power leaves the old file or
-    /// the new one too. Without it the file system decides what a loss of power leaves.
+    /// [`Output::commit`] waits until the file and its name are on the disk. Then a loss of power leaves the old file
+    /// or the new one too. Without it the file system decides what a loss of power leaves.
     pub sync: bool,
 }
 
 /// A place to write to that was found writable when it was opened.
 ///
-/// The bytes are not buffered: hand them over in large pieces. Dropped without [`Output::commit`], a regular file is as it
-/// was, and nothing else is left.
+/// The bytes are not buffered: hand them over in large pieces. Dropped without [`Output::commit`], a regular file is as
+/// it was, and nothing else is left.
 #[derive(Debug)]
 pub struct Output {
     /// As the caller named it, for messages.
     named: PathBuf,
     place: Place,
-    /// Why the first write failed that did. Encoders such as `png` lose errors of the bytes that they write at their end.
+    /// Why the first write failed that did. Encoders such as `png` lose errors of the bytes that they write at their
+    /// end.
     failure: Option<io::Error>,
 }
 
@@ -64,8 +65,8 @@ impl Output {
     /// have come at its start.
     ///
     /// # Errors
-    /// [`Error::Write`]: it is a folder or a socket, its folder does not exist or takes no file, it is read-only or mounted,
-    /// or it is another user's and may not be replaced; or it is standard output, which is closed.
+    /// [`Error::Write`]: it is a folder or a socket, its folder does not exist or takes no file, it is read-only or
+    /// mounted, or it is another user's and may not be replaced; or it is standard output, which is closed.
     pub fn open(path: &Path, options: Options) -> Result<Self, Error> {
         let place = Place::find(path, options.sync).map_err(|cause| Error::Write { path: path.to_owned(), cause })?;
         Ok(Self { named: path.to_owned(), place, failure: None })
@@ -74,8 +75,8 @@ impl Output {
     /// Puts what was written in its place.
     ///
     /// # Errors
-    /// [`Error::Write`] when the system fails, or when a write has failed, even if its error was ignored. A regular file is
-    /// then as it was, unless the message says that only its way onto the disk is uncertain.
+    /// [`Error::Write`] when the system fails, or when a write has failed, even if its error was ignored. A regular
+    /// file is then as it was, unless the message says that only its way onto the disk is uncertain.
     pub fn commit(self) -> Result<(), Error> {
         let result = match (self.failure, self.place) {
             (Some(cause), _) => Err(cause),

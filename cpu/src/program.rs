@@ -28,9 +28,9 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
 
 /// Makes the system give the stack all the memory that rendering needs, before anything else takes it.
 ///
-/// The stack grows on demand, and where the address space is limited and used up it cannot: the process would end by SIGSEGV
-/// instead of with a message. All other memory that grows with the input is asked for in ways that report a refusal. The
-/// programs have this one thread.
+/// The stack grows on demand, and where the address space is limited and used up it cannot: the process would end by
+/// SIGSEGV instead of with a message. All other memory that grows with the input is asked for in ways that report a
+/// refusal. The programs have this one thread.
 #[inline(never)]
 fn reserve_stack() {
     const BYTES: usize = 256 << 10;

@@ -4,7 +4,8 @@
 //! renderer, only the vector arithmetic, the random numbers, the camera's window and the definition of a byte, so that
 //! each of the two tells when the other is wrong. Every fast path must give its bytes.
 //!
-//! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a program.
+//! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a
+//! program.
 //!
 //! With [certified](crate::exact) intersections it asks these for every object in turn, and shares the rest.
 

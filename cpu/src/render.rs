@@ -1,13 +1,13 @@
 //! The real renderer: pixels in order, a span of a row at a time.
 //!
-//! The camera rays of a span need no material's random numbers, so they are drawn, intersected and shaded several at once
-//! (`camera_rays`, `specular_chains`), up to the first matte or metal surface. What follows there takes its random vectors
-//! from one stream in the order of the samples, and is traced one path after the other (`trace_paths`). Where rays leave the
-//! scene, their background is computed several at once again (`path_ends`), and the samples are summed in order
-//! (`accumulation`).
+//! The camera rays of a span need no material's random numbers, so they are drawn, intersected and shaded several at
+//! once (`camera_rays`, `specular_chains`), up to the first matte or metal surface. What follows there takes its random
+//! vectors from one stream in the order of the samples, and is traced one path after the other (`trace_paths`). Where
+//! rays leave the scene, their background is computed several at once again (`path_ends`), and the samples are summed
+//! in order (`accumulation`).
 //!
-//! Uses all folders but `reference` and `output`. Begin with [`prepared`], then this file, then the stages in that order;
-//! docs/design.md follows one ray through them.
+//! Uses all folders but `reference` and `output`. Begin with [`prepared`], then this file, then the stages in that
+//! order; docs/design.md follows one ray through them.
 
 pub(crate) mod accumulation;
 pub(crate) mod arrays;
@@ -76,8 +76,8 @@ pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Re
     Ok(image)
 }
 
-/// Renders what was prepared into an image of its size, and calls `after_row` with the number of rows that are done; the
-/// rendering stops where it breaks off, with the rows done so far in the image.
+/// Renders what was prepared into an image of its size, and calls `after_row` with the number of rows that are done;
+/// the rendering stops where it breaks off, with the rows done so far in the image.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].

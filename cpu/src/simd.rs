@@ -1,9 +1,9 @@
 //! Several numbers at once, on whatever the machine offers.
 //!
 //! A kernel is written once, over [`Simd`], and compiled for each instruction set by [`Simd::run`]. The set is chosen
-//! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly rounded IEEE
-//! operation, so the choice never changes a byte. Only `mul_add_loosely` and the `f32` lanes, which serve conservative tests alone, may
-//! round once or twice.
+//! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly
+//! rounded IEEE operation, so the choice never changes a byte. Only `mul_add_loosely` and the `f32` lanes, which serve
+//! conservative tests alone, may round once or twice.
 //!
 //! The portable implementation is always compiled and tested; the others are held against it.
 //!
@@ -41,8 +41,8 @@ pub trait Simd: Copy + 'static {
     /// Runs `kernel`, compiled for this instruction set as a function of its own.
     fn run<K: Kernel>(self, kernel: K) -> K::Output;
 
-    /// The same for work on one ray after the other, where not how much is done at once counts but how soon an answer is
-    /// there: perhaps compiled for another instruction set.
+    /// The same for work on one ray after the other, where not how much is done at once counts but how soon an answer
+    /// is there: perhaps compiled for another instruction set.
     #[inline(always)]
     fn run_promptly<K: Kernel>(self, kernel: K) -> K::Output {
         self.run(kernel)

@@ -173,8 +173,8 @@ fn rays_ask_few_of_many_objects() {
 
 #[test]
 fn samples_that_leave_at_once_are_walked_together() {
-    // Rays leave a mirroring ball at once: no guess is wrong. Inside of it each ray meets it again, and all are: at each
-    // of its four places a path tries the samples behind it, which have met it once more when their turn comes.
+    // Rays leave a mirroring ball at once: no guess is wrong. Inside of it each ray meets it again, and all are: at
+    // each of its four places a path tries the samples behind it, which have met it once more when their turn comes.
     let lone = count("max_depth: 4\n", &format!("{MIRROR}sphere: 0 0 0 3 m\n"));
     assert!(lone(Counter::WalkRays) > 100);
     assert_eq!(lone(Counter::Guesses), lone(Counter::WalkRays));

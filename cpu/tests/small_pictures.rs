@@ -1,8 +1,8 @@
-//! Pictures of a few pixels, one for each search and stage: with every instruction set that there is and in both layouts the
-//! reference's pixels.
+//! Pictures of a few pixels, one for each search and stage: with every instruction set that there is and in both
+//! layouts the reference's pixels.
 //!
-//! The properties in the package `tests` try the same on thousands of random scenes. These are so small that miri, which
-//! interprets every instruction, is done with them in minutes (`tests/memory.sh miri`).
+//! The properties in the package `tests` try the same on thousands of random scenes. These are so small that miri,
+//! which interprets every instruction, is done with them in minutes (`tests/memory.sh miri`).
 
 use std::ops::RangeInclusive;
 
@@ -26,8 +26,8 @@ fn board(count: usize) -> String {
     (0..count).map(object).collect()
 }
 
-/// The picture of `objects`, with the materials m, s and g, which must be seen in as many pixels as `seen` says, of 15, and be
-/// searched as the test's name says.
+/// The picture of `objects`, with the materials m, s and g, which must be seen in as many pixels as `seen` says, of 15,
+/// and be searched as the test's name says.
 fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Accel) -> bool) {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");

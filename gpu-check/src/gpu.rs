@@ -23,8 +23,8 @@ pub struct Gpu {
 /// How long a run may take, unless [`Gpu::with_patience`] says otherwise.
 pub const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Address space that must be free before a driver is loaded, in bytes. lavapipe, its compiler and their threads take most
-/// of it. With less, the driver or its compiler may end the process when a request for memory is refused.
+/// Address space that must be free before a driver is loaded, in bytes. lavapipe, its compiler and their threads take
+/// most of it. With less, the driver or its compiler may end the process when a request for memory is refused.
 const ROOM: usize = 768 << 20;
 
 /// Asks for [`ROOM`] and gives it back.

@@ -107,8 +107,8 @@ impl Pipeline {
         })
     }
 
-    /// Has the driver compile the kernel to the end, and runs nothing. lavapipe makes machine code only for a run, even for
-    /// one of no invocations.
+    /// Has the driver compile the kernel to the end, and runs nothing. lavapipe makes machine code only for a run, even
+    /// for one of no invocations.
     ///
     /// # Errors
     /// [`Error::Timeout`], or what the driver finds wrong.

@@ -15,15 +15,15 @@ use crate::{Error, Float, Gpu, Picture, Pipeline};
 /// Pixels in one run, unless the limit on a binding asks for fewer.
 pub(crate) const BATCH: u64 = 1 << 18;
 
-/// Most tests of a ray with an object in one run, as far as they can be foretold: seconds on a CPU that plays a GPU. So a
-/// large scene is many runs, each within the time that a run may take, and progress can be told between them.
+/// Most tests of a ray with an object in one run, as far as they can be foretold: seconds on a CPU that plays a GPU. So
+/// a large scene is many runs, each within the time that a run may take, and progress can be told between them.
 const TESTS: u64 = 1 << 28;
 
 /// Fewer pixels in a run would leave most of a device idle.
 const LEAST_BATCH: u64 = 1 << 10;
 
-/// Most iterations that all loops of an invocation may have together. Beyond 65,535 lavapipe leaves them without a word,
-/// and rays lose their way.
+/// Most iterations that all loops of an invocation may have together. Beyond 65,535 lavapipe leaves them without a
+/// word, and rays lose their way.
 pub(crate) const MAX_ITERATIONS: u64 = 65_535;
 
 /// A pipeline that renders, for one precision and one set of features.

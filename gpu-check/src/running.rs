@@ -11,8 +11,8 @@
 //! - `sqrt x` by `e / (sqrt x + sqrt(x - e))`, and the rounding; anything when `e >= x`;
 //!
 //! (N. Higham, Accuracy and Stability of Numerical Algorithms, section 3.3). The formulas of `cpu` are generic, so the
-//! bound is derived from the very text that it is for. A comparison whose operands are closer than their bounds may fall
-//! either way in f32: it is noted, and what depends on it is left out. The value itself is f64, whose own rounding
+//! bound is derived from the very text that it is for. A comparison whose operands are closer than their bounds may
+//! fall either way in f32: it is noted, and what depends on it is left out. The value itself is f64, whose own rounding
 //! (`2^-53`) disappears in the factor `SLACK`.
 
 use std::cell::Cell;

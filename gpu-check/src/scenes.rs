@@ -21,8 +21,8 @@ pub struct Case {
     pub scene: Scene,
 }
 
-/// Every scene below `folder`: each of its folders that holds `config.txt` and `scene.txt`, in the order of their names.
-/// None when there is no such folder.
+/// Every scene below `folder`: each of its folders that holds `config.txt` and `scene.txt`, in the order of their
+/// names. None when there is no such folder.
 ///
 /// # Errors
 /// [`Error::File`] or [`Error::Scene`] for one that cannot be read.

@@ -24,7 +24,8 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
     let column = real(pixel % picture.width);
     let ray = camera_ray(picture_camera(), row, column, vec2<real>(picture.offset_x, picture.offset_y));
 
-    // What it meets: `surface.hit` has the point, the normal that faces the ray, and whether the ray comes from outside.
+    // What it meets: `surface.hit` has the point, the normal that faces the ray, and whether the ray comes from
+    // outside.
     let surface = nearest_hit(ray);
     if surface.some {
         pixels[id.x] = vec3_store(my_color(vec3_unit(surface.hit.normal)));

@@ -1,4 +1,5 @@
-//! Second readers of every format, written from its description alone, plain and slow: what the real ones must agree with.
+//! Second readers of every format, written from its description alone, plain and slow: what the real ones must agree
+//! with.
 
 pub mod config;
 pub mod lines;

@@ -1,7 +1,8 @@
 //! Any bytes as a tiny scene, rendered every way there is.
 //!
-//! The bytes choose: a menu of hard numbers (0, the smallest and the largest, what is nearly 1), or any number at all. So
-//! every input is a valid scene and a valid configuration, and libFuzzer spends its time on geometry and not on grammar.
+//! The bytes choose: a menu of hard numbers (0, the smallest and the largest, what is nearly 1), or any number at all.
+//! So every input is a valid scene and a valid configuration, and libFuzzer spends its time on geometry and not on
+//! grammar.
 
 mod choices;
 

@@ -65,8 +65,8 @@ pub enum Engine {
     PlainSearch,
 }
 
-/// Names of the instruction sets that results may have, the plainest first: those of today, and `sse2`, which the renderer had
-/// until November 2026.
+/// Names of the instruction sets that results may have, the plainest first: those of today, and `sse2`, which the
+/// renderer had until November 2026.
 pub const MEASURED_SETS: [&str; 5] = ["portable", "sse2", "avx2", "avx512", "avx512-throughout"];
 
 impl Engine {
@@ -98,8 +98,8 @@ impl Engine {
         engines
     }
 
-    /// The PPM file in memory, from checked values to bytes: all that the programs do but reading and storing files, and
-    /// what is measured.
+    /// The PPM file in memory, from checked values to bytes: all that the programs do but reading and storing files,
+    /// and what is measured.
     ///
     /// # Errors
     /// What the renderer says.

@@ -1,7 +1,7 @@
 //! The two input files as a table: every line's fields, what they mean and what they may be.
 //!
-//! `cpu` decides what is valid. This table explains it: `render-lab help config` and `help scene` print it, messages point
-//! at the field that is wrong, and tests hold it to the parsers of `cpu`.
+//! `cpu` decides what is valid. This table explains it: `render-lab help config` and `help scene` print it, messages
+//! point at the field that is wrong, and tests hold it to the parsers of `cpu`.
 
 use cpu::input::text;
 

@@ -34,8 +34,8 @@ impl Scale {
         Self { most: if most > 0.0 { most } else { 1.0 }, is_signed }
     }
 
-    /// The colour of the difference of two pixels. Perceptual maps of matplotlib and ColorBrewer: dark to light, or blue
-    /// and red from white.
+    /// The colour of the difference of two pixels. Perceptual maps of matplotlib and ColorBrewer: dark to light, or
+    /// blue and red from white.
     fn color(&self, first: [u8; 3], second: [u8; 3]) -> [u8; 3] {
         if self.is_signed {
             at(RED_BLUE, 0.5 - signed(first, second) / self.most / 2.0)

@@ -13,8 +13,8 @@ pub struct Interrupt {
 }
 
 impl Interrupt {
-    /// Listens to SIGHUP, SIGINT and SIGTERM from now on. The first of them is only noted. The second ends the process, for
-    /// whoever sends it does not want to wait for the end of a row.
+    /// Listens to SIGHUP, SIGINT and SIGTERM from now on. The first of them is only noted. The second ends the process,
+    /// for whoever sends it does not want to wait for the end of a row.
     #[must_use]
     pub fn listen() -> Self {
         stop::note_first_request();

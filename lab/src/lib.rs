@@ -1,8 +1,8 @@
 //! The everyday and measuring tool around the renderer.
 //!
 //! Each command has a module of its own in [`commands`]; what they share lies beside it: pictures from files
-//! ([`picture`]), how two of them differ ([`difference`]), which renderer is meant ([`engine`]), what a process has used
-//! ([`usage`]). Measuring lives in [`mod@bench`], and [`report`] turns its data into charts and pages.
+//! ([`picture`]), how two of them differ ([`difference`]), which renderer is meant ([`engine`]), what a process has
+//! used ([`usage`]). Measuring lives in [`mod@bench`], and [`report`] turns its data into charts and pages.
 //!
 //! Rendering is `cpu`'s alone, on one thread: this crate adds eyes and clocks.
 

@@ -48,8 +48,9 @@ fn put(path: &Path, text: &str, options: Options) -> Result<(), Failure> {
     Ok(Output::open(path, options)?.fill(|file| file.write_all(text.as_bytes()))?)
 }
 
-/// Names for the charts' files, without an ending, all different. A chart's own name may hold the name of a scene, which
-/// comes from the data: only letters, digits, `-` and `_` of it are kept, so that no file lies outside the folder.
+/// Names for the charts' files, without an ending, all different. A chart's own name may hold the name of a scene,
+/// which comes from the data: only letters, digits, `-` and `_` of it are kept, so that no file lies outside the
+/// folder.
 fn file_names(charts: &[Chart]) -> Vec<String> {
     const LONGEST: usize = 100;
 

@@ -138,7 +138,8 @@ impl Place {
         Some(Self::of_line(line, text, composition))
     }
 
-    /// The line of a replaced module that begins the function which a message names, as in `Function [7] 'f' is invalid`.
+    /// The line of a replaced module that begins the function which a message names, as in
+    /// `Function [7] 'f' is invalid`.
     fn of_function(message: &str, composition: &Composition) -> Option<Self> {
         let (_, rest) = message.split_once('\'')?;
         let (name, _) = rest.split_once('\'')?;

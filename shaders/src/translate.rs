@@ -1,7 +1,7 @@
 //! A valid shader in the languages of other systems.
 //!
-//! Which of them can calculate in f64 is decided here and not left to naga: its Metal writer panics on f64, and its HLSL
-//! writer gives code whose `sqrt` silently rounds to f32.
+//! Which of them can calculate in f64 is decided here and not left to naga: its Metal writer panics on f64, and its
+//! HLSL writer gives code whose `sqrt` silently rounds to f32.
 
 mod text;
 

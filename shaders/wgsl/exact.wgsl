@@ -1,9 +1,10 @@
 // Sums with their rounding error, for formulas that need more than one rounded operation; after Knuth, TAOCP 4.2.2,
 // theorem B.
 //
-// WGSL gives a driver leave to treat (a + b) - a as b, and lavapipe does. `one` is the barrier: a number that is one, but
-// loaded at run time, so that the driver meets a product where it looks for `a`, and keeps the operations. Multiplying by
-// one is exact. Whether a driver lets itself be held up so is found out by a self-test (gpu_check::rewrites).
+// WGSL gives a driver leave to treat (a + b) - a as b, and lavapipe does. `one` is the barrier: a number that is one,
+// but loaded at run time, so that the driver meets a product where it looks for `a`, and keeps the operations.
+// Multiplying by one is exact. Whether a driver lets itself be held up so is found out by a self-test
+// (gpu_check::rewrites).
 
 // `sum + error` is `a + b` exactly, short of overflow.
 struct ExactSum {

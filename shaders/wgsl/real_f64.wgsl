@@ -1,4 +1,5 @@
-// The number that all formulas are written over; twin of the parameter T in cpu/src/math/real.rs. In this composition: f64.
+// The number that all formulas are written over; twin of the parameter T in cpu/src/math/real.rs. In this composition:
+// f64.
 alias real = f64;
 
 // Vectors with a smaller square are multiplied by SHORT_SCALE, its reciprocal, before they are normalised: 2^-600.

@@ -1,8 +1,8 @@
 //! Hill climbing towards the largest error of lambda: what random rays do not find.
 //!
 //! A climb begins with a random case of a regime, changes some of its numbers a little, and keeps the change unless the
-//! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum, and stays below the bound
-//! that docs/accuracy.md proves.
+//! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum, and stays below the
+//! bound that docs/accuracy.md proves.
 
 use cpu::exact;
 use cpu::exact::error_bound::Decision;
@@ -31,7 +31,8 @@ pub fn certified_answer(case: &Case) -> Option<(f64, CylinderPart)> {
     }
 }
 
-/// Whether the answer comes from f64, by the plain formulas or the compensated root. Double-double has no error to speak of.
+/// Whether the answer comes from f64, by the plain formulas or the compensated root. Double-double has no error to
+/// speak of.
 fn is_answered_in_f64(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
@@ -46,7 +47,8 @@ fn is_answered_in_f64(case: &Case) -> bool {
     }
 }
 
-/// The relative error of lambda: 0 where double-double or exact arithmetic decided, `None` where a decision in f64 is wrong.
+/// The relative error of lambda: 0 where double-double or exact arithmetic decided, `None` where a decision in f64 is
+/// wrong.
 fn error(case: &Case) -> Option<f64> {
     if !is_answered_in_f64(case) {
         return Some(0.0);

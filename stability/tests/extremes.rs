@@ -1,4 +1,5 @@
-//! Certified intersections in every regime, also where squares underflow or nearly overflow and where terms cancel to zero.
+//! Certified intersections in every regime, also where squares underflow or nearly overflow and where terms cancel to
+//! zero.
 //!
 //! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
 

@@ -4,8 +4,8 @@
 //! them, which fails once or is met by a signal. After each run every file of the output is the old one or the new one,
 //! the status says which, and nothing else is in the folder.
 //!
-//! `strace` counts the calls of each thread, and disturbs the n-th of a name in every thread. So a program that works on
-//! a thread of its own is given a [gate](Job::gate): there it waits until `strace` watches that thread alone.
+//! `strace` counts the calls of each thread, and disturbs the n-th of a name in every thread. So a program that works
+//! on a thread of its own is given a [gate](Job::gate): there it waits until `strace` watches that thread alone.
 
 mod calls;
 mod check;
@@ -43,8 +43,8 @@ pub struct Job {
     /// An input of the program and its content. Calls before the program reads this input are not disturbed. Without a
     /// gate, calls whose name and number more than one thread makes are not disturbed.
     pub gate: Option<(PathBuf, Vec<u8>)>,
-    /// Whether only calls are disturbed that name `folder` or use a file in it. Else every call about files is, from the
-    /// first on that names `folder`.
+    /// Whether only calls are disturbed that name `folder` or use a file in it. Else every call about files is, from
+    /// the first on that names `folder`.
     pub only_folder: bool,
     /// How many calls of each name are disturbed at most. They are spread over the run.
     pub most: usize,

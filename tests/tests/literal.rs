@@ -1,8 +1,8 @@
 //! The literal program in C++ (`tests/literal`), built here, gives the bytes whose digests `tests/cases` has.
 //!
-//! So those digests can be made again from what is in the repository, and the program that times are held against is one
-//! that renders the same pictures. It also renders random ordinary scenes, 200 or `RENDER_LITERAL_SCENES` of them, which the
-//! reference and the renderer are held against. Where there is no g++ the tests are shown as ignored.
+//! So those digests can be made again from what is in the repository, and the program that times are held against is
+//! one that renders the same pictures. It also renders random ordinary scenes, 200 or `RENDER_LITERAL_SCENES` of them,
+//! which the reference and the renderer are held against. Where there is no g++ the tests are shown as ignored.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -76,8 +76,8 @@ fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
 
 /// The literal program, the reference with the textbook's formulas, and the renderer on random ordinary scenes.
 ///
-/// Both must give the literal program's bytes. The renderer's intersections are certified, so on other scenes it might differ
-/// where rounding decides a ray for the literal program; in 10,000 of these scenes it does not.
+/// Both must give the literal program's bytes. The renderer's intersections are certified, so on other scenes it might
+/// differ where rounding decides a ray for the literal program; in 10,000 of these scenes it does not.
 fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
     let scenes: u64 = std::env::var("RENDER_LITERAL_SCENES").map_or(Ok(200), |text| text.parse())?;
     let folder = tempfile::tempdir()?;

@@ -189,7 +189,8 @@ fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     found
 }
 
-/// Modules that use each other in circles: what is left when all that use nothing, or that nothing uses, are taken away.
+/// Modules that use each other in circles: what is left when all that use nothing, or that nothing uses, are taken
+/// away.
 fn in_circles(uses: &Uses) -> Vec<String> {
     let mut left: Uses = uses.clone();
     left.remove(&Vec::new());

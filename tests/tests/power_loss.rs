@@ -1,5 +1,5 @@
-//! A loss of power at any moment, simulated: the calls of a process that writes a file are recorded, and a model of a file
-//! system says what POSIX lets stand after each of them. With [`Options::sync`] it is the old file or the new one.
+//! A loss of power at any moment, simulated: the calls of a process that writes a file are recorded, and a model of a
+//! file system says what POSIX lets stand after each of them. With [`Options::sync`] it is the old file or the new one.
 //!
 //! Where `strace` cannot run, these tests are shown as ignored.
 

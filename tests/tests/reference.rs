@@ -1,4 +1,5 @@
-//! The reference, which every other renderer is held against, gives the pictures of a program that shares nothing with it.
+//! The reference, which every other renderer is held against, gives the pictures of a program that shares nothing with
+//! it.
 
 use cpu::layout::aos::AosImage;
 use cpu::{Config, Scene};

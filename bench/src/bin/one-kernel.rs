@@ -1,5 +1,5 @@
-//! `one-kernel [NAME]`: does a kernel's work once, inside a function that callgrind can be told to count; without a name,
-//! prints all names. bench/instructions runs it.
+//! `one-kernel [NAME]`: does a kernel's work once, inside a function that callgrind can be told to count; without a
+//! name, prints all names. bench/instructions runs it.
 
 use std::process::ExitCode;
 

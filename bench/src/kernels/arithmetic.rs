@@ -139,7 +139,8 @@ fn quantize_interval() -> Box<dyn Work> {
     })
 }
 
-/// Rays against a sphere of radius one. Rays that touch the one at (1, 1, 1) to the last bit take its place at that centre.
+/// Rays against a sphere of radius one. Rays that touch the one at (1, 1, 1) to the last bit take its place at that
+/// centre.
 fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> + 'static) -> Box<dyn Work> {
     let sphere = SphereRecord::new(center, 1.0);
     let tangent = |at: f64| Ray { origin: Vec3::new(0.0, 1.0, -at), direction: Vec3::new(0.0, 0.0, 1.0) };

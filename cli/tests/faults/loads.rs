@@ -60,8 +60,8 @@ fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
             std::thread::sleep(Duration::from_millis(300));
             let ended = child.try_wait().expect("it is ours");
             assert!(ended.is_none(), "{samples} samples, depth {depth}: {ended:?}");
-            // What the path has met so far is kept, 8 bytes a surface, and some millions of them fit into the time waited;
-            // what it may meet is not asked for ahead.
+            // What the path has met so far is kept, 8 bytes a surface, and some millions of them fit into the time
+            // waited; what it may meet is not asked for ahead.
             let peak = peak(&child);
             assert!(peak < 300_000, "{peak} kB for one pixel");
             // What a shell starts in the background may ignore SIGINT.

@@ -208,8 +208,8 @@ impl Bvh {
         }
     }
 
-    /// Calls `visit` with the dominant sphere, and every object whose box, or that of a node above it, `reaches` does not rule
-    /// out.
+    /// Calls `visit` with the dominant sphere, and every object whose box, or that of a node above it, `reaches` does
+    /// not rule out.
     pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
         let mut pending = Vec::with_capacity(stack::MOST);
         if !self.nodes.is_empty() {

@@ -49,8 +49,8 @@ impl Accel {
         })
     }
 
-    /// Forgets which objects are isolated, so that rays inside them are traced like all others: for measuring what it gains to
-    /// know.
+    /// Forgets which objects are isolated, so that rays inside them are traced like all others: for measuring what it
+    /// gains to know.
     pub fn without_isolation(&mut self) {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}

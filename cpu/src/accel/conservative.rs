@@ -1,9 +1,10 @@
 //! Which spheres and cylinders rays may meet, in double precision: the filter in front of the exact formulas.
 //!
-//! A ray has no hit with a shape whose quadratic `f(lambda) = a lambda^2 - 2 h lambda + c` has no root that counts: the line
-//! misses, or the ray has come out before; most rays start on a surface and go outward. The quadratics are those of
-//! [`crate::geometry::sphere`] and [`crate::geometry::cylinder`], multiplied out to be short and rounded as it comes. The margin covers that, and
-//! what rounding may do to the exact formulas (docs/performance.md); where the filter stops nothing, these decide.
+//! A ray has no hit with a shape whose quadratic `f(lambda) = a lambda^2 - 2 h lambda + c` has no root that counts: the
+//! line misses, or the ray has come out before; most rays start on a surface and go outward. The quadratics are those
+//! of [`crate::geometry::sphere`] and [`crate::geometry::cylinder`], multiplied out to be short and rounded as it
+//! comes. The margin covers that, and what rounding may do to the exact formulas (docs/performance.md); where the
+//! filter stops nothing, these decide.
 
 use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
@@ -14,8 +15,8 @@ use crate::math::vec3::Vec3;
 /// By how much of its terms the constant of a quadratic is lowered: a thousand roundings.
 pub(super) const MARGIN: f64 = 512.0 * f64::EPSILON;
 
-/// The smallest squared length of a direction for which the tests are valid. From it on their margins exceed 10^-31, so that
-/// underflow is negligible, in single precision too.
+/// The smallest squared length of a direction for which the tests are valid. From it on their margins exceed 10^-31, so
+/// that underflow is negligible, in single precision too.
 const SHORTEST: f64 = 1e-14;
 
 /// Whether directions of this squared length are too short for the tests. The caller must then intersect every object.
@@ -26,10 +27,10 @@ pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
 
 /// One ray or a lane of them, which start within the scene's reach.
 ///
-/// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::accel::extent::Extent::LARGEST)), but a direction may be of any
-/// length that is not [too short](is_too_short). With a long direction a product may overflow, and a test may reject the
-/// object. It does so rightly: a direction longer than 10^13 takes the ray past all objects before the smallest lambda in
-/// range, 10^-3. A NaN rejects no object, because every comparison with NaN is false.
+/// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::accel::extent::Extent::LARGEST)), but a direction may
+/// be of any length that is not [too short](is_too_short). With a long direction a product may overflow, and a test may
+/// reject the object. It does so rightly: a direction longer than 10^13 takes the ray past all objects before the
+/// smallest lambda in range, 10^-3. A NaN rejects no object, because every comparison with NaN is false.
 #[derive(Clone, Copy, Debug)]
 pub struct ConservativeRay<T> {
     /// The ray.

@@ -1,7 +1,7 @@
 //! A sphere much larger than all else, which nearly every ray would have to ask: it is asked apart.
 //!
-//! Rays are stopped before it by the test of [`crate::accel::conservative`] alone, which keeps what it cannot judge. Which way a ray is expected
-//! to go decides how soon it is answered, and never what.
+//! Rays are stopped before it by the test of [`crate::accel::conservative`] alone, which keeps what it cannot judge.
+//! Which way a ray is expected to go decides how soon it is answered, and never what.
 
 use crate::accel::bounds::Bounds;
 use crate::accel::closest_hit::ClosestHit;
@@ -55,9 +55,9 @@ impl DominantSphere {
         self.0 == Some(id)
     }
 
-    /// The objects that reach into it, but for what rounding may do to points of its surface: a ray from that surface that
-    /// meets it again stays inside in between, for it is convex, and can meet no other. `None` when there are more than
-    /// [`MOST_SUNK`], or no ground.
+    /// The objects that reach into it, but for what rounding may do to points of its surface: a ray from that surface
+    /// that meets it again stays inside in between, for it is convex, and can meet no other. `None` when there are more
+    /// than [`MOST_SUNK`], or no ground.
     #[must_use]
     pub fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
         let ground = self.0?;
@@ -84,12 +84,13 @@ impl DominantSphere {
         self.0.is_some_and(|id| ray.direction.dot(ray.origin - objects.sphere(id as usize).record.center) < 0.0)
     }
 
-    /// Predicts whether the ray that its surface scatters, with this material and a random vector, at `lambda` enters it: nearly
-    /// always right, and early. The ray itself is known only when a point, a normal, a mirror image and its length have
-    /// been computed one after the other, and nobody can guess which way it goes.
+    /// Predicts whether the ray that its surface scatters, with this material and a random vector, at `lambda` enters
+    /// it: nearly always right, and early. The ray itself is known only when a point, a normal, a mirror image and its
+    /// length have been computed one after the other, and nobody can guess which way it goes.
     ///
-    /// With `w` from the centre to the point, a mirror image of length one has the product `-d.w / |d|` with `w`, a normal
-    /// `|w|` or its opposite; and a product with `w = (O - C) + lambda d` needs only lambda of what the search has found.
+    /// With `w` from the centre to the point, a mirror image of length one has the product `-d.w / |d|` with `w`, a
+    /// normal `|w|` or its opposite; and a product with `w = (O - C) + lambda d` needs only lambda of what the search
+    /// has found.
     #[inline(always)]
     pub fn will_be_entered<O: Objects>(
         self,

@@ -1,22 +1,25 @@
 //! A ray against bounding spheres and infinite cylinders, several at once, in single precision.
 //!
 //! With the ray `O + lambda d` and a ball of radius `R` around `C`, the quadratic is `a lambda^2 - 2 h lambda + c`,
-//! `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`: multiplied out, so that little is left to do for each object. For
-//! a cylinder within that ball, of radius `r` around the axis `n`, everything is taken across the axis:
-//! `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`, `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half the height, squared.
+//! `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`: multiplied out, so that little is left to do for each
+//! object. For a cylinder within that ball, of radius `r` around the axis `n`, everything is taken across the axis:
+//! `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`, `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half
+//! the height, squared.
 //!
 //! What multiplying out loses to cancellation is covered by the margins (docs/performance.md).
 //!
-//! Every test gives a number that is positive where the ray certainly misses the object. The maximum of two tests is positive
-//! where one of them is, and replaces two comparisons. A NaN is not positive, so it keeps its object ([`misses`]).
+//! Every test gives a number that is positive where the ray certainly misses the object. The maximum of two tests is
+//! positive where one of them is, and replaces two comparisons. A NaN is not positive, so it keeps its object
+//! ([`misses`]).
 //!
-//! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). Glass, for example, turns the side's normal
-//! of a cylinder, which is as long as the cylinder's radius, into a direction about the square of the radius times the index
-//! long. With a long direction a product may overflow, and the test may report a miss. The miss is right, for this reason. Let
-//! `L` be the scene's [reach](crate::accel::extent::Extent::reach). Points of the ray and of objects are at most `3.5 L` apart, so a
-//! ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3. For a shorter direction
-//! `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene
-//! that is filtered ([`LARGEST_REACH`]), and single precision holds `3.4 10^38`.
+//! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). Glass, for
+//! example, turns the side's normal of a cylinder, which is as long as the cylinder's radius, into a direction about
+//! the square of the radius times the index long. With a long direction a product may overflow, and the test may report
+//! a miss. The miss is right, for this reason. Let `L` be the scene's [reach](crate::accel::extent::Extent::reach).
+//! Points of the ray and of objects are at most `3.5 L` apart, so a ray with `|d| > 3500 L` is past all objects at the
+//! smallest lambda in range, 10^-3. For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product
+//! exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene that is filtered ([`LARGEST_REACH`]), and single
+//! precision holds `3.4 10^38`.
 
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::math::vec3::Vec3;
@@ -48,8 +51,8 @@ pub struct Balls {
     constant: Row,
 }
 
-/// Infinite cylinders; their balls are beside them. Axes are longer by `sqrt(2)`, which makes twice a square of their products
-/// with a ray, as everything else here is doubled.
+/// Infinite cylinders; their balls are beside them. Axes are longer by `sqrt(2)`, which makes twice a square of their
+/// products with a ray, as everything else here is doubled.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct Tubes {
@@ -147,14 +150,15 @@ impl<F: SimdF32> FilterRay<F> {
         let minus_two_h = plus_dot(self.two_d_o, self.direction, minus_two_center);
         let c = plus_dot(F::load(&balls.constant[at..]) + self.constant, self.origin, minus_two_center);
         let minus_discriminant = minus_two_h.negative_mul_add(minus_two_h, self.four_a * c);
-        // A ray misses if its line does, or if the centre is behind it and its first point in range is outside the ball. If
-        // `minus_two_h` is NaN, `at_first` is NaN too; `min` and `max` return their second operand where one is NaN.
+        // A ray misses if its line does, or if the centre is behind it and its first point in range is outside the
+        // ball. If `minus_two_h` is NaN, `at_first` is NaN too; `min` and `max` return their second operand where one
+        // is NaN.
         let at_first = minus_two_h.mul_add(number(LAMBDA_MIN), self.a_t_t) + c;
         Ball { minus_two_h, c, miss: minus_discriminant.max(minus_two_h.min(at_first)) }
     }
 
-    /// The ray against the tubes from `at` on, whose balls it has been held against: positive where it certainly misses;
-    /// see [`misses`].
+    /// The ray against the tubes from `at` on, whose balls it has been held against: positive where it certainly
+    /// misses; see [`misses`].
     #[inline(always)]
     pub fn tube(&self, ball: &Ball<F>, tubes: &Tubes, at: usize) -> F {
         let axis = load(&tubes.axis, at);
@@ -169,8 +173,8 @@ impl<F: SimdF32> FilterRay<F> {
     }
 }
 
-/// The objects that the ray certainly misses, a bit a lane: those where `miss` is positive. Lanes offer `<=` only, so `miss` is
-/// compared with the smallest positive number.
+/// The objects that the ray certainly misses, a bit a lane: those where `miss` is positive. Lanes offer `<=` only, so
+/// `miss` is compared with the smallest positive number.
 #[inline(always)]
 pub fn misses<F: SimdF32>(miss: F) -> u32 {
     const LEAST_POSITIVE: f32 = f32::from_bits(1);

@@ -35,8 +35,8 @@ pub trait Accelerator {
         Origin { object, goes_in: false }
     }
 
-    /// The origin of the ray that a surface of this material scatters with a random vector; predicted before that ray is
-    /// computed.
+    /// The origin of the ray that a surface of this material scatters with a random vector; predicted before that ray
+    /// is computed.
     #[inline(always)]
     fn next_origin<O: Objects>(&self, _: &O, _: &Ray, found: &ClosestHit, _: &PreparedMaterial, _: Vec3) -> Origin {
         Origin { object: found.object, goes_in: false }

@@ -154,9 +154,9 @@ impl FlatFilter {
     }
 }
 
-/// The nearest hit, found by asking every object: for a ray whose direction is too short for the filter, or that goes another
-/// way than expected. It takes the ray by components, which stay in registers, where a reference would keep every ray in
-/// memory.
+/// The nearest hit, found by asking every object: for a ray whose direction is too short for the filter, or that goes
+/// another way than expected. It takes the ray by components, which stay in registers, where a reference would keep
+/// every ray in memory.
 #[cold]
 #[inline(never)]
 fn ask_every_object<O: Objects>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> ClosestHit {

@@ -1,10 +1,11 @@
-//! Rays that certainly meet an object, because they are inside of it where they begin to count: somewhere they come out.
+//! Rays that certainly meet an object, because they are inside of it where they begin to count: somewhere they come
+//! out.
 //!
-//! Where the last ray of a path ends nobody asks, and where all objects scatter not even at which: it takes one random vector
-//! more, and nothing comes back along it.
+//! Where the last ray of a path ends nobody asks, and where all objects scatter not even at which: it takes one random
+//! vector more, and nothing comes back along it.
 //!
-//! A ray is inside only where comparisons hold, which none does with what is not a number, and only if the length of its
-//! direction is between 2^-150 and 2^150: with coordinates of up to 10^9 nothing overflows then.
+//! A ray is inside only where comparisons hold, which none does with what is not a number, and only if the length of
+//! its direction is between 2^-150 and 2^150: with coordinates of up to 10^9 nothing overflows then.
 
 use crate::accel::conservative::{ConservativeRay, MARGIN, Quadratic};
 use crate::accel::small_scene::SmallScene;
@@ -14,8 +15,8 @@ use crate::geometry::cylinder::PARALLEL;
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
 
-/// The least product of a direction and an axis with which a ray certainly meets the planes of the bases: twice the limit,
-/// and a share of the direction's length, squared, that rounding is nothing against.
+/// The least product of a direction and an axis with which a ray certainly meets the planes of the bases: twice the
+/// limit, and a share of the direction's length, squared, that rounding is nothing against.
 const STEEP: f64 = 2.0 * PARALLEL;
 const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 

@@ -4,8 +4,8 @@
 //! object reaches inside, none can be nearer, and none is asked. Half of what rough metal scatters goes inward, and all
 //! that glass lets through.
 //!
-//! Boxes are compared once a scene, with coordinates of up to 10^9 in single precision. A box that is not made of numbers
-//! overlaps nothing, but moderate scenes have none.
+//! Boxes are compared once a scene, with coordinates of up to 10^9 in single precision. A box that is not made of
+//! numbers overlaps nothing, but moderate scenes have none.
 
 use crate::accel::bounds::Bounds;
 use crate::accel::extent::Extent;
@@ -36,7 +36,8 @@ impl Isolated {
         Self(Vec::new())
     }
 
-    /// Whether a ray that starts on `id` and meets it again certainly meets nothing before that but what is asked apart.
+    /// Whether a ray that starts on `id` and meets it again certainly meets nothing before that but what is asked
+    /// apart.
     #[inline(always)]
     #[must_use]
     pub fn is(&self, id: ObjectId) -> bool {

@@ -1,5 +1,5 @@
-//! A handful of objects for the [filter](crate::accel::conservative): many rays against one after the other, or one ray against several
-//! at once, an object a lane.
+//! A handful of objects for the [filter](crate::accel::conservative): many rays against one after the other, or one ray
+//! against several at once, an object a lane.
 
 use crate::accel::conservative::{ConservativeRay, is_too_short};
 use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
@@ -14,8 +14,8 @@ pub const PLACES: usize = 8;
 /// A number of each object.
 type Row = [f64; PLACES];
 
-/// The objects by their [ids](crate::accel::object::ObjectId), a place each; places that are left over repeat the first one. A sphere stands
-/// among them as a cylinder without an axis, and of any height: for the filter it is one.
+/// The objects by their [ids](crate::accel::object::ObjectId), a place each; places that are left over repeat the first
+/// one. A sphere stands among them as a cylinder without an axis, and of any height: for the filter it is one.
 #[derive(Clone, Debug)]
 pub struct ObjectLanes {
     sphere_count: usize,

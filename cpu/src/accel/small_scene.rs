@@ -1,8 +1,8 @@
-//! A search for scenes of a handful of objects: every object is filtered in double precision, by several rays at once or,
-//! for one ray, several objects at once.
+//! A search for scenes of a handful of objects: every object is filtered in double precision, by several rays at once
+//! or, for one ray, several objects at once.
 //!
-//! The [filter](crate::accel::conservative) says which objects a ray may meet, and so which rays certainly leave the scene; the exact
-//! formulas are for the others.
+//! The [filter](crate::accel::conservative) says which objects a ray may meet, and so which rays certainly leave the
+//! scene; the exact formulas are for the others.
 
 use crate::accel::bvh::stack::Stack;
 use crate::accel::closest_hit::ClosestHit;
@@ -91,15 +91,15 @@ impl SmallScene {
         touched
     }
 
-    /// Whether each of several rays, which start within the scene's reach, may meet an object. Of no meaning for directions
-    /// that are [too short](is_too_short).
+    /// Whether each of several rays, which start within the scene's reach, may meet an object. Of no meaning for
+    /// directions that are [too short](is_too_short).
     #[inline(always)]
     pub fn touches<V: SimdF64>(&self, id: ObjectId, touch: &ConservativeRay<V>) -> V::Mask {
         self.side_by_side.touches(id as usize, touch)
     }
 
-    /// The objects that each of several rays, which start within the scene's reach, may meet. `too_short` holds the lanes whose
-    /// directions are [too short](is_too_short), as bits, or more lanes.
+    /// The objects that each of several rays, which start within the scene's reach, may meet. `too_short` holds the
+    /// lanes whose directions are [too short](is_too_short), as bits, or more lanes.
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         self.side_by_side.objects_may_hit_lanes(ray, too_short)

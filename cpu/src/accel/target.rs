@@ -1,4 +1,5 @@
-//! Spheres and cylinders as the [filter](crate::accel::conservative) in double precision sees them: one, several in lanes, or rows of them.
+//! Spheres and cylinders as the [filter](crate::accel::conservative) in double precision sees them: one, several in
+//! lanes, or rows of them.
 
 use crate::geometry::cylinder::CylinderRecord;
 use crate::geometry::sphere::SphereRecord;

@@ -120,8 +120,8 @@ fn many_objects_are_searched_in_a_tree() {
     agrees_with_plain(&search, &objects, 300);
 }
 
-/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first `overlapping` of
-/// them; so far from each other that all are alone.
+/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first
+/// `overlapping` of them; so far from each other that all are alone.
 fn above_a_ground(count: usize, above: f64, overlapping: usize) -> AosObjects {
     let mut draws = Uniform::new(8);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
@@ -175,8 +175,8 @@ fn the_order_of_the_file_is_kept() {
     assert_eq!(in_order(&objects).expect("five are few"), [0, 1, 3, 2, 4]);
 }
 
-/// Compares a search with asking every object, for directions of any length, from `10^-300` to `10^300`, null, infinite and
-/// not a number, of rays that start on the objects or between them; `far` is how far that is.
+/// Compares a search with asking every object, for directions of any length, from `10^-300` to `10^300`, null, infinite
+/// and not a number, of rays that start on the objects or between them; `far` is how far that is.
 fn agrees_for_directions_of_any_length(search: &Accel, objects: &AosObjects, far: f64) {
     let mut draws = Uniform::new(17);
     let mut stack = Stack::EMPTY;
@@ -225,7 +225,8 @@ fn directions_of_any_length_find_what_asking_every_object_finds() {
     }
 }
 
-/// A ring of spheres and cylinders, `scale` times as large as one of radius 5 around the origin, and a cylinder in its middle.
+/// A ring of spheres and cylinders, `scale` times as large as one of radius 5 around the origin, and a cylinder in its
+/// middle.
 fn ring(count: usize, scale: f64) -> AosObjects {
     let mut text = format!("matte: m 1 1 1\ncylinder: 0 0 0 {} 0 {scale} 0 m\n", 0.01 * scale);
     for index in 0..count {

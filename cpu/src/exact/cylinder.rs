@@ -46,8 +46,8 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 ///
 /// The cylinder is convex: the line meets its surface where it enters and where it leaves, and nowhere else. So no base
 /// is nearer than the side where that is entered, none but the base that faces the ray is nearer than where the side is
-/// left, and the other base counts only where nothing else does. From within, and from the surface inward, the side where it
-/// is left mostly decides alone.
+/// left, and the other base counts only where nothing else does. From within, and from the surface inward, the side
+/// where it is left mostly decides alone.
 #[inline(always)]
 #[must_use]
 pub fn filtered<T: Rounding<Mask = bool>>(

@@ -32,8 +32,8 @@ pub struct SideLanes<T: Real> {
     pub open: T::Mask,
 }
 
-/// [`filtered`](crate::exact::cylinder::filtered) without a branch, for several lanes at once: the same bits in every lane. That
-/// directions are [in scale](crate::exact::error_bound::in_scale) the caller sees to, once a ray.
+/// [`filtered`](crate::exact::cylinder::filtered) without a branch, for several lanes at once: the same bits in every
+/// lane. That directions are [in scale](crate::exact::error_bound::in_scale) the caller sees to, once a ray.
 #[inline(always)]
 #[must_use]
 pub fn filtered_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {

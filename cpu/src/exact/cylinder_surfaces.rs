@@ -1,4 +1,5 @@
-//! The side of a cylinder and the planes of its bases, each with its certificate; [`crate::exact::cylinder`] puts them together.
+//! The side of a cylinder and the planes of its bases, each with its certificate; [`crate::exact::cylinder`] puts them
+//! together.
 
 use crate::exact::error_bound::{ErrorBound, Limits, Outcome};
 use crate::geometry::cylinder::{CylinderRecord, CylinderView, PARALLEL};
@@ -7,8 +8,8 @@ use crate::math::real::Real;
 use crate::math::rounding::Rounding;
 use crate::math::vec3::Vec3;
 
-/// Counted in `docs/accuracy.md`: the noise is at most 132. With this condition lambdas are right to 1.6e-10 on the side
-/// and 6.2e-10 on a base (measured: 1.4e-11).
+/// Counted in `docs/accuracy.md`: the noise is at most 132. With this condition lambdas are right to 1.6e-10 on the
+/// side and 6.2e-10 on a base (measured: 1.4e-11).
 pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
 /// The endless cylinder's quadratic, and its certificate.

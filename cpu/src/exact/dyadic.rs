@@ -63,15 +63,15 @@ impl Dyadic {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
-    /// The least `e` with `|self| < 2^e`; `None` for zero, which is below every power of two. The stored exponent of a zero
-    /// has no meaning: it is left over from the numbers that cancelled.
+    /// The least `e` with `|self| < 2^e`; `None` for zero, which is below every power of two. The stored exponent of a
+    /// zero has no meaning: it is left over from the numbers that cancelled.
     #[must_use]
     pub fn order(&self) -> Option<i64> {
         (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
     }
 
-    /// The number as `part 2^power`, so that magnitudes beyond the exponents of f64 survive. The part is truncated to 106
-    /// bits, with `0.5 <= |part| < 1`; zero gives `(0, 0)`.
+    /// The number as `part 2^power`, so that magnitudes beyond the exponents of f64 survive. The part is truncated to
+    /// 106 bits, with `0.5 <= |part| < 1`; zero gives `(0, 0)`.
     #[must_use]
     pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
         let power = self.order().unwrap_or(0);

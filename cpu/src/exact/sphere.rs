@@ -1,5 +1,6 @@
 //! Ray against sphere, certified; one step after the other: the plain formula where its
-//! [bound](crate::exact::sphere_filter) allows, the [compensated](sphere_compensated) one, double-double, exact arithmetic.
+//! [bound](crate::exact::sphere_filter) allows, the [compensated](sphere_compensated) one, double-double, exact
+//! arithmetic.
 
 use crate::counters::{Counter, add};
 use crate::exact::double_double::DoubleDouble;
@@ -33,8 +34,8 @@ pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     }
 }
 
-/// [`filtered`], and where that is in doubt [`sphere_compensated::compensated`], without the call that [`compensated_or_precise`] is: for a large
-/// sphere, near which most rays are in doubt.
+/// [`filtered`], and where that is in doubt [`sphere_compensated::compensated`], without the call that
+/// [`compensated_or_precise`] is: for a large sphere, near which most rays are in doubt.
 #[inline(always)]
 #[must_use]
 pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {

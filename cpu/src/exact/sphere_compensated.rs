@@ -1,8 +1,8 @@
 //! Ray against sphere where the textbook's root is the small difference of two large numbers: a ray that starts near a
 //! sphere much larger than its distance from it, as most rays do above a ground.
 //!
-//! That root, `(h - sqrt(D)) / a` where `h > 0`, equals `c / (h + sqrt(D))`, in which the sum loses nothing. What
-//! still cancels is `c = |C - O|^2 - r^2`, whose products and sums are taken with their rounding errors (Ogita, Rump and
+//! That root, `(h - sqrt(D)) / a` where `h > 0`, equals `c / (h + sqrt(D))`, in which the sum loses nothing. What still
+//! cancels is `c = |C - O|^2 - r^2`, whose products and sums are taken with their rounding errors (Ogita, Rump and
 //! Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
 
 use crate::exact::error_bound::{OVERFLOW, UNDERFLOW, in_scale};

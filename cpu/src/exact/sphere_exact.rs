@@ -73,8 +73,8 @@ impl Quadratic {
 
     /// The f64 nearest to a root, or a neighbour.
     pub fn root(&self, larger: bool) -> f64 {
-        // A common power of two for h and sqrt(D), others for a and c, keep f64 from overflowing. A zero has no part in it;
-        // where both are zero the root is zero, whatever the power.
+        // A common power of two for h and sqrt(D), others for a and c, keep f64 from overflowing. A zero has no part in
+        // it; where both are zero the root is zero, whatever the power.
         let root_order = self.discriminant.order().map(|order| (order + 1).div_euclid(2));
         let scale = self.h.order().max(root_order).unwrap_or(0);
         let h = self.h.scaled(-scale).to_double_double();

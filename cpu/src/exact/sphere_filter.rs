@@ -1,7 +1,7 @@
 //! The plain formula of ray and sphere with a bound of its rounding errors: an answer that is certain, or none.
 //!
-//! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. The two forms, with branches for one ray and
-//! without for lanes, give the same bits.
+//! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. The two forms, with
+//! branches for one ray and without for lanes, give the same bits.
 
 use crate::exact::error_bound::{Decision, ErrorBound, Limits, in_scale};
 use crate::geometry::ray::Ray;

@@ -1,8 +1,8 @@
 //! A linear channel to a byte: `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for what is not a number.
 //!
 //! The power function is slow, and a byte has only 256 values: [`Quantizer`] keeps the interval of means that give each
-//! byte and finds the right one by its position in a table. Close to a boundary, where the power function's own rounding
-//! decides, it calls the power function, so the two always agree.
+//! byte and finds the right one by its position in a table. Close to a boundary, where the power function's own
+//! rounding decides, it calls the power function, so the two always agree.
 
 use crate::counters::{Counter, add};
 
@@ -20,8 +20,8 @@ const CELLS: usize = 4096;
 #[derive(Clone, Debug)]
 pub struct Quantizer {
     gamma: f64,
-    /// `bounds[k] = (below, from)`: a mean at most `below` gives less than `k`, one of at least `from` gives `k` or more.
-    /// Every mean is at least 0, and less than 256.
+    /// `bounds[k] = (below, from)`: a mean at most `below` gives less than `k`, one of at least `from` gives `k` or
+    /// more. Every mean is at least 0, and less than 256.
     bounds: Box<[(f64, f64); 257]>,
     /// The byte of the lowest mean of each cell.
     first_guess: Box<[u8; CELLS]>,

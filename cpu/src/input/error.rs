@@ -4,7 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What [`crate::input::config`], [`crate::input::scene`], [`crate::render::prepared`] and [`crate::output`] can refuse.
+/// What [`crate::input::config`], [`crate::input::scene`], [`crate::render::prepared`] and [`crate::output`] can
+/// refuse.
 ///
 /// The message is [`Error::message`], without the leading `Error: ` that the programs print. Lines and keys are bytes,
 /// since the input need not be UTF-8 and is shown as it stands.

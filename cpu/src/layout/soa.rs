@@ -75,14 +75,15 @@ impl Vectors {
     }
 }
 
-/// The value at `index`, which other arrays, as long as this one, have been asked for as well. Where it is not used nothing is
-/// done: a second check would be.
+/// The value at `index`, which other arrays, as long as this one, have been asked for as well. Where it is not used
+/// nothing is done: a second check would be.
 #[inline(always)]
 fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
     values.get(index).copied().unwrap_or_default()
 }
 
-/// What spheres and cylinders have in common. The radius squared is not kept: a product is there sooner than one number more.
+/// What spheres and cylinders have in common. The radius squared is not kept: a product is there sooner than one number
+/// more.
 #[derive(Clone, Debug)]
 struct Common {
     center: Vectors,

@@ -22,8 +22,8 @@ pub fn around<T: Real<Mask = bool>>(base: Vec3<T>, vector: Vec3<T>, negligible: 
     direction
 }
 
-/// The rest of [`Vec3::is_within`]. A call that hardly any ray makes keeps this a branch: of three comparisons the compiler
-/// makes a selection, and all that a ray does next would wait for them.
+/// The rest of [`Vec3::is_within`]. A call that hardly any ray makes keeps this a branch: of three comparisons the
+/// compiler makes a selection, and all that a ray does next would wait for them.
 #[cold]
 #[inline(never)]
 fn are_within<T: Real<Mask = bool>>(y: T, z: T, limit: T) -> bool {

@@ -2,8 +2,8 @@
 //!
 //! They are generic over [`Real`], so that a formula is written once and works on one ray or on a lane of rays.
 //!
-//! The order of the operations inside each function is part of the result: images are compared byte for byte, so a
-//! dot product is always summed left to right and a unit vector is always divided by its length, component by component.
+//! The order of the operations inside each function is part of the result: images are compared byte for byte, so a dot
+//! product is always summed left to right and a unit vector is always divided by its length, component by component.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -106,10 +106,10 @@ impl<T: Real> Vec3<T> {
 
     /// The vector of length one in the same direction, and the length; for short vectors too, in f64 and double-double.
     ///
-    /// The square of a length below 2^-537 underflows in f64. In double-double the low half of the square underflows already
-    /// for lengths below 2^-458. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is exact. All
-    /// other vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision cannot hold 2^600: there no
-    /// vector is scaled, and the square of a short one underflows.
+    /// The square of a length below 2^-537 underflows in f64. In double-double the low half of the square underflows
+    /// already for lengths below 2^-458. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is
+    /// exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision cannot hold
+    /// 2^600: there no vector is scaled, and the square of a short one underflows.
     #[inline(always)]
     #[must_use]
     pub fn unit_and_length(self) -> (Self, T) {

@@ -44,8 +44,8 @@ struct Flags {
     here: c_int,
 }
 
-/// Known for Linux on these processors, from its header `asm-generic/fcntl.h`. Elsewhere files are opened by their path,
-/// and all have a name.
+/// Known for Linux on these processors, from its header `asm-generic/fcntl.h`. Elsewhere files are opened by their
+/// path, and all have a name.
 const FLAGS: Option<Flags> = {
     const KNOWN: bool =
         cfg!(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "riscv64")));
@@ -162,9 +162,9 @@ impl Folder {
 
     /// Asks whether the existing file `name` may be replaced, and changes nothing.
     ///
-    /// Linux checks the rights to remove a folder before it sees that this is no folder. So removing the file as a folder
-    /// fails in any case, and the error says whether the rights are there: the folder may take appends only, or be one
-    /// where each user may remove their own files only.
+    /// Linux checks the rights to remove a folder before it sees that this is no folder. So removing the file as a
+    /// folder fails in any case, and the error says whether the rights are there: the folder may take appends only, or
+    /// be one where each user may remove their own files only.
     ///
     /// # Errors
     /// What replacing it would say.

@@ -1,7 +1,7 @@
 //! This process' standard output as a file, and whether there was one when the process started.
 //!
-//! Where standard output is closed, the standard library opens `/dev/null` in its place before `main`, and it takes a write
-//! to a descriptor that is not writable for a success. Both would lose the picture and exit with status 0.
+//! Where standard output is closed, the standard library opens `/dev/null` in its place before `main`, and it takes a
+//! write to a descriptor that is not writable for a success. Both would lose the picture and exit with status 0.
 
 #![allow(unsafe_code)]
 

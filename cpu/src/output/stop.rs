@@ -114,9 +114,10 @@ impl Slot {
     }
 }
 
-/// From now on a signal that ends this process removes its temporary files first. The process then ends by the signal, as
-/// it would have; as process 1, which no default action ends, with status 128 and the signal's number. Signals that are
-/// ignored stay ignored, as `nohup` wants it. A write beyond the limit on file sizes becomes an error and not a signal.
+/// From now on a signal that ends this process removes its temporary files first. The process then ends by the signal,
+/// as it would have; as process 1, which no default action ends, with status 128 and the signal's number. Signals that
+/// are ignored stay ignored, as `nohup` wants it. A write beyond the limit on file sizes becomes an error and not a
+/// signal.
 pub fn remove_temporary_when_stopped() {
     for &number in REQUESTS.iter().chain(&FATAL).chain(MORE) {
         // SAFETY: `stop` has the type of a handler, and calls nothing but what a handler may call.
@@ -132,8 +133,8 @@ pub fn remove_temporary_when_stopped() {
     }
 }
 
-/// The same, but the first SIGHUP, SIGINT or SIGTERM only makes [`requested`] true: the program is to end by itself soon. A
-/// second one ends it as above.
+/// The same, but the first SIGHUP, SIGINT or SIGTERM only makes [`requested`] true: the program is to end by itself
+/// soon. A second one ends it as above.
 pub fn note_first_request() {
     NOTES_REQUESTS.store(true, Ordering::SeqCst);
     remove_temporary_when_stopped();
@@ -151,8 +152,8 @@ extern "C" fn stop(number: c_int) {
         return;
     }
     FILES.iter().for_each(Slot::remove);
-    // SAFETY: all may be called in a handler. A raised signal waits until the handler returns, and then ends the process,
-    // unless it is process 1.
+    // SAFETY: all may be called in a handler. A raised signal waits until the handler returns, and then ends the
+    // process, unless it is process 1.
     unsafe {
         if getpid() == 1 {
             _exit(128 + number);

@@ -104,8 +104,8 @@ impl Temporary {
     /// Puts the file in its place.
     ///
     /// # Errors
-    /// What the system says. Then the old file is as it was, but for a last step: where the folder cannot be synced, the
-    /// new file has its place already, and the message says so.
+    /// What the system says. Then the old file is as it was, but for a last step: where the folder cannot be synced,
+    /// the new file has its place already, and the message says so.
     pub fn commit(mut self) -> io::Result<()> {
         if let Some(mode) = self.mode_at_last()? {
             // Fewer permissions than wanted are no reason to lose what was written.
@@ -133,8 +133,8 @@ impl Temporary {
         self.sync_folder()
     }
 
-    /// Gives the new file the owner of the old one, where this process may, and returns the permissions that the new file must
-    /// get when it is complete. `None` if it has them already.
+    /// Gives the new file the owner of the old one, where this process may, and returns the permissions that the new
+    /// file must get when it is complete. `None` if it has them already.
     ///
     /// # Errors
     /// The system's, where the rights of the new file cannot be read.
@@ -142,8 +142,8 @@ impl Temporary {
         let Some(old) = self.old else { return Ok(self.mode) };
         let mut new = Rights::of(&self.file)?;
         if (new.user, new.group) != (old.user, old.group) {
-            // Root may change the owner; others may change only the group, to one of their own. Where neither is allowed, the
-            // new file keeps the user of this process.
+            // Root may change the owner; others may change only the group, to one of their own. Where neither is
+            // allowed, the new file keeps the user of this process.
             let _ = fchown(&self.file, Some(old.user), Some(old.group))
                 .or_else(|_| fchown(&self.file, None, Some(old.group)));
             new = Rights::of(&self.file)?;
@@ -216,8 +216,8 @@ impl Name {
 
         let process = std::process::id();
         for _ in 0..TRIES {
-            // Short and without the target's own name, which may be as long as a name can be. The random number makes it
-            // differ from the names of processes on other machines, and from files that a killed process left.
+            // Short and without the target's own name, which may be as long as a name can be. The random number makes
+            // it differ from the names of processes on other machines, and from files that a killed process left.
             let random = RandomState::new().hash_one(process);
             let name = CString::new(format!(".render-{process}-{random:016x}.tmp"))?;
             let remembered = Remembered::new(folder.as_fd().as_raw_fd(), &name)?;

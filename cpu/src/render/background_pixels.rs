@@ -1,16 +1,19 @@
 //! Pixels that no object can reach, most of them without tracing a ray.
 //!
 //! Such a pixel's colour is the mean of the background over its samples, and the background is smooth: the
-//! [slope](crate::render::background_slope) of `s`, on which it depends alone, tells the mean of `s` up to a small rest once the means of the
-//! samples' places are known, and up to half of the slope's part without even these. Where all means in that interval give
-//! the same byte, that is the pixel's byte, and its rays need not be traced, its places mostly not even drawn.
+//! [slope](crate::render::background_slope) of `s`, on which it depends alone, tells the mean of `s` up to a small rest
+//! once the means of the samples' places are known, and up to half of the slope's part without even these. Where all
+//! means in that interval give the same byte, that is the pixel's byte, and its rays need not be traced, its places
+//! mostly not even drawn.
 //!
-//! What is not a number, or not finite, is in no byte's interval, so such a pixel is traced. Where the magnitudes of camera
-//! and scene are extreme, lengths underflow and the slope means nothing: there every pixel is traced (`Painter::row`).
+//! What is not a number, or not finite, is in no byte's interval, so such a pixel is traced. Where the magnitudes of
+//! camera and scene are extreme, lengths underflow and the slope means nothing: there every pixel is traced
+//! (`Painter::row`).
 //!
 //! A channel that is 1 at both ends, as the blue of the default sky, is at a byte's boundary, where no interval has one
-//! byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most `2^-54`, and
-//! the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are exact. Likewise 0.
+//! byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most `2^-54`,
+//! and the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are exact.
+//! Likewise 0.
 
 use crate::layout::Layout;
 use crate::math::real::Real;
@@ -34,7 +37,8 @@ pub struct BackgroundPixels {
     slopes: DerivativeBounds,
     /// Between what each channel's mean lies, wherever the samples are.
     anywhere: [Between<[f64; WIDEST]>; 3],
-    /// The byte of a channel that is 0 or 1 at both ends, in pixels that [are slanted](crate::render::background_slope::DerivativeBound::is_slanted).
+    /// The byte of a channel that is 0 or 1 at both ends, in pixels that [are
+    /// slanted](crate::render::background_slope::DerivativeBound::is_slanted).
     constant: [Option<u8>; 3],
     rounding: f64,
     /// The bytes of the last pixel found: the next one's mostly are the same.
@@ -94,7 +98,8 @@ impl BackgroundPixels {
         }
     }
 
-    /// Looks for the bytes of the span's pixel `at`; if they cannot be known, its samples have been drawn into the batch.
+    /// Looks for the bytes of the span's pixel `at`; if they cannot be known, its samples have been drawn into the
+    /// batch.
     #[inline(always)]
     fn look<V: SimdF64, L: Layout>(
         &mut self,
@@ -138,8 +143,8 @@ impl BackgroundPixels {
     }
 }
 
-/// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known; returns how many, from the
-/// first on. If that is not all, the next one's samples, drawn into the batch, must be traced.
+/// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known; returns how many,
+/// from the first on. If that is not all, the next one's samples, drawn into the batch, must be traced.
 pub struct FindBytes<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub row: usize,

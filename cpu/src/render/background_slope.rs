@@ -1,7 +1,7 @@
 //! The background around pixels, to first order: what their bytes can be told from without rays.
 //!
-//! With `s(d) = d.y / |d|` for a direction `d`, a channel of the background is `light + (dark - light) (s + 1) / 2`. Over a
-//! pixel, `d = d0 + x dx + y dy` with `x, y` in `[-1/2, 1/2]`, and Taylor's theorem gives
+//! With `s(d) = d.y / |d|` for a direction `d`, a channel of the background is `light + (dark - light) (s + 1) / 2`.
+//! Over a pixel, `d = d0 + x dx + y dy` with `x, y` in `[-1/2, 1/2]`, and Taylor's theorem gives
 //!
 //! `s(d) = s(d0) + x g.dx + y g.dy + R`, `g = (j - s(d0) d0 / |d0|) / |d0|`, `|R| <= 3 |e|^2 / (|d0| - |e|)^2`
 //!

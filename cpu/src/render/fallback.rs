@@ -1,7 +1,8 @@
 //! The precise answers of those of several rays that are in doubt.
 //!
 //! They are calls, one for all rays in doubt, so that nothing of them is done ahead: where the compiler sees them it
-//! takes the rays apart in front of the loop over the objects, once for every group of rays, of which hardly any is in doubt.
+//! takes the rays apart in front of the loop over the objects, once for every group of rays, of which hardly any is in
+//! doubt.
 
 use crate::exact;
 use crate::geometry::cylinder::{CylinderPart, CylinderRecord};

@@ -1,8 +1,9 @@
-//! The objects that the rays of a row, and of a span of it, may meet: those that reach into the wedge between the planes
-//! through the camera at both ends.
+//! The objects that the rays of a row, and of a span of it, may meet: those that reach into the wedge between the
+//! planes through the camera at both ends.
 //!
-//! An object is left out only where a comparison holds, which none does with what is not a number. Nothing overflows: scenes
-//! whose coordinates, window or pixels are beyond 10^9 or below 10^-12 are not culled ([`Candidates::are_culled`]).
+//! An object is left out only where a comparison holds, which none does with what is not a number. Nothing overflows:
+//! scenes whose coordinates, window or pixels are beyond 10^9 or below 10^-12 are not culled
+//! ([`Candidates::are_culled`]).
 
 use crate::accel::bounds::Bounds;
 use crate::accel::choice::Accel;

@@ -1,13 +1,15 @@
 //! Path tracing with fewer than four objects: the first rays of the next paths are tested ahead, several at once.
 //!
-//! Half of all paths escape with their first ray. So the first rays of the next paths are tested as if each of them escaped: then
-//! each takes the next sample of the stream. The paths before the first that may hit something have escaped, and of that one it is
-//! known what it may hit. Lanes behind a wrong guess are computed again.
+//! Half of all paths escape with their first ray. So the first rays of the next paths are tested as if each of them
+//! escaped: then each takes the next sample of the stream. The paths before the first that may hit something have
+//! escaped, and of that one it is known what it may hit. Lanes behind a wrong guess are computed again.
 //!
-//! A path's intersections wait for one another, so these tests beside them cost next to nothing. Where a ray is the last that its
-//! path may send, and certainly hits something, the hit itself is not needed: its surface takes one sample of the stream.
+//! A path's intersections wait for one another, so these tests beside them cost next to nothing. Where a ray is the
+//! last that its path may send, and certainly hits something, the hit itself is not needed: its surface takes one
+//! sample of the stream.
 //!
-//! A path escapes only if the conservative test rejects every object; a NaN and a very short direction are never rejected.
+//! A path escapes only if the conservative test rejects every object; a NaN and a very short direction are never
+//! rejected.
 
 use crate::accel::conservative::is_too_short;
 use crate::accel::side_by_side::MayHitLanes;
@@ -95,8 +97,8 @@ pub fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &SmallScene, walk:
     }
 }
 
-/// Traces path `at` of the queue to its end, from its first ray on, which may hit the objects of `touched`. Tests the first rays
-/// of the paths behind it meanwhile.
+/// Traces path `at` of the queue to its end, from its first ray on, which may hit the objects of `touched`. Tests the
+/// first rays of the paths behind it meanwhile.
 #[inline(always)]
 fn trace_path<S: Simd, L: Layout>(
     prepared: &Prepared<L>,
@@ -137,8 +139,8 @@ fn trace_path<S: Simd, L: Layout>(
     }
 }
 
-/// The first rays of the samples from `at` on, which take the next triples; and the lanes whose directions are too short for
-/// the filter, as bits.
+/// The first rays of the samples from `at` on, which take the next triples; and the lanes whose directions are too
+/// short for the filter, as bits.
 #[inline(always)]
 fn first_rays<V: SimdF64>(queue: &PathQueue, scatter_samples: &ScatterSamples, at: usize) -> (Ray<V>, u32) {
     let (base, triple) = (queue.base.load::<V>(at), scatter_samples.following::<V>());

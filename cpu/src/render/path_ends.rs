@@ -98,8 +98,8 @@ impl PathEnds {
         self.direction.set(at, direction);
     }
 
-    /// The paths before `at` are done; it and those after it escape with their first rays. A later call for one of them replaces
-    /// this.
+    /// The paths before `at` are done; it and those after it escape with their first rays. A later call for one of them
+    /// replaces this.
     #[inline(always)]
     pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
         self.direction.store(at, directions);
@@ -132,8 +132,8 @@ fn color<S: Simd, L: Layout>(Color { prepared, queue, ends, batch }: Color<'_, L
         let color = background.color(colors.load::<S::F64>(at));
         colors.store(at, color);
     }
-    // From the last surface back to the first, in the order in which the recursion returns; all paths in one loop, for no
-    // processor guesses how long each is.
+    // From the last surface back to the first, in the order in which the recursion returns; all paths in one loop, for
+    // no processor guesses how long each is.
     for &Attenuation { path, material } in ends.met[..ends.count].iter().rev() {
         let reflectance = prepared.materials[material as usize].reflectance;
         colors.set(path as usize, colors.get(path as usize).attenuate(reflectance));

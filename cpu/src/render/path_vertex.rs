@@ -12,8 +12,8 @@ pub const NUMBERS: usize = 13;
 pub struct PathVertex<T = f64> {
     /// Where.
     pub point: Vec3<T>,
-    /// The scattered direction before the random vector is added: the normal of a matte surface, the mirror direction of a
-    /// metal one; the whole direction at a refractive one.
+    /// The scattered direction before the random vector is added: the normal of a matte surface, the mirror direction
+    /// of a metal one; the whole direction at a refractive one.
     pub base: Vec3<T>,
     /// How its way on is scattered around `base`.
     pub spread: ScatterParams<T>,

@@ -90,7 +90,8 @@ impl Batch {
         }
         add(Counter::RayDraws, 2 * span.count as u64);
         offsets.fill(&mut self.draws[..2 * span.count]);
-        // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing. Lanes beyond the last sample are of no meaning.
+        // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing. Lanes beyond the last sample are of no
+        // meaning.
         let half = V::of(0.5);
         for at in (0..span.count).step_by(V::LANES) {
             let (right, down) = V::load(&self.draws[2 * at..]).unzip(V::load(&self.draws[2 * at + V::LANES..]));

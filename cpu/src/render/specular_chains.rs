@@ -19,8 +19,8 @@ use crate::render::shade::shade;
 use crate::render::surface::{ScatterResult, Surface};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF64, valid_lanes};
 
-/// Traces specular chains until each hits a surface that scatters, escapes, or has used up its depth. Those that escape or
-/// have used it up are no longer in the queue.
+/// Traces specular chains until each hits a surface that scatters, escapes, or has used up its depth. Those that escape
+/// or have used it up are no longer in the queue.
 pub struct Trace<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub batch: &'a mut Batch,
@@ -110,8 +110,8 @@ fn gather<V: SimdF64>(queue: &PathQueue, samples: &[SpecularSample; MOST_LANES])
     }
 }
 
-/// Takes every chain to its next hit, as many at once as there are lanes; those that hit a refractive surface stay in the
-/// list. After that surface each may send `rays` rays.
+/// Takes every chain to its next hit, as many at once as there are lanes; those that hit a refractive surface stay in
+/// the list. After that surface each may send `rays` rays.
 #[inline(always)]
 fn step_all<S: Simd, L: Layout>(
     prepared: &Prepared<L>,
@@ -151,8 +151,8 @@ fn step_all<S: Simd, L: Layout>(
     specular.truncate(staying);
 }
 
-/// The nearest hits of rays that each have an origin of their own, among the objects that any of them may meet: neighbours in
-/// glass mostly leave the same objects behind.
+/// The nearest hits of rays that each have an origin of their own, among the objects that any of them may meet:
+/// neighbours in glass mostly leave the same objects behind.
 #[inline(always)]
 fn closest_hit<V: SimdF64, O: Objects>(objects: &O, few: &SmallScene, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();

@@ -1,5 +1,5 @@
-//! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after sample,
-//! each taking its random vectors from one stream.
+//! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after
+//! sample, each taking its random vectors from one stream.
 //!
 //! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop.
 

@@ -73,8 +73,8 @@ impl BlockUniform {
 /// The next state. A word depends on itself, its neighbour and the one half a state away.
 #[inline(always)]
 fn renew(state: &mut State) {
-    // Both loops begin where lanes do. So the second begins four words before the middle of the state, for which half a state
-    // away are the last four of the old state.
+    // Both loops begin where lanes do. So the second begins four words before the middle of the state, for which half a
+    // state away are the last four of the old state.
     state.copy_within(LENGTH..LENGTH + LEAD, 0);
     renew_some::<{ MIDDLE - LEAD }>(state, LEAD, LEAD + MIDDLE);
     state[LEAD + LENGTH] = state[LEAD];
@@ -112,7 +112,8 @@ mod tests {
 
     #[test]
     fn the_stream_is_rand_mts() {
-        // 10^8 draws where the build is optimised, enough to renew the state often where it is not, or even interpreted.
+        // 10^8 draws where the build is optimised, enough to renew the state often where it is not, or even
+        // interpreted.
         let total = match cfg!(debug_assertions) {
             _ if cfg!(miri) => 3_000,
             true => 1_000_000,

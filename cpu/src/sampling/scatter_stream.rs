@@ -17,7 +17,8 @@ pub const RESERVE: usize = 12;
 const PLACES: usize = SLACK + TRIPLES;
 
 /// The triples, in order: draws in `[0, 1)` for the statement's convention, vectors of length one for the published
-/// images', null vectors in deterministic mode. A [`PreparedMaterial`](crate::materials::prepared::PreparedMaterial) makes a random vector of each.
+/// images', null vectors in deterministic mode. A [`PreparedMaterial`](crate::materials::prepared::PreparedMaterial)
+/// makes a random vector of each.
 #[derive(Debug)]
 pub struct ScatterSamples {
     convention: Scatter,

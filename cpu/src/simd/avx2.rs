@@ -1,8 +1,8 @@
 //! 256-bit lanes with fused multiply-add for the filters.
 //!
 //! Each function is one or two instructions. They are sound because a lane value exists only inside a kernel, and a
-//! kernel is compiled for this instruction set only where [`InstructionSet::run`](crate::simd::instruction_set::InstructionSet::run) has found
-//! that the machine has it.
+//! kernel is compiled for this instruction set only where
+//! [`InstructionSet::run`](crate::simd::instruction_set::InstructionSet::run) has found that the machine has it.
 
 mod filter_lanes;
 mod permutations;

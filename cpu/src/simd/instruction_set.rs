@@ -39,8 +39,8 @@ impl InstructionSet {
         }
     }
 
-    /// Whether this machine has it. Asked of the machine once: a single ray in doubt is a kernel of its own, of which asking
-    /// for all features would be a quarter.
+    /// Whether this machine has it. Asked of the machine once: a single ray in doubt is a kernel of its own, of which
+    /// asking for all features would be a quarter.
     #[must_use]
     pub fn is_available(self) -> bool {
         static AVAILABLE: LazyLock<[bool; InstructionSet::ALL.len()]> =

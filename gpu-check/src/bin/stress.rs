@@ -1,5 +1,5 @@
-//! `stress --out FOLDER`: runs the whole stress test of the intersections, in Rust and in WGSL, and writes its tables and
-//! plots into a folder. `stress --help` says what else there is.
+//! `stress --out FOLDER`: runs the whole stress test of the intersections, in Rust and in WGSL, and writes its tables
+//! and plots into a folder. `stress --help` says what else there is.
 
 use std::error::Error;
 use std::fs;

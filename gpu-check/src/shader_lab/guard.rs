@@ -29,8 +29,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Those of the program. The largest of the project's own shaders needs a quarter of the memory. A machine with more to
-    /// do may be six times slower.
+    /// Those of the program. The largest of the project's own shaders needs a quarter of the memory. A machine with
+    /// more to do may be six times slower.
     pub const STANDARD: Self = Self { memory: 4 << 30, seconds: 20, patience: Duration::from_secs(120) };
 }
 
@@ -150,7 +150,8 @@ fn limit_this_process(memory: u64, seconds: u64) -> Result<(), Error> {
     Ok(())
 }
 
-/// Does nothing: systems other than Unix have no such limits, so only the parent's limit on wall-clock time ends the process.
+/// Does nothing: systems other than Unix have no such limits, so only the parent's limit on wall-clock time ends the
+/// process.
 #[cfg(not(unix))]
 fn limit_this_process(_memory: u64, _seconds: u64) -> Result<(), Error> {
     Ok(())

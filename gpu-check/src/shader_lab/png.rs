@@ -30,7 +30,8 @@ pub struct Place {
 pub struct Places {
     /// The picture that was asked for.
     pub out: Place,
-    /// The picture of differences; none beside a view, nor beside a device or a pipe, where a new file would be a surprise.
+    /// The picture of differences; none beside a view, nor beside a device or a pipe, where a new file would be a
+    /// surprise.
     pub difference: Option<Place>,
     /// Both sides of a view.
     pub view: Option<Place>,

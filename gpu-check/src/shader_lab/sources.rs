@@ -1,7 +1,7 @@
 //! The files that a rendering depends on, each opened once and read once for it.
 //!
-//! While watching, a file is read again to see whether it has changed. A pipe or a device is not: what it gave the first
-//! time stays.
+//! While watching, a file is read again to see whether it has changed. A pipe or a device is not: what it gave the
+//! first time stays.
 
 use std::path::Path;
 

@@ -43,7 +43,8 @@ impl Truth {
     /// Renders.
     ///
     /// # Errors
-    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than [`MAX_PIXELS`].
+    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than
+    /// [`MAX_PIXELS`].
     pub fn new(config: Config, scene: Scene) -> Result<Self, Error> {
         check_size(&config)?;
         let mut wide = Vec::new();
@@ -54,8 +55,8 @@ impl Truth {
         Ok(Self { config, scene, wide, single, time })
     }
 
-    /// The picture with every formula in f32: what a device may at best give in f32. Computed when it is first asked for:
-    /// with many objects it takes as long as the one in f64.
+    /// The picture with every formula in f32: what a device may at best give in f32. Computed when it is first asked
+    /// for: with many objects it takes as long as the one in f64.
     #[must_use]
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;

@@ -64,7 +64,8 @@ impl Read for Timed<'_> {
 }
 
 impl Request {
-    /// Reads a request, which the client must have sent within `time`. `reserve` is asked before a body of so many bytes is received.
+    /// Reads a request, which the client must have sent within `time`. `reserve` is asked before a body of so many
+    /// bytes is received.
     ///
     /// # Errors
     /// [`Refusal::Status`] where a limit is exceeded, the client calls this server by a foreign name, or it is no HTTP.

@@ -1,8 +1,8 @@
 //! Energy of the processor's packages, where the machine has a meter, and the reason where it has none.
 //!
 //! Linux offers the counters of RAPL as files under `/sys/class/powercap`: microjoules that wrap around. They count for
-//! the whole package, idle cores and neighbours too; [`measure`] can subtract what the machine takes when idle. Where the
-//! files cannot be read, `perf` may still be allowed to (the module `perf`).
+//! the whole package, idle cores and neighbours too; [`measure`] can subtract what the machine takes when idle. Where
+//! the files cannot be read, `perf` may still be allowed to (the module `perf`).
 
 mod perf;
 
@@ -128,8 +128,8 @@ fn number(file: &Path) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("no RAPL: {} holds no number", file.display()))
 }
 
-/// Measures `render` over and over for at least `shortest`, and the idle machine as long before it where `idle` is asked
-/// for. Without a meter the figures are `null`.
+/// Measures `render` over and over for at least `shortest`, and the idle machine as long before it where `idle` is
+/// asked for. Without a meter the figures are `null`.
 ///
 /// # Errors
 /// What `render` says.

@@ -45,8 +45,8 @@ impl PowerLaw {
     }
 }
 
-/// Where a curve through points, straight between them on logarithmic axes, comes down to `y`; `None` outside the points.
-/// The points are ordered by falling `y`.
+/// Where a curve through points, straight between them on logarithmic axes, comes down to `y`; `None` outside the
+/// points. The points are ordered by falling `y`.
 #[must_use]
 pub fn reaches(points: &[(f64, f64)], y: f64) -> Option<f64> {
     points.windows(2).find_map(|pair| {

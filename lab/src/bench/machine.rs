@@ -68,8 +68,8 @@ fn today() -> String {
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// Year, month and day of a number of days since 1970-01-01, counted from the first of March of year 0, so that the leap
-/// day is a year's last.
+/// Year, month and day of a number of days since 1970-01-01, counted from the first of March of year 0, so that the
+/// leap day is a year's last.
 fn civil(days: u64) -> [u64; 3] {
     let days = days + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);

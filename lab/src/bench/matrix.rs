@@ -55,8 +55,8 @@ const CASES: [&str; 4] = ["case-1", "case-2", "case-3", "case-4"];
 /// What the parameters are varied on, except objects, which are generated.
 const SCALED: &str = "materials";
 
-/// The parameters of [`Task::Scale`]. With `objects` the camera stays among the objects, of which more are farther away;
-/// with `density` it stays where it is, and they shrink as they multiply.
+/// The parameters of [`Task::Scale`]. With `objects` the camera stays among the objects, of which more are farther
+/// away; with `density` it stays where it is, and they shrink as they multiply.
 pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "density"];
 
 /// Every task, in an order that never changes: parts of the matrix are told by their numbers.

@@ -1,4 +1,5 @@
-//! A long measurement, task by task: what is said about it, and what is kept so that it can go on after an interruption.
+//! A long measurement, task by task: what is said about it, and what is kept so that it can go on after an
+//! interruption.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

@@ -44,8 +44,8 @@ impl Median {
         Self { median, low: sorted[outside], high: sorted[count - 1 - outside], confidence }
     }
 
-    /// Whether the bounds are worth a conclusion: they hold the true median with a probability of at least 0.75, which takes
-    /// three measurements. One has no bounds at all, and those of two are no better than a coin.
+    /// Whether the bounds are worth a conclusion: they hold the true median with a probability of at least 0.75, which
+    /// takes three measurements. One has no bounds at all, and those of two are no better than a coin.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
         self.confidence >= 0.75

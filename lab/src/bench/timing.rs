@@ -65,7 +65,8 @@ pub fn turns_of(seconds: Seconds) -> u32 {
     (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
 }
 
-/// User time of one call of `work` with each index of `turns`, which says how many calls make a repeat, `repeats` times.
+/// User time of one call of `work` with each index of `turns`, which says how many calls make a repeat, `repeats`
+/// times.
 ///
 /// # Errors
 /// What `work` says, or [`Failure::Interrupted`].

@@ -82,7 +82,8 @@ enum What {
 /// How it is measured, and where to.
 #[derive(Debug, Args)]
 struct How {
-    /// File to write; OUT.csv, OUT-error.csv and OUT-intersections.csv go beside it. - is standard output, without those
+    /// File to write; OUT.csv, OUT-error.csv and OUT-intersections.csv go beside it. - is standard output, without
+    /// those
     #[arg(long, value_name = "OUT.json")]
     out: PathBuf,
     /// Small pictures, to try it out in minutes

@@ -16,7 +16,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The kind by the ending of the file's name. A name without an ending, as of a device or `-`, has the kind `otherwise`.
+    /// The kind by the ending of the file's name. A name without an ending, as of a device or `-`, has the kind
+    /// `otherwise`.
     ///
     /// # Errors
     /// The name has another ending.

@@ -1,5 +1,5 @@
-//! What is wrong with a line of an input file, shown where it stands: file, line, column, the line with a caret, and what
-//! to write instead. The evaluated programs have the statement's own words for the same errors.
+//! What is wrong with a line of an input file, shown where it stands: file, line, column, the line with a caret, and
+//! what to write instead. The evaluated programs have the statement's own words for the same errors.
 
 use std::path::Path;
 

@@ -30,8 +30,8 @@ pub fn trials() -> Vec<Trial> {
     for (disturbance, name) in DISTURBANCES {
         let missing = unavailable(disturbance);
         for (command, job) in COMMANDS {
-            // Neither disturbs the call that makes the heat map's file: it comes before the gate, and two threads make calls
-            // of its name and number.
+            // Neither disturbs the call that makes the heat map's file: it comes before the gate, and two threads make
+            // calls of its name and number.
             if command.starts_with("compare") && disturbance == Disturbance::Named {
                 continue;
             }

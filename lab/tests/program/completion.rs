@@ -49,7 +49,8 @@ fn zsh_takes_its_script_and_knows_the_options_of_a_command() {
     if !is_there("zsh") {
         return;
     }
-    // `_arguments` of zsh asks for a terminal; this one prints what it is given, and says that the first word is render.
+    // `_arguments` of zsh asks for a terminal; this one prints what it is given, and says that the first word is
+    // render.
     let text = "compdef() { :; }; _arguments() { print -l -- \"$@\"; state=render-lab; line=(render); }; \
                 words=(render-lab render --sc); CURRENT=3; source \"$SCRIPT\"; _render-lab";
     let said = said("zsh", &["-f"], text);

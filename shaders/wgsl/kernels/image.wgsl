@@ -1,4 +1,5 @@
-// A picture in deterministic mode: one ray through the middle of each pixel; twin of `render_linear` in cpu/src/render.rs.
+// A picture in deterministic mode: one ray through the middle of each pixel; twin of `render_linear` in
+// cpu/src/render.rs.
 
 @compute @workgroup_size(64)
 fn image(@builtin(global_invocation_id) id: vec3<u32>) {

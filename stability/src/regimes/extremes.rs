@@ -1,7 +1,7 @@
 //! Rays and objects of extreme magnitudes, from 10^-162 to 10^150, for the certified intersections of `cpu`.
 //!
-//! The other regimes keep magnitudes that single precision holds as well, because WGSL is tested with them. Here squares of
-//! lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
+//! The other regimes keep magnitudes that single precision holds as well, because WGSL is tested with them. Here
+//! squares of lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
 
 use cpu::Vec3;
 use cpu::input::scene::Cylinder;
@@ -98,8 +98,9 @@ fn long_directions(random: &mut Random) -> Case {
     Case::cylinder(cylinder, origin, direction)
 }
 
-/// A point far out along some of the coordinate axes, or the origin of coordinates. Coordinates below 10^-60 are left out: the
-/// oracle treats numbers that agree to 1,000 bits as equal, and beside 1 fourth powers of smaller coordinates come near that.
+/// A point far out along some of the coordinate axes, or the origin of coordinates. Coordinates below 10^-60 are left
+/// out: the oracle treats numbers that agree to 1,000 bits as equal, and beside 1 fourth powers of smaller coordinates
+/// come near that.
 fn far_point(random: &mut Random) -> Vec3 {
     let mut far = || if random.below(2) == 0 { 0.0 } else { random.sign() * random.decades(-60.0, 140.0) };
     Vec3::new(far(), far(), far())

@@ -1,8 +1,8 @@
 //! A file system that forgets: what a process did to one folder, and what of it may be there after a loss of power.
 //!
-//! POSIX promises that what was done to a file before `fsync` of the file is on the disk, and what was done to the names
-//! in a folder before `fsync` of the folder. All else may be there or not, in any combination. A renaming happens as a
-//! whole or not at all, on which every file system with a journal agrees.
+//! POSIX promises that what was done to a file before `fsync` of the file is on the disk, and what was done to the
+//! names in a folder before `fsync` of the folder. All else may be there or not, in any combination. A renaming happens
+//! as a whole or not at all, on which every file system with a journal agrees.
 
 use std::collections::{BTreeSet, HashMap};
 

@@ -1,8 +1,8 @@
 //! Scenes of odd magnitudes give the reference's bytes, and its means to the last bit.
 //!
-//! Radii, heights, indices of refraction, diffusions and distances are drawn over many decades, so that their products come
-//! near the limits of f32 and f64. The camera is often inside a large glass cylinder: its side turns
-//! the direction of a ray into one as long as the square of its radius.
+//! Radii, heights, indices of refraction, diffusions and distances are drawn over many decades, so that their products
+//! come near the limits of f32 and f64. The camera is often inside a large glass cylinder: its side turns the direction
+//! of a ray into one as long as the square of its radius.
 
 use std::cell::Cell;
 
@@ -137,8 +137,8 @@ fn agrees<L: Layout>(
     Ok(())
 }
 
-/// The scene that was rendered wrongly with fused multiply-add: nine objects far around the camera, which is inside a glass
-/// cylinder, so that rays leave it along directions of a length of some 10^11.
+/// The scene that was rendered wrongly with fused multiply-add: nine objects far around the camera, which is inside a
+/// glass cylinder, so that rays leave it along directions of a length of some 10^11.
 #[test]
 fn long_directions_out_of_glass_meet_what_is_far_away() {
     let around = |shape: &dyn Fn(Vec3) -> Shape| -> Vec<Object> {

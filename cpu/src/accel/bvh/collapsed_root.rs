@@ -1,8 +1,8 @@
 //! The two highest levels of the tree in one row of boxes, for lanes that test 16 boxes at once.
 //!
-//! A traversal waits for one node after the other: which it goes on to is known at the end of some sixty cycles. With 512
-//! bits a handful of nodes side by side take hardly longer than one, so a level less is worth several nodes more at its
-//! beginning. With 256 bits it is not, by measurement (docs/performance.md).
+//! A traversal waits for one node after the other: which it goes on to is known at the end of some sixty cycles. With
+//! 512 bits a handful of nodes side by side take hardly longer than one, so a level less is worth several nodes more at
+//! its beginning. With 256 bits it is not, by measurement (docs/performance.md).
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::node::{Child, Node, WIDTH};
@@ -16,8 +16,8 @@ use crate::simd::SimdF32;
 /// Most children of the root's children: a bit each in a word.
 pub const MOST: usize = 64;
 
-/// How many children the root's children are to have together for all levels below them to be full, where the root's own
-/// children can be full too.
+/// How many children the root's children are to have together for all levels below them to be full, where the root's
+/// own children can be full too.
 pub fn planned(objects: usize) -> Option<usize> {
     let mut nodes = objects.div_ceil(WIDTH);
     while nodes > MOST {
@@ -32,8 +32,8 @@ pub fn planned(objects: usize) -> Option<usize> {
 pub struct CollapsedRoot {
     /// 16 boxes each; none where there would be more than [`MOST`], or one node.
     rows: Vec<Node>,
-    /// Where in the tree the nodes stand that they lead to, side by side: so none has to be looked up. Where there is no row,
-    /// the root's place.
+    /// Where in the tree the nodes stand that they lead to, side by side: so none has to be looked up. Where there is
+    /// no row, the root's place.
     begin: usize,
     /// The axis.
     axis: usize,
@@ -81,7 +81,8 @@ impl CollapsedRoot {
         Ok(top)
     }
 
-    /// The boxes that a ray meets within `farthest`, as bits; one for the root, whose box is not asked, where there is no row.
+    /// The boxes that a ray meets within `farthest`, as bits; one for the root, whose box is not asked, where there is
+    /// no row.
     #[inline(always)]
     pub fn met<F: SimdF32>(&self, box_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
@@ -104,7 +105,8 @@ impl CollapsedRoot {
         along < 0.0
     }
 
-    /// Takes the first of the boxes met, or the last, out of `bits`, which are not 0: where the node stands that it leads to.
+    /// Takes the first of the boxes met, or the last, out of `bits`, which are not 0: where the node stands that it
+    /// leads to.
     #[inline(always)]
     pub fn take(&self, bits: &mut u64, backwards: bool) -> usize {
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());

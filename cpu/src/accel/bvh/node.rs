@@ -71,8 +71,8 @@ impl Node {
         self.objects |= u32::from(child.as_object().is_some()) << lane;
     }
 
-    /// Says where the nodes stand now that lanes lead to, by where they stood. Lanes without a child count as leading to the
-    /// root.
+    /// Says where the nodes stand now that lanes lead to, by where they stood. Lanes without a child count as leading
+    /// to the root.
     pub fn relink(&mut self, now: impl Fn(u32) -> u32) {
         for child in self.children.iter_mut().filter(|child| Child(**child).as_object().is_none()) {
             *child = now(*child);

@@ -1,16 +1,17 @@
 //! Which boxes of the tree a ray meets.
 //!
-//! A node's boxes are tested at once, in single precision: along each axis a plane at `p` is at the distance `p r - o r`,
-//! with the reciprocal `r` of the direction and the origin `o`. Let `u = 2^-24`. By the rounding of origin, direction and
-//! reciprocal, of `o r`, and of what is multiplied and summed, fused or not, that distance is off by at most `5 u |p r|` and
-//! `7 u |o r|`. It is moved by `16 u (|p| + |o|) |r|`, more than twice as much, towards the side that lets the ray pass, with
-//! the farthest plane of the scene along that axis for `p`: what is computed for a plane where a ray comes in is not farther
-//! than it is, and for one where it goes out not nearer. So a ray that meets a box, ahead and not farther than the nearest hit
-//! so far, has come into all three pairs of planes when it leaves the first of them, also as computed.
+//! A node's boxes are tested at once, in single precision: along each axis a plane at `p` is at the distance
+//! `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. Let `u = 2^-24`. By the rounding of
+//! origin, direction and reciprocal, of `o r`, and of what is multiplied and summed, fused or not, that distance is off
+//! by at most `5 u |p r|` and `7 u |o r|`. It is moved by `16 u (|p| + |o|) |r|`, more than twice as much, towards the
+//! side that lets the ray pass, with the farthest plane of the scene along that axis for `p`: what is computed for a
+//! plane where a ray comes in is not farther than it is, and for one where it goes out not nearer. So a ray that meets
+//! a box, ahead and not farther than the nearest hit so far, has come into all three pairs of planes when it leaves the
+//! first of them, also as computed.
 //!
 //! The direction must be [in scale](is_in_scale): then reciprocals are between 10^-31 and 10^28, and no product with a
-//! coordinate exceeds 10^38. Should a distance be NaN all the same, the maximum and the minimum return their other operand,
-//! which keeps the box.
+//! coordinate exceeds 10^38. Should a distance be NaN all the same, the maximum and the minimum return their other
+//! operand, which keeps the box.
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::node::{Node, WIDTH};
@@ -28,8 +29,9 @@ const LARGEST_RECIPROCAL: f32 = 1e28;
 /// direction that is not [too short](is_too_short).
 const LEAST_STEP: f32 = 1e-10;
 
-/// Squared length of the longest direction that boxes are tested for, 10^30. It stays well below 3.4 10^38: the reciprocal of
-/// a longer component is zero in single precision, and zero times the infinite planes of an empty lane is NaN.
+/// Squared length of the longest direction that boxes are tested for, 10^30. It stays well below 3.4 10^38: the
+/// reciprocal of a longer component is zero in single precision, and zero times the infinite planes of an empty lane is
+/// NaN.
 const LONGEST: f64 = 1e60;
 
 /// Whether boxes can be tested for a direction of this length squared; false for what is not a number.

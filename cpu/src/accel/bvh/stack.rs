@@ -15,7 +15,8 @@ impl Stack {
     pub const EMPTY: Self = Self([(0, 0.0); MOST]);
 }
 
-/// Puts a node on top of `waiting` others, but below those from `first` on that are nearer: so the nearest is taken first.
+/// Puts a node on top of `waiting` others, but below those from `first` on that are nearer: so the nearest is taken
+/// first.
 #[inline(always)]
 pub fn wait(stack: &mut Waiting, waiting: &mut usize, first: usize, entry: (u32, f32)) {
     let mut place = (*waiting).min(MOST - 1);

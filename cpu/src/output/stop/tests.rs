@@ -97,8 +97,8 @@ fn every_signal_that_ends_a_process_takes_its_files_along() {
 #[cfg(target_os = "linux")]
 #[test]
 fn the_lists_have_every_signal_that_ends_a_process() {
-    // Left to others: killing, faults of memory, the limit on file sizes, what stops and does not end, and two that are the
-    // C library's own.
+    // Left to others: killing, faults of memory, the limit on file sizes, what stops and does not end, and two that are
+    // the C library's own.
     let left_out = [7, 9, 11, 19, 20, 21, 22, 25, 32, 33];
     for number in (1..=64).filter(|number| !left_out.contains(number)) {
         let file = file(&format!("unhandled-{number}"));

@@ -11,8 +11,8 @@ use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 
 impl Plan {
-    /// Times of `engines` for pictures of rising value. One of which the time before says that it would take longer than
-    /// [`Plan::patience`] is left out, with that reason.
+    /// Times of `engines` for pictures of rising value. One of which the time before says that it would take longer
+    /// than [`Plan::patience`] is left out, with that reason.
     pub(super) fn times(
         &self,
         [suite, scene_name, parameter]: [&str; 3],

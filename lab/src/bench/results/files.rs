@@ -24,7 +24,8 @@ impl Results {
     }
 
     /// Writes the JSON file `path`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
-    /// intersections as `NAME-intersections.csv`. For `-`, the JSON goes to standard output and nothing else is written.
+    /// intersections as `NAME-intersections.csv`. For `-`, the JSON goes to standard output and nothing else is
+    /// written.
     ///
     /// # Errors
     /// A file cannot be written. If one of the four cannot be opened, none is changed.
