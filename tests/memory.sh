@@ -36,7 +36,7 @@ sanitizer_all() {
     export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/sanitizer
     cargo +nightly test --target $host -p cpu --lib
     cargo +nightly test --target $host -p tests --test properties
-    cargo +nightly test --target $host -p hostile --test smoke
+    cargo +nightly test --target $host -p fuzz-oracles --test smoke
 }
 
 miri_all() {
@@ -51,7 +51,7 @@ miri_all() {
     for features in "" "-Ctarget-feature=+avx2,+fma,+bmi1,+bmi2,+lzcnt,+popcnt"; do
         # Left out is what takes it too long.
         RUSTFLAGS=$features cargo +nightly miri test -p cpu --lib -- \
-            simd:: rng:: layout:: render:: --skip a_channel_of_ones_is_one_in_every_sample
+            simd:: sampling:: layout:: render:: --skip a_channel_of_ones_is_one_in_every_sample
         RUSTFLAGS=$features cargo +nightly miri test -p cpu --test small_pictures
     done
 }

@@ -4,5 +4,5 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cargo test --workspace --lib --bins "$@"
-cargo test -p cpu --features counters --lib --test counters "$@"
+cargo test -p cpu --features counters --test counters "$@"
 cargo test --workspace --doc "$@"

@@ -12,7 +12,7 @@ use cpu::layout::Objects;
 use cpu::layout::aos::{AosImage, AosObjects};
 use cpu::layout::soa::SoaImage;
 use cpu::{Camera, Image, Rgb, Scene, Size};
-use tests::generator::{self, Options};
+use test_support::generator::{self, Options};
 
 /// The fastest of some turns, in seconds.
 fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
@@ -53,7 +53,7 @@ fn write<I: Image>(layout: &str) {
 fn read() {
     const OBJECTS: usize = 1_000_000;
     let options = Options { objects: OBJECTS, ..Options::default() };
-    let text = tests::write::scene(&generator::scene(&options));
+    let text = test_support::write::scene(&generator::scene(&options));
     let parse = || Scene::parse(text.as_bytes()).expect("it is valid");
     let scene = parse();
     let config = generator::view(&options);

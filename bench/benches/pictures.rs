@@ -11,14 +11,14 @@ use std::time::Duration;
 use bench::time::user_seconds;
 use cpu::{Aos, Config, Scatter, Scene};
 use criterion::{Criterion, criterion_group};
-use tests::digest::sha256;
-use tests::golden::{self, Golden};
+use test_support::digest::sha256;
+use test_support::golden::{self, Golden};
 
 /// The picture's file, from the bytes of the other two.
 fn picture(config: &[u8], scene: &[u8], scatter: Scatter) -> Vec<u8> {
     let config = Config::parse(config).expect("the configuration is valid");
     let scene = Scene::parse(scene).expect("the scene is valid");
-    tests::ppm(&cpu::render::<Aos>(&config, &scene, scatter).expect("it can be rendered"))
+    test_support::ppm(&cpu::render::<Aos>(&config, &scene, scatter).expect("it can be rendered"))
 }
 
 /// The bytes of a picture's two files.

@@ -9,7 +9,7 @@ use cpu::image::quantize;
 use cpu::image::quantize::Quantizer;
 use cpu::sampling::uniform::Uniform;
 use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene};
-use tests::generator::{self, Arrangement, Options};
+use test_support::generator::{self, Arrangement, Options};
 
 type Picture = <Aos as Layout>::Image;
 
@@ -52,7 +52,7 @@ fn row(what: &str, skipping: impl FnMut(), doing: impl FnMut()) {
 
 /// Compares two ways to the same picture.
 fn pictures(what: &str, skipping: impl Fn() -> Picture, doing: impl Fn() -> Picture) {
-    assert!(tests::ppm(&skipping()) == tests::ppm(&doing()), "{what}: the pictures differ");
+    assert!(test_support::ppm(&skipping()) == test_support::ppm(&doing()), "{what}: the pictures differ");
     row(what, || drop(skipping()), || drop(doing()));
 }
 

@@ -7,7 +7,7 @@ use std::process::Command;
 fn the_programs_need_the_renderer_and_its_random_generator_alone() {
     let output = Command::new(env!("CARGO"))
         .args(["tree", "--locked", "-p", "cli", "-e", "normal", "--prefix", "none", "--format", "{p}"])
-        .current_dir(tests::project_root())
+        .current_dir(test_support::project_root())
         .output()
         .expect("cargo runs");
     assert!(output.status.success(), "{output:?}");

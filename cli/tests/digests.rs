@@ -9,8 +9,8 @@ use std::process::Command;
 
 use cpu::{Aos, Config, Layout, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
-use tests::golden::{self, Golden};
-use tests::{digest, p3, ppm};
+use test_support::golden::{self, Golden};
+use test_support::{digest, p3, ppm};
 
 /// A layout, as the program that uses it and as the library's function.
 #[derive(Clone, Copy)]

@@ -4,7 +4,7 @@
 
 #[cfg(unix)]
 fn trials() -> Vec<libtest_mimic::Trial> {
-    use tests::injection::{Disturbance, unavailable};
+    use test_support::injection::{Disturbance, unavailable};
 
     let programs = [("aos", env!("CARGO_BIN_EXE_render-aos")), ("soa", env!("CARGO_BIN_EXE_render-soa"))];
     let disturbances = [
@@ -29,7 +29,7 @@ fn trials() -> Vec<libtest_mimic::Trial> {
 fn disturb(
     program: &str,
     old: Option<&str>,
-    disturbance: tests::injection::Disturbance,
+    disturbance: test_support::injection::Disturbance,
 ) -> Result<(), libtest_mimic::Failed> {
     let folder = tempfile::tempdir()?;
     let [config, scene, d] = ["config.txt", "scene.txt", "d"].map(|name| folder.path().join(name));
@@ -37,7 +37,7 @@ fn disturb(
     std::fs::write(&scene, "")?;
     std::fs::create_dir(&d)?;
     let arguments: Vec<_> = [config, scene, d.join("out.ppm")].map(Into::into).to_vec();
-    let job = tests::injection::Job {
+    let job = test_support::injection::Job {
         program: program.into(),
         arguments,
         folder: d,

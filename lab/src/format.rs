@@ -236,7 +236,7 @@ mod tests {
 
     #[test]
     fn the_documentation_has_these_tables() {
-        let path = ::tests::project_root().join("docs/files.md");
+        let path = test_support::project_root().join("docs/files.md");
         let text = std::fs::read_to_string(path).expect("it is committed");
         for table in [config_table(), scene_table()] {
             assert!(text.contains(&table), "docs/files.md must contain what `render-lab help` prints:\n{table}");

@@ -1,6 +1,6 @@
 //! Pictures from files, whoever wrote them: PPM (P3 and P6) and PNG.
 //!
-//! `tests::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must take any
+//! `test_support::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must take any
 //! valid picture, so this reader follows the PPM format with its comments and free white space.
 
 pub mod kind;

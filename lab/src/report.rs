@@ -30,7 +30,7 @@ pub const FILES: [&str; 2] = ["index.html", "findings.json"];
 /// A file cannot be written, or there is nothing to draw.
 pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), Failure> {
     // Before anything is written.
-    let pictures = thumbnails::of(results, &::tests::project_root().join("scenes"))?;
+    let pictures = thumbnails::of(results, &test_support::project_root().join("scenes"))?;
     let charts = charts::all(results);
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
     let figures = folder.join("charts");

@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 use libtest_mimic::{Arguments, Failed, Trial};
 
 fn main() {
-    let folder = tests::golden::reference_folder();
+    let folder = test_support::golden::reference_folder();
     let obstacle = if cfg!(debug_assertions) {
         Some("needs --release".to_owned())
     } else if !folder.is_dir() {

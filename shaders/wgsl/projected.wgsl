@@ -1,5 +1,5 @@
 // The projected form of both intersections, the best that one precision can do; twin of
-// stability/src/methods/projected.rs. It starts from the point of the line nearest to the centre or the axis and goes
+// tests/stability/src/methods/projected.rs. It starts from the point of the line nearest to the centre or the axis and goes
 // half a chord to each side: what cancels is only as large as the miss distance, not as the way there.
 
 // crossings: both lambdas at which a line crosses a round surface, given its direction and the way from its start to

@@ -8,7 +8,7 @@ use cpu::accel::extent::Extent;
 use cpu::layout::Objects;
 use cpu::layout::aos::{AosImage, AosObjects};
 use cpu::{Config, Image, Rgb, Scene, Size};
-use tests::generator::{self, Options};
+use test_support::generator::{self, Options};
 
 use super::{Kernel, Work, plain};
 
@@ -21,14 +21,14 @@ pub const KERNELS: &[Kernel] = &[
 ];
 
 fn parse_config() -> Box<dyn Work> {
-    let text = tests::write::config(&Config::default());
+    let text = test_support::write::config(&Config::default());
     plain(text.lines().count(), move || {
         black_box(Config::parse(black_box(text.as_bytes())).expect("it is valid"));
     })
 }
 
 fn parse_scene() -> Box<dyn Work> {
-    let text = tests::write::scene(&generator::scene(&Options { objects: 1000, ..Options::default() }));
+    let text = test_support::write::scene(&generator::scene(&Options { objects: 1000, ..Options::default() }));
     plain(text.lines().count(), move || {
         black_box(Scene::parse(black_box(text.as_bytes())).expect("it is valid"));
     })

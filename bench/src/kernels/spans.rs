@@ -2,7 +2,7 @@
 
 use cpu::render::stages::Stages;
 use cpu::{Aos, Config, InstructionSet, Prepared, Scatter, Scene};
-use tests::generator::{self, Arrangement, Options};
+use test_support::generator::{self, Arrangement, Options};
 
 use super::{Kernel, Work};
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use tests::p3::{self, Picture};
+use test_support::p3::{self, Picture};
 
 use crate::bench::{Bench, SMALL};
 
@@ -79,7 +79,7 @@ fn a_great_depth_and_many_samples_do_not_overflow_anything() {
 
 #[test]
 fn ten_thousand_objects_are_rendered() {
-    let folder = tests::project_root().join("scenes/ten-thousand");
+    let folder = test_support::project_root().join("scenes/ten-thousand");
     let scene = fs::read_to_string(folder.join("scene.txt")).expect("it is committed");
     let config = fs::read_to_string(folder.join("config.txt")).expect("it is committed");
     assert_eq!(scene.lines().filter(|line| line.contains("sphere:") || line.contains("cylinder:")).count(), 10_000);

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use libtest_mimic::{Failed, Trial};
-use tests::injection::{Disturbance, Job, unavailable};
+use test_support::injection::{Disturbance, Job, unavailable};
 
 /// Calls of each kind that are disturbed.
 const MOST: usize = 2;

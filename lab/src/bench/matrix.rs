@@ -5,8 +5,8 @@ mod times;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use ::tests::generator::{self, Arrangement, Options};
 use cpu::{Config, Scene};
+use test_support::generator::{self, Arrangement, Options};
 
 use super::energy::{self, Meter};
 use super::error;

@@ -4,8 +4,8 @@
 //! down for a while slows all of them. A picture that takes less than [`SHORTEST`] is rendered several times a repeat.
 //! All engines must make the same bytes: a fast wrong one would not be worth a time.
 
-use ::tests::digest::sha256;
 use cpu::{Config, Scene};
+use test_support::digest::sha256;
 
 use crate::Failure;
 use crate::engine::Engine;

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use ::tests::generator::{self, Arrangement, Options};
 use clap::{Args, ValueEnum};
 use cpu::output;
 use cpu::output::Output;
+use test_support::generator::{self, Arrangement, Options};
 
 use crate::{Failure, sources};
 
@@ -119,8 +119,8 @@ impl Arguments {
         // Both places are looked at before either file is written.
         let (config, scene) =
             (Output::open(&sources::output(&self.config), how)?, Output::open(&sources::output(&self.scene), how)?);
-        config.fill(|file| file.write_all(::tests::write::config(&generator::view(&options)).as_bytes()))?;
-        scene.fill(|file| file.write_all(::tests::write::scene(&generator::scene(&options)).as_bytes()))?;
+        config.fill(|file| file.write_all(test_support::write::config(&generator::view(&options)).as_bytes()))?;
+        scene.fill(|file| file.write_all(test_support::write::scene(&generator::scene(&options)).as_bytes()))?;
         Ok(())
     }
 }

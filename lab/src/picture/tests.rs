@@ -24,7 +24,7 @@ fn ppm_is_written_as_the_renderer_writes_it() {
     let mut text = Vec::new();
     sample().write_ppm(&mut text).expect("memory takes all bytes");
     assert_eq!(text, TEXT);
-    let strict = ::tests::p3::read(&text).expect("it is well formed");
+    let strict = test_support::p3::read(&text).expect("it is well formed");
     assert_eq!(strict.pixels, sample().pixels);
 }
 

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use libtest_mimic::{Failed, Trial};
-use tests::injection::{Disturbance, Job, unavailable};
+use test_support::injection::{Disturbance, Job, unavailable};
 
 const DISTURBANCES: [(Disturbance, &str); 4] = [
     (Disturbance::Errors, "every_call_fails_and_the_old_files_stand_or_the_new_ones"),
@@ -96,7 +96,7 @@ fn compare_from_the_start(folder: &Path) -> Job {
 
 /// Results with little in them, so that few charts are drawn.
 fn results() -> Vec<u8> {
-    let path = tests::project_root().join("docs/report/data/bench.json");
+    let path = test_support::project_root().join("docs/report/data/bench.json");
     let text = fs::read(path).expect("it is committed");
     let mut value: serde_json::Value = serde_json::from_slice(&text).expect("it is JSON");
     let lists = value.as_object_mut().expect("it has names").values_mut().filter_map(|value| value.as_array_mut());

@@ -11,7 +11,7 @@ fn generated_files_are_the_committed_ones() {
     let options = ["--arrangement=grid", "--matte=3", "--metal=2", "--refractive=1", "--seed=4", "--objects=101"];
     printed(&[&["generate", &config, &scene], &options[..]].concat());
     for name in ["config.txt", "scene.txt"] {
-        let committed = tests::project_root().join("scenes/grid").join(name);
+        let committed = test_support::project_root().join("scenes/grid").join(name);
         let (made, committed) = (fs::read(folder.file(name)), fs::read(committed));
         assert!(made.expect("it was written") == committed.expect("it is committed"), "{name}");
     }
@@ -20,7 +20,7 @@ fn generated_files_are_the_committed_ones() {
 #[test]
 fn a_generated_file_may_go_to_standard_output() {
     let folder = Folder::new();
-    let scene = fs::read(tests::project_root().join("scenes/grid/scene.txt")).expect("it is committed");
+    let scene = fs::read(test_support::project_root().join("scenes/grid/scene.txt")).expect("it is committed");
     let options = ["--arrangement=grid", "--matte=3", "--metal=2", "--refractive=1", "--seed=4", "--objects=101"];
     let text = printed(&[&["generate", &folder.name("config.txt"), "-"], &options[..]].concat());
     assert!(text.as_bytes() == scene);

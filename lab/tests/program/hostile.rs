@@ -16,7 +16,7 @@ const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 fn complaint_in_little_memory(arguments: &[&str]) -> String {
     let mut shell = Command::new("bash");
     shell.args(["-c", "ulimit -v 200000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
-    let output = shell.current_dir(tests::project_root()).output().expect("the program runs");
+    let output = shell.current_dir(test_support::project_root()).output().expect("the program runs");
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
     String::from_utf8(output.stderr).expect("it complains in text")
 }

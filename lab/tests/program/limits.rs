@@ -9,7 +9,7 @@ const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 
 /// The committed results, with a part of their text replaced.
 fn results(folder: &Folder, from: &str, to: &str) -> String {
-    let path = tests::project_root().join("docs/report/data/bench.json");
+    let path = test_support::project_root().join("docs/report/data/bench.json");
     let text = fs::read_to_string(path).expect("it is committed");
     assert!(text.contains(from), "{from}");
     let name = folder.name("bench.json");
@@ -21,7 +21,7 @@ fn results(folder: &Folder, from: &str, to: &str) -> String {
 fn bash(folder: &Folder, line: &str) -> Output {
     let mut bash = Command::new("bash");
     bash.current_dir(folder.path()).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
-    bash.env("root", tests::project_root());
+    bash.env("root", test_support::project_root());
     bash.output().expect("bash starts")
 }
 
@@ -38,7 +38,7 @@ fn endless_results_are_refused() {
 #[test]
 fn results_without_a_time_are_refused_with_a_reason() {
     let folder = Folder::new();
-    let path = tests::project_root().join("docs/report/data/bench.json");
+    let path = test_support::project_root().join("docs/report/data/bench.json");
     let mut value: serde_json::Value =
         serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
     value["intersections"][0]["nanoseconds"] = serde_json::json!([]);
@@ -52,7 +52,7 @@ fn results_without_a_time_are_refused_with_a_reason() {
 #[test]
 fn a_bound_of_zero_does_not_make_an_endless_axis() {
     let folder = Folder::new();
-    let path = tests::project_root().join("docs/report/data/bench.json");
+    let path = test_support::project_root().join("docs/report/data/bench.json");
     let mut value: serde_json::Value =
         serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
     for timing in value["timings"].as_array_mut().expect("it is a list") {

@@ -22,7 +22,7 @@ use std::process::{Command, Output};
 /// `render-lab` with these arguments, in the project's folder.
 fn lab(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
-    command.current_dir(tests::project_root()).args(arguments);
+    command.current_dir(test_support::project_root()).args(arguments);
     command
 }
 

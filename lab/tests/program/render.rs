@@ -13,11 +13,13 @@ const SMALL: [&str; 4] = ["--set", "image_width=64", "--set", "samples_per_pixel
 
 /// What the evaluated programs write for the small grid.
 fn expected(scatter: Scatter) -> Vec<u8> {
-    let root = tests::project_root();
+    let root = test_support::project_root();
     let config = Config::read(&root.join(CONFIG)).expect("it is committed");
     let config = Config { image_width: 64, samples_per_pixel: 2, ..config };
     let scene = Scene::read(&root.join(SCENE)).expect("it is committed");
-    tests::ppm(&cpu::reference::render::<cpu::layout::aos::AosImage>(&config, &scene, scatter).expect("it is small"))
+    test_support::ppm(
+        &cpu::reference::render::<cpu::layout::aos::AosImage>(&config, &scene, scatter).expect("it is small"),
+    )
 }
 
 fn render(folder: &Folder, out: &str, options: &[&str]) -> Vec<u8> {
@@ -37,7 +39,7 @@ fn the_defaults_give_the_bytes_of_the_evaluated_programs() {
         ("tests/cases/16/config.txt", "tests/cases/16/scene.txt"),
     ] {
         printed(&["render", config, scene, &out]);
-        let root = tests::project_root();
+        let root = test_support::project_root();
         let theirs = folder.file("theirs.ppm");
         cpu::program::render_files::<Aos>(&root.join(config), &root.join(scene), &theirs, Scatter::Statement)
             .expect("the files are valid");
@@ -128,7 +130,7 @@ fn a_dash_is_standard_input_or_output() {
 
     let folder = Folder::new();
     let expected = expected(Scatter::Statement);
-    let root = tests::project_root();
+    let root = test_support::project_root();
     for (config, scene, input) in [("-", SCENE, CONFIG), (CONFIG, "-", SCENE)] {
         let arguments = [&["render", config, scene, "-"][..], &SMALL].concat();
         let input = fs::File::open(root.join(input)).expect("it is committed");

@@ -11,7 +11,7 @@ fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
     Command::new("/usr/bin/env")
         .args(["bash", name])
         .args(arguments)
-        .current_dir(tests::project_root())
+        .current_dir(test_support::project_root())
         .env("PATH", folder.path())
         .output()
         .expect("bash is there")

@@ -43,7 +43,7 @@ fn an_array_of_jobs_measures_parts_and_another_job_joins_them() {
     fs::write(out.join("empty.json"), serde_json::to_string(&empty).expect("it is plain")).expect("writable");
 
     let path = std::env::var("PATH").expect("there is a search path");
-    let output = Command::new(tests::project_root().join("lab/slurm/submit"))
+    let output = Command::new(test_support::project_root().join("lab/slurm/submit"))
         .arg(&out)
         .arg("--quick")
         .env("PATH", format!("{}:{path}", bin.display()))

@@ -1,7 +1,7 @@
 //! What is told about a scene.
 
 use super::*;
-use ::tests::generator::{Arrangement, Options, scene};
+use test_support::generator::{Arrangement, Options, scene};
 
 fn inspect(scene: &Scene) -> Inspection {
     Inspection::of(&Config::default(), scene).expect("the default picture is fine")

@@ -1,0 +1,195 @@
+//! Bytes as choices, until they are used up; after that every choice is the first.
+
+use cpu::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::{Config, Material, Scene, Vec3};
+
+/// Numbers at which arithmetic changes its mind.
+const HARD: [f64; 28] = [
+    0.0,
+    1.0,
+    -1.0,
+    0.5,
+    2.0,
+    -0.0,
+    1e-3,
+    1e-8,
+    -1e-8,
+    0.999_999_999_999_999_9,
+    1.000_000_000_000_000_2,
+    3.0,
+    -3.0,
+    10.0,
+    100.0,
+    -1000.0,
+    1e6,
+    1e-6,
+    1e9,
+    1e16,
+    -1e16,
+    1e100,
+    1e-100,
+    1e154,
+    -1e200,
+    f64::MIN_POSITIVE,
+    5e-324,
+    f64::MAX,
+];
+
+/// What is left of the bytes.
+#[derive(Debug)]
+pub struct Choices<'a>(&'a [u8]);
+
+impl<'a> Choices<'a> {
+    /// All of them.
+    #[must_use]
+    pub const fn new(bytes: &'a [u8]) -> Self {
+        Self(bytes)
+    }
+
+    fn byte(&mut self) -> u8 {
+        let Some((&byte, rest)) = self.0.split_first() else { return 0 };
+        self.0 = rest;
+        byte
+    }
+
+    /// One of the first `count` numbers from 0.
+    pub fn below(&mut self, count: usize) -> usize {
+        usize::from(self.byte()) % count
+    }
+
+    /// A finite number: from the menu, a small one, one near another from the menu, or any.
+    fn real(&mut self) -> f64 {
+        let kind = self.byte();
+        match kind % 8 {
+            0..=3 => f64::from(kind / 8) / 4.0 - 4.0 + f64::from(self.byte()) / 256.0,
+            4 | 5 => HARD[usize::from(kind / 8) % HARD.len()],
+            6 => {
+                let number = HARD[self.below(HARD.len())];
+                let steps = i64::from(self.byte()) - 128;
+                let moved = f64::from_bits(number.to_bits().saturating_add_signed(steps));
+                if moved.is_finite() { moved } else { number }
+            }
+            _ => {
+                let bits: [u8; 8] = std::array::from_fn(|_| self.byte());
+                let number = f64::from_le_bytes(bits);
+                if number.is_finite() { number } else { 1.0 }
+            }
+        }
+    }
+
+    fn vector(&mut self) -> Vec3 {
+        Vec3::new(self.real(), self.real(), self.real())
+    }
+
+    /// A number that is positive, as the parsers demand it.
+    fn positive(&mut self) -> f64 {
+        let number = self.real().abs();
+        if number > 0.0 { number } else { 1.0 }
+    }
+
+    /// A number in `[0, 1]`.
+    fn channel(&mut self) -> f64 {
+        let number = self.real().abs();
+        if number <= 1.0 { number } else { f64::from(self.byte()) / 255.0 }
+    }
+
+    fn color(&mut self) -> Vec3 {
+        Vec3::new(self.channel(), self.channel(), self.channel())
+    }
+
+    /// A configuration of a picture of at most 5 x 10 pixels: numbers of extreme sizes take milliseconds a ray.
+    pub fn config(&mut self) -> Config {
+        let default = Config::default();
+        let shape = self.byte();
+        // Mostly a camera that sees something; now and then anything at all.
+        let free = self.below(4) == 3;
+        let camera_position = if free { self.vector() } else { Vec3::new(self.real() / 2.0, 0.5, -4.0) };
+        let camera_target = if free { self.vector() } else { Vec3::ZERO };
+        let camera_north = if free { self.vector() } else { default.camera_north };
+        let fov = self.positive();
+        Config {
+            aspect_ratio: [1 + u64::from(shape % 3), 1 + u64::from(shape / 3 % 2)],
+            image_width: 1 + u64::from(shape / 6) % 5,
+            gamma: if self.below(2) == 0 { default.gamma } else { self.positive() },
+            camera_position,
+            camera_target,
+            camera_north,
+            field_of_view: if fov < 180.0 { fov.max(5e-324) } else { 60.0 },
+            samples_per_pixel: 1 + self.below(2) as u64,
+            max_depth: 1 + self.below(6) as u64,
+            material_rng_seed: 1 + u64::from(self.byte()),
+            ray_rng_seed: 1 + u64::from(self.byte()),
+            background_dark_color: self.color(),
+            background_light_color: self.color(),
+        }
+    }
+
+    /// A scene of at most four materials and 16 objects.
+    pub fn scene(&mut self) -> Scene {
+        let materials: Vec<_> = (0..=self.below(4)).map(|_| self.material()).collect();
+        let mut objects = Vec::new();
+        while !self.0.is_empty() && objects.len() < 16 {
+            objects.push(self.object(&objects, materials.len()));
+        }
+        Scene { materials, objects }
+    }
+
+    fn material(&mut self) -> Material {
+        match self.below(3) {
+            0 => Material::Matte { reflectance: self.color() },
+            1 => Material::Metal { reflectance: self.color(), diffusion: self.real().abs() },
+            _ => Material::Refractive { index: self.positive() },
+        }
+    }
+
+    /// A new shape, or a former one moved a little: what touches and coincides is harder than what is apart.
+    fn object(&mut self, former: &[Object], materials: usize) -> Object {
+        let kind = self.byte();
+        let material = (usize::from(kind / 16) % materials) as MaterialId;
+        let shape = match (kind % 4, former.last()) {
+            (3, Some(last)) => self.moved(last.shape),
+            (0 | 3, _) => Shape::Sphere(Sphere { center: self.vector(), radius: self.positive() }),
+            _ => {
+                let (center, radius) = (self.vector(), self.positive());
+                let axis = if kind % 4 == 1 { self.vector() } else { Vec3::new(0.0, self.real(), 0.0) };
+                let length = axis.length();
+                let axis = if length > 0.0 && length.is_finite() { axis } else { Vec3::new(0.0, 1.0, 0.0) };
+                Shape::Cylinder(Cylinder { center, radius, axis })
+            }
+        };
+        Object { shape, material }
+    }
+
+    fn moved(&mut self, shape: Shape) -> Shape {
+        let by = Vec3::new(0.0, self.real(), 0.0);
+        let finite = |center: Vec3| if (center + by).is_finite() { center + by } else { center };
+        match shape {
+            Shape::Sphere(sphere) => Shape::Sphere(Sphere { center: finite(sphere.center), ..sphere }),
+            Shape::Cylinder(cylinder) => {
+                Shape::Cylinder(Cylinder { center: finite(cylinder.center), radius: self.positive(), ..cylinder })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mutate::Random;
+
+    #[test]
+    fn every_choice_is_a_valid_pair_of_files_and_many_have_objects() {
+        let mut random = Random::new(1);
+        let mut objects = 0;
+        for length in 0..400 {
+            let bytes: Vec<u8> = (0..length).map(|_| random.byte()).collect();
+            let mut choices = Choices::new(&bytes);
+            let (config, scene) = (choices.config(), choices.scene());
+            let (config_text, scene_text) = (test_support::write::config(&config), test_support::write::scene(&scene));
+            assert_eq!(Config::parse(config_text.as_bytes()).ok(), Some(config), "{config_text}");
+            objects += scene.objects.len();
+            assert_eq!(Scene::parse(scene_text.as_bytes()).ok(), Some(scene), "{scene_text}");
+        }
+        assert!(objects > 1000, "{objects} objects");
+    }
+}

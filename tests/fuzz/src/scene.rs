@@ -1,0 +1,24 @@
+//! Any bytes as a scene file.
+
+use cpu::Scene;
+
+use crate::plain;
+
+/// The real parser gives what the plain one gives, value or message; and a value survives being written and read.
+///
+/// # Panics
+/// When it does not hold.
+pub fn check(bytes: &[u8]) {
+    match (Scene::parse(bytes), plain::scene::parse(bytes)) {
+        (Ok(real), Ok(plain)) => {
+            assert_eq!(real, plain);
+            let written = test_support::write::scene(&real);
+            assert_eq!(Scene::parse(written.as_bytes()).ok(), Some(real), "{written}");
+        }
+        (Err(real), Err(plain)) => {
+            let real = real.message();
+            assert!(real == plain, "{} instead of {}", real.escape_ascii(), plain.escape_ascii());
+        }
+        (real, plain) => panic!("{real:?} where the plain parser says {plain:?}"),
+    }
+}

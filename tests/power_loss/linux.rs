@@ -1,0 +1,153 @@
+//! Recording by `strace`, and what must hold after each call.
+
+#[path = "model.rs"]
+mod model;
+
+use std::collections::{BTreeSet, HashMap};
+use std::path::Path;
+use std::process::Command;
+
+use cpu::output::{Options, Output};
+use libtest_mimic::{Failed, Trial};
+use test_support::injection::{Disturbance, unavailable};
+
+use model::{Event, outcomes};
+
+/// In the environment of the process that writes: the file, and whether it is to be synced.
+const FILE: &str = "RENDER_POWER_LOSS_FILE";
+const SYNC: &str = "RENDER_POWER_LOSS_SYNC";
+
+/// What is written, in these pieces.
+const PIECES: [&[u8]; 3] = [b"the first piece, ", b"the second, ", b"and the last"];
+
+pub fn trials() -> Vec<Trial> {
+    let missing = unavailable(Disturbance::Errors);
+    let trial = |name: &str, test: fn() -> Result<(), Failed>| {
+        Trial::test(name, test).with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
+    };
+    vec![
+        Trial::test("the_model_knows_what_a_careless_program_loses", model::is_right),
+        trial("a_synced_file_is_the_old_one_or_the_new_one_at_any_moment", synced),
+        trial("without_syncing_a_half_file_may_stand", not_synced),
+    ]
+}
+
+/// Where another test has started this process to write a file, writes it and ends.
+pub fn write_if_asked() {
+    let Some(path) = std::env::var_os(FILE) else { return };
+    let sync = std::env::var_os(SYNC).is_some();
+    let written = Output::open(Path::new(&path), Options { sync })
+        .and_then(|output| output.fill(|file| PIECES.iter().try_for_each(|piece| file.write_all(piece))));
+    std::process::exit(i32::from(written.is_err()));
+}
+
+/// With a temporary name and without, in the place of an old file and of none.
+const CASES: [(bool, Option<&[u8]>); 4] = [(false, None), (false, Some(b"old")), (true, None), (true, Some(b"old"))];
+
+fn synced() -> Result<(), Failed> {
+    for (named, old) in CASES {
+        let events = record(named, old, true)?;
+        let (old, new) = (old.map(<[u8]>::to_vec), Some(PIECES.concat()));
+        let allowed = BTreeSet::from([old.clone(), new.clone()]);
+        for count in 0..=events.len() {
+            let found = outcomes(&events[..count], "out", &old);
+            assert!(found.is_subset(&allowed), "after {:?}: {found:?}", &events[..count]);
+        }
+        assert_eq!(outcomes(&events, "out", &old), BTreeSet::from([new]), "{events:?}");
+    }
+    Ok(())
+}
+
+/// What the evaluated programs risk, since syncing takes longer than all their writing.
+fn not_synced() -> Result<(), Failed> {
+    for (named, old) in CASES {
+        let events = record(named, old, false)?;
+        let old = old.map(<[u8]>::to_vec);
+        let found = outcomes(&events, "out", &old);
+        assert!(found.contains(&old) && found.contains(&Some(PIECES.concat())));
+        assert!(found.contains(&Some(Vec::new())), "nothing forces the bytes onto the disk before the name: {found:?}");
+    }
+    Ok(())
+}
+
+/// What a process does to the folder that writes the file `out` there.
+fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Failed> {
+    let folder = tempfile::tempdir()?;
+    let out = folder.path().join("out");
+    if let Some(old) = old {
+        std::fs::write(&out, old)?;
+    }
+    let run = |more: &[&str]| {
+        let mut strace = Command::new("strace");
+        strace.args(["-f", "-qq", "-o", "/dev/stdout", "-s", "4096"]).args(more).arg(std::env::current_exe()?);
+        strace.env(FILE, &out);
+        if sync {
+            strace.env(SYNC, "1");
+        }
+        let output = strace.output()?;
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        if output.status.success() { Ok(text) } else { Err(Failed::from(format!("{output:?}"))) }
+    };
+    let text = run(&[])?;
+    if !named {
+        return events(&text, folder.path());
+    }
+    // As on a file system that makes no files without a name.
+    let opened = text.lines().filter(|line| line.contains(" openat("));
+    let number = 1 + opened.take_while(|line| !line.contains("O_TMPFILE")).count();
+    if old.is_some() {
+        std::fs::write(&out, b"old")?;
+    } else {
+        std::fs::remove_file(&out)?;
+    }
+    let text = run(&["-e", &format!("inject=openat:error=EOPNOTSUPP:when={number}")])?;
+    assert!(text.contains("O_EXCL"), "no file with a name was made");
+    events(&text, folder.path())
+}
+
+/// The events in what strace wrote.
+fn events(text: &str, folder: &Path) -> Result<Vec<Event>, Failed> {
+    const FOLDER: usize = 0;
+    let mut open: HashMap<String, usize> = HashMap::new();
+    let (mut events, mut files) = (Vec::new(), FOLDER);
+    for line in text.lines() {
+        let call = line.split_once(' ').map_or("", |(_, call)| call.trim_start());
+        let (Some((name, rest)), Some((_, result))) = (call.split_once('('), call.rsplit_once(" = ")) else { continue };
+        if result.starts_with('-') {
+            continue;
+        }
+        let first = rest.split([',', ')']).next().unwrap_or_default();
+        let quoted: Vec<&str> = rest.split('"').skip(1).step_by(2).collect();
+        match name {
+            "openat" if Path::new(quoted[0]) == folder => drop(open.insert(result.to_owned(), FOLDER)),
+            "openat" if open.get(first) == Some(&FOLDER) && (rest.contains("O_TMPFILE") || rest.contains("O_EXCL")) => {
+                files += 1;
+                open.insert(result.to_owned(), files);
+                if rest.contains("O_EXCL") {
+                    events.push(Event::Name { name: quoted[0].to_owned(), file: files });
+                }
+            }
+            "close" => drop(open.remove(first)),
+            "write" if open.contains_key(first) => {
+                let bytes = quoted[0].as_bytes().to_vec();
+                assert_eq!(result, bytes.len().to_string(), "all of a piece is written at once: {line}");
+                events.push(Event::Write { file: open[first], bytes });
+            }
+            "linkat" => {
+                let file = quoted[0].strip_prefix("/proc/self/fd/").and_then(|number| open.get(number));
+                let file = *file.ok_or_else(|| format!("a link to another file: {line}"))?;
+                events.push(Event::Name { name: quoted[1].to_owned(), file });
+            }
+            "renameat" => events.push(Event::Rename { from: quoted[0].to_owned(), to: quoted[1].to_owned() }),
+            "fsync" | "fdatasync" if open.get(first) == Some(&FOLDER) => events.push(Event::SyncFolder),
+            "fsync" | "fdatasync" => events.push(Event::SyncFile(open[first])),
+            "rename" | "renameat2" | "link" | "ftruncate" | "pwrite64" | "writev" => {
+                return Err(format!("the model does not know this: {line}").into());
+            }
+            _ => {}
+        }
+    }
+    let written: usize = events.iter().filter(|event| matches!(event, Event::Write { .. })).count();
+    assert_eq!(written, PIECES.len(), "{events:?}");
+    Ok(events)
+}

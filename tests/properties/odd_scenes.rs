@@ -1,0 +1,197 @@
+//! Scenes of odd magnitudes give the reference's bytes, and its means to the last bit.
+//!
+//! Radii, heights, indices of refraction, diffusions and distances are drawn over many decades, so that their products
+//! come near the limits of f32 and f64. The camera is often inside a large glass cylinder: its side turns the direction
+//! of a ray into one as long as the square of its radius.
+
+use std::cell::Cell;
+
+use cpu::input::config::Config;
+use cpu::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::layout::aos::AosImage;
+use cpu::reference::intersect::Certified;
+use cpu::sampling::uniform::Uniform;
+use cpu::{Aos, Image, InstructionSet, Layout, Material, Prepared, Scatter, Scene, Soa, Vec3};
+use proptest::prelude::*;
+use proptest::test_runner::TestCaseError;
+
+use crate::runner::{cases, check};
+
+/// Draws of one scene.
+struct Draws(Uniform);
+
+impl Draws {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0.draw(low, high)
+    }
+    /// `10^k`, with `k` uniform in `[low, high)`.
+    fn decades(&mut self, low: f64, high: f64) -> f64 {
+        10.0_f64.powf(self.between(low, high))
+    }
+    fn below(&mut self, count: usize) -> usize {
+        (self.between(0.0, count as f64) as usize).min(count - 1)
+    }
+    fn cube(&mut self) -> Vec3 {
+        Vec3::from([(); 3].map(|()| self.between(-1.0, 1.0)))
+    }
+}
+
+fn material(draws: &mut Draws) -> Material {
+    let reflectance = Vec3::new(draws.between(0.2, 1.0), draws.between(0.2, 1.0), draws.between(0.2, 1.0));
+    match draws.below(3) {
+        0 => Material::Matte { reflectance },
+        1 => Material::Metal { reflectance, diffusion: [0.0, draws.decades(-3.0, 9.0)][draws.below(2)] },
+        _ => Material::Refractive { index: [1.5, draws.decades(-12.0, 12.0)][draws.below(2)] },
+    }
+}
+
+/// The length of a cylinder's axis, in most cases of the order of `size`.
+fn height(draws: &mut Draws, size: f64) -> f64 {
+    match draws.below(8) {
+        0 => draws.decades(-161.0, -140.0),
+        _ => size * draws.decades(-4.0, 1.0),
+    }
+}
+
+fn scene_and_config(seed: u64, objects: usize) -> (Scene, Config) {
+    let mut draws = Draws(Uniform::new(seed));
+    // Some scenes are too large or too small for the filters.
+    let size = draws.decades(-8.0, 10.0);
+    let materials: Vec<_> = (0..12).map(|_| material(&mut draws)).collect();
+    let mut shapes = Vec::new();
+    if draws.below(2) == 0 {
+        // Around the camera; of a radius whose square, as the length of a direction, just reaches the other objects.
+        let radius = [size * draws.decades(-4.0, 0.0), (size * draws.decades(0.0, 4.0)).sqrt()][draws.below(2)];
+        let axis = draws.cube() * size;
+        shapes.push(Shape::Cylinder(Cylinder { center: Vec3::ZERO, radius, axis }));
+    }
+    while shapes.len() < objects {
+        let (center, radius) = (draws.cube() * (2.0 * size), size * draws.decades(-4.0, -0.2));
+        shapes.push(if draws.below(2) == 0 {
+            Shape::Sphere(Sphere { center, radius })
+        } else {
+            let axis = draws.cube().unit() * height(&mut draws, size);
+            Shape::Cylinder(Cylinder { center, radius, axis })
+        });
+    }
+    let shapes = shapes.into_iter().take(objects);
+    let mut objects: Vec<_> =
+        shapes.map(|shape| Object { shape, material: draws.below(materials.len()) as MaterialId }).collect();
+    let glass = materials.iter().position(|material| matches!(material, Material::Refractive { .. }));
+    if let (Some(first), Some(glass)) = (objects.first_mut(), glass) {
+        first.material = glass as MaterialId;
+    }
+    let config = Config {
+        image_width: 1 + draws.below(7) as u64,
+        aspect_ratio: [1, 1],
+        camera_position: draws.cube() * (size * draws.decades(-6.0, 0.3)),
+        camera_target: draws.cube() * (size * draws.decades(-3.0, 0.3)),
+        camera_north: draws.cube(),
+        field_of_view: draws.between(1.0, 170.0),
+        samples_per_pixel: 1 + draws.below(3) as u64,
+        max_depth: 1 + draws.below(12) as u64,
+        material_rng_seed: seed | 1,
+        ..Config::default()
+    };
+    (Scene { materials, objects }, config)
+}
+
+/// The bits of a mean; all NaNs are equal.
+fn bits(mean: Vec3) -> [u64; 3] {
+    mean.to_array().map(|channel| if channel.is_nan() { f64::NAN.to_bits() } else { channel.to_bits() })
+}
+
+/// A picture and the bits of its means.
+type Expected = (AosImage, Vec<[u64; 3]>);
+
+/// What the reference renders; `None` where the camera has no window.
+fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Option<Expected> {
+    let mut means = Vec::new();
+    let linear = |_, mean| means.push(bits(mean));
+    cpu::reference::render_linear_with::<Certified>(config, scene, scatter, linear).ok()?;
+    let image = cpu::reference::render_with::<AosImage, Certified>(config, scene, scatter).ok()?;
+    Some((image, means))
+}
+
+fn agrees<L: Layout>(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    expected: &Expected,
+) -> Result<(), TestCaseError> {
+    let prepared = Prepared::<L>::new(config, scene, scatter).expect("the reference renders it");
+    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        let image = cpu::render_with(&prepared, set).expect("the picture is small");
+        let mut means = vec![[0; 3]; expected.1.len()];
+        cpu::render_linear(&prepared, set, |index, mean| means[index] = bits(mean)).expect("the picture is small");
+        let wrong = (0..means.len())
+            .filter(|&index| image.pixel(index) != expected.0.pixel(index) || means[index] != expected.1[index]);
+        let wrong = wrong.count();
+        if wrong > 0 {
+            let (layout, set) = (std::any::type_name::<L>(), set.name());
+            let files = format!(
+                "config.txt:\n{}scene.txt:\n{}",
+                test_support::write::config(config),
+                test_support::write::scene(scene)
+            );
+            return Err(TestCaseError::fail(format!("{layout}, {set}, {scatter:?}: {wrong} pixels differ\n{files}")));
+        }
+    }
+    Ok(())
+}
+
+/// The scene that was rendered wrongly with fused multiply-add: nine objects far around the camera, which is inside a
+/// glass cylinder, so that rays leave it along directions of a length of some 10^11.
+#[test]
+fn long_directions_out_of_glass_meet_what_is_far_away() {
+    let around = |shape: &dyn Fn(Vec3) -> Shape| -> Vec<Object> {
+        let place = |index: u32| {
+            let angle = (f64::from(index) * 40.0).to_radians();
+            Object { shape: shape(Vec3::new(5e8 * angle.cos(), 0.0, 5e8 * angle.sin())), material: 0 }
+        };
+        (0..9).map(place).collect()
+    };
+    let sphere = |center| Shape::Sphere(Sphere { center, radius: 1.5e8 });
+    let cylinder = |center| Shape::Cylinder(Cylinder { center, radius: 1.5e8, axis: Vec3::new(0.0, 3e8, 0.0) });
+    let matte = Material::Matte { reflectance: Vec3::new(0.8, 0.2, 0.1) };
+    for (radius, index) in [(4e5, 1.5), (300.0, 1e6)] {
+        for others in [around(&sphere), around(&cylinder)] {
+            let glass = Cylinder { center: Vec3::ZERO, radius, axis: Vec3::new(0.0, 10.0 * radius, 0.0) };
+            let mut objects = vec![Object { shape: Shape::Cylinder(glass), material: 1 }];
+            objects.extend(others);
+            let scene = Scene { materials: vec![matte, Material::Refractive { index }], objects };
+            let config = Config {
+                image_width: 8,
+                aspect_ratio: [1, 1],
+                samples_per_pixel: 1,
+                camera_position: Vec3::ZERO,
+                camera_target: Vec3::new(0.0, 0.0, 1.0),
+                field_of_view: 60.0,
+                ..Config::default()
+            };
+            let expected = reference(&config, &scene, Scatter::Statement).expect("the camera is sound");
+            agrees::<Aos>(&config, &scene, Scatter::Statement, &expected).expect("the means are the reference's");
+            agrees::<Soa>(&config, &scene, Scatter::Statement, &expected).expect("the means are the reference's");
+        }
+    }
+}
+
+#[test]
+fn scenes_of_odd_magnitudes_give_the_references_bytes_and_means() {
+    let (rendered, with_objects) = (Cell::new(0), Cell::new(0));
+    let objects = prop_oneof![1 => 1..=8_usize, 2 => 9..=64_usize, 1 => 65..=140_usize];
+    check(cases(30, 300), (any::<u64>(), objects), |(seed, objects)| {
+        let (scene, config) = scene_and_config(seed, objects);
+        let scatter = [Scatter::Statement, Scatter::Published, Scatter::Deterministic][(seed % 3) as usize];
+        // A camera without a window is refused.
+        let Some(expected) = reference(&config, &scene, scatter) else { return Ok(()) };
+        rendered.set(rendered.get() + 1);
+        let background = reference(&config, &Scene::default(), scatter).expect("the camera is sound");
+        with_objects.set(with_objects.get() + u32::from(expected.1 != background.1));
+        agrees::<Aos>(&config, &scene, scatter, &expected)?;
+        agrees::<Soa>(&config, &scene, scatter, &expected)
+    });
+    let (rendered, with_objects) = (rendered.get(), with_objects.get());
+    println!("{with_objects} of {rendered} pictures show an object");
+    assert!(2 * with_objects > rendered, "only {with_objects} of {rendered} pictures show an object");
+}

@@ -1,0 +1,19 @@
+//! The reference, which every other renderer is held against, gives the pictures of a program that shares nothing with
+//! it.
+
+use cpu::layout::aos::AosImage;
+use cpu::{Config, Scene};
+use test_support::{digest, golden, ppm};
+
+#[test]
+fn the_reference_gives_the_digests_of_the_small_scenes() {
+    let mut compared = 0;
+    for golden in golden::cases() {
+        let config = Config::read(&golden.config).expect("committed configurations are valid");
+        let scene = Scene::read(&golden.scene).expect("committed scenes are valid");
+        let image = cpu::reference::render::<AosImage>(&config, &scene, golden.scatter).expect("it fits");
+        assert_eq!(golden.digest(), Ok(digest::sha256(&ppm(&image))), "{}", golden.name);
+        compared += 1;
+    }
+    assert_eq!(compared, 32, "16 scenes in both conventions");
+}

@@ -1,0 +1,80 @@
+//! The committed scenes show what their names say, and the generated ones are what the generator makes.
+
+use std::fs;
+
+use cpu::input::scene::Shape;
+use cpu::{Config, Material, Scene};
+use test_support::generator::{self, Arrangement, Options};
+
+/// Every folder of `scenes`.
+const NAMES: [&str; 6] = ["cylinders", "grid", "listings", "materials", "spheres", "ten-thousand"];
+
+fn text(scene: &str, file: &str) -> String {
+    let path = test_support::project_root().join("scenes").join(scene).join(file);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn scene(name: &str) -> Scene {
+    Scene::parse(text(name, "scene.txt").as_bytes()).expect("committed scenes are valid")
+}
+
+/// Numbers of spheres and cylinders.
+fn kinds(scene: &Scene) -> (usize, usize) {
+    let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
+    (spheres, scene.objects.len() - spheres)
+}
+
+/// The options that the two generated scenes were made with; `CONTRIBUTING.md` has the commands.
+fn generated() -> [(&'static str, Options); 2] {
+    let grid = Options { arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };
+    [
+        ("grid", Options { seed: 4, objects: 101, ..grid.clone() }),
+        ("ten-thousand", Options { seed: 2, objects: 10_000, extent: 100.0, ..grid }),
+    ]
+}
+
+#[test]
+fn every_committed_scene_is_listed_and_makes_a_picture() {
+    let folder = test_support::project_root().join("scenes");
+    let mut found: Vec<String> = fs::read_dir(folder)
+        .expect("the folder is there")
+        .map(|entry| entry.expect("it is readable"))
+        .filter(|entry| entry.path().is_dir())
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    found.sort();
+    assert_eq!(found, NAMES);
+    for name in NAMES {
+        let config = Config::parse(text(name, "config.txt").as_bytes()).expect("committed configurations are valid");
+        let size = config.image_size().expect("the picture is small");
+        assert!(cpu::geometry::camera::Camera::new(&config, size).is_ok(), "{name}");
+        assert!(!scene(name).objects.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn scenes_of_one_kind_have_one_kind() {
+    assert_eq!(kinds(&scene("spheres")), (15, 0));
+    assert_eq!(kinds(&scene("cylinders")), (0, 11));
+}
+
+#[test]
+fn the_scene_of_materials_uses_all_of_them() {
+    let scene = scene("materials");
+    let used: Vec<Material> = scene.objects.iter().map(|object| scene.materials[object.material as usize]).collect();
+    assert!(scene.materials.iter().all(|material| used.contains(material)));
+    assert!(used.iter().any(|material| matches!(material, Material::Matte { .. })));
+    assert!(used.iter().any(|material| matches!(material, Material::Metal { .. })));
+    let refractive = used.iter().filter(|material| matches!(material, Material::Refractive { .. })).count();
+    assert!(refractive >= 4, "glass in glass, and air in glass");
+}
+
+#[test]
+fn generated_scenes_are_what_the_generator_makes() {
+    for (name, options) in generated() {
+        let (made, view) = (generator::scene(&options), generator::view(&options));
+        assert_eq!(made.objects.len(), options.objects);
+        assert!(text(name, "scene.txt") == test_support::write::scene(&made), "scenes/{name}/scene.txt");
+        assert!(text(name, "config.txt") == test_support::write::config(&view), "scenes/{name}/config.txt");
+    }
+}

@@ -1,0 +1,62 @@
+//! SHA-256 digests and the lists of them that `sha256sum` writes.
+
+use std::fmt::Write;
+
+use sha2::{Digest, Sha256};
+
+/// The SHA-256 digest of `bytes` in lower-case hexadecimal.
+///
+/// ```
+/// let digest = test_support::digest::sha256(b"");
+/// assert!(digest.starts_with("e3b0c44298fc1c14") && digest.len() == 64);
+/// ```
+#[must_use]
+pub fn sha256(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(64);
+    for byte in Sha256::digest(bytes) {
+        write!(text, "{byte:02x}").expect("a string takes all text");
+    }
+    text
+}
+
+/// The `(name, digest)` pairs of a `SHA256SUMS` file; lines that start with `#` are comments.
+///
+/// # Errors
+/// The first line that is neither.
+pub fn read_sums(text: &str) -> Result<Vec<(String, String)>, String> {
+    text.lines().filter(|line| !line.starts_with('#')).map(read_line).collect()
+}
+
+fn read_line(line: &str) -> Result<(String, String), String> {
+    let is_digest = |text: &str| text.len() == 64 && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    match line.split_once("  ") {
+        Some((digest, name)) if is_digest(digest) && !name.is_empty() => Ok((name.to_owned(), digest.to_owned())),
+        _ => Err(format!("not a digest and a name: {line}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_digest_of_abc_is_the_standards() {
+        // FIPS 180-4, example of one block.
+        let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(sha256(b"abc"), expected);
+    }
+
+    #[test]
+    fn a_list_of_digests_is_read_without_its_comments() {
+        let digest = sha256(b"abc");
+        let list = format!("# a comment\n{digest}  statement/1.ppm\n");
+        assert_eq!(read_sums(&list), Ok(vec![("statement/1.ppm".to_owned(), digest)]));
+    }
+
+    #[test]
+    fn a_damaged_list_is_refused() {
+        for text in ["abc  1.ppm", &format!("{}  ", sha256(b"")), &format!("{} 1.ppm", sha256(b"")), "\n"] {
+            assert!(read_sums(text).is_err(), "{text}");
+        }
+    }
+}

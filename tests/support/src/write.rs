@@ -1,0 +1,96 @@
+//! Scenes and configurations back to text that reads as the same values.
+
+use std::fmt::Write;
+
+use cpu::input::scene::Shape;
+use cpu::{Config, Material, Scene, Vec3};
+
+/// The scene file of `scene`: its materials, named `m0`, `m1` and so on, then its objects.
+///
+/// ```
+/// let scene = cpu::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1e-7 grey\n"[..])?;
+/// assert_eq!(test_support::write::scene(&scene), "matte: m0 0.5 0.5 0.5\nsphere: 0 0 0 1e-7 m0\n");
+/// # Ok::<(), cpu::Error>(())
+/// ```
+#[must_use]
+pub fn scene(scene: &Scene) -> String {
+    let mut text = String::new();
+    for (id, material) in scene.materials.iter().enumerate() {
+        match *material {
+            Material::Matte { reflectance } => line(&mut text, format_args!("matte: m{id} {}", vector(reflectance))),
+            Material::Metal { reflectance, diffusion } => {
+                line(&mut text, format_args!("metal: m{id} {} {}", vector(reflectance), real(diffusion)));
+            }
+            Material::Refractive { index } => line(&mut text, format_args!("refractive: m{id} {}", real(index))),
+        }
+    }
+    for object in &scene.objects {
+        let id = object.material;
+        match object.shape {
+            Shape::Sphere(shape) => {
+                line(&mut text, format_args!("sphere: {} {} m{id}", vector(shape.center), real(shape.radius)));
+            }
+            Shape::Cylinder(shape) => {
+                let (center, radius, axis) = (vector(shape.center), real(shape.radius), vector(shape.axis));
+                line(&mut text, format_args!("cylinder: {center} {radius} {axis} m{id}"));
+            }
+        }
+    }
+    text
+}
+
+/// The configuration file of `config`, every key spelled out.
+#[must_use]
+pub fn config(config: &Config) -> String {
+    let [aspect_width, aspect_height] = config.aspect_ratio;
+    [
+        format!("aspect_ratio: {aspect_width} {aspect_height}\n"),
+        format!("image_width: {}\n", config.image_width),
+        format!("gamma: {}\n", real(config.gamma)),
+        format!("camera_position: {}\n", vector(config.camera_position)),
+        format!("camera_target: {}\n", vector(config.camera_target)),
+        format!("camera_north: {}\n", vector(config.camera_north)),
+        format!("field_of_view: {}\n", real(config.field_of_view)),
+        format!("samples_per_pixel: {}\n", config.samples_per_pixel),
+        format!("max_depth: {}\n", config.max_depth),
+        format!("material_rng_seed: {}\n", config.material_rng_seed),
+        format!("ray_rng_seed: {}\n", config.ray_rng_seed),
+        format!("background_dark_color: {}\n", vector(config.background_dark_color)),
+        format!("background_light_color: {}\n", vector(config.background_light_color)),
+    ]
+    .concat()
+}
+
+fn line(text: &mut String, content: std::fmt::Arguments<'_>) {
+    writeln!(text, "{content}").expect("a string takes all text");
+}
+
+fn vector(vector: Vec3) -> String {
+    vector.to_array().map(real).join(" ")
+}
+
+/// The shortest spelling that reads as the same number, with an exponent where that is shorter to read.
+fn real(value: f64) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_scene_of_everything_reads_back_as_itself() {
+        let text = "matte: m0 0 0.5 1\nmetal: m1 0.1 0.2 0.3 2\nrefractive: m2 1.5\nsphere: 0 -1e-10 3 0.25 m2\n\
+                    cylinder: 1 2 3 4e100 0 -1 0 m0\n";
+        assert_eq!(scene(&Scene::parse(text.as_bytes()).expect("it is valid")), text);
+    }
+
+    #[test]
+    fn a_configuration_reads_back_as_itself() {
+        let defaults = Config::default();
+        assert_eq!(Config::parse(config(&defaults).as_bytes()).ok(), Some(defaults));
+        let other = Config { gamma: 0.1 + 0.2, ray_rng_seed: u64::MAX, ..Config::default() };
+        assert_eq!(Config::parse(config(&other).as_bytes()).ok(), Some(other));
+    }
+}
