@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Arc;
 
-use cpu::layout::aos::AosImage;
+use cpu::internals::layout::aos::AosImage;
 use cpu::{Aos, Config, Scatter, Scene};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::generator::{self, Options};
@@ -122,7 +122,7 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
 /// The picture as a file's bytes.
 fn p3_of(image: &AosImage) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    cpu::image::ppm::write_ppm(image, &mut bytes)?;
+    cpu::internals::image::ppm::write_ppm(image, &mut bytes)?;
     Ok(bytes)
 }
 

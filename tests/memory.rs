@@ -13,10 +13,11 @@ use std::ops::ControlFlow;
 use std::ptr;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use cpu::accel::choice::Accel;
-use cpu::accel::extent::Extent;
-use cpu::layout::Objects;
-use cpu::{Aos, Camera, Config, Error, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Size, Soa};
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::accel::extent::Extent;
+use cpu::internals::layout::Objects;
+use cpu::internals::{Camera, InstructionSet, Prepared};
+use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Size, Soa};
 
 #[global_allocator]
 static REFUSING: Refusing = Refusing { least: AtomicUsize::new(usize::MAX), left: AtomicUsize::new(0) };
@@ -117,10 +118,10 @@ fn rendering<L: Layout>() {
     let set = InstructionSet::chosen();
     let rendering = refused("rendering", LEAST, || {
         let mut image = L::Image::black(prepared.size)?;
-        cpu::render_into(&prepared, set, &mut image, |_| ControlFlow::Break(())).map(drop)
+        cpu::internals::render_into(&prepared, set, &mut image, |_| ControlFlow::Break(())).map(drop)
     });
     assert!(rendering >= 3, "only {rendering}");
-    assert!(refused("means", LEAST, || cpu::render_linear(&prepared, set, |_, _| ())) >= 3);
+    assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 3);
 }
 
 /// A ray between mirrors, which meets as many surfaces as it may.
@@ -128,7 +129,7 @@ fn between_mirrors() {
     let config = Config { image_width: 1, samples_per_pixel: 1, max_depth: 500_000, ..config() };
     let scene = Scene::parse(&b"metal: m 1 1 1 0\nsphere: 0 0 0 20 m\n"[..]).expect("the scene is valid");
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("there is enough memory");
-    let render = || cpu::render_with(&prepared, InstructionSet::chosen()).map(drop);
+    let render = || cpu::internals::render_with(&prepared, InstructionSet::chosen()).map(drop);
     assert!(refused("path", LEAST, render) >= 3);
     let reference = || cpu::reference::render_linear(&config, &scene, Scatter::Statement, |_, _| ());
     assert!(refused("path of the reference", LEAST, reference) >= 3);

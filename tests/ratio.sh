@@ -13,9 +13,9 @@ if [ "${1:-}" = --help ]; then
     exit
 fi
 top=$(cd "$(dirname "$0")/.." && pwd)
-cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p cpu --bins --examples
+cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p bench --bins
 program=${PROGRAM:-$top/target/release/render-aos}
-yardstick=${YARDSTICK:-$top/target/release/examples/reference}
+yardstick=${YARDSTICK:-$top/target/release/reference}
 runs=${RUNS:-1}
 [ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,8p' "$0" >&2; exit 2; }
 

@@ -1,7 +1,7 @@
 //! The reference, which every other renderer is held against, gives the pictures of a program that shares nothing with
 //! it.
 
-use cpu::layout::aos::AosImage;
+use cpu::internals::layout::aos::AosImage;
 use cpu::{Config, Scene};
 use test_support::{digest, golden, ppm};
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use cpu::input::scene::Shape;
+use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
@@ -47,7 +47,7 @@ fn every_committed_scene_is_listed_and_makes_a_picture() {
     for name in NAMES {
         let config = Config::parse(text(name, "config.txt").as_bytes()).expect("committed configurations are valid");
         let size = config.image_size().expect("the picture is small");
-        assert!(cpu::geometry::camera::Camera::new(&config, size).is_ok(), "{name}");
+        assert!(cpu::internals::geometry::camera::Camera::new(&config, size).is_ok(), "{name}");
         assert!(!scene(name).objects.is_empty(), "{name}");
     }
 }

@@ -1,4 +1,4 @@
-//! Times of the kernels, and of a unit of each: `cargo bench -p bench --features kernels --bench kernels [NAME]`.
+//! Times of the kernels, and of a unit of each: `cargo bench -p bench --bench kernels [NAME]`.
 
 use std::time::{Duration, Instant};
 

@@ -5,13 +5,14 @@
 use std::fs::File;
 use std::time::Instant;
 
-use cpu::accel::choice::Accel;
-use cpu::accel::extent::Extent;
-use cpu::accel::object::order_of;
-use cpu::layout::Objects;
-use cpu::layout::aos::{AosImage, AosObjects};
-use cpu::layout::soa::SoaImage;
-use cpu::{Camera, Image, Rgb, Scene, Size};
+use cpu::internals::Camera;
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::accel::extent::Extent;
+use cpu::internals::accel::object::order_of;
+use cpu::internals::layout::Objects;
+use cpu::internals::layout::aos::{AosImage, AosObjects};
+use cpu::internals::layout::soa::SoaImage;
+use cpu::{Image, Rgb, Scene, Size};
 use test_support::generator::{self, Options};
 
 /// The fastest of some turns, in seconds.
@@ -40,9 +41,10 @@ fn write<I: Image>(layout: &str) {
         // A file of its own each time, as the programs write: emptying an old one takes as long again.
         turn += 1;
         let file = File::create(folder.path().join(format!("{turn}.ppm"))).expect("the folder takes files");
-        cpu::image::ppm::write_ppm(&image, file).expect("the file takes all");
+        cpu::internals::image::ppm::write_ppm(&image, file).expect("the file takes all");
     });
-    let to_nowhere = fastest(15, || cpu::image::ppm::write_ppm(&image, std::io::sink()).expect("a sink takes all"));
+    let to_nowhere =
+        fastest(15, || cpu::internals::image::ppm::write_ppm(&image, std::io::sink()).expect("a sink takes all"));
     println!(
         "write 1.8 million pixels ({layout}): {:.1} ms, {:.1} ms without the file",
         to_file * 1e3,

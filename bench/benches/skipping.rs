@@ -4,11 +4,12 @@
 use std::hint::black_box;
 
 use bench::time::compare;
-use cpu::accel::choice::Accel;
-use cpu::image::quantize;
-use cpu::image::quantize::Quantizer;
-use cpu::sampling::uniform::Uniform;
-use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene};
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::image::quantize;
+use cpu::internals::image::quantize::Quantizer;
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
 type Picture = <Aos as Layout>::Image;
@@ -31,13 +32,13 @@ fn prepared(config: &str, scene: &str) -> Prepared<Aos> {
 }
 
 fn render(prepared: &Prepared<Aos>) -> Picture {
-    cpu::render_with(prepared, InstructionSet::chosen()).expect("it is small")
+    cpu::internals::render_with(prepared, InstructionSet::chosen()).expect("it is small")
 }
 
 /// The same with every pixel's samples traced.
 fn render_every_sample(prepared: &Prepared<Aos>) -> Picture {
     let mut image = Picture::black(prepared.size).expect("it is small");
-    cpu::render_linear(prepared, InstructionSet::chosen(), |index, mean| {
+    cpu::internals::render_linear(prepared, InstructionSet::chosen(), |index, mean| {
         let [red, green, blue] = mean.to_array().map(|channel| prepared.quantizer.quantize(channel));
         image.set_pixel(index, cpu::Rgb { red, green, blue });
     })

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 #[must_use]
 pub fn main<L: cpu::Layout>() -> ExitCode {
     #[cfg(unix)]
-    cpu::output::stop::remove_temporary_when_stopped();
+    cpu::program::remove_temporary_when_stopped();
     match cpu::program::run::<L>(std::env::args_os().skip(1)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

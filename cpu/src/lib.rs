@@ -1,9 +1,9 @@
 //! A sequential renderer of spheres and cylinders, exact to the byte.
 //!
-//! Text becomes checked values ([`Config`], [`Scene`]), these become what the rendering needs and nothing more
-//! ([`Prepared`]), then pixels in one of two layouts ([`layout`]), then a PPM file ([`image::ppm`]). What is wrong with
-//! the two texts is found on the way to [`Prepared`]; after it only memory and the file can fail. docs/design.md says
-//! what each folder holds, and which others it uses.
+//! Text becomes checked values ([`Config`], [`Scene`]), these become pixels in one of two layouts ([`render()`], [`Aos`],
+//! [`Soa`]), and pixels become a PPM file ([`write_ppm`]). What is wrong with the two texts is found before anything is
+//! rendered; after that only memory and the output can fail. docs/design.md says what each folder holds, and which others
+//! it uses.
 //!
 //! ```
 //! use cpu::{Aos, Config, Scatter, Scene};
@@ -12,46 +12,101 @@
 //! let scene = Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n"[..])?;
 //! let image = cpu::render::<Aos>(&config, &scene, Scatter::Statement)?;
 //! let mut ppm = Vec::new();
-//! cpu::image::ppm::write_ppm(&image, &mut ppm)?;
+//! cpu::write_ppm(&image, &mut ppm)?;
 //! assert!(ppm.starts_with(b"P3\n8 8\n255\n"));
 //! # Ok::<(), cpu::Error>(())
 //! ```
 //!
 //! Two renderers live here. The module [`mod@reference`] follows the specification line by line and stays slow and
-//! plain; the real one ([`render`](crate::render())) takes every shortcut that gives the same bytes.
+//! plain: start reading there. The real one, [`render()`], takes every shortcut that gives the same bytes.
+//!
+//! The feature `internals` opens every module, for the project's own tests, tools and measurements. What it opens may
+//! change at any time.
 
-pub mod accel;
-pub mod counters;
-pub mod exact;
-pub mod geometry;
-pub mod image;
-pub mod input;
-pub mod layout;
-pub mod materials;
-pub mod math;
-pub mod output;
+#![cfg_attr(
+    not(feature = "internals"),
+    expect(dead_code, unused_imports, reason = "the feature `internals` shows it to tests and tools")
+)]
+
+mod accel;
+mod counters;
+mod exact;
+mod geometry;
+mod image;
+mod input;
+pub mod intersect;
+mod layout;
+mod materials;
+mod math;
+mod output;
 pub mod program;
 pub mod reference;
-pub mod render;
-pub mod sampling;
-pub mod simd;
+mod render;
+mod sampling;
+mod simd;
 
-pub use crate::geometry::camera::Camera;
-pub use crate::geometry::ray::{Hit, Ray};
+pub use crate::geometry::ray::Ray;
+pub use crate::image::ppm::write_ppm;
 pub use crate::image::{Image, Rgb};
 pub use crate::input::config::Config;
 pub use crate::input::error::Error;
 pub use crate::input::material::Material;
-pub use crate::input::scene::Scene;
+pub use crate::input::scene::{Object, Scene, Shape};
 pub use crate::input::size::Size;
 pub use crate::layout::Layout;
 pub use crate::layout::aos::Aos;
 pub use crate::layout::soa::Soa;
 pub use crate::math::vec3::Vec3;
-pub use crate::render::prepared::Prepared;
-#[cfg(feature = "bench")]
-#[doc(hidden)]
-pub use crate::render::stages;
-pub use crate::render::{render, render_into, render_linear, render_with};
+pub use crate::render::render;
 pub use crate::sampling::scatter_vectors::Scatter;
-pub use crate::simd::instruction_set::InstructionSet;
+
+/// Every module, for the project's own tests, tools and measurements.
+#[cfg(feature = "internals")]
+#[doc(hidden)]
+pub mod internals {
+    pub use crate::geometry::camera::Camera;
+    pub use crate::geometry::ray::Hit;
+    pub use crate::render::prepared::Prepared;
+    pub use crate::render::{render_into, render_linear, render_with};
+    pub use crate::simd::instruction_set::InstructionSet;
+
+    pub mod accel {
+        pub use crate::accel::*;
+    }
+    pub mod counters {
+        pub use crate::counters::*;
+    }
+    pub mod exact {
+        pub use crate::exact::*;
+    }
+    pub mod geometry {
+        pub use crate::geometry::*;
+    }
+    pub mod image {
+        pub use crate::image::*;
+    }
+    pub mod input {
+        pub use crate::input::*;
+    }
+    pub mod layout {
+        pub use crate::layout::*;
+    }
+    pub mod materials {
+        pub use crate::materials::*;
+    }
+    pub mod math {
+        pub use crate::math::*;
+    }
+    pub mod output {
+        pub use crate::output::*;
+    }
+    pub mod render {
+        pub use crate::render::*;
+    }
+    pub mod sampling {
+        pub use crate::sampling::*;
+    }
+    pub mod simd {
+        pub use crate::simd::*;
+    }
+}

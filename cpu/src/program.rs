@@ -12,6 +12,9 @@ use crate::output;
 use crate::output::{Options, Output};
 use crate::sampling::scatter_vectors::Scatter;
 
+#[cfg(unix)]
+pub use crate::output::stop::remove_temporary_when_stopped;
+
 /// Renders `SCENE` as `CONFIG` asks into `OUT.ppm`, given these three names.
 ///
 /// # Errors

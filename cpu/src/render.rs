@@ -30,7 +30,7 @@ pub(crate) mod samples;
 pub(crate) mod shade;
 pub(crate) mod span;
 pub(crate) mod specular_chains;
-#[cfg(feature = "bench")]
+#[cfg(feature = "internals")]
 pub mod stages;
 pub(crate) mod surface;
 pub(crate) mod trace_paths;

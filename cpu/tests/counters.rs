@@ -4,8 +4,9 @@
 
 #![cfg(feature = "counters")]
 
-use cpu::counters::{Counter, reset, snapshot};
-use cpu::{Aos, Config, InstructionSet, Prepared, Scatter, Scene};
+use cpu::internals::counters::{Counter, reset, snapshot};
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Config, Scatter, Scene};
 
 /// A small picture: 32 by 18 pixels, 16 samples each, seen from z = -10.
 const SMALL: &str = "image_width: 32\nsamples_per_pixel: 16\nfield_of_view: 45\n";
@@ -18,7 +19,7 @@ fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
     let prepared: Prepared<Aos> = Prepared::new(&config, &scene, Scatter::Statement).expect("it can be rendered");
     reset();
-    cpu::render_with(&prepared, InstructionSet::chosen()).expect("it is small");
+    cpu::internals::render_with(&prepared, InstructionSet::chosen()).expect("it is small");
     let counts = snapshot();
     move |counter| counts.of(counter)
 }

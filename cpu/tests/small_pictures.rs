@@ -6,10 +6,11 @@
 
 use std::ops::RangeInclusive;
 
-use cpu::accel::choice::Accel;
-use cpu::layout::aos::AosImage;
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::layout::aos::AosImage;
+use cpu::internals::{InstructionSet, Prepared};
 use cpu::reference::intersect::Certified;
-use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
+use cpu::{Aos, Config, Image, Layout, Scatter, Scene, Soa};
 
 const MATERIALS: &str = "matte: m .8 .7 .6\nmetal: s .9 .8 .7 .4\nrefractive: g 1.5\n";
 
@@ -54,7 +55,7 @@ fn agree(config: &Config, scene: &Scene) {
 fn same<L: Layout>(config: &Config, scene: &Scene, expected: &AosImage) {
     let prepared = Prepared::<L>::new(config, scene, Scatter::Statement).expect("the camera is sound");
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-        let actual = cpu::render_with(&prepared, set).expect("the picture is small");
+        let actual = cpu::internals::render_with(&prepared, set).expect("the picture is small");
         assert_eq!(actual.size(), expected.size());
         for at in 0..expected.size().pixels() {
             let what = (std::any::type_name::<L>(), set.name());

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use cpu::Size;
 use cpu::Vec3;
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 
 use crate::shader_lab::png::encoded;
 use crate::{Error, Float};

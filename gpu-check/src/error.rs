@@ -107,7 +107,7 @@ pub enum Error {
     #[error("{}", String::from_utf8_lossy(&.0.message_for_terminal()))]
     Scene(#[from] cpu::Error),
     /// A file cannot be read or written.
-    #[error("{}: {cause}", cpu::input::text::escape(path.as_os_str().as_encoded_bytes()))]
+    #[error("{}: {cause}", cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes()))]
     File {
         /// Its name.
         path: PathBuf,

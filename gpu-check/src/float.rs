@@ -2,7 +2,7 @@
 
 use std::fmt::{Debug, Display};
 
-use cpu::math::real::Real;
+use cpu::internals::math::real::Real;
 use shaders::Precision;
 
 use crate::Kernel;

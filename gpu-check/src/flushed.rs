@@ -6,7 +6,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use cpu::math::real::Real;
+use cpu::internals::math::real::Real;
 
 /// A number in such arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq)]

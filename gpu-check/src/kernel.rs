@@ -3,8 +3,8 @@
 //! A case is a row of numbers and so is a result, flags included, so that one comparison serves all kernels.
 
 use cpu::Vec3;
-use cpu::math::real::Real;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::math::real::Real;
+use cpu::internals::sampling::uniform::Uniform;
 
 use crate::Float;
 use crate::flushed::Flushed;

@@ -10,8 +10,9 @@ mod sphere;
 
 pub use barrier::two_sum;
 
-use cpu::math::real::Real;
-use cpu::{Hit, Vec3};
+use cpu::Vec3;
+use cpu::internals::Hit;
+use cpu::internals::math::real::Real;
 
 use crate::Kernel;
 

@@ -20,8 +20,8 @@
 //!
 //! let gpu = Gpu::open()?;
 //! println!("{gpu}");
-//! let config = cpu::input::config::Config::default();
-//! let scene = cpu::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n"[..])?;
+//! let config = cpu::internals::input::config::Config::default();
+//! let scene = cpu::internals::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n"[..])?;
 //! let features = features_of(&config, &scene)?;
 //! let renderer = Renderer::<f64>::new(&gpu, &Library::standard(), &features)?;
 //! let rendering = renderer.render(&Picture::new(&config, &scene)?)?;

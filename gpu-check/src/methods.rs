@@ -4,8 +4,8 @@ use std::marker::PhantomData;
 use std::rc::Rc;
 
 use cpu::Vec3;
-use cpu::geometry::cylinder::CylinderPart;
-use cpu::input::scene::Shape;
+use cpu::internals::geometry::cylinder::CylinderPart;
+use cpu::internals::input::scene::Shape;
 use shaders::Library;
 use stability::case::Case;
 use stability::methods::{Answer, Failure, Method, Stopwatch};

@@ -2,11 +2,12 @@
 //!
 //! Those are made of scalars alone, 4 or 8 bytes each, without a gap: a value's bytes are its numbers' bytes, in order.
 
-use cpu::geometry::cylinder::CylinderRecord;
-use cpu::geometry::sphere::SphereRecord;
-use cpu::layout::Placed;
-use cpu::render::background::Background;
-use cpu::{Camera, Vec3};
+use cpu::Vec3;
+use cpu::internals::Camera;
+use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::layout::Placed;
+use cpu::internals::render::background::Background;
 
 use crate::Float;
 use crate::picture::PackedMaterial;

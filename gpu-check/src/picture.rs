@@ -1,12 +1,13 @@
 //! What a picture is made from, ready for a device: the buffers of `shaders/wgsl/picture.wgsl`.
 
-use cpu::geometry::cylinder::CylinderRecord;
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::{Scene, Shape};
-use cpu::layout::Placed;
-use cpu::math::real::Real;
-use cpu::render::background::Background;
-use cpu::{Camera, Config, Error as CpuError, Material, Size, Vec3};
+use cpu::internals::Camera;
+use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::{Scene, Shape};
+use cpu::internals::layout::Placed;
+use cpu::internals::math::real::Real;
+use cpu::internals::render::background::Background;
+use cpu::{Config, Error as CpuError, Material, Size, Vec3};
 use shaders::Features;
 
 use crate::Error;

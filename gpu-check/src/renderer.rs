@@ -179,8 +179,9 @@ mod tests {
 
     fn structures_have_the_size_of_their_twins<T: Float>() {
         let text = "matte: a 1 1 1\nsphere: 0 0 0 1 a\ncylinder: 0 0 0 1 0 1 0 a\n";
-        let scene = cpu::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
-        let picture = Picture::<T>::new(&cpu::input::config::Config::default(), &scene).expect("it is valid");
+        let scene = cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
+        let picture =
+            Picture::<T>::new(&cpu::internals::input::config::Config::default(), &scene).expect("it is valid");
         let size = |name| size_in_wgsl(name, T::PRECISION);
         assert_eq!(buffer(&picture.spheres).len(), size("PlacedSphere"));
         assert_eq!(buffer(&picture.cylinders).len(), size("PlacedCylinder"));

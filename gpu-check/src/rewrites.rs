@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::sampling::uniform::Uniform;
 use shaders::Library;
 
 use crate::pipeline::{Content, Pipeline};

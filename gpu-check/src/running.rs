@@ -18,7 +18,7 @@
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use cpu::math::real::Real;
+use cpu::internals::math::real::Real;
 
 /// Half a unit in the last place of f32, relative.
 const U: f64 = 1.0 / 16_777_216.0;
@@ -158,7 +158,7 @@ impl Real for Running {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cpu::sampling::uniform::Uniform;
+    use cpu::internals::sampling::uniform::Uniform;
 
     /// A formula with every operation, cancellation included.
     fn formula<T: Real>(x: T, y: T, z: T) -> T {

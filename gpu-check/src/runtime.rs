@@ -8,7 +8,7 @@ pub fn ensure_folder() {
         use std::os::unix::process::CommandExt;
         use std::path::Path;
 
-        use cpu::output::{Options, Output};
+        use cpu::internals::output::{Options, Output};
 
         const NAME: &str = "XDG_RUNTIME_DIR";
         // A new start would hide that standard output is closed: the standard library opens /dev/null in its place.

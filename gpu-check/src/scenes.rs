@@ -4,8 +4,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cpu::input::scene::{Cylinder, Object, Scene, Shape, Sphere};
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::input::scene::{Cylinder, Object, Scene, Shape, Sphere};
+use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Material, Vec3};
 
 use crate::{Error, special};

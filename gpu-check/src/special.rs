@@ -1,7 +1,7 @@
 //! Numbers and vectors at which floating point shows its teeth, and random ones of every size.
 
 use cpu::Vec3;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::sampling::uniform::Uniform;
 
 /// Zeros, subnormals, the smallest, the largest and what is no number, for f64 and f32 alike.
 pub const NUMBERS: [f64; 21] = [

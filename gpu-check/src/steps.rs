@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use cpu::Vec3;
-use cpu::math::real::Real;
+use cpu::internals::math::real::Real;
 use shaders::{Features, Library};
 
 use crate::packed::buffer;

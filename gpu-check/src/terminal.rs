@@ -5,18 +5,20 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 
 /// Writes `text` to standard output, with all control characters but its line ends escaped.
 ///
 /// A reader that has gone, as `head` does after ten lines, is no error.
 ///
 /// # Errors
-/// [`cpu::input::error::Error::Write`]: standard output is closed, full or not writable.
+/// [`cpu::internals::input::error::Error::Write`]: standard output is closed, full or not writable.
 pub fn print(text: &str) -> Result<(), cpu::Error> {
     let output = Output::open(Path::new("/dev/stdout"), Options::default());
     match output.and_then(|output| output.fill(|file| file.write_all(escaped(text).as_bytes()))) {
-        Err(cpu::input::error::Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        Err(cpu::internals::input::error::Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => {
+            Ok(())
+        }
         result => result,
     }
 }
@@ -28,7 +30,7 @@ pub fn note(text: &str) {
 
 /// Text of several lines without characters that a terminal would obey.
 fn escaped(text: &str) -> String {
-    text.split('\n').map(|line| cpu::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
+    text.split('\n').map(|line| cpu::internals::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]

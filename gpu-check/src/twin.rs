@@ -3,11 +3,12 @@
 //!
 //! The formulas are those of `cpu`; `cpu::reference`, which has its own, is what f64 is held against.
 
-use cpu::geometry::cylinder::CylinderPart;
-use cpu::layout::Placed;
-use cpu::materials::scatter;
-use cpu::math::real::Real;
-use cpu::{Hit, Ray, Vec3};
+use cpu::internals::Hit;
+use cpu::internals::geometry::cylinder::CylinderPart;
+use cpu::internals::layout::Placed;
+use cpu::internals::materials::scatter;
+use cpu::internals::math::real::Real;
+use cpu::{Ray, Vec3};
 
 use crate::Picture;
 use crate::picture::Kind;

@@ -62,12 +62,16 @@ fn crowd(name: &str, line: &str) -> Case {
         let (x, y) = (number % 20 - 10, number / 20 - 5);
         text.push_str(&line.replace("X", &x.to_string()).replace("Y", &y.to_string()));
     }
-    let config =
-        cpu::Config { image_width: 100, aspect_ratio: [1, 1], max_depth: 10, ..cpu::input::config::Config::default() };
+    let config = cpu::Config {
+        image_width: 100,
+        aspect_ratio: [1, 1],
+        max_depth: 10,
+        ..cpu::internals::input::config::Config::default()
+    };
     Case {
         name: name.to_owned(),
         config,
-        scene: cpu::input::scene::Scene::parse(text.as_bytes()).expect("it is valid"),
+        scene: cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid"),
     }
 }
 

@@ -140,9 +140,13 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
 {behind}sphere: 0 0 0 5 red
 "
     );
-    let scene = cpu::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
-    let config =
-        cpu::Config { image_width: 8, aspect_ratio: [1, 1], max_depth: 1, ..cpu::input::config::Config::default() };
+    let scene = cpu::internals::input::scene::Scene::parse(text.as_bytes()).expect("it is valid");
+    let config = cpu::Config {
+        image_width: 8,
+        aspect_ratio: [1, 1],
+        max_depth: 1,
+        ..cpu::internals::input::config::Config::default()
+    };
     let case = Case { name: "66,001 spheres".to_owned(), config, scene };
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
     let features = features_of(&case.config, &case.scene).expect("it is valid");

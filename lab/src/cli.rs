@@ -1,7 +1,7 @@
 //! The command line: every command with its options, in one place.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use cpu::output::Options;
+use cpu::internals::output::Options;
 
 use crate::Failure;
 use crate::commands::{bench, compare, completions, generate, help, inspect, render, report};

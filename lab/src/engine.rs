@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use cpu::accel::choice::Accel;
-use cpu::{Aos, Config, Error, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Config, Error, Layout, Scatter, Scene, Soa, Vec3};
 
 use crate::picture::Picture;
 
@@ -123,13 +124,13 @@ fn prepared<L: Layout>(config: &Config, scene: &Scene) -> Result<Prepared<L>, Er
 }
 
 fn rendered<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Vec<u8>, Error> {
-    cpu::render_with(prepared, set).map(|image| bytes(&image))
+    cpu::internals::render_with(prepared, set).map(|image| bytes(&image))
 }
 
 fn bytes(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to memory does not fail.
-    let _ = cpu::image::ppm::write_ppm(image, &mut bytes);
+    let _ = cpu::internals::image::ppm::write_ppm(image, &mut bytes);
     bytes
 }
 
@@ -140,11 +141,11 @@ fn bytes(image: &impl cpu::Image) -> Vec<u8> {
 pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
     let mut means = vec![Vec3::ZERO; prepared.size.pixels()];
-    cpu::render_linear(&prepared, InstructionSet::chosen(), |index, mean| means[index] = mean)?;
+    cpu::internals::render_linear(&prepared, InstructionSet::chosen(), |index, mean| means[index] = mean)?;
     Ok(means)
 }
 
-/// Renders with the real renderer and calls `after_row` as [`cpu::render_into`] does; `None` when it broke off before
+/// Renders with the real renderer and calls `after_row` as [`cpu::internals::render_into`] does; `None` when it broke off before
 /// `rows` rows were done.
 ///
 /// # Errors
@@ -156,7 +157,7 @@ pub fn render_rows<L: Layout>(
 ) -> Result<Option<Picture>, Error> {
     let mut image = <L::Image as cpu::Image>::black(prepared.size)?;
     let mut done = 0;
-    let _ = cpu::render_into(prepared, InstructionSet::chosen(), &mut image, |row| {
+    let _ = cpu::internals::render_into(prepared, InstructionSet::chosen(), &mut image, |row| {
         done = row;
         after_row(row)?;
         if row >= rows { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

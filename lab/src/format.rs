@@ -3,7 +3,7 @@
 //! `cpu` decides what is valid. This table explains it: `render-lab help config` and `help scene` print it, messages
 //! point at the field that is wrong, and tests hold it to the parsers of `cpu`.
 
-use cpu::input::text;
+use cpu::internals::input::text;
 
 /// What a field may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,16 +181,16 @@ mod tests {
             aspect_ratio: [1, 1],
             image_width: 1,
             gamma: 1.0,
-            camera_position: cpu::math::vec3::Vec3::ONE,
-            camera_target: cpu::math::vec3::Vec3::ONE,
-            camera_north: cpu::math::vec3::Vec3::ONE,
+            camera_position: cpu::internals::math::vec3::Vec3::ONE,
+            camera_target: cpu::internals::math::vec3::Vec3::ONE,
+            camera_north: cpu::internals::math::vec3::Vec3::ONE,
             field_of_view: 1.0,
             samples_per_pixel: 1,
             max_depth: 1,
             material_rng_seed: 1,
             ray_rng_seed: 1,
-            background_dark_color: cpu::math::vec3::Vec3::ZERO,
-            background_light_color: cpu::math::vec3::Vec3::ZERO,
+            background_dark_color: cpu::internals::math::vec3::Vec3::ZERO,
+            background_light_color: cpu::internals::math::vec3::Vec3::ZERO,
         };
         for line in CONFIG {
             changed.set(format!("{} {}", line.tag, line.default).as_bytes()).expect("the table is right");

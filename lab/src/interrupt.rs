@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use cpu::output::stop;
+use cpu::internals::output::stop;
 
 use crate::Failure;
 

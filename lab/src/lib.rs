@@ -36,7 +36,7 @@ const STACK_BYTES: usize = 8 << 20;
 #[must_use]
 pub fn main() -> ExitCode {
     // From here on a signal that ends the process leaves no temporary file.
-    cpu::output::stop::remove_temporary_when_stopped();
+    cpu::internals::output::stop::remove_temporary_when_stopped();
     // The limit on the main thread's stack may be smaller than rendering needs, which is some 300 kB in a debug build.
     let thread = std::thread::Builder::new().name("main".to_owned()).stack_size(STACK_BYTES);
     match thread.spawn(run).map(std::thread::JoinHandle::join) {
@@ -65,7 +65,7 @@ fn command_line() -> Result<cli::Cli, Failure> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     cli::Cli::try_parse_from(&arguments).map_err(|error| {
         let is_clean = |argument: &OsString| {
-            cpu::input::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
+            cpu::internals::input::text::escape(argument.as_encoded_bytes()).as_bytes() == argument.as_encoded_bytes()
         };
         if error.use_stderr() && arguments.iter().all(is_clean) {
             let _ = error.print();

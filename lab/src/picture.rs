@@ -8,7 +8,7 @@ pub mod kind;
 use std::io::{self, Cursor, Read, Write};
 use std::path::Path;
 
-use cpu::input::reader::Input;
+use cpu::internals::input::reader::Input;
 use cpu::{Error, Image, Rgb, Size};
 
 use crate::{Failure, terminal};
@@ -110,13 +110,13 @@ impl Picture {
     /// # Errors
     /// What `out` returns.
     pub fn write_ppm(&self, out: impl Write) -> io::Result<()> {
-        let explain = |error: cpu::input::error::Picture| io::Error::other(error.to_string());
+        let explain = |error: cpu::internals::input::error::Picture| io::Error::other(error.to_string());
         let size = Size::new(self.width as u64, self.height as u64).map_err(explain)?;
-        let mut image = cpu::layout::aos::AosImage::black(size).map_err(io::Error::other)?;
+        let mut image = cpu::internals::layout::aos::AosImage::black(size).map_err(io::Error::other)?;
         for (index, &[red, green, blue]) in self.pixels.iter().enumerate() {
             image.set_pixel(index, Rgb { red, green, blue });
         }
-        cpu::image::ppm::write_ppm(&image, out)
+        cpu::internals::image::ppm::write_ppm(&image, out)
     }
 }
 

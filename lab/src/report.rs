@@ -15,7 +15,7 @@ pub mod thumbnails;
 use std::collections::HashSet;
 use std::path::Path;
 
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 
 use crate::bench::results::Results;
 use crate::{Failure, terminal};

@@ -7,9 +7,9 @@ pub mod shown;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-use cpu::input::error::Picture;
-use cpu::input::reader::Input;
-use cpu::input::text::MAX_FILE_BYTES;
+use cpu::internals::input::error::Picture;
+use cpu::internals::input::reader::Input;
+use cpu::internals::input::text::MAX_FILE_BYTES;
 use cpu::{Config, Error, Scene};
 
 use crate::{Failure, terminal};

@@ -5,7 +5,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 
 use crate::Failure;
 
@@ -27,7 +27,9 @@ pub fn write(bytes: &[u8]) -> Result<(), Failure> {
     let written =
         Output::open(Path::new("/dev/stdout"), Options::default()).and_then(|out| out.fill(|out| out.write_all(bytes)));
     match written {
-        Err(cpu::input::error::Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        Err(cpu::internals::input::error::Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => {
+            Ok(())
+        }
         other => Ok(other?),
     }
 }
@@ -40,13 +42,13 @@ pub fn note(text: &str) {
 /// The name of a file, with control characters escaped, line ends among them.
 #[must_use]
 pub fn name(path: &Path) -> String {
-    cpu::input::text::escape(path.as_os_str().as_encoded_bytes())
+    cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
 }
 
 /// A message of one or more lines, with all control characters but its line ends escaped.
 #[must_use]
 pub fn escape_lines(text: &str) -> String {
-    text.split('\n').map(|line| cpu::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
+    text.split('\n').map(|line| cpu::internals::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 use std::process::Command;
 
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 use libtest_mimic::{Failed, Trial};
 use test_support::injection::{Disturbance, unavailable};
 

@@ -6,12 +6,13 @@
 
 use std::cell::Cell;
 
-use cpu::input::config::Config;
-use cpu::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
-use cpu::layout::aos::AosImage;
+use cpu::internals::input::config::Config;
+use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::internals::layout::aos::AosImage;
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::internals::{InstructionSet, Prepared};
 use cpu::reference::intersect::Certified;
-use cpu::sampling::uniform::Uniform;
-use cpu::{Aos, Image, InstructionSet, Layout, Material, Prepared, Scatter, Scene, Soa, Vec3};
+use cpu::{Aos, Image, Layout, Material, Scatter, Scene, Soa, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 
@@ -121,9 +122,10 @@ fn agrees<L: Layout>(
 ) -> Result<(), TestCaseError> {
     let prepared = Prepared::<L>::new(config, scene, scatter).expect("the reference renders it");
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-        let image = cpu::render_with(&prepared, set).expect("the picture is small");
+        let image = cpu::internals::render_with(&prepared, set).expect("the picture is small");
         let mut means = vec![[0; 3]; expected.1.len()];
-        cpu::render_linear(&prepared, set, |index, mean| means[index] = bits(mean)).expect("the picture is small");
+        cpu::internals::render_linear(&prepared, set, |index, mean| means[index] = bits(mean))
+            .expect("the picture is small");
         let wrong = (0..means.len())
             .filter(|&index| image.pixel(index) != expected.0.pixel(index) || means[index] != expected.1[index]);
         let wrong = wrong.count();

@@ -3,9 +3,10 @@
 
 use std::cell::Cell;
 
-use cpu::layout::aos::AosImage;
+use cpu::internals::layout::aos::AosImage;
+use cpu::internals::{InstructionSet, Prepared};
 use cpu::reference::intersect::Certified;
-use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa, Vec3};
+use cpu::{Aos, Config, Image, Layout, Scatter, Scene, Soa, Vec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 use test_support::generator::{Arrangement, Options, scene};
@@ -131,7 +132,7 @@ fn agrees<L: Layout>(case: &Case, scene: &Scene, scatter: Scatter, expected: &Ao
     let layout = std::any::type_name::<L>();
     let prepared = Prepared::<L>::new(&case.config, scene, scatter).expect("what the reference renders, it renders");
     for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-        let actual = cpu::render_with(&prepared, set).expect("the picture is small");
+        let actual = cpu::internals::render_with(&prepared, set).expect("the picture is small");
         if let Some(difference) = difference(&actual, expected) {
             let (set, files) = (set.name(), case.files(scene));
             let what = format!("{layout}, {set}, {scatter:?}: {difference}\n{files}");

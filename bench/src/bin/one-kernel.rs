@@ -16,7 +16,7 @@ one-kernel [NAME]
 Does a kernel's work once, inside a function that callgrind can be told to count; prints all names without NAME.
 
 Example:
-  cargo run --release -p bench --features kernels --bin one-kernel sky";
+  cargo run --release -p bench --bin one-kernel sky";
 
 fn main() -> ExitCode {
     let Some(name) = std::env::args().nth(1) else {

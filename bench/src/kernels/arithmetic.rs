@@ -2,15 +2,16 @@
 
 use std::hint::black_box;
 
-use cpu::geometry::cylinder::CylinderRecord;
-use cpu::geometry::sphere::SphereRecord;
-use cpu::image::quantize::Quantizer;
-use cpu::render::background::Background;
-use cpu::sampling::block::BlockUniform;
-use cpu::sampling::uniform::Uniform;
-use cpu::simd;
-use cpu::simd::{Simd, SimdF64};
-use cpu::{Config, InstructionSet, Ray, Vec3, exact};
+use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::image::quantize::Quantizer;
+use cpu::internals::render::background::Background;
+use cpu::internals::sampling::block::BlockUniform;
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::internals::simd;
+use cpu::internals::simd::{Simd, SimdF64};
+use cpu::internals::{InstructionSet, exact};
+use cpu::{Config, Ray, Vec3};
 
 use super::{Kernel, Work, plain};
 
@@ -172,7 +173,8 @@ fn ground() -> Box<dyn Work> {
 /// Rays against a cylinder; through its rim to the last bit if wanted.
 fn cylinders(
     through_rim: bool,
-    intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::geometry::cylinder::CylinderPart)> + 'static,
+    intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::internals::geometry::cylinder::CylinderPart)>
+    + 'static,
 ) -> Box<dyn Work> {
     let axis = if through_rim { Vec3::new(0.0, 4.0, 0.0) } else { Vec3::new(0.2, 1.5, 0.4) };
     let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);

@@ -3,10 +3,10 @@
 use std::hint::black_box;
 use std::io;
 
-use cpu::accel::choice::Accel;
-use cpu::accel::extent::Extent;
-use cpu::layout::Objects;
-use cpu::layout::aos::{AosImage, AosObjects};
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::accel::extent::Extent;
+use cpu::internals::layout::Objects;
+use cpu::internals::layout::aos::{AosImage, AosObjects};
 use cpu::{Config, Image, Rgb, Scene, Size};
 use test_support::generator::{self, Options};
 
@@ -50,5 +50,7 @@ fn write_ppm() -> Box<dyn Work> {
         let [red, green, blue] = [index, index / 3, index / 7].map(|value| value as u8);
         image.set_pixel(index, Rgb { red, green, blue });
     }
-    plain(size.pixels(), move || cpu::image::ppm::write_ppm(black_box(&image), io::sink()).expect("a sink takes all"))
+    plain(size.pixels(), move || {
+        cpu::internals::image::ppm::write_ppm(black_box(&image), io::sink()).expect("a sink takes all")
+    })
 }

@@ -1,7 +1,8 @@
 //! The stages of a span: 32 pixels of a row, 32 samples each.
 
-use cpu::render::stages::Stages;
-use cpu::{Aos, Config, InstructionSet, Prepared, Scatter, Scene};
+use cpu::internals::render::stages::Stages;
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Config, Scatter, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
 use super::{Kernel, Work};

@@ -5,7 +5,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::sampling::uniform::Uniform;
 use nix::sys::signal::Signal;
 
 use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of, wait_until};

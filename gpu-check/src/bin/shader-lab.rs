@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::process::ExitCode;
 
-use cpu::output::{Options, Output, stop};
+use cpu::internals::output::{Options, Output, stop};
 use gpu_check::shader_lab::args::{self, Command, USAGE};
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
@@ -105,7 +105,8 @@ fn template(path: &Path) -> ExitCode {
 
 fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     let data = || {
-        let (config, scene) = (cpu::input::config::Config::read(config)?, cpu::input::scene::Scene::read(scene)?);
+        let (config, scene) =
+            (cpu::internals::input::config::Config::read(config)?, cpu::internals::input::scene::Scene::read(scene)?);
         truth::check_size(&config)?;
         data::collect(&Gpu::open()?, &config, &scene)
     };

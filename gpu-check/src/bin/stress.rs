@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use clap::Parser;
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 use cpu::{Config, Scatter, Scene};
 use gpu_check::{Gpu, terminal};
 use stability::methods::{self, CERTIFIED, PROJECTED};
@@ -57,7 +57,7 @@ fn count(text: &str) -> Result<usize, String> {
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
     // From here on a signal that ends the process leaves no temporary file.
-    cpu::output::stop::remove_temporary_when_stopped();
+    cpu::internals::output::stop::remove_temporary_when_stopped();
     let result = match Arguments::try_parse() {
         Ok(arguments) => run(&arguments),
         Err(message) if message.use_stderr() => {
@@ -182,7 +182,8 @@ const MAX_BYTES: u64 = 1 << 22;
 /// The document as it is, or an empty one with all marks.
 fn document_text(path: &Path) -> Result<String, String> {
     if path.exists() {
-        return cpu::input::reader::read_text(path, MAX_BYTES).map_err(|error| format!("{}: {error}", path.display()));
+        return cpu::internals::input::reader::read_text(path, MAX_BYTES)
+            .map_err(|error| format!("{}: {error}", path.display()));
     }
     let mut text = "# Accuracy of the intersections\n".to_owned();
     for mark in ["command", "spheres", "cylinders", "costs", "large", "pictures"] {

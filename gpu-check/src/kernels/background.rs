@@ -1,8 +1,8 @@
 //! The colour of a ray that meets nothing.
 
-use cpu::math::real::Real;
-use cpu::render::background::Background;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::math::real::Real;
+use cpu::internals::render::background::Background;
+use cpu::internals::sampling::uniform::Uniform;
 
 use super::store;
 use crate::kernel::{Formula, Reader};

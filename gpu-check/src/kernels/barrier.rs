@@ -1,7 +1,7 @@
 //! Sums with their rounding error, behind the barrier against rewriting.
 
-use cpu::math::real::Real;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::math::real::Real;
+use cpu::internals::sampling::uniform::Uniform;
 
 use crate::kernel::{Formula, Reader};
 use crate::special::{self, NUMBERS, Row};

@@ -1,8 +1,8 @@
 //! A pixel's ray.
 
-use cpu::geometry::camera::Camera;
-use cpu::math::real::Real;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::geometry::camera::Camera;
+use cpu::internals::math::real::Real;
+use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Vec3};
 
 use super::store;

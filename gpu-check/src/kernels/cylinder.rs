@@ -1,9 +1,10 @@
 //! Ray against closed cylinder: its side and both bases.
 
-use cpu::geometry::cylinder::CylinderRecord;
-use cpu::math::real::Real;
-use cpu::sampling::uniform::Uniform;
-use cpu::{Hit, Ray, Vec3};
+use cpu::internals::Hit;
+use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::math::real::Real;
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::{Ray, Vec3};
 
 use super::{HIT_REPORT, report};
 use crate::kernel::{Formula, Reader};

@@ -1,10 +1,11 @@
 //! Ray against sphere and cylinder in the projected form, on the cases of the textbook's.
 
-use cpu::geometry::cylinder::CylinderRecord;
-use cpu::geometry::sphere::SphereRecord;
-use cpu::math::real::Real;
-use cpu::sampling::uniform::Uniform;
-use cpu::{Hit, Ray};
+use cpu::Ray;
+use cpu::internals::Hit;
+use cpu::internals::geometry::cylinder::CylinderRecord;
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::math::real::Real;
+use cpu::internals::sampling::uniform::Uniform;
 use stability::methods::projected;
 
 use super::{HIT_REPORT, cylinder, report, sphere};

@@ -1,9 +1,9 @@
 //! How surfaces send light on: matte, reflection, metal and refraction.
 
 use cpu::Vec3;
-use cpu::materials::scatter;
-use cpu::math::real::Real;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::materials::scatter;
+use cpu::internals::math::real::Real;
+use cpu::internals::sampling::uniform::Uniform;
 
 use super::store;
 use crate::kernel::{Formula, Reader};

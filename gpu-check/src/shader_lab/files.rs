@@ -56,8 +56,8 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
 }
 
 fn read_one(path: &Path) -> Result<UserModule, Error> {
-    let text =
-        cpu::input::reader::read_text(path, MAX_BYTES).map_err(|cause| Error::File { path: path.to_owned(), cause })?;
+    let text = cpu::internals::input::reader::read_text(path, MAX_BYTES)
+        .map_err(|cause| Error::File { path: path.to_owned(), cause })?;
     let name = name(path, &text);
     if module::find(&name).is_none() {
         return Err(unknown(path, &text, &name));
@@ -98,7 +98,7 @@ fn name(path: &Path, text: &str) -> String {
 /// The name of a file, with control characters escaped.
 #[must_use]
 pub fn shown(path: &Path) -> String {
-    cpu::input::text::escape(path.as_os_str().as_encoded_bytes())
+    cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
 }
 
 fn fault(path: &Path, message: String) -> Error {

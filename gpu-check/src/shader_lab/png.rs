@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 use cpu::Size;
 use cpu::Vec3;
-use cpu::image::quantize::quantize;
-use cpu::output;
-use cpu::output::Output;
+use cpu::internals::image::quantize::quantize;
+use cpu::internals::output;
+use cpu::internals::output::Output;
 
 use super::args::Options;
 use super::files::{UserModule, shown};
@@ -77,7 +77,7 @@ impl Place {
     /// As [`Place::write`], or too little memory.
     pub fn write_panels(self, panels: &[(&str, &[[u8; 3]])], width: usize) -> Result<(), Error> {
         let canvas = annotate::panels(panels, width);
-        let canvas = canvas.map_err(|_| cpu::input::error::Error::OutOfMemory { what: "the panels" })?;
+        let canvas = canvas.map_err(|_| cpu::internals::input::error::Error::OutOfMemory { what: "the panels" })?;
         self.write_rows(canvas.width, &canvas.pixels)
     }
 

@@ -60,8 +60,8 @@ fn gives_once(path: &Path) -> bool {
 }
 
 fn text(path: &Path) -> Text {
-    cpu::input::reader::read(path, MAX_BYTES).map_err(|cause| {
-        let error = cpu::input::error::Error::Read { path: path.to_owned(), cause };
+    cpu::internals::input::reader::read(path, MAX_BYTES).map_err(|cause| {
+        let error = cpu::internals::input::error::Error::Read { path: path.to_owned(), cause };
         String::from_utf8_lossy(&error.message_for_terminal()).into_owned()
     })
 }

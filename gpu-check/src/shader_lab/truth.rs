@@ -15,7 +15,7 @@ pub const MAX_PIXELS: usize = 1 << 23;
 /// # Errors
 /// [`Error::Request`], or [`Error::Scene`] when the configuration makes no picture.
 pub fn check_size(config: &Config) -> Result<(), Error> {
-    let size = config.image_size().map_err(cpu::input::error::Error::from)?;
+    let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
     if size.pixels() <= MAX_PIXELS {
         return Ok(());
     }

@@ -4,7 +4,7 @@
 //! and as the course measures it, in levels of the finished picture. The error does not depend on the implementation,
 //! for all make the same picture; the time to get there does.
 
-use cpu::image::quantize::quantize;
+use cpu::internals::image::quantize::quantize;
 use cpu::{Config, Error, Scene, Vec3};
 use serde::{Deserialize, Serialize};
 

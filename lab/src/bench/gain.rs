@@ -4,7 +4,7 @@
 //! background's ends are calculated in lanes, and that means become bytes without a power, is woven into the real
 //! renderer: what these gain is within the row of the literal renderer, which has no certificate either.
 
-use cpu::InstructionSet;
+use cpu::internals::InstructionSet;
 use serde::{Deserialize, Serialize};
 
 use super::results::{Setting, Timing};

@@ -4,7 +4,7 @@ use std::fs;
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use cpu::InstructionSet;
+use cpu::internals::InstructionSet;
 use serde::{Deserialize, Serialize};
 
 /// A machine at the time of a measurement.

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 use serde::{Deserialize, Serialize};
 
 use super::machine::Machine;
@@ -40,7 +40,7 @@ impl Partial {
     /// It cannot be read, is something else, or was asked for otherwise.
     pub fn read(path: &Path, request: &str) -> Result<Self, Failure> {
         let explain = |error: &dyn Display| format!("{}: {error}", terminal::name(path));
-        let text = cpu::input::reader::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
+        let text = cpu::internals::input::reader::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
         let partial: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
         partial.results.check().map_err(|error| explain(&error))?;
         if partial.request != request {

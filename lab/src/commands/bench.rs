@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, Subcommand};
-use cpu::output;
-use cpu::output::Options;
+use cpu::internals::output;
+use cpu::internals::output::Options;
 
 use crate::Failure;
 use crate::bench::machine::Machine;

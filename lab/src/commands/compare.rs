@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::output;
-use cpu::output::{Options, Output};
+use cpu::internals::output;
+use cpu::internals::output::{Options, Output};
 
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap_complete::Shell;
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 
 use crate::{Failure, terminal};
 

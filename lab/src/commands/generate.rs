@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use cpu::output;
-use cpu::output::Output;
+use cpu::internals::output;
+use cpu::internals::output::Output;
 use test_support::generator::{self, Arrangement, Options};
 
 use crate::{Failure, sources};
@@ -133,7 +133,7 @@ fn check_memory(objects: usize) -> Result<(), cpu::Error> {
     let room = objects.checked_mul(BYTES).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes));
     match room {
         Some(Ok(())) => Ok(()),
-        _ => Err(cpu::input::error::Error::OutOfMemory { what: "so many objects" }),
+        _ => Err(cpu::internals::input::error::Error::OutOfMemory { what: "so many objects" }),
     }
 }
 

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::accel::bounds::Bounds;
-use cpu::accel::bvh::Bvh;
-use cpu::accel::choice::Accel;
-use cpu::accel::extent::Extent;
-use cpu::input::scene::Shape;
-use cpu::{Aos, Config, Material, Prepared, Scatter, Scene};
+use cpu::internals::Prepared;
+use cpu::internals::accel::bounds::Bounds;
+use cpu::internals::accel::bvh::Bvh;
+use cpu::internals::accel::choice::Accel;
+use cpu::internals::accel::extent::Extent;
+use cpu::internals::input::scene::Shape;
+use cpu::{Aos, Config, Material, Scatter, Scene};
 use serde::Serialize;
 
 use crate::{Failure, sources};

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use cpu::output;
-use cpu::output::{Options, Output};
-use cpu::{Aos, Config, Error, Layout, Prepared, Scene, Soa};
+use cpu::internals::Prepared;
+use cpu::internals::output;
+use cpu::internals::output::{Options, Output};
+use cpu::{Aos, Config, Error, Layout, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::output;
-use cpu::output::Options;
+use cpu::internals::output;
+use cpu::internals::output::Options;
 
 use crate::Failure;
 use crate::bench::results::Results;

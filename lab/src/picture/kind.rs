@@ -27,7 +27,8 @@ impl Kind {
             Some(ending) if ending == "ppm" => Ok(Self::Ppm),
             Some(ending) if ending == "png" => Ok(Self::Png),
             Some(ending) => {
-                let (path, ending) = (terminal::name(path), cpu::input::text::escape(ending.as_encoded_bytes()));
+                let (path, ending) =
+                    (terminal::name(path), cpu::internals::input::text::escape(ending.as_encoded_bytes()));
                 Err(format!("{path}: a picture cannot be written as .{ending}; its name must end in .ppm or .png"))
             }
         }

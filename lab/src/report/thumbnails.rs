@@ -5,7 +5,8 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD as STANDARD;
-use cpu::{Aos, Config, Error, InstructionSet, Prepared, Scatter, Scene};
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Config, Error, Scatter, Scene};
 
 use crate::bench::results::Results;
 use crate::picture::Picture;
@@ -54,7 +55,7 @@ fn address(folder: &Path) -> Result<Option<String>, Error> {
 fn drawn(config: Config, scene: &Scene) -> Option<String> {
     let config = Config { image_width: WIDTH, samples_per_pixel: SAMPLES, ..config };
     let prepared = Prepared::<Aos>::new(&config, scene, Scatter::Statement).ok()?;
-    let picture = Picture::of(&cpu::render_with(&prepared, InstructionSet::chosen()).ok()?).ok()?;
+    let picture = Picture::of(&cpu::internals::render_with(&prepared, InstructionSet::chosen()).ok()?).ok()?;
     let mut png = Vec::new();
     picture.write_png(&mut png).ok()?;
     Some(format!("data:image/png;base64,{}", STANDARD.encode(&png)))

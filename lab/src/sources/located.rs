@@ -50,7 +50,7 @@ fn place(text: &[u8], token: usize) -> (usize, usize) {
         }
     }
     // One blank after the last word: there something is missing.
-    let after = cpu::input::text::trim(text);
+    let after = cpu::internals::input::text::trim(text);
     let length = after.as_ptr() as usize - text.as_ptr() as usize + after.len();
     (length, length)
 }
@@ -139,7 +139,7 @@ fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a
 }
 
 fn wrong_field(line: &Line, text: &[u8]) -> (String, usize, String) {
-    let tokens: Vec<_> = cpu::input::text::Tokens::new(text).skip(1).collect();
+    let tokens: Vec<_> = cpu::internals::input::text::Tokens::new(text).skip(1).collect();
     let place = line
         .fields
         .iter()

@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read};
 
-use cpu::input::text::Tokens;
+use cpu::internals::input::text::Tokens;
 
 /// Most names of materials that are kept, to suggest one in place of another.
 const MOST_NAMES: usize = 10_000;

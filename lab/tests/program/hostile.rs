@@ -67,7 +67,7 @@ fn a_request_to_stop_at_any_moment_leaves_the_old_picture_or_the_new_one() {
     let whole = start.elapsed();
     let new = fs::read(&out).expect("it was written");
     let [mut stopped, mut finished] = [0; 2];
-    let mut draws = cpu::sampling::uniform::Uniform::new(3);
+    let mut draws = cpu::internals::sampling::uniform::Uniform::new(3);
     for _ in 0..60 {
         fs::write(&out, "old").expect("the folder is writable");
         let mut child = lab(&arguments).stderr(Stdio::null()).spawn().expect("the program runs");

@@ -18,7 +18,8 @@ fn expected(scatter: Scatter) -> Vec<u8> {
     let config = Config { image_width: 64, samples_per_pixel: 2, ..config };
     let scene = Scene::read(&root.join(SCENE)).expect("it is committed");
     test_support::ppm(
-        &cpu::reference::render::<cpu::layout::aos::AosImage>(&config, &scene, scatter).expect("it is small"),
+        &cpu::reference::render::<cpu::internals::layout::aos::AosImage>(&config, &scene, scatter)
+            .expect("it is small"),
     )
 }
 

@@ -17,8 +17,8 @@ pub fn check(bytes: &[u8]) {
             assert_eq!(Config::parse(written.as_bytes()).ok(), Some(real.clone()), "{written}");
             // Whatever its values, asking for its size and its camera gives an answer.
             if let Ok(size) = real.image_size() {
-                assert!(size.pixels() as u64 <= cpu::input::error::MAX_PIXELS);
-                let _ = cpu::geometry::camera::Camera::new(&real, size);
+                assert!(size.pixels() as u64 <= cpu::internals::input::error::MAX_PIXELS);
+                let _ = cpu::internals::geometry::camera::Camera::new(&real, size);
             }
         }
         (Err(real), Err(plain)) => {

@@ -6,9 +6,10 @@
 
 mod choices;
 
-use cpu::layout::aos::AosImage;
+use cpu::internals::layout::aos::AosImage;
+use cpu::internals::{InstructionSet, Prepared};
 use cpu::reference::intersect::Certified;
-use cpu::{Aos, Config, Image, InstructionSet, Layout, Prepared, Scatter, Scene, Soa};
+use cpu::{Aos, Config, Image, Layout, Scatter, Scene, Soa};
 
 pub use choices::Choices;
 
@@ -47,7 +48,7 @@ fn held_to<L: Layout>(
         (Err(real), Err(reference)) => assert_eq!(&real, reference, "{}", files()),
         (Ok(prepared), Ok(expected)) => {
             for set in sets {
-                let actual = cpu::render_with(&prepared, *set).expect("the picture is tiny");
+                let actual = cpu::internals::render_with(&prepared, *set).expect("the picture is tiny");
                 assert_eq!(actual.size(), expected.size());
                 for index in 0..expected.size().pixels() {
                     let (actual, expected) = (actual.pixel(index), expected.pixel(index));

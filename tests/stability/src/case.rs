@@ -1,6 +1,6 @@
 //! One ray and one object, as exact numbers: what the oracle and every implementation are asked about.
 
-use cpu::input::scene::{Cylinder, Shape, Sphere};
+use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
 
 /// One ray and one object.

@@ -4,11 +4,11 @@
 //! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum, and stays below the
 //! bound that docs/accuracy.md proves.
 
-use cpu::exact;
-use cpu::exact::error_bound::Decision;
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::Shape;
+use cpu::internals::exact;
+use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::Shape;
 
 use crate::case::Case;
 use crate::measure::lambda_error;

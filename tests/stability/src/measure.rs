@@ -1,13 +1,13 @@
 //! One regime, one implementation: how often and by how much it is wrong.
 
 use cpu::Vec3;
-use cpu::exact;
-use cpu::exact::double_double::DoubleDouble;
-use cpu::exact::error_bound::Decision;
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::Shape;
-use cpu::math::real::Real;
+use cpu::internals::exact;
+use cpu::internals::exact::double_double::DoubleDouble;
+use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::Shape;
+use cpu::internals::math::real::Real;
 
 use crate::case::Case;
 use crate::methods::{Failure, Method};

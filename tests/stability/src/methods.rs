@@ -10,7 +10,7 @@ use std::error::Error;
 use std::time::Duration;
 
 use cpu::Vec3;
-use cpu::geometry::cylinder::CylinderPart;
+use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::reference::intersect::{Certified, Textbook};
 
 use crate::case::Case;

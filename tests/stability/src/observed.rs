@@ -2,10 +2,10 @@
 
 use std::cell::Cell;
 
-use cpu::exact;
-use cpu::exact::error_bound::Decision;
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
+use cpu::internals::exact;
+use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::reference::intersect::{Certified, Intersect, Precision};
 use cpu::{Ray, Vec3};
 

@@ -1,7 +1,7 @@
 //! Random numbers and vectors for the regimes, all from one seed.
 
 use cpu::Vec3;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::sampling::uniform::Uniform;
 
 /// A stream of draws.
 #[derive(Clone, Debug)]

@@ -3,9 +3,9 @@
 //!
 //! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
 
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::{Cylinder, Shape};
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::{Cylinder, Shape};
 use cpu::reference::intersect::{Certified, Intersect};
 use cpu::{Ray, Vec3};
 use stability::case::Case;

@@ -2,13 +2,13 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use cpu::exact;
-use cpu::exact::error_bound::Decision;
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::Shape;
-use cpu::math::real::Real;
-use cpu::math::rounding::Rounding;
+use cpu::internals::exact;
+use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::Shape;
+use cpu::internals::math::real::Real;
+use cpu::internals::math::rounding::Rounding;
 use cpu::{Ray, Vec3};
 use stability::case::Case;
 use stability::regimes::{CYLINDERS, Regime, SPHERES};

@@ -1,11 +1,12 @@
 //! What must hold along whole paths, whatever the scene.
 
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::ray::LAMBDA_MIN;
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::{Cylinder, Shape, Sphere};
+use cpu::internals::Hit;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::ray::LAMBDA_MIN;
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::reference::intersect::{Certified, Intersect, Textbook};
-use cpu::{Hit, Ray, Vec3};
+use cpu::{Ray, Vec3};
 use stability::random::Random;
 
 const SHAPES: usize = if cfg!(debug_assertions) { 100 } else { 1_000 };

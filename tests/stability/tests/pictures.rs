@@ -30,7 +30,7 @@ fn certified_pictures_have_the_digests_of_an_independent_program() {
         let image: <Aos as Layout>::Image =
             cpu::reference::render_with::<_, Certified>(&config, &scene, scatter).expect("it renders");
         let mut ppm = Vec::new();
-        cpu::image::ppm::write_ppm(&image, &mut ppm).expect("memory takes all bytes");
+        cpu::internals::image::ppm::write_ppm(&image, &mut ppm).expect("memory takes all bytes");
         let actual: String = Sha256::digest(&ppm).iter().map(|byte| format!("{byte:02x}")).collect();
         assert_eq!(actual, expected, "{file}");
         compared += 1;

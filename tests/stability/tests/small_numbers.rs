@@ -2,9 +2,9 @@
 //! all the time, and the answer is known to the last bit.
 
 use cpu::Vec3;
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::Cylinder;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::Cylinder;
 use cpu::reference::intersect::{Certified, Intersect};
 use stability::case::Case;
 use stability::oracle::{self, to_f64};

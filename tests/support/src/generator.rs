@@ -1,6 +1,6 @@
 //! Scenes from a seed: the same options give the same scene on every machine, for ever.
 //!
-//! The numbers come from `std::mt19937_64` (through [`cpu::sampling::uniform::Uniform`]) and go only through operations
+//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]) and go only through operations
 //! that IEEE 754 defines exactly, so no library of elementary functions can change a digit. Everything is proportional
 //! to [`Options::extent`]; the objects of a scene are those of a larger one with the same options, as far as they go,
 //! unless they stand on a [grid](Arrangement::Grid).
@@ -8,7 +8,7 @@
 mod arrange;
 mod draws;
 
-use cpu::input::scene::{MaterialId, Object};
+use cpu::internals::input::scene::{MaterialId, Object};
 use cpu::{Config, Material, Scene, Vec3};
 
 use draws::Draws;
@@ -121,7 +121,7 @@ fn material(draws: &mut Draws, weights: [f64; 3]) -> Material {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cpu::input::scene::Shape;
+    use cpu::internals::input::scene::Shape;
 
     const ARRANGEMENTS: [Arrangement; 3] = [Arrangement::Scattered, Arrangement::Grid, Arrangement::Degenerate];
 
@@ -189,7 +189,7 @@ mod tests {
                 let options = Options { arrangement, extent, ..Options::default() };
                 let config = view(&options);
                 let size = config.image_size().expect("the picture is small");
-                assert!(cpu::geometry::camera::Camera::new(&config, size).is_ok());
+                assert!(cpu::internals::geometry::camera::Camera::new(&config, size).is_ok());
                 let text = crate::write::scene(&scene(&options));
                 assert_eq!(Scene::parse(text.as_bytes()).ok(), Some(scene(&options)), "{options:?}");
             }

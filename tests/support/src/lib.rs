@@ -28,6 +28,6 @@ pub fn project_root() -> PathBuf {
 #[must_use]
 pub fn ppm(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();
-    cpu::image::ppm::write_ppm(image, &mut bytes).expect("memory takes all bytes");
+    cpu::internals::image::ppm::write_ppm(image, &mut bytes).expect("memory takes all bytes");
     bytes
 }

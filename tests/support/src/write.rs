@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use cpu::input::scene::Shape;
+use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene, Vec3};
 
 /// The scene file of `scene`: its materials, named `m0`, `m1` and so on, then its objects.
 ///
 /// ```
-/// let scene = cpu::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1e-7 grey\n"[..])?;
+/// let scene = cpu::internals::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1e-7 grey\n"[..])?;
 /// assert_eq!(test_support::write::scene(&scene), "matte: m0 0.5 0.5 0.5\nsphere: 0 0 0 1e-7 m0\n");
 /// # Ok::<(), cpu::Error>(())
 /// ```

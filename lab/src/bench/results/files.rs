@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cpu::output::{Options, Output};
+use cpu::internals::output::{Options, Output};
 
 use super::check::MAX_BYTES;
 use super::{Intersection, Results, Setting, Timing, Trial};
@@ -17,7 +17,8 @@ impl Results {
     /// It cannot be read, or is something else.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
-        let text = cpu::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
+        let text =
+            cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
         let results: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
         Ok(results)

@@ -1,6 +1,6 @@
 //! The scene file by SPEC.md's table, a line at a time, names looked up one after the other.
 
-use cpu::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Material, Scene, Vec3};
 
 use super::lines::{lines, real, tokens};

@@ -1,6 +1,6 @@
 //! Bytes as choices, until they are used up; after that every choice is the first.
 
-use cpu::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
+use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Config, Material, Scene, Vec3};
 
 /// Numbers at which arithmetic changes its mind.

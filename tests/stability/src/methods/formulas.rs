@@ -2,10 +2,10 @@
 
 use std::marker::PhantomData;
 
-use cpu::exact;
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::math::real::Real;
+use cpu::internals::exact;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::math::real::Real;
 use cpu::reference::intersect::{Intersect, Precision};
 use cpu::{Ray, Vec3};
 

@@ -4,11 +4,12 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 use std::time::Instant;
 
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord};
-use cpu::geometry::sphere::SphereRecord;
-use cpu::input::scene::{Cylinder, Shape, Sphere};
-use cpu::math::real::Real;
-use cpu::{Hit, Ray, Vec3};
+use cpu::internals::Hit;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
+use cpu::internals::math::real::Real;
+use cpu::{Ray, Vec3};
 
 use super::formulas::Formulas;
 use super::{Answer, Failure, Method, Stopwatch};

@@ -1,10 +1,10 @@
 //! The projected form, the best that one precision can do: from the point of the line nearest to the centre or the
 //! axis, half a chord to each side. What cancels is then only as large as the miss distance, not as the way there.
 
-use cpu::geometry::cylinder::{CylinderPart, CylinderRecord, PARALLEL};
-use cpu::geometry::ray::in_range;
-use cpu::geometry::sphere::SphereRecord;
-use cpu::math::real::Real;
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord, PARALLEL};
+use cpu::internals::geometry::ray::in_range;
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::math::real::Real;
 use cpu::{Ray, Vec3};
 
 /// Both lambdas at which a line crosses a round surface, given its direction and the way from its start to the centre,

@@ -1,7 +1,7 @@
 //! Rays and cylinders. Lengths are scene units; a direction has length one unless its lengths are the point.
 
 use cpu::Vec3;
-use cpu::input::scene::Cylinder;
+use cpu::internals::input::scene::Cylinder;
 
 use super::Regime;
 use crate::case::Case;

@@ -4,7 +4,7 @@
 //! squares of lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
 
 use cpu::Vec3;
-use cpu::input::scene::Cylinder;
+use cpu::internals::input::scene::Cylinder;
 
 use super::Regime;
 use crate::case::Case;

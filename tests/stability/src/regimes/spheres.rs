@@ -93,7 +93,7 @@ fn tangent(random: &mut Random) -> Case {
 /// The case with the coordinates of all its vectors exchanged in the same way.
 fn shuffled(case: Case, seed: usize) -> Case {
     let exchange = |vector: Vec3| Random::new(seed as u64 + 1).shuffled(vector);
-    let cpu::input::scene::Shape::Sphere(sphere) = case.shape else { return case };
+    let cpu::internals::input::scene::Shape::Sphere(sphere) = case.shape else { return case };
     Case::sphere(exchange(sphere.center), sphere.radius, exchange(case.ray.origin), exchange(case.ray.direction))
 }
 

@@ -1,7 +1,7 @@
 //! The shapes of each [`Arrangement`].
 
 use cpu::Vec3;
-use cpu::input::scene::{Cylinder, Shape, Sphere};
+use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 
 use super::draws::{Draws, round};
 use super::{Arrangement, Options};

@@ -1,7 +1,7 @@
 //! Random numbers in the shapes that the generator needs.
 
 use cpu::Vec3;
-use cpu::sampling::uniform::Uniform;
+use cpu::internals::sampling::uniform::Uniform;
 
 /// A stream of random choices.
 pub(super) struct Draws(Uniform);

@@ -1,18 +1,19 @@
-//! `counted CONFIG SCENE`: renders and prints what was done for it (`cargo run --release -p cpu --features counters
-//! --example counted CONFIG SCENE`).
+//! `counted CONFIG SCENE`: renders and prints what was done for it (`cargo run --release -p bench --features counters
+//! --bin counted CONFIG SCENE`).
 
 use std::path::Path;
 
-use cpu::counters;
-use cpu::counters::Counter;
-use cpu::{Aos, Config, Error, InstructionSet, Prepared, Scatter, Scene};
+use cpu::internals::counters;
+use cpu::internals::counters::Counter;
+use cpu::internals::{InstructionSet, Prepared};
+use cpu::{Aos, Config, Error, Scatter, Scene};
 
 const USAGE: &str = "\
 counted CONFIG SCENE
 Renders and prints how often each thing was done: rays, tests, nodes, ...
 
 Example:
-  cargo run --release -p cpu --features counters --example counted scenes/grid/config.txt scenes/grid/scene.txt";
+  cargo run --release -p bench --features counters --bin counted scenes/grid/config.txt scenes/grid/scene.txt";
 
 fn main() -> Result<(), Error> {
     let names: Vec<_> = std::env::args_os().skip(1).collect();
@@ -25,7 +26,7 @@ fn main() -> Result<(), Error> {
     };
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement)?;
-    cpu::render_with(&prepared, InstructionSet::chosen())?;
+    cpu::internals::render_with(&prepared, InstructionSet::chosen())?;
     let counts = counters::snapshot();
     for counter in Counter::ALL {
         println!("{:14} {counter:?}", counts.of(counter));

@@ -11,7 +11,7 @@ reference CONFIG SCENE OUT.ppm [certified]
 Renders by the definition, line by line, to time the real programs against it.
 
 Example:
-  cargo run --release -p cpu --example reference scenes/grid/config.txt scenes/grid/scene.txt out.ppm";
+  cargo run --release -p bench --bin reference scenes/grid/config.txt scenes/grid/scene.txt out.ppm";
 
 fn main() -> Result<(), Error> {
     let names: Vec<_> = std::env::args_os().skip(1).collect();
@@ -25,12 +25,12 @@ fn main() -> Result<(), Error> {
         _ => return Err(Error::ArgumentCount(names.len())),
     };
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
-    let output = cpu::output::Output::open(Path::new(out), cpu::output::Options::default())?;
+    let output = cpu::internals::output::Output::open(Path::new(out), cpu::internals::output::Options::default())?;
     let render = if certified {
         cpu::reference::render_with::<<Aos as Layout>::Image, Certified>
     } else {
         cpu::reference::render_with::<<Aos as Layout>::Image, Textbook>
     };
     let image = render(&config, &scene, Scatter::Statement)?;
-    output.fill(|file| cpu::image::ppm::write_ppm(&image, file))
+    output.fill(|file| cpu::internals::image::ppm::write_ppm(&image, file))
 }

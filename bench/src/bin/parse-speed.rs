@@ -1,4 +1,4 @@
-//! `parse_speed [LINES]`: prints what a line of a generated scene costs to read, best of five, a million by default.
+//! `parse-speed [LINES]`: prints what a line of a generated scene costs to read, best of five, a million by default.
 
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -7,11 +7,11 @@ use std::time::Instant;
 use test_support::generator::{self, Options};
 
 const USAGE: &str = "\
-parse_speed [LINES]
+parse-speed [LINES]
 Prints what a line of a generated scene costs to read, best of five; a million lines without LINES.
 
 Example:
-  cargo run --release -p tests --example parse_speed 100000";
+  cargo run --release -p bench --bin parse-speed 100000";
 
 fn main() -> ExitCode {
     let objects = match std::env::args().nth(1).as_deref() {
@@ -33,8 +33,8 @@ fn main() -> ExitCode {
     let best = (0..5)
         .map(|_| {
             let start = Instant::now();
-            let scene =
-                cpu::input::scene::Scene::parse(black_box(text.as_bytes())).expect("generated scenes are valid");
+            let scene = cpu::internals::input::scene::Scene::parse(black_box(text.as_bytes()))
+                .expect("generated scenes are valid");
             assert_eq!(scene.objects.len(), objects);
             start.elapsed()
         })
