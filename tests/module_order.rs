@@ -9,13 +9,14 @@ use syn::visit::{self, Visit};
 use syn::{Attribute, Item, ItemMod, ItemUse, Macro, UseTree, Visibility};
 
 /// The folders and files at the top of `cpu/src`. Each uses only those before it.
-const ORDER: [&str; 15] = [
+const ORDER: [&str; 16] = [
     "counters",
     "math",
     "simd",
     "input",
     "geometry",
     "exact",
+    "intersect",
     "sampling",
     "materials",
     "image",
