@@ -190,8 +190,8 @@ fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     found
 }
 
-/// Modules that use each other in circles: what is left when all that use nothing, or that nothing uses, are taken
-/// away.
+/// Returns the modules that use each other in circles. A module that uses no other one, or that no other one uses, is in
+/// no circle, so such modules are removed until none is left to remove.
 fn in_circles(uses: &Uses) -> Vec<String> {
     let mut left: Uses = uses.clone();
     left.remove(&Vec::new());

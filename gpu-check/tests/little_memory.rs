@@ -1,4 +1,5 @@
-//! `shader-lab` with address space from too little to enough: a message, and neither a panic nor a signal.
+//! Runs `shader-lab` with more and more address space. Where it is too little, the program must end with a message and
+//! status 2, and not by a panic or a signal.
 #![cfg(target_os = "linux")]
 
 use std::fs;

@@ -1,9 +1,10 @@
 //! Ray against closed cylinder (statement, section 3.4.2).
 //!
 //! The curved side is part of the infinite cylinder `|r_c' + d' lambda|^2 = r^2`, where `'` takes the component
-//! perpendicular to the axis and `r_c = O - C`; with `h = r_c'.d'` its roots are `(-h -+ sqrt(h^2 - a c)) / a` (see
-//! [`crate::geometry::sphere`] for why half of `b` has the same bits). A root counts when its point is at most half the
-//! height from the centre, measured along the axis. The bases are discs in the planes at both ends.
+//! perpendicular to the axis and `r_c = O - C`. With `h = r_c'.d'`, half of the statement's `b`, its roots are
+//! `(-h -+ sqrt(h^2 - a c)) / a`. The module of the [sphere](crate::geometry::sphere) explains why `h` gives the same
+//! bits as `b`. A root counts if its point, measured along the axis, is at most half the height from the centre. The
+//! caps are discs in the planes at both ends.
 
 use crate::geometry::ray::{Ray, in_range};
 use crate::math::real::Real;

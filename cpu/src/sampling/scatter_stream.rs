@@ -33,7 +33,7 @@ pub struct ScatterSamples {
 }
 
 impl ScatterSamples {
-    /// The stream of `convention` from a seed.
+    /// Returns the stream of the given convention, whose generator starts from `seed`. No sample is made yet.
     pub fn new(convention: Scatter, seed: u64) -> Self {
         let (raw, empty) = ([0.0; 3 * TRIPLES], [0.0; PLACES]);
         Self { convention, draws: BlockUniform::new(seed), raw, x: empty, y: empty, z: empty, next: PLACES, before: 0 }

@@ -24,7 +24,7 @@ pub struct ScatterVectors {
 }
 
 impl ScatterVectors {
-    /// The stream of `convention` from a seed.
+    /// Returns the stream of the given convention, whose generator starts from `seed`.
     #[must_use]
     pub fn new(convention: Scatter, seed: u64) -> Self {
         Self { convention, draws: Uniform::new(seed) }

@@ -12,7 +12,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{Dimensions, DrawTarget, Drawable, OriginDimensions, Pixel, Point, RgbColor, Size};
 use embedded_graphics::text::{Baseline, Text};
 
-/// Red, green and blue.
+/// A colour: its red, green and blue component, each from 0 to 255.
 pub type Color = [u8; 3];
 
 /// Background of words.
