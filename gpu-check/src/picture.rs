@@ -86,7 +86,7 @@ impl<T: Real> Picture<T> {
 /// A list of surfaces that no device could hold is refused here already.
 fn depth(config: &Config) -> Result<u32, Error> {
     u32::try_from(config.max_depth).map_err(|_| Error::TooLarge {
-        what: "the list of surfaces met",
+        what: "the materials that attenuate each path",
         bytes: config.max_depth.saturating_mul(4),
         limit: u64::from(u32::MAX),
     })

@@ -147,7 +147,7 @@ impl Pipeline {
             let (what, bytes) = match content {
                 Content::Input(bytes) => ("an input", bytes.len() as u64),
                 Content::Inputs(each) => ("an input", each.iter().map(Vec::len).max().unwrap_or(0) as u64),
-                Content::Scratch(bytes) => ("the list of surfaces met", *bytes),
+                Content::Scratch(bytes) => ("the materials that attenuate each path", *bytes),
                 Content::Output(bytes) => ("an output", *bytes),
             };
             if bytes > limit {

@@ -137,7 +137,7 @@ impl<'a, T: Float> Renderer<'a, T> {
             return Ok(steps(depth, step));
         }
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        // At each surface: a loop over the objects, and one over the surfaces met where a neighbour's way ends.
+        // At each surface: a loop over the objects, and one over the materials of a path where a neighbour's path ends.
         let iterations = objects + u64::from(depth) + 1;
         let step = MAX_ITERATIONS / iterations;
         if step == 0 {

@@ -67,7 +67,7 @@ impl Case {
 }
 
 /// A scene in which twins that differ in a decision differ in pixels: objects at the same place with different
-/// materials in either order, a camera inside an object, rays along an axis and in the plane of a base.
+/// materials in either order, a camera inside an object, rays along an axis and in the plane of a cap.
 #[must_use]
 pub fn edges() -> Vec<Case> {
     const MATERIALS: &str = "matte: red .9 .1 .2\nmatte: green .1 .8 .3\nmetal: mirror .9 .8 .7 .1\nrefractive: glass 1.5\n\
@@ -76,7 +76,7 @@ pub fn edges() -> Vec<Case> {
         ("one sphere twice", "sphere: 0 0 0 1 red\nsphere: 0 0 0 1 green\n"),
         ("a sphere after a cylinder that it touches", "cylinder: 0 0 0 1 0 4 0 red\nsphere: 0 0 0 1 green\n"),
         ("one cylinder twice", "cylinder: 0 0 0 1 0 2 1 green\ncylinder: 0 0 0 1 0 2 1 mirror\n"),
-        ("one cylinder after another, bases together", "cylinder: 0 1 0 1 0 2 0 red\ncylinder: 0 -1 0 1 0 2 0 glass\n"),
+        ("one cylinder after another, caps together", "cylinder: 0 1 0 1 0 2 0 red\ncylinder: 0 -1 0 1 0 2 0 glass\n"),
         ("from inside a sphere", "sphere: 0 0 -10 4 mirror\nsphere: 0 0 0 1 red\nsphere: 0 0 -10 40 green\n"),
         ("from inside a glass cylinder", "cylinder: 0 0 -8 3 0 0 6 glass\nsphere: 0 0 0 1 red\n"),
         ("along the axis", "cylinder: 0 0 0 1.5 0 0 2 glass\ncylinder: 3 0 0 1 0 0 5 mirror\nsphere: 0 0 4 1 red\n"),

@@ -13,7 +13,7 @@ use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Names of a step's numbers, in the order of `kernels/steps.wgsl`.
 pub const NAMES: [&str; 21] = [
-    "met",
+    "is_hit",
     "lambda",
     "object",
     "part",
@@ -42,7 +42,7 @@ pub struct Step<T>(pub [T; NAMES.len()]);
 
 impl<T: Copy> Step<T> {
     /// One where the ray meets an object, zero where it sees the background, minus one after the way's end.
-    pub const fn met(&self) -> T {
+    pub const fn is_hit(&self) -> T {
         self.0[0]
     }
 
@@ -88,7 +88,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
         let mut ray = self.camera.ray(row, column, [zero; 2]);
         let mut steps = Vec::new();
         for _ in 0..self.max_depth {
-            let found = self.nearest(&ray);
+            let found = self.closest_hit(&ray);
             let mut step = [zero; NAMES.len()];
             store(ray.origin, &mut step[6..]);
             store(ray.direction, &mut step[9..]);
@@ -102,7 +102,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
                     step[5] = whole(found.material);
                     store(found.hit.point, &mut step[12..]);
                     store(found.hit.normal, &mut step[15..]);
-                    ray = self.onward(&ray, found);
+                    ray = self.scatter_ray(&ray, found);
                 }
             }
             steps.push(Step(step));

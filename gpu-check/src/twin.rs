@@ -13,15 +13,15 @@ use cpu::{Ray, Vec3};
 use crate::Picture;
 use crate::picture::Kind;
 
-/// The nearest surface so far. Of two at the same lambda, the later object of the file counts.
-struct Nearest<T> {
+/// The closest surface so far. Of two at the same lambda, the later object of the file counts.
+struct ClosestHit<T> {
     lambda: T,
     order: u32,
     surface: Surface,
 }
 
 /// The surface that a ray meets first.
-pub(crate) struct Found<T> {
+pub(crate) struct SurfaceHit<T> {
     pub(crate) hit: Hit<T>,
     pub(crate) material: u32,
     pub(crate) lambda: T,
@@ -43,25 +43,25 @@ impl<T: Real<Mask = bool>> Picture<T> {
         let width = self.size.width();
         let [row, column] = [index / width, index % width].map(|number| T::of(number as f64));
         let mut ray = self.camera.ray(row, column, [T::of(0.0); 2]);
-        let mut met = Vec::new();
+        let mut attenuations = Vec::new();
         for _ in 0..self.max_depth {
-            let Some(found) = self.nearest(&ray) else {
+            let Some(surface) = self.closest_hit(&ray) else {
                 let color = self.background.color(ray.direction);
-                return met.iter().rev().fold(color, |color, reflectance| color.attenuate(*reflectance));
+                return attenuations.iter().rev().fold(color, |color, reflectance| color.attenuate(*reflectance));
             };
-            let material = self.materials[found.material as usize];
+            let material = self.materials[surface.material as usize];
             if material.kind != Kind::Refractive {
-                met.push(material.reflectance);
+                attenuations.push(material.reflectance);
             }
-            ray = self.onward(&ray, &found);
+            ray = self.scatter_ray(&ray, &surface);
         }
         Vec3::splat(T::of(0.0))
     }
 
-    /// The ray that the surface found sends on.
-    pub(crate) fn onward(&self, ray: &Ray<T>, found: &Found<T>) -> Ray<T> {
-        let material = self.materials[found.material as usize];
-        let (hit, vector) = (found.hit, Vec3::splat(T::of(0.0)));
+    /// The ray that the surface scatters.
+    pub(crate) fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>) -> Ray<T> {
+        let material = self.materials[surface.material as usize];
+        let (hit, vector) = (surface.hit, Vec3::splat(T::of(0.0)));
         let direction = match material.kind {
             Kind::Matte => scatter::matte(hit.normal, vector),
             Kind::Metal => scatter::metal(ray.direction, hit.normal, vector),
@@ -74,19 +74,19 @@ impl<T: Real<Mask = bool>> Picture<T> {
     }
 
     /// Where the ray first meets an object, and of what material.
-    pub(crate) fn nearest(&self, ray: &Ray<T>) -> Option<Found<T>> {
-        let mut nearest = None;
+    pub(crate) fn closest_hit(&self, ray: &Ray<T>) -> Option<SurfaceHit<T>> {
+        let mut closest = None;
         for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {
             if let Some(lambda) = record.intersect(ray) {
-                offer(&mut nearest, lambda, *order, Surface::Sphere(index));
+                update(&mut closest, lambda, *order, Surface::Sphere(index));
             }
         }
         for (index, Placed { record, order, .. }) in self.cylinders.iter().enumerate() {
             if let Some((lambda, part)) = record.intersect(ray) {
-                offer(&mut nearest, lambda, *order, Surface::Cylinder(index, part));
+                update(&mut closest, lambda, *order, Surface::Cylinder(index, part));
             }
         }
-        let Nearest { lambda, order, surface } = nearest?;
+        let ClosestHit { lambda, order, surface } = closest?;
         let point = ray.at(lambda);
         let (outward, material, part) = match surface {
             Surface::Sphere(index) => (self.spheres[index].record.outward(point), self.spheres[index].material, 0),
@@ -94,15 +94,15 @@ impl<T: Real<Mask = bool>> Picture<T> {
                 (self.cylinders[index].record.outward(part, point), self.cylinders[index].material, part as u32)
             }
         };
-        Some(Found { hit: Hit::facing(ray.direction, point, outward), material, lambda, order, part })
+        Some(SurfaceHit { hit: Hit::facing(ray.direction, point, outward), material, lambda, order, part })
     }
 }
 
-fn offer<T: Real<Mask = bool>>(nearest: &mut Option<Nearest<T>>, lambda: T, order: u32, surface: Surface) {
-    let closer = nearest
+fn update<T: Real<Mask = bool>>(closest: &mut Option<ClosestHit<T>>, lambda: T, order: u32, surface: Surface) {
+    let closer = closest
         .as_ref()
         .is_none_or(|best| lambda.less(best.lambda) || (!best.lambda.less(lambda) && order > best.order));
     if closer {
-        *nearest = Some(Nearest { lambda, order, surface });
+        *closest = Some(ClosestHit { lambda, order, surface });
     }
 }

@@ -26,7 +26,7 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
 
     // What it meets: `surface.hit` has the point, the normal that faces the ray, and whether the ray comes from
     // outside.
-    let surface = nearest_hit(ray);
+    let surface = closest_hit(ray);
     if surface.some {
         pixels[id.x] = vec3_store(my_color(vec3_unit(surface.hit.normal)));
     } else {

@@ -28,7 +28,7 @@ export async function render(lab, parts) {
     const pipeline = await compile(lab.device, code, "image", written, constants).catch((error) => {
         throw error instanceof ShaderFault ? new Error(located(error, parts)) : error;
     });
-    // As renderer.rs sizes them: the surfaces met, the colours, and where rays are between two runs.
+    // As renderer.rs sizes them: the materials that attenuate each path, the colours, and where rays are between two runs.
     const contents = [...lab.inputs, pixels * depth * 4, pixels * 12, pixels * 32];
     return new Float32Array(await run(lab.device, pipeline, contents, 5, pixels));
 }

@@ -153,9 +153,9 @@ UnitAndLength vec3_unit_and_length(vec3 v_4) {
 CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
     UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     float half_height = (_e3.length_ / 2.0);
-    vec3 reach = (_e3.direction * half_height);
-    vec3 top = (center + reach);
-    vec3 bottom = (center - reach);
+    vec3 half_axis = (_e3.direction * half_height);
+    vec3 top = (center + half_axis);
+    vec3 bottom = (center - half_axis);
     return CylinderRecord(center, _e3.direction, top, bottom, radius, (radius * radius), half_height);
 }
 
@@ -212,13 +212,13 @@ Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadr
     return Root(_e31, (near_counts ? near : far));
 }
 
-Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, vec3 base, float distance_) {
+Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, vec3 center_1, float distance_) {
     bool local_5 = false;
     bool local_6 = false;
     float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
     float lambda_4 = (distance_ / _e6);
     vec3 _e8 = ray_at(ray_3, lambda_4);
-    float _e10 = vec3_length((_e8 - base));
+    float _e10 = vec3_length((_e8 - center_1));
     bool on_disc = (_e10 <= cylinder_5.radius);
     if (!((abs(_e6) < 1e-8))) {
         bool _e19 = in_range(lambda_4);
@@ -252,7 +252,7 @@ vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
-    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    CylinderRoot closest = CylinderRoot(false, 0.0, 0u);
     bool local_7 = false;
     bool local_8 = false;
     bool local_9 = false;
@@ -261,13 +261,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
-        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    Root _e18 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            float _e30 = nearest.lambda;
+            float _e30 = closest.lambda;
             local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
@@ -279,13 +279,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = CylinderRoot(true, _e18.lambda, TOP);
+        closest = CylinderRoot(true, _e18.lambda, TOP);
     }
-    Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    Root _e42 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            float _e54 = nearest.lambda;
+            float _e54 = closest.lambda;
             local_10 = (_e42.lambda <= _e54);
         } else {
             local_10 = true;
@@ -297,9 +297,9 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+        closest = CylinderRoot(true, _e42.lambda, BOTTOM);
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     return _e64;
 }
 

@@ -217,9 +217,9 @@ CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
 {
     const UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     float half_height = (_e3.length_ / 2.0);
-    float3 reach = (_e3.direction * half_height);
-    float3 top = (center_ + reach);
-    float3 bottom = (center_ - reach);
+    float3 half_axis = (_e3.direction * half_height);
+    float3 top = (center_ + half_axis);
+    float3 bottom = (center_ - half_axis);
     const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, _e3.direction, top, bottom, radius, (radius * radius), half_height);
     return cylinderrecord;
 }
@@ -302,7 +302,7 @@ Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadr
     return root_2;
 }
 
-Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, float3 base, float distance_)
+Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, float3 center_1, float distance_)
 {
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
@@ -310,7 +310,7 @@ Root cylinder_base(CylinderRecord cylinder_5, Ray ray_3, float3 base, float dist
     const float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
     float lambda_4 = (distance_ / _e6);
     const float3 _e8 = ray_at(ray_3, lambda_4);
-    const float _e10 = vec3_length((_e8 - base));
+    const float _e10 = vec3_length((_e8 - center_1));
     bool on_disc = (_e10 <= cylinder_5.radius);
     if (!((abs(_e6) < 1e-8))) {
         const bool _e19 = in_range(lambda_4);
@@ -355,7 +355,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
 {
-    CylinderRoot nearest = (CylinderRoot)0;
+    CylinderRoot closest = (CylinderRoot)0;
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
     bool local_9 = (bool)0;
@@ -365,13 +365,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
     if (!((_e5.discriminant < 0.0))) {
         const Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
-        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    const Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    const Root _e18 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            float _e30 = nearest.lambda;
+            float _e30 = closest.lambda;
             local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
@@ -383,13 +383,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
+        closest = ConstructCylinderRoot(true, _e18.lambda, TOP);
     }
-    const Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    const Root _e42 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            float _e54 = nearest.lambda;
+            float _e54 = closest.lambda;
             local_10 = (_e42.lambda <= _e54);
         } else {
             local_10 = true;
@@ -401,9 +401,9 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+        closest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     const CylinderRoot cylinderroot = _e64;
     return cylinderroot;
 }

@@ -188,9 +188,9 @@ CylinderRecord cylinder_new(
 ) {
     UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     real half_height = _e3.length / 2.0;
-    metal::float3 reach = _e3.direction * half_height;
-    metal::float3 top = center + reach;
-    metal::float3 bottom = center - reach;
+    metal::float3 half_axis = _e3.direction * half_height;
+    metal::float3 top = center + half_axis;
+    metal::float3 bottom = center - half_axis;
     return CylinderRecord {center, _e3.direction, top, bottom, radius, radius * radius, half_height};
 }
 
@@ -262,10 +262,10 @@ Root cylinder_side(
     return Root {_e31, {}, near_counts ? near : far};
 }
 
-Root cylinder_base(
+Root cylinder_cap(
     CylinderRecord cylinder_5,
     Ray ray_3,
-    metal::float3 base,
+    metal::float3 center_1,
     real distance
 ) {
     bool local_5 = {};
@@ -273,7 +273,7 @@ Root cylinder_base(
     real _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
     real lambda_4 = distance / _e6;
     metal::float3 _e8 = ray_at(ray_3, lambda_4);
-    real _e10 = vec3_length(_e8 - base);
+    real _e10 = vec3_length(_e8 - center_1);
     bool on_disc = _e10 <= cylinder_5.radius;
     if (!((metal::abs(_e6) < 0.00000001))) {
         bool _e19 = in_range(lambda_4);
@@ -314,7 +314,7 @@ CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_7,
     Ray ray_4
 ) {
-    CylinderRoot nearest = {};
+    CylinderRoot closest = {};
     bool local_7 = {};
     bool local_8 = {};
     bool local_9 = {};
@@ -323,13 +323,13 @@ CylinderRoot cylinder_intersect(
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
-        nearest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
+        closest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
     }
-    Root _e18 = cylinder_base(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
+    Root _e18 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            real _e30 = nearest.lambda;
+            real _e30 = closest.lambda;
             local_8 = _e18.lambda <= _e30;
         } else {
             local_8 = true;
@@ -341,13 +341,13 @@ CylinderRoot cylinder_intersect(
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = CylinderRoot {true, {}, _e18.lambda, TOP};
+        closest = CylinderRoot {true, {}, _e18.lambda, TOP};
     }
-    Root _e42 = cylinder_base(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
+    Root _e42 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            real _e54 = nearest.lambda;
+            real _e54 = closest.lambda;
             local_10 = _e42.lambda <= _e54;
         } else {
             local_10 = true;
@@ -359,9 +359,9 @@ CylinderRoot cylinder_intersect(
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
+        closest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     return _e64;
 }
 

@@ -147,7 +147,7 @@ struct Picture {
 };
 struct PackedPath {
     PackedRay ray;
-    uint met_count;
+    uint attenuation_count;
     uint ended;
 };
 typedef PlacedSphere type_4[1];
@@ -156,7 +156,7 @@ typedef PackedMaterial type_6[1];
 typedef uint type_7[1];
 typedef PackedVec3_ type_8[1];
 typedef PackedPath type_9[1];
-struct Nearest {
+struct ClosestHit {
     bool some;
     char _pad1[3];
     real lambda;
@@ -392,10 +392,10 @@ Root cylinder_side(
     return Root {_e31, {}, near_counts ? near_1 : far_1};
 }
 
-Root cylinder_base(
+Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_4,
-    metal::float3 base,
+    metal::float3 center,
     real distance
 ) {
     bool local_5 = {};
@@ -403,7 +403,7 @@ Root cylinder_base(
     real _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
     real lambda_5 = distance / _e6;
     metal::float3 _e8 = ray_at(ray_4, lambda_5);
-    real _e10 = vec3_length(_e8 - base);
+    real _e10 = vec3_length(_e8 - center);
     bool on_disc = _e10 <= cylinder_4.radius;
     if (!((metal::abs(_e6) < 0.00000001))) {
         bool _e19 = in_range(lambda_5);
@@ -444,7 +444,7 @@ CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_6,
     Ray ray_5
 ) {
-    CylinderRoot nearest = {};
+    CylinderRoot closest = {};
     bool local_7 = {};
     bool local_8 = {};
     bool local_9 = {};
@@ -453,13 +453,13 @@ CylinderRoot cylinder_intersect(
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        nearest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
+        closest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
     }
-    Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            real _e30 = nearest.lambda;
+            real _e30 = closest.lambda;
             local_8 = _e18.lambda <= _e30;
         } else {
             local_8 = true;
@@ -471,13 +471,13 @@ CylinderRoot cylinder_intersect(
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = CylinderRoot {true, {}, _e18.lambda, TOP};
+        closest = CylinderRoot {true, {}, _e18.lambda, TOP};
     }
-    Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            real _e54 = nearest.lambda;
+            real _e54 = closest.lambda;
             local_10 = _e42.lambda <= _e54;
         } else {
             local_10 = true;
@@ -489,9 +489,9 @@ CylinderRoot cylinder_intersect(
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
+        closest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     return _e64;
 }
 
@@ -648,23 +648,23 @@ Background picture_background(
     return Background {_e4, _e9};
 }
 
-bool nearest_is_beaten_by(
-    Nearest nearest_1,
+bool is_closer(
+    ClosestHit closest_1,
     real lambda_3,
     uint order
 ) {
     bool local_11 = {};
     bool local_12 = {};
     bool local_13 = {};
-    if (!(!(nearest_1.some))) {
-        local_11 = lambda_3 < nearest_1.lambda;
+    if (!(!(closest_1.some))) {
+        local_11 = lambda_3 < closest_1.lambda;
     } else {
         local_11 = true;
     }
     bool _e11 = local_11;
     if (!(_e11)) {
-        if (lambda_3 == nearest_1.lambda) {
-            local_13 = order > nearest_1.order;
+        if (lambda_3 == closest_1.lambda) {
+            local_13 = order > closest_1.order;
         } else {
             local_13 = false;
         }
@@ -677,14 +677,14 @@ bool nearest_is_beaten_by(
     return _e24;
 }
 
-SurfaceHit nearest_hit(
+SurfaceHit closest_hit(
     Ray ray_8,
     device Picture const& picture,
     device type_4 const& spheres,
     device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    Nearest nearest_2 = {};
+    ClosestHit closest_2 = {};
     uint index = 0u;
     bool local_14 = {};
     uint index_1 = 0u;
@@ -717,8 +717,8 @@ SurfaceHit nearest_hit(
                 uint _e17 = index;
                 uint order_1 = spheres[_e17].order;
                 if (_e15.some) {
-                    Nearest _e24 = nearest_2;
-                    bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    ClosestHit _e24 = closest_2;
+                    bool _e26 = is_closer(_e24, _e15.lambda, order_1);
                     local_14 = _e26;
                 } else {
                     local_14 = false;
@@ -726,7 +726,7 @@ SurfaceHit nearest_hit(
                 bool _e28 = local_14;
                 if (_e28) {
                     uint _e32 = index;
-                    nearest_2 = Nearest {true, {}, _e15.lambda, order_1, false, {}, _e32, SIDE};
+                    closest_2 = ClosestHit {true, {}, _e15.lambda, order_1, false, {}, _e32, SIDE};
                 }
             }
         }
@@ -756,8 +756,8 @@ SurfaceHit nearest_hit(
                 uint _e53 = index_1;
                 uint order_2 = cylinders[_e53].order;
                 if (_e51.some) {
-                    Nearest _e60 = nearest_2;
-                    bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    ClosestHit _e60 = closest_2;
+                    bool _e62 = is_closer(_e60, _e51.lambda, order_2);
                     local_15 = _e62;
                 } else {
                     local_15 = false;
@@ -765,57 +765,57 @@ SurfaceHit nearest_hit(
                 bool _e64 = local_15;
                 if (_e64) {
                     uint _e68 = index_1;
-                    nearest_2 = Nearest {true, {}, _e51.lambda, order_2, true, {}, _e68, _e51.part};
+                    closest_2 = ClosestHit {true, {}, _e51.lambda, order_2, true, {}, _e68, _e51.part};
                 }
             }
         }
     }
-    bool _e76 = nearest_2.some;
+    bool _e76 = closest_2.some;
     if (!(_e76)) {
         SurfaceHit _e78 = surface;
         return _e78;
     }
-    real _e80 = nearest_2.lambda;
+    real _e80 = closest_2.lambda;
     metal::float3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
-        bool _e86 = nearest_2.is_cylinder;
+        bool _e86 = closest_2.is_cylinder;
         local_16 = !(_e86);
     } else {
         local_16 = false;
     }
     bool _e89 = local_16;
     if (_e89) {
-        uint _e92 = nearest_2.index;
+        uint _e92 = closest_2.index;
         PlacedSphere _e94 = spheres[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         metal::float3 _e96 = sphere_outward(_e95, _e81);
         Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e101 = nearest_2.index;
+        uint _e101 = closest_2.index;
         uint material_2 = spheres[_e101].material;
-        real _e107 = nearest_2.lambda;
-        uint _e109 = nearest_2.order;
-        uint _e111 = nearest_2.part;
+        real _e107 = closest_2.lambda;
+        uint _e109 = closest_2.order;
+        uint _e111 = closest_2.part;
         surface = SurfaceHit {true, {}, _e98, material_2, _e107, _e109, _e111};
     }
     if (has_cylinders) {
-        bool _e117 = nearest_2.is_cylinder;
+        bool _e117 = closest_2.is_cylinder;
         local_17 = _e117;
     } else {
         local_17 = false;
     }
     bool _e119 = local_17;
     if (_e119) {
-        uint _e122 = nearest_2.index;
+        uint _e122 = closest_2.index;
         PlacedCylinder _e124 = cylinders[_e122];
         CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = nearest_2.part;
+        uint _e127 = closest_2.part;
         metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
         Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
-        uint _e133 = nearest_2.index;
+        uint _e133 = closest_2.index;
         uint material_3 = cylinders[_e133].material;
-        real _e139 = nearest_2.lambda;
-        uint _e141 = nearest_2.order;
-        uint _e143 = nearest_2.part;
+        real _e139 = closest_2.lambda;
+        uint _e141 = closest_2.order;
+        uint _e143 = closest_2.part;
         surface = SurfaceHit {true, {}, _e130, material_3, _e139, _e141, _e143};
     }
     SurfaceHit _e145 = surface;
@@ -825,15 +825,15 @@ SurfaceHit nearest_hit(
 metal::float3 trace_attenuated(
     metal::float3 color,
     uint first,
-    uint met_count,
+    uint attenuation_count,
     device type_6 const& materials,
-    device type_7 const& met,
+    device type_7 const& attenuations,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     metal::float3 attenuated = {};
     uint left = {};
     attenuated = color;
-    left = met_count;
+    left = attenuation_count;
     uint2 loop_bound_2 = uint2(4294967295u);
     bool loop_init_2 = true;
     while(true) {
@@ -852,7 +852,7 @@ metal::float3 trace_attenuated(
         {
             metal::float3 _e8 = attenuated;
             uint _e11 = left;
-            uint _e16 = met[(first + _e11) - 1u];
+            uint _e16 = attenuations[(first + _e11) - 1u];
             PackedVec3_ _e19 = materials[_e16].reflectance;
             metal::float3 _e20 = vec3_load(_e19);
             attenuated = _e8 * _e20;
@@ -862,7 +862,7 @@ metal::float3 trace_attenuated(
     return _e25;
 }
 
-Ray trace_onward(
+Ray scatter_ray(
     Ray ray_9,
     Hit hit,
     Material material_1,
@@ -919,13 +919,13 @@ void trace_path(
     device type_4 const& spheres,
     device type_5 const& cylinders,
     device type_6 const& materials,
-    device type_7& met,
+    device type_7& attenuations,
     device type_8& pixels,
     device type_9& paths,
     constant _mslBufferSizes& _buffer_sizes
 ) {
     Ray ray_10 = {};
-    uint met_count_1 = 0u;
+    uint attenuation_count_1 = 0u;
     uint depth = {};
     bool local_21 = {};
     bool local_22 = {};
@@ -943,8 +943,8 @@ void trace_path(
         PackedRay _e25 = paths[slot].ray;
         Ray _e26 = ray_load(_e25);
         ray_10 = _e26;
-        uint _e30 = paths[slot].met_count;
-        met_count_1 = _e30;
+        uint _e30 = paths[slot].attenuation_count;
+        attenuation_count_1 = _e30;
     }
     uint _e33 = picture.first_depth;
     depth = _e33;
@@ -966,13 +966,13 @@ void trace_path(
         }
         {
             Ray _e42 = ray_10;
-            SurfaceHit _e43 = nearest_hit(_e42, picture, spheres, cylinders, _buffer_sizes);
+            SurfaceHit _e43 = closest_hit(_e42, picture, spheres, cylinders, _buffer_sizes);
             if (!(_e43.some)) {
                 Background _e46 = picture_background(picture);
                 metal::float3 _e48 = ray_10.direction;
                 metal::float3 _e49 = background_color(_e46, _e48);
-                uint _e52 = met_count_1;
-                metal::float3 _e53 = trace_attenuated(_e49, first_1, _e52, materials, met, _buffer_sizes);
+                uint _e52 = attenuation_count_1;
+                metal::float3 _e53 = trace_attenuated(_e49, first_1, _e52, materials, attenuations, _buffer_sizes);
                 PackedVec3_ _e54 = vec3_store(_e53);
                 pixels[slot] = _e54;
                 paths[slot].ended = 1u;
@@ -999,13 +999,13 @@ void trace_path(
             }
             bool _e84 = local_22;
             if (_e84) {
-                uint _e86 = met_count_1;
-                met[first_1 + _e86] = _e43.material;
-                uint _e91 = met_count_1;
-                met_count_1 = _e91 + 1u;
+                uint _e86 = attenuation_count_1;
+                attenuations[first_1 + _e86] = _e43.material;
+                uint _e91 = attenuation_count_1;
+                attenuation_count_1 = _e91 + 1u;
             }
             Ray _e93 = ray_10;
-            Ray _e95 = trace_onward(_e93, _e43.hit, _e63, _e6);
+            Ray _e95 = scatter_ray(_e93, _e43.hit, _e63, _e6);
             ray_10 = _e95;
         }
     }
@@ -1013,7 +1013,7 @@ void trace_path(
     pixels[slot] = _e102;
     Ray _e105 = ray_10;
     PackedRay _e106 = ray_store(_e105);
-    uint _e107 = met_count_1;
+    uint _e107 = attenuation_count_1;
     paths[slot] = PackedPath {_e106, _e107, 0u};
     return;
 }
@@ -1034,7 +1034,7 @@ kernel void image(
 , device type_4 const& spheres [[buffer(1)]]
 , device type_5 const& cylinders [[buffer(2)]]
 , device type_6 const& materials [[buffer(3)]]
-, device type_7& met [[buffer(4)]]
+, device type_7& attenuations [[buffer(4)]]
 , device type_8& pixels [[buffer(5)]]
 , device type_9& paths [[buffer(6)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(7)]]
@@ -1054,6 +1054,6 @@ kernel void image(
     metal::float2 offset_1 = metal::float2(_e23, _e26);
     Camera _e28 = picture_camera(picture);
     Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
-    trace_path(_e29, id.x, picture, spheres, cylinders, materials, met, pixels, paths, _buffer_sizes);
+    trace_path(_e29, id.x, picture, spheres, cylinders, materials, attenuations, pixels, paths, _buffer_sizes);
     return;
 }

@@ -316,9 +316,9 @@ CylinderRecord cylinder_new(float3 center_1, float radius_1, float3 axis_1)
 {
     const UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     float half_height = (_e3.length_ / 2.0);
-    float3 reach = (_e3.direction * half_height);
-    float3 top = (center_1 + reach);
-    float3 bottom = (center_1 - reach);
+    float3 half_axis = (_e3.direction * half_height);
+    float3 top = (center_1 + half_axis);
+    float3 bottom = (center_1 - half_axis);
     const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_1, _e3.direction, top, bottom, radius_1, (radius_1 * radius_1), half_height);
     return cylinderrecord;
 }
@@ -401,7 +401,7 @@ Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadr
     return root_6;
 }
 
-Root cylinder_base(CylinderRecord cylinder_4, Ray ray_4, float3 base, float distance_)
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_2, float distance_)
 {
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
@@ -409,7 +409,7 @@ Root cylinder_base(CylinderRecord cylinder_4, Ray ray_4, float3 base, float dist
     const float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
     float lambda_5 = (distance_ / _e6);
     const float3 _e8 = ray_at(ray_4, lambda_5);
-    const float _e10 = vec3_length((_e8 - base));
+    const float _e10 = vec3_length((_e8 - center_2));
     bool on_disc = (_e10 <= cylinder_4.radius);
     if (!((abs(_e6) < 1e-8))) {
         const bool _e19 = in_range(lambda_5);
@@ -454,7 +454,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
 {
-    CylinderRoot nearest = (CylinderRoot)0;
+    CylinderRoot closest = (CylinderRoot)0;
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
     bool local_9 = (bool)0;
@@ -464,13 +464,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         const Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    const Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    const Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            float _e30 = nearest.lambda;
+            float _e30 = closest.lambda;
             local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
@@ -482,13 +482,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
+        closest = ConstructCylinderRoot(true, _e18.lambda, TOP);
     }
-    const Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    const Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            float _e54 = nearest.lambda;
+            float _e54 = closest.lambda;
             local_10 = (_e42.lambda <= _e54);
         } else {
             local_10 = true;
@@ -500,9 +500,9 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+        closest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     const CylinderRoot cylinderroot = _e64;
     return cylinderroot;
 }
@@ -550,16 +550,16 @@ Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_6)
     return root_8;
 }
 
-Root projected_base(CylinderRecord cylinder_7, Ray ray_7, float3 base_1)
+Root projected_cap(CylinderRecord cylinder_7, Ray ray_7, float3 cap)
 {
     bool local_12 = (bool)0;
     bool local_13 = (bool)0;
 
     const float _e5 = vec3_dot(ray_7.direction, cylinder_7.axis);
-    const float _e9 = vec3_dot((base_1 - ray_7.origin), cylinder_7.axis);
+    const float _e9 = vec3_dot((cap - ray_7.origin), cylinder_7.axis);
     float lambda_7 = (_e9 / _e5);
     const float3 _e11 = ray_at(ray_7, lambda_7);
-    const float _e13 = vec3_length((_e11 - base_1));
+    const float _e13 = vec3_length((_e11 - cap));
     bool on_disc_1 = (_e13 <= cylinder_7.radius);
     if ((1e-8 <= abs(_e5))) {
         const bool _e21 = in_range(lambda_7);
@@ -580,7 +580,7 @@ Root projected_base(CylinderRecord cylinder_7, Ray ray_7, float3 base_1)
 
 CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
 {
-    CylinderRoot nearest_1 = (CylinderRoot)0;
+    CylinderRoot closest_1 = (CylinderRoot)0;
     bool local_14 = (bool)0;
     bool local_15 = (bool)0;
     bool local_16 = (bool)0;
@@ -616,13 +616,13 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
             local_16 = true;
         }
         bool _e37 = local_16;
-        nearest_1 = ConstructCylinderRoot(_e37, lambda_8, SIDE);
+        closest_1 = ConstructCylinderRoot(_e37, lambda_8, SIDE);
     }
-    const Root _e41 = projected_base(cylinder_8, ray_8, cylinder_8.top);
+    const Root _e41 = projected_cap(cylinder_8, ray_8, cylinder_8.top);
     if (_e41.some) {
-        bool _e46 = nearest_1.some;
+        bool _e46 = closest_1.some;
         if (!(!(_e46))) {
-            float _e53 = nearest_1.lambda;
+            float _e53 = closest_1.lambda;
             local_18 = (_e41.lambda <= _e53);
         } else {
             local_18 = true;
@@ -634,13 +634,13 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
     }
     bool _e58 = local_17;
     if (_e58) {
-        nearest_1 = ConstructCylinderRoot(true, _e41.lambda, TOP);
+        closest_1 = ConstructCylinderRoot(true, _e41.lambda, TOP);
     }
-    const Root _e64 = projected_base(cylinder_8, ray_8, cylinder_8.bottom);
+    const Root _e64 = projected_cap(cylinder_8, ray_8, cylinder_8.bottom);
     if (_e64.some) {
-        bool _e69 = nearest_1.some;
+        bool _e69 = closest_1.some;
         if (!(!(_e69))) {
-            float _e76 = nearest_1.lambda;
+            float _e76 = closest_1.lambda;
             local_20 = (_e64.lambda <= _e76);
         } else {
             local_20 = true;
@@ -652,9 +652,9 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
     }
     bool _e81 = local_19;
     if (_e81) {
-        nearest_1 = ConstructCylinderRoot(true, _e64.lambda, BOTTOM);
+        closest_1 = ConstructCylinderRoot(true, _e64.lambda, BOTTOM);
     }
-    CylinderRoot _e86 = nearest_1;
+    CylinderRoot _e86 = closest_1;
     const CylinderRoot cylinderroot_1 = _e86;
     return cylinderroot_1;
 }

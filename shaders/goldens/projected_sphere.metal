@@ -268,9 +268,9 @@ CylinderRecord cylinder_new(
 ) {
     UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     real half_height = _e3.length / 2.0;
-    metal::float3 reach = _e3.direction * half_height;
-    metal::float3 top = center_1 + reach;
-    metal::float3 bottom = center_1 - reach;
+    metal::float3 half_axis = _e3.direction * half_height;
+    metal::float3 top = center_1 + half_axis;
+    metal::float3 bottom = center_1 - half_axis;
     return CylinderRecord {center_1, _e3.direction, top, bottom, radius_1, radius_1 * radius_1, half_height};
 }
 
@@ -342,10 +342,10 @@ Root cylinder_side(
     return Root {_e31, {}, near_counts ? near_1 : far_1};
 }
 
-Root cylinder_base(
+Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_4,
-    metal::float3 base,
+    metal::float3 center_2,
     real distance
 ) {
     bool local_5 = {};
@@ -353,7 +353,7 @@ Root cylinder_base(
     real _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
     real lambda_5 = distance / _e6;
     metal::float3 _e8 = ray_at(ray_4, lambda_5);
-    real _e10 = vec3_length(_e8 - base);
+    real _e10 = vec3_length(_e8 - center_2);
     bool on_disc = _e10 <= cylinder_4.radius;
     if (!((metal::abs(_e6) < 0.00000001))) {
         bool _e19 = in_range(lambda_5);
@@ -394,7 +394,7 @@ CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_6,
     Ray ray_5
 ) {
-    CylinderRoot nearest = {};
+    CylinderRoot closest = {};
     bool local_7 = {};
     bool local_8 = {};
     bool local_9 = {};
@@ -403,13 +403,13 @@ CylinderRoot cylinder_intersect(
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        nearest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
+        closest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
     }
-    Root _e18 = cylinder_base(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
+    Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            real _e30 = nearest.lambda;
+            real _e30 = closest.lambda;
             local_8 = _e18.lambda <= _e30;
         } else {
             local_8 = true;
@@ -421,13 +421,13 @@ CylinderRoot cylinder_intersect(
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = CylinderRoot {true, {}, _e18.lambda, TOP};
+        closest = CylinderRoot {true, {}, _e18.lambda, TOP};
     }
-    Root _e42 = cylinder_base(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
+    Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            real _e54 = nearest.lambda;
+            real _e54 = closest.lambda;
             local_10 = _e42.lambda <= _e54;
         } else {
             local_10 = true;
@@ -439,9 +439,9 @@ CylinderRoot cylinder_intersect(
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
+        closest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     return _e64;
 }
 
@@ -481,18 +481,18 @@ Root projected_sphere_intersect(
     return Root {_e18, {}, lambda_6};
 }
 
-Root projected_base(
+Root projected_cap(
     CylinderRecord cylinder_7,
     Ray ray_7,
-    metal::float3 base_1
+    metal::float3 cap
 ) {
     bool local_12 = {};
     bool local_13 = {};
     real _e5 = vec3_dot(ray_7.direction, cylinder_7.axis);
-    real _e9 = vec3_dot(base_1 - ray_7.origin, cylinder_7.axis);
+    real _e9 = vec3_dot(cap - ray_7.origin, cylinder_7.axis);
     real lambda_7 = _e9 / _e5;
     metal::float3 _e11 = ray_at(ray_7, lambda_7);
-    real _e13 = vec3_length(_e11 - base_1);
+    real _e13 = vec3_length(_e11 - cap);
     bool on_disc_1 = _e13 <= cylinder_7.radius;
     if (0.00000001 <= metal::abs(_e5)) {
         bool _e21 = in_range(lambda_7);
@@ -514,7 +514,7 @@ CylinderRoot projected_cylinder_intersect(
     CylinderRecord cylinder_8,
     Ray ray_8
 ) {
-    CylinderRoot nearest_1 = {};
+    CylinderRoot closest_1 = {};
     bool local_14 = {};
     bool local_15 = {};
     bool local_16 = {};
@@ -549,13 +549,13 @@ CylinderRoot projected_cylinder_intersect(
             local_16 = true;
         }
         bool _e37 = local_16;
-        nearest_1 = CylinderRoot {_e37, {}, lambda_8, SIDE};
+        closest_1 = CylinderRoot {_e37, {}, lambda_8, SIDE};
     }
-    Root _e41 = projected_base(cylinder_8, ray_8, cylinder_8.top);
+    Root _e41 = projected_cap(cylinder_8, ray_8, cylinder_8.top);
     if (_e41.some) {
-        bool _e46 = nearest_1.some;
+        bool _e46 = closest_1.some;
         if (!(!(_e46))) {
-            real _e53 = nearest_1.lambda;
+            real _e53 = closest_1.lambda;
             local_18 = _e41.lambda <= _e53;
         } else {
             local_18 = true;
@@ -567,13 +567,13 @@ CylinderRoot projected_cylinder_intersect(
     }
     bool _e58 = local_17;
     if (_e58) {
-        nearest_1 = CylinderRoot {true, {}, _e41.lambda, TOP};
+        closest_1 = CylinderRoot {true, {}, _e41.lambda, TOP};
     }
-    Root _e64 = projected_base(cylinder_8, ray_8, cylinder_8.bottom);
+    Root _e64 = projected_cap(cylinder_8, ray_8, cylinder_8.bottom);
     if (_e64.some) {
-        bool _e69 = nearest_1.some;
+        bool _e69 = closest_1.some;
         if (!(!(_e69))) {
-            real _e76 = nearest_1.lambda;
+            real _e76 = closest_1.lambda;
             local_20 = _e64.lambda <= _e76;
         } else {
             local_20 = true;
@@ -585,9 +585,9 @@ CylinderRoot projected_cylinder_intersect(
     }
     bool _e81 = local_19;
     if (_e81) {
-        nearest_1 = CylinderRoot {true, {}, _e64.lambda, BOTTOM};
+        closest_1 = CylinderRoot {true, {}, _e64.lambda, BOTTOM};
     }
-    CylinderRoot _e86 = nearest_1;
+    CylinderRoot _e86 = closest_1;
     return _e86;
 }
 

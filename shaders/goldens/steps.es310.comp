@@ -125,7 +125,7 @@ struct Picture {
     uint end_depth;
     uint unused;
 };
-struct Nearest {
+struct ClosestHit {
     bool some;
     float lambda;
     uint order;
@@ -142,7 +142,7 @@ struct SurfaceHit {
     uint part;
 };
 struct Step {
-    float met;
+    float is_hit;
     float lambda;
     float object;
     float part;
@@ -328,13 +328,13 @@ Root cylinder_side(CylinderRecord cylinder_3, Ray ray_4, CylinderQuadratic quadr
     return Root(_e31, (near_counts ? near_1 : far_1));
 }
 
-Root cylinder_base(CylinderRecord cylinder_4, Ray ray_5, vec3 base, float distance_) {
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_5, vec3 center, float distance_) {
     bool local_5 = false;
     bool local_6 = false;
     float _e6 = vec3_dot(ray_5.direction, cylinder_4.axis);
     float lambda_5 = (distance_ / _e6);
     vec3 _e8 = ray_at(ray_5, lambda_5);
-    float _e10 = vec3_length((_e8 - base));
+    float _e10 = vec3_length((_e8 - center));
     bool on_disc = (_e10 <= cylinder_4.radius);
     if (!((abs(_e6) < 1e-8))) {
         bool _e19 = in_range(lambda_5);
@@ -368,7 +368,7 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6) {
-    CylinderRoot nearest = CylinderRoot(false, 0.0, 0u);
+    CylinderRoot closest = CylinderRoot(false, 0.0, 0u);
     bool local_7 = false;
     bool local_8 = false;
     bool local_9 = false;
@@ -377,13 +377,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6) {
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
-        nearest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    Root _e18 = cylinder_base(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
+    Root _e18 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            float _e30 = nearest.lambda;
+            float _e30 = closest.lambda;
             local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
@@ -395,13 +395,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6) {
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = CylinderRoot(true, _e18.lambda, TOP);
+        closest = CylinderRoot(true, _e18.lambda, TOP);
     }
-    Root _e42 = cylinder_base(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
+    Root _e42 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            float _e54 = nearest.lambda;
+            float _e54 = closest.lambda;
             local_10 = (_e42.lambda <= _e54);
         } else {
             local_10 = true;
@@ -413,9 +413,9 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6) {
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = CylinderRoot(true, _e42.lambda, BOTTOM);
+        closest = CylinderRoot(true, _e42.lambda, BOTTOM);
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     return _e64;
 }
 
@@ -517,19 +517,19 @@ Background picture_background() {
     return Background(_e4, _e9);
 }
 
-bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order) {
+bool is_closer(ClosestHit closest_1, float lambda_3, uint order) {
     bool local_11 = false;
     bool local_12 = false;
     bool local_13 = false;
-    if (!(!(nearest_1.some))) {
-        local_11 = (lambda_3 < nearest_1.lambda);
+    if (!(!(closest_1.some))) {
+        local_11 = (lambda_3 < closest_1.lambda);
     } else {
         local_11 = true;
     }
     bool _e11 = local_11;
     if (!(_e11)) {
-        if ((lambda_3 == nearest_1.lambda)) {
-            local_13 = (order > nearest_1.order);
+        if ((lambda_3 == closest_1.lambda)) {
+            local_13 = (order > closest_1.order);
         } else {
             local_13 = false;
         }
@@ -542,8 +542,8 @@ bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order) {
     return _e24;
 }
 
-SurfaceHit nearest_hit(Ray ray_7) {
-    Nearest nearest_2 = Nearest(false, 0.0, 0u, false, 0u, 0u);
+SurfaceHit closest_hit(Ray ray_7) {
+    ClosestHit closest_2 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index = 0u;
     bool local_14 = false;
     uint index_1 = 0u;
@@ -573,8 +573,8 @@ SurfaceHit nearest_hit(Ray ray_7) {
                 uint _e17 = index;
                 uint order_1 = _group_0_binding_1_cs[_e17].order;
                 if (_e15.some) {
-                    Nearest _e24 = nearest_2;
-                    bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    ClosestHit _e24 = closest_2;
+                    bool _e26 = is_closer(_e24, _e15.lambda, order_1);
                     local_14 = _e26;
                 } else {
                     local_14 = false;
@@ -582,7 +582,7 @@ SurfaceHit nearest_hit(Ray ray_7) {
                 bool _e28 = local_14;
                 if (_e28) {
                     uint _e32 = index;
-                    nearest_2 = Nearest(true, _e15.lambda, order_1, false, _e32, SIDE);
+                    closest_2 = ClosestHit(true, _e15.lambda, order_1, false, _e32, SIDE);
                 }
             }
         }
@@ -609,8 +609,8 @@ SurfaceHit nearest_hit(Ray ray_7) {
                 uint _e53 = index_1;
                 uint order_2 = _group_0_binding_2_cs[_e53].order;
                 if (_e51.some) {
-                    Nearest _e60 = nearest_2;
-                    bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    ClosestHit _e60 = closest_2;
+                    bool _e62 = is_closer(_e60, _e51.lambda, order_2);
                     local_15 = _e62;
                 } else {
                     local_15 = false;
@@ -618,64 +618,64 @@ SurfaceHit nearest_hit(Ray ray_7) {
                 bool _e64 = local_15;
                 if (_e64) {
                     uint _e68 = index_1;
-                    nearest_2 = Nearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                    closest_2 = ClosestHit(true, _e51.lambda, order_2, true, _e68, _e51.part);
                 }
             }
         }
     }
-    bool _e76 = nearest_2.some;
+    bool _e76 = closest_2.some;
     if (!(_e76)) {
         SurfaceHit _e78 = surface;
         return _e78;
     }
-    float _e80 = nearest_2.lambda;
+    float _e80 = closest_2.lambda;
     vec3 _e81 = ray_at(ray_7, _e80);
     if (has_spheres) {
-        bool _e86 = nearest_2.is_cylinder;
+        bool _e86 = closest_2.is_cylinder;
         local_16 = !(_e86);
     } else {
         local_16 = false;
     }
     bool _e89 = local_16;
     if (_e89) {
-        uint _e92 = nearest_2.index;
+        uint _e92 = closest_2.index;
         PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         vec3 _e96 = sphere_outward(_e95, _e81);
         Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
-        uint _e101 = nearest_2.index;
+        uint _e101 = closest_2.index;
         uint material_2 = _group_0_binding_1_cs[_e101].material;
-        float _e107 = nearest_2.lambda;
-        uint _e109 = nearest_2.order;
-        uint _e111 = nearest_2.part;
+        float _e107 = closest_2.lambda;
+        uint _e109 = closest_2.order;
+        uint _e111 = closest_2.part;
         surface = SurfaceHit(true, _e98, material_2, _e107, _e109, _e111);
     }
     if (has_cylinders) {
-        bool _e117 = nearest_2.is_cylinder;
+        bool _e117 = closest_2.is_cylinder;
         local_17 = _e117;
     } else {
         local_17 = false;
     }
     bool _e119 = local_17;
     if (_e119) {
-        uint _e122 = nearest_2.index;
+        uint _e122 = closest_2.index;
         PlacedCylinder _e124 = _group_0_binding_2_cs[_e122];
         CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = nearest_2.part;
+        uint _e127 = closest_2.part;
         vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
         Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
-        uint _e133 = nearest_2.index;
+        uint _e133 = closest_2.index;
         uint material_3 = _group_0_binding_2_cs[_e133].material;
-        float _e139 = nearest_2.lambda;
-        uint _e141 = nearest_2.order;
-        uint _e143 = nearest_2.part;
+        float _e139 = closest_2.lambda;
+        uint _e141 = closest_2.order;
+        uint _e143 = closest_2.part;
         surface = SurfaceHit(true, _e130, material_3, _e139, _e141, _e143);
     }
     SurfaceHit _e145 = surface;
     return _e145;
 }
 
-Ray trace_onward(Ray ray_8, Hit hit, Material material_1, vec3 scatter_vector) {
+Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
     bool local_19 = false;
@@ -758,7 +758,7 @@ void main() {
             step_ = Step(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0));
             bool _e44 = ended;
             if (_e44) {
-                step_.met = -1.0;
+                step_.is_hit = -1.0;
             } else {
                 vec3 _e49 = ray.origin;
                 PackedVec3_ _e50 = vec3_store(_e49);
@@ -767,9 +767,9 @@ void main() {
                 PackedVec3_ _e54 = vec3_store(_e53);
                 step_.direction = _e54;
                 Ray _e55 = ray;
-                SurfaceHit _e56 = nearest_hit(_e55);
+                SurfaceHit _e56 = closest_hit(_e55);
                 if (_e56.some) {
-                    step_.met = 1.0;
+                    step_.is_hit = 1.0;
                     step_.lambda = _e56.lambda;
                     step_.object = float(_e56.order);
                     step_.part = float(_e56.part);
@@ -782,7 +782,7 @@ void main() {
                     Ray _e85 = ray;
                     PackedMaterial _e90 = _group_0_binding_3_cs[_e56.material];
                     Material _e91 = material_load(_e90);
-                    Ray _e92 = trace_onward(_e85, _e56.hit, _e91, _e21);
+                    Ray _e92 = scatter_ray(_e85, _e56.hit, _e91, _e21);
                     ray = _e92;
                 } else {
                     Background _e94 = picture_background();

@@ -160,7 +160,7 @@ struct Picture {
     uint unused;
 };
 
-struct Nearest {
+struct ClosestHit {
     bool some;
     float lambda;
     uint order;
@@ -182,7 +182,7 @@ struct SurfaceHit {
 };
 
 struct Step {
-    float met;
+    float is_hit;
     float lambda;
     float object;
     float part;
@@ -441,7 +441,7 @@ Root cylinder_side(CylinderRecord cylinder_3, Ray ray_4, CylinderQuadratic quadr
     return root_6;
 }
 
-Root cylinder_base(CylinderRecord cylinder_4, Ray ray_5, float3 base, float distance_)
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_5, float3 center_, float distance_)
 {
     bool local_5 = (bool)0;
     bool local_6 = (bool)0;
@@ -449,7 +449,7 @@ Root cylinder_base(CylinderRecord cylinder_4, Ray ray_5, float3 base, float dist
     const float _e6 = vec3_dot(ray_5.direction, cylinder_4.axis);
     float lambda_5 = (distance_ / _e6);
     const float3 _e8 = ray_at(ray_5, lambda_5);
-    const float _e10 = vec3_length((_e8 - base));
+    const float _e10 = vec3_length((_e8 - center_));
     bool on_disc = (_e10 <= cylinder_4.radius);
     if (!((abs(_e6) < 1e-8))) {
         const bool _e19 = in_range(lambda_5);
@@ -494,7 +494,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
 {
-    CylinderRoot nearest = (CylinderRoot)0;
+    CylinderRoot closest = (CylinderRoot)0;
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
     bool local_9 = (bool)0;
@@ -504,13 +504,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
     if (!((_e5.discriminant < 0.0))) {
         const Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
-        nearest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    const Root _e18 = cylinder_base(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
+    const Root _e18 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
     if (_e18.some) {
-        bool _e23 = nearest.some;
+        bool _e23 = closest.some;
         if (!(!(_e23))) {
-            float _e30 = nearest.lambda;
+            float _e30 = closest.lambda;
             local_8 = (_e18.lambda <= _e30);
         } else {
             local_8 = true;
@@ -522,13 +522,13 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
     }
     bool _e35 = local_7;
     if (_e35) {
-        nearest = ConstructCylinderRoot(true, _e18.lambda, TOP);
+        closest = ConstructCylinderRoot(true, _e18.lambda, TOP);
     }
-    const Root _e42 = cylinder_base(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
+    const Root _e42 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
     if (_e42.some) {
-        bool _e47 = nearest.some;
+        bool _e47 = closest.some;
         if (!(!(_e47))) {
-            float _e54 = nearest.lambda;
+            float _e54 = closest.lambda;
             local_10 = (_e42.lambda <= _e54);
         } else {
             local_10 = true;
@@ -540,9 +540,9 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
     }
     bool _e59 = local_9;
     if (_e59) {
-        nearest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+        closest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
     }
-    CylinderRoot _e64 = nearest;
+    CylinderRoot _e64 = closest;
     const CylinderRoot cylinderroot = _e64;
     return cylinderroot;
 }
@@ -725,21 +725,21 @@ Background picture_background()
     return background_1;
 }
 
-bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order)
+bool is_closer(ClosestHit closest_1, float lambda_3, uint order)
 {
     bool local_11 = (bool)0;
     bool local_12 = (bool)0;
     bool local_13 = (bool)0;
 
-    if (!(!(nearest_1.some))) {
-        local_11 = (lambda_3 < nearest_1.lambda);
+    if (!(!(closest_1.some))) {
+        local_11 = (lambda_3 < closest_1.lambda);
     } else {
         local_11 = true;
     }
     bool _e11 = local_11;
     if (!(_e11)) {
-        if ((lambda_3 == nearest_1.lambda)) {
-            local_13 = (order > nearest_1.order);
+        if ((lambda_3 == closest_1.lambda)) {
+            local_13 = (order > closest_1.order);
         } else {
             local_13 = false;
         }
@@ -752,8 +752,8 @@ bool nearest_is_beaten_by(Nearest nearest_1, float lambda_3, uint order)
     return _e24;
 }
 
-Nearest ConstructNearest(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
-    Nearest ret = (Nearest)0;
+ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
+    ClosestHit ret = (ClosestHit)0;
     ret.some = arg0;
     ret.lambda = arg1;
     ret.order = arg2;
@@ -798,9 +798,9 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
     return ret;
 }
 
-SurfaceHit nearest_hit(Ray ray_7)
+SurfaceHit closest_hit(Ray ray_7)
 {
-    Nearest nearest_2 = (Nearest)0;
+    ClosestHit closest_2 = (ClosestHit)0;
     uint index = 0u;
     bool local_14 = (bool)0;
     uint index_1 = 0u;
@@ -834,8 +834,8 @@ SurfaceHit nearest_hit(Ray ray_7)
                 uint _e17 = index;
                 uint order_1 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
-                    Nearest _e24 = nearest_2;
-                    const bool _e26 = nearest_is_beaten_by(_e24, _e15.lambda, order_1);
+                    ClosestHit _e24 = closest_2;
+                    const bool _e26 = is_closer(_e24, _e15.lambda, order_1);
                     local_14 = _e26;
                 } else {
                     local_14 = false;
@@ -843,7 +843,7 @@ SurfaceHit nearest_hit(Ray ray_7)
                 bool _e28 = local_14;
                 if (_e28) {
                     uint _e32 = index;
-                    nearest_2 = ConstructNearest(true, _e15.lambda, order_1, false, _e32, SIDE);
+                    closest_2 = ConstructClosestHit(true, _e15.lambda, order_1, false, _e32, SIDE);
                 }
             }
         }
@@ -873,8 +873,8 @@ SurfaceHit nearest_hit(Ray ray_7)
                 uint _e53 = index_1;
                 uint order_2 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
-                    Nearest _e60 = nearest_2;
-                    const bool _e62 = nearest_is_beaten_by(_e60, _e51.lambda, order_2);
+                    ClosestHit _e60 = closest_2;
+                    const bool _e62 = is_closer(_e60, _e51.lambda, order_2);
                     local_15 = _e62;
                 } else {
                     local_15 = false;
@@ -882,58 +882,58 @@ SurfaceHit nearest_hit(Ray ray_7)
                 bool _e64 = local_15;
                 if (_e64) {
                     uint _e68 = index_1;
-                    nearest_2 = ConstructNearest(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                    closest_2 = ConstructClosestHit(true, _e51.lambda, order_2, true, _e68, _e51.part);
                 }
             }
         }
     }
-    bool _e76 = nearest_2.some;
+    bool _e76 = closest_2.some;
     if (!(_e76)) {
         SurfaceHit _e78 = surface;
         const SurfaceHit surfacehit = _e78;
         return surfacehit;
     }
-    float _e80 = nearest_2.lambda;
+    float _e80 = closest_2.lambda;
     const float3 _e81 = ray_at(ray_7, _e80);
     if (has_spheres) {
-        bool _e86 = nearest_2.is_cylinder;
+        bool _e86 = closest_2.is_cylinder;
         local_16 = !(_e86);
     } else {
         local_16 = false;
     }
     bool _e89 = local_16;
     if (_e89) {
-        uint _e92 = nearest_2.index;
+        uint _e92 = closest_2.index;
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
         const Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
-        uint _e101 = nearest_2.index;
+        uint _e101 = closest_2.index;
         uint material_3 = asuint(spheres.Load(24+_e101*28));
-        float _e107 = nearest_2.lambda;
-        uint _e109 = nearest_2.order;
-        uint _e111 = nearest_2.part;
+        float _e107 = closest_2.lambda;
+        uint _e109 = closest_2.order;
+        uint _e111 = closest_2.part;
         surface = ConstructSurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
     }
     if (has_cylinders) {
-        bool _e117 = nearest_2.is_cylinder;
+        bool _e117 = closest_2.is_cylinder;
         local_17 = _e117;
     } else {
         local_17 = false;
     }
     bool _e119 = local_17;
     if (_e119) {
-        uint _e122 = nearest_2.index;
+        uint _e122 = closest_2.index;
         PlacedCylinder _e124 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+0+0)), asfloat(cylinders.Load(_e122*68+0+4)), asfloat(cylinders.Load(_e122*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+12+0)), asfloat(cylinders.Load(_e122*68+12+4)), asfloat(cylinders.Load(_e122*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+24+0)), asfloat(cylinders.Load(_e122*68+24+4)), asfloat(cylinders.Load(_e122*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+36+0)), asfloat(cylinders.Load(_e122*68+36+4)), asfloat(cylinders.Load(_e122*68+36+8))), asfloat(cylinders.Load(_e122*68+48)), asfloat(cylinders.Load(_e122*68+52)), asfloat(cylinders.Load(_e122*68+56)), asuint(cylinders.Load(_e122*68+60)), asuint(cylinders.Load(_e122*68+64)));
         const CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = nearest_2.part;
+        uint _e127 = closest_2.part;
         const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
         const Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
-        uint _e133 = nearest_2.index;
+        uint _e133 = closest_2.index;
         uint material_4 = asuint(cylinders.Load(64+_e133*68));
-        float _e139 = nearest_2.lambda;
-        uint _e141 = nearest_2.order;
-        uint _e143 = nearest_2.part;
+        float _e139 = closest_2.lambda;
+        uint _e141 = closest_2.order;
+        uint _e143 = closest_2.part;
         surface = ConstructSurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
     }
     SurfaceHit _e145 = surface;
@@ -941,7 +941,7 @@ SurfaceHit nearest_hit(Ray ray_7)
     return surfacehit_1;
 }
 
-Ray trace_onward(Ray ray_8, Hit hit, Material material_1, float3 scatter_vector)
+Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
@@ -1053,7 +1053,7 @@ void steps(uint3 id : SV_DispatchThreadID)
             step_ = ZeroValueStep();
             bool _e44 = ended;
             if (_e44) {
-                step_.met = -1.0;
+                step_.is_hit = -1.0;
             } else {
                 float3 _e49 = ray.origin;
                 const PackedVec3_ _e50 = vec3_store(_e49);
@@ -1062,9 +1062,9 @@ void steps(uint3 id : SV_DispatchThreadID)
                 const PackedVec3_ _e54 = vec3_store(_e53);
                 step_.direction = _e54;
                 Ray _e55 = ray;
-                const SurfaceHit _e56 = nearest_hit(_e55);
+                const SurfaceHit _e56 = closest_hit(_e55);
                 if (_e56.some) {
-                    step_.met = 1.0;
+                    step_.is_hit = 1.0;
                     step_.lambda = _e56.lambda;
                     step_.object = float(_e56.order);
                     step_.part = float(_e56.part);
@@ -1077,7 +1077,7 @@ void steps(uint3 id : SV_DispatchThreadID)
                     Ray _e85 = ray;
                     PackedMaterial _e90 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e56.material*24+0+0)), asfloat(materials.Load(_e56.material*24+0+4)), asfloat(materials.Load(_e56.material*24+0+8))), asfloat(materials.Load(_e56.material*24+12)), asuint(materials.Load(_e56.material*24+16)), asuint(materials.Load(_e56.material*24+20)));
                     const Material _e91 = material_load(_e90);
-                    const Ray _e92 = trace_onward(_e85, _e56.hit, _e91, _e21);
+                    const Ray _e92 = scatter_ray(_e85, _e56.hit, _e91, _e21);
                     ray = _e92;
                 } else {
                     const Background _e94 = picture_background();
@@ -1092,7 +1092,7 @@ void steps(uint3 id : SV_DispatchThreadID)
             Step _e107 = step_;
             {
                 Step _value4 = _e107;
-                ways.Store(((id.x * max_depth) + _e104)*84+0, asuint(_value4.met));
+                ways.Store(((id.x * max_depth) + _e104)*84+0, asuint(_value4.is_hit));
                 ways.Store(((id.x * max_depth) + _e104)*84+4, asuint(_value4.lambda));
                 ways.Store(((id.x * max_depth) + _e104)*84+8, asuint(_value4.object));
                 ways.Store(((id.x * max_depth) + _e104)*84+12, asuint(_value4.part));

@@ -41,8 +41,8 @@ modules! {
     "features" in "wgsl/features.wgsl" needs [];
     "layout" in "wgsl/layout.wgsl" needs ["ray"];
     "picture" in "wgsl/picture.wgsl" needs ["layout" "sphere" "cylinder" "camera" "background" "material"];
-    "nearest" in "wgsl/nearest.wgsl" needs ["picture" "features"];
-    "trace" in "wgsl/trace.wgsl" needs ["nearest" "scatter"];
+    "closest_hit" in "wgsl/closest_hit.wgsl" needs ["picture" "features"];
+    "trace" in "wgsl/trace.wgsl" needs ["closest_hit" "scatter"];
     "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
     "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
     "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];

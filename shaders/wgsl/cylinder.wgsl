@@ -20,9 +20,9 @@ const BOTTOM: u32 = 2u;
 fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderRecord {
     let unit = vec3_unit_and_length(axis);
     let half_height = unit.length / real(2.0);
-    let reach = unit.direction * half_height;
-    let top = center + reach;
-    let bottom = center - reach;
+    let half_axis = unit.direction * half_height;
+    let top = center + half_axis;
+    let bottom = center - half_axis;
     return CylinderRecord(center, unit.direction, top, bottom, radius, radius * radius, half_height);
 }
 
@@ -32,9 +32,9 @@ struct CylinderView {
     r_c: vec3<real>,
     // `r_c.r_c - r^2`: negative inside the infinite cylinder.
     c: real,
-    // From the origin to the upper base's plane, along the axis.
+    // From the origin to the top cap's plane, along the axis.
     to_top: real,
-    // From the origin to the lower base's plane, along the axis.
+    // From the origin to the bottom cap's plane, along the axis.
     to_bottom: real,
 }
 
@@ -63,12 +63,12 @@ fn cylinder_quadratic(cylinder: CylinderRecord, view: CylinderView, along: vec3<
     return CylinderQuadratic(a, h, h * h - a * view.c);
 }
 
-// CylinderRecord::within_height: whether the side's point at `lambda` lies between the bases.
+// CylinderRecord::within_height: whether the side's point at `lambda` lies between the caps.
 fn cylinder_within_height(cylinder: CylinderRecord, ray: Ray, lambda: real) -> bool {
     return abs(vec3_dot(ray_at(ray, lambda) - cylinder.center, cylinder.axis)) <= cylinder.half_height;
 }
 
-// CylinderRecord::side: the smaller root that is in range and between the bases, else the larger; and whether that
+// CylinderRecord::side: the smaller root that is in range and between the caps, else the larger; and whether that
 // counts.
 fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadratic) -> Root {
     let root = sqrt(quadratic.discriminant);
@@ -79,11 +79,11 @@ fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadrati
     return Root(near_counts || far_counts, select(far, near, near_counts));
 }
 
-// CylinderRecord::base: the disc around `base`, `distance` along the axis from the ray's origin; PARALLEL is 1e-8.
-fn cylinder_base(cylinder: CylinderRecord, ray: Ray, base: vec3<real>, distance: real) -> Root {
+// CylinderRecord::cap: the disc around `center`, `distance` along the axis from the ray's origin; PARALLEL is 1e-8.
+fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, distance: real) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
     let lambda = distance / slope;
-    let on_disc = vec3_length(ray_at(ray, lambda) - base) <= cylinder.radius;
+    let on_disc = vec3_length(ray_at(ray, lambda) - center) <= cylinder.radius;
     return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
 }
 
@@ -109,22 +109,22 @@ struct CylinderRoot {
     part: u32,
 }
 
-// CylinderRecord::intersect: the side, then the upper base, then the lower; of equals the later.
+// CylinderRecord::intersect: the side, then the top cap, then the bottom cap; of equals the later.
 fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let view = cylinder_seen_from(cylinder, ray.origin);
     let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
-    var nearest: CylinderRoot;
+    var closest: CylinderRoot;
     if !(quadratic.discriminant < real(0.0)) {
         let side = cylinder_side(cylinder, ray, quadratic);
-        nearest = CylinderRoot(side.some, side.lambda, SIDE);
+        closest = CylinderRoot(side.some, side.lambda, SIDE);
     }
-    let top = cylinder_base(cylinder, ray, cylinder.top, view.to_top);
-    if top.some && (!nearest.some || top.lambda <= nearest.lambda) {
-        nearest = CylinderRoot(true, top.lambda, TOP);
+    let top = cylinder_cap(cylinder, ray, cylinder.top, view.to_top);
+    if top.some && (!closest.some || top.lambda <= closest.lambda) {
+        closest = CylinderRoot(true, top.lambda, TOP);
     }
-    let bottom = cylinder_base(cylinder, ray, cylinder.bottom, view.to_bottom);
-    if bottom.some && (!nearest.some || bottom.lambda <= nearest.lambda) {
-        nearest = CylinderRoot(true, bottom.lambda, BOTTOM);
+    let bottom = cylinder_cap(cylinder, ray, cylinder.bottom, view.to_bottom);
+    if bottom.some && (!closest.some || bottom.lambda <= closest.lambda) {
+        closest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
-    return nearest;
+    return closest;
 }

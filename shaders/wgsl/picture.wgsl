@@ -87,7 +87,7 @@ struct Picture {
 // Where a ray is when a run ends before its way does.
 struct PackedPath {
     ray: PackedRay,
-    met_count: u32,
+    attenuation_count: u32,
     ended: u32,
 }
 
@@ -95,8 +95,8 @@ struct PackedPath {
 @group(0) @binding(1) var<storage, read> spheres: array<PlacedSphere>;
 @group(0) @binding(2) var<storage, read> cylinders: array<PlacedCylinder>;
 @group(0) @binding(3) var<storage, read> materials: array<PackedMaterial>;
-// Materials met by each invocation's ray, first hit first: max_depth places an invocation.
-@group(0) @binding(4) var<storage, read_write> met: array<u32>;
+// The materials that attenuate each invocation's path, first hit first: max_depth places for each invocation.
+@group(0) @binding(4) var<storage, read_write> attenuations: array<u32>;
 // A pixel's linear colour.
 @group(0) @binding(5) var<storage, read_write> pixels: array<PackedVec3>;
 // Each invocation's ray between two runs.

@@ -29,33 +29,33 @@ fn projected_sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     return Root(crossings.some && in_range(lambda), lambda);
 }
 
-// The part of projected::cylinder that tries a base.
-fn projected_base(cylinder: CylinderRecord, ray: Ray, base: vec3<real>) -> Root {
+// The part of projected::cylinder that tries a cap.
+fn projected_cap(cylinder: CylinderRecord, ray: Ray, cap: vec3<real>) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
-    let lambda = vec3_dot(base - ray.origin, cylinder.axis) / slope;
-    let on_disc = vec3_length(ray_at(ray, lambda) - base) <= cylinder.radius;
+    let lambda = vec3_dot(cap - ray.origin, cylinder.axis) / slope;
+    let on_disc = vec3_length(ray_at(ray, lambda) - cap) <= cylinder.radius;
     return Root(real(1e-8) <= abs(slope) && in_range(lambda) && on_disc, lambda);
 }
 
-// projected::cylinder: the side, then the upper base, then the lower; of equals the later.
+// projected::cylinder: the side, then the top cap, then the bottom cap; of equals the later.
 fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let r_c = vec3_perpendicular_to(cylinder.center - ray.origin, cylinder.axis);
     let along = vec3_perpendicular_to(ray.direction, cylinder.axis);
     let crossings = projected_crossings(along, r_c, cylinder.radius_squared);
-    var nearest: CylinderRoot;
+    var closest: CylinderRoot;
     if crossings.some {
         let near_counts = in_range(crossings.near) && cylinder_within_height(cylinder, ray, crossings.near);
         let far_counts = in_range(crossings.far) && cylinder_within_height(cylinder, ray, crossings.far);
         let lambda = select(crossings.far, crossings.near, near_counts);
-        nearest = CylinderRoot(near_counts || far_counts, lambda, SIDE);
+        closest = CylinderRoot(near_counts || far_counts, lambda, SIDE);
     }
-    let top = projected_base(cylinder, ray, cylinder.top);
-    if top.some && (!nearest.some || top.lambda <= nearest.lambda) {
-        nearest = CylinderRoot(true, top.lambda, TOP);
+    let top = projected_cap(cylinder, ray, cylinder.top);
+    if top.some && (!closest.some || top.lambda <= closest.lambda) {
+        closest = CylinderRoot(true, top.lambda, TOP);
     }
-    let bottom = projected_base(cylinder, ray, cylinder.bottom);
-    if bottom.some && (!nearest.some || bottom.lambda <= nearest.lambda) {
-        nearest = CylinderRoot(true, bottom.lambda, BOTTOM);
+    let bottom = projected_cap(cylinder, ray, cylinder.bottom);
+    if bottom.some && (!closest.some || bottom.lambda <= closest.lambda) {
+        closest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
-    return nearest;
+    return closest;
 }

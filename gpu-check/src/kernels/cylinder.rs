@@ -1,4 +1,4 @@
-//! Ray against closed cylinder: its side and both bases.
+//! Ray against closed cylinder: its side and both caps.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderRecord;
@@ -23,19 +23,19 @@ const ORIGINS: [[f64; 3]; 25] = [
     [0.6, 5.0, 0.8],
     [1.000_000_000_000_000_2, 5.0, 0.0],
     [1.1, 5.0, 0.0],  // past the rim
-    [0.0, 2.0, -3.0], // level with the bases
+    [0.0, 2.0, -3.0], // level with the caps
     [0.0, -2.0, -3.0],
     [0.0, 2.000_000_000_000_000_4, -3.0],
     [0.0, 4.0, -3.0], // a slope of one from the rim
     [0.0, -4.0, -3.0],
     [0.0, 4.5, -3.0],
-    [0.0, 2.0, 0.5], // on a base, on the side, on the rim
+    [0.0, 2.0, 0.5], // on a cap, on the side, on the rim
     [0.0, -2.0, 0.5],
     [1.0, 0.5, 0.0],
     [0.0, 2.0, -1.0],
     [1.0, 0.0, -3.0],           // tangent
     [0.5, 1.0, -0.25],          // inside
-    [-0.5, 2.000_000_001, 0.0], // just above a base, for directions nearly in its plane
+    [-0.5, 2.000_000_001, 0.0], // just above a cap, for directions nearly in its plane
     [-0.5, -2.000_000_001, 0.0],
     [0.0, 2.001, 0.25], // a thousandth above
     [1e-20, 1e6, -1e150],
@@ -46,7 +46,7 @@ const CENTERS: [[f64; 3]; 3] = [[0.0; 3], [1.0, -2.0, 0.5], [1e-40, 1e6, 0.1]];
 const AXES: [[f64; 3]; 10] = [
     [0.0, 4.0, 0.0],
     [0.0, -4.0, 0.0],
-    [0.0, 0.002, 0.0], // its upper base is exactly at the least distance that counts
+    [0.0, 0.002, 0.0], // its top cap is exactly at the least distance that counts
     [4.0, 0.0, 0.0],
     [0.0, 0.0, 1e-6],
     [1.0, 2.0, -2.0],
@@ -106,7 +106,7 @@ impl Formula for Cylinder {
         let (radius, height) = (size * draws.draw(0.1, 3.0), size * draws.draw(0.1, 6.0));
         let center = special::in_cube(draws, 10.0 * size);
         let axis = special::direction(draws);
-        // A point of the side, of a base or of the inside, in the cylinder's own directions.
+        // A point of the side, of a cap or of the inside, in the cylinder's own directions.
         let across = special::direction(draws).perpendicular_to(axis);
         let across = across / across.length().max(1e-9);
         let place = draws.canonical();

@@ -49,7 +49,7 @@ mutants! {
     ;
     "cylinder":
         "unit.length / real(2.0)" => "unit.length / real(4.0)",
-        "center - reach" => "center + reach",
+        "center - half_axis" => "center + half_axis",
         "- cylinder.radius_squared" => "+ cylinder.radius_squared",
         "cylinder.bottom - origin" => "cylinder.top - origin",
         "h * h - a * view.c" => "h * h + a * view.c",
@@ -61,8 +61,8 @@ mutants! {
         "distance / slope" => "distance * slope",
         "return -cylinder.axis" => "return cylinder.axis",
         "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
-        "top.lambda <= nearest.lambda" => "top.lambda < nearest.lambda",
-        "bottom.lambda <= nearest.lambda" => "bottom.lambda < nearest.lambda",
+        "top.lambda <= closest.lambda" => "top.lambda < closest.lambda",
+        "bottom.lambda <= closest.lambda" => "bottom.lambda < closest.lambda",
     ;
     "projected":
         "direction * middle" => "direction + middle",
@@ -74,9 +74,9 @@ mutants! {
         "real(1e-8) <= abs(slope)" => "real(1e-8) < abs(slope)",
         "near_counts || far_counts" => "near_counts && far_counts",
         "crossings.near, near_counts)" => "crossings.near, far_counts)",
-        "base - ray.origin" => "base + ray.origin",
-        "top.lambda <= nearest.lambda" => "top.lambda < nearest.lambda",
-        "bottom.lambda <= nearest.lambda" => "bottom.lambda < nearest.lambda",
+        "cap - ray.origin" => "cap + ray.origin",
+        "top.lambda <= closest.lambda" => "top.lambda < closest.lambda",
+        "bottom.lambda <= closest.lambda" => "bottom.lambda < closest.lambda",
     ;
     "camera":
         "(column + x)" => "(column - x)",
@@ -116,11 +116,11 @@ mutants! {
         "vec3_load(cylinder.bottom)" => "vec3_load(cylinder.top)",
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
-    "nearest":
-        "lambda < nearest.lambda" => "lambda > nearest.lambda",
-        "order > nearest.order" => "order < nearest.order",
+    "closest_hit":
+        "lambda < closest.lambda" => "lambda > closest.lambda",
+        "order > closest.order" => "order < closest.order",
         "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
-        "nearest.part, point" => "TOP, point",
+        "closest.part, point" => "TOP, point",
     ;
     "trace":
         "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
@@ -128,7 +128,7 @@ mutants! {
         "if hit.front" => "if !hit.front",
         "real(1.0) / material.index" => "material.index",
         "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
-        "met_count = paths[slot].met_count" => "met_count = 0u",
+        "attenuation_count = paths[slot].attenuation_count" => "attenuation_count = 0u",
         "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
         "Ray(hit.point, direction)" => "Ray(ray.origin, direction)",
     ;

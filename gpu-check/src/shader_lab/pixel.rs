@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use crate::Float;
 use crate::steps::{NAMES, Step, first_difference};
 
-/// The numbers that a step shows, by what the ray met: all have an origin and a direction.
-fn shown(met: f64) -> Vec<usize> {
-    match met {
+/// The numbers that a step shows, by what the ray hit: all have an origin and a direction.
+fn shown(hit: f64) -> Vec<usize> {
+    match hit {
         1.0 => (0..18).collect(),
         0.0 => [0].into_iter().chain(6..12).chain(18..21).collect(),
         _ => Vec::new(),
@@ -20,8 +20,8 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
     let mut text = String::new();
     let mut first = None;
     for (depth, (a, b)) in cpu.iter().zip(wgsl).enumerate() {
-        let mut places = shown(a.met().wide());
-        places.extend(shown(b.met().wide()));
+        let mut places = shown(a.is_hit().wide());
+        places.extend(shown(b.is_hit().wide()));
         places.sort_unstable();
         places.dedup();
         if places.is_empty() {
@@ -48,7 +48,7 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
 
 /// A number as it is read: what counts or names things without a point.
 fn number<T: Float>(place: usize, value: T) -> String {
-    let is_name = matches!(NAMES[place], "met" | "object" | "part" | "front" | "material");
+    let is_name = matches!(NAMES[place], "is_hit" | "object" | "part" | "front" | "material");
     if is_name && value.wide().fract() == 0.0 { format!("{:.0}", value.wide()) } else { format!("{value:?}") }
 }
 

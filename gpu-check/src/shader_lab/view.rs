@@ -34,7 +34,7 @@ impl View {
         if self == Self::Steps {
             return heat(surfaces(steps) as f64 / f64::from(depth.max(1)));
         }
-        let Some(step) = steps.first().filter(|step| wide(step.met()) == 1.0) else { return [0; 3] };
+        let Some(step) = steps.first().filter(|step| wide(step.is_hit()) == 1.0) else { return [0; 3] };
         match self {
             Self::Lambda => [grey(1.0 / (1.0 + wide(step.lambda()) / 4.0)); 3],
             Self::Normal => {
@@ -60,7 +60,7 @@ impl View {
 
 /// How many surfaces a way meets.
 fn surfaces<T: Float>(steps: &[Step<T>]) -> usize {
-    steps.iter().take_while(|step| step.met().wide() == 1.0).count()
+    steps.iter().take_while(|step| step.is_hit().wide() == 1.0).count()
 }
 
 /// White where any number of two ways differs in its bits, else black.
@@ -128,22 +128,22 @@ mod tests {
 
     #[test]
     fn a_normal_is_a_colour() {
-        let steps = [step(&[("met", 1.0), ("normal.x", -2.0)])];
+        let steps = [step(&[("is_hit", 1.0), ("normal.x", -2.0)])];
         assert_eq!(View::Normal.color(&steps, 5), [0, 127, 127]);
     }
 
     #[test]
     fn neighbours_in_the_file_have_colours_of_their_own() {
-        let color = |object| View::Object.color(&[step(&[("met", 1.0), ("object", object)])], 5);
+        let color = |object| View::Object.color(&[step(&[("is_hit", 1.0), ("object", object)])], 5);
         assert!(color(0.0) != color(1.0) && color(1.0) != color(2.0) && color(0.0) != color(2.0));
     }
 
     #[test]
     fn the_background_is_black_and_steps_are_counted() {
-        let (met, missed) = (step(&[("met", 1.0)]), step(&[]));
+        let (hit, missed) = (step(&[("is_hit", 1.0)]), step(&[]));
         assert_eq!(View::Lambda.color(&[missed], 2), [0; 3]);
-        assert_eq!(View::Steps.color(&[met, missed], 3), [255, 0, 0]);
-        assert_eq!(View::Steps.color(&[met, met], 2), [255; 3]);
+        assert_eq!(View::Steps.color(&[hit, missed], 3), [255, 0, 0]);
+        assert_eq!(View::Steps.color(&[hit, hit], 2), [255; 3]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 // A ray and what it meets; twin of gpu_check::steps::Step. Numbers throughout, so that one comparison serves all.
 struct Step {
     // One where the ray meets an object, zero where it sees the background, minus one after the way's end.
-    met: real,
+    is_hit: real,
     lambda: real,
     object: real,
     part: real,
@@ -33,13 +33,13 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
     for (var depth = 0u; depth < max_depth; depth++) {
         var step: Step;
         if ended {
-            step.met = real(-1.0);
+            step.is_hit = real(-1.0);
         } else {
             step.origin = vec3_store(ray.origin);
             step.direction = vec3_store(ray.direction);
-            let surface = nearest_hit(ray);
+            let surface = closest_hit(ray);
             if surface.some {
-                step.met = real(1.0);
+                step.is_hit = real(1.0);
                 step.lambda = surface.lambda;
                 step.object = real(surface.order);
                 step.part = real(surface.part);
@@ -47,7 +47,7 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
                 step.material = real(surface.material);
                 step.point = vec3_store(surface.hit.point);
                 step.normal = vec3_store(surface.hit.normal);
-                ray = trace_onward(ray, surface.hit, material_load(materials[surface.material]), scatter_vector);
+                ray = scatter_ray(ray, surface.hit, material_load(materials[surface.material]), scatter_vector);
             } else {
                 step.light = vec3_store(background_color(picture_background(), ray.direction));
                 ended = true;
