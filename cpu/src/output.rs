@@ -5,7 +5,7 @@
 //! `docs/decisions.md`. Uses [`input::error`](crate::input::error) alone. Begin with [`Output`].
 //!
 //! ```
-//! use cpu::output::{Options, Output};
+//! use cpu::internals::output::{Options, Output};
 //!
 //! let path = std::env::temp_dir().join(format!("text-{}.txt", std::process::id()));
 //! let output = Output::open(&path, Options::default())?;

@@ -34,8 +34,3 @@ fn from_environment(name: &str) -> Option<u64> {
     let text = std::env::var(name).ok()?;
     Some(text.parse().unwrap_or_else(|_| panic!("{name}={text} is not a number")))
 }
-
-/// The number of cases for a debug build and for a release build, which is several times as fast.
-pub const fn cases(debug: u32, release: u32) -> u32 {
-    if cfg!(debug_assertions) { debug } else { release }
-}

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use test_support::generator::{self, Arrangement, Options};
 use test_support::write;
 
-use crate::runner::{cases, check};
+use crate::runner::check;
 
 /// Tokens that valid and nearly valid lines are made of.
 fn token() -> impl Strategy<Value = Vec<u8>> {
@@ -92,7 +92,7 @@ fn scene_is_sound(scene: &Scene) -> bool {
 
 #[test]
 fn any_bytes_are_read_or_refused() {
-    check(cases(2_000, 20_000), prop::collection::vec(any::<u8>(), 0..200), |bytes| {
+    check(20_000, prop::collection::vec(any::<u8>(), 0..200), |bytes| {
         sound(Config::parse(&bytes[..]), config_is_sound)?;
         sound(Scene::parse(&bytes[..]), scene_is_sound)?;
         Ok(())
@@ -102,7 +102,7 @@ fn any_bytes_are_read_or_refused() {
 #[test]
 fn nearly_valid_lines_are_read_or_refused() {
     let (read, refused) = (Cell::new(0), Cell::new(0));
-    check(cases(5_000, 50_000), lines(), |bytes| {
+    check(50_000, lines(), |bytes| {
         for accepted in
             [sound(Config::parse(&bytes[..]), config_is_sound)?, sound(Scene::parse(&bytes[..]), scene_is_sound)?]
         {
@@ -120,7 +120,7 @@ fn valid_lines_with_one_byte_changed_are_read_or_refused() {
     let text = write::scene(&generator::scene(&Options { objects: 3, ..Options::default() })).into_bytes();
     let length = text.len();
     let (read, refused) = (Cell::new(0), Cell::new(0));
-    check(cases(2_000, 20_000), (0..length, any::<u8>()), |(place, byte)| {
+    check(20_000, (0..length, any::<u8>()), |(place, byte)| {
         let mut text = text.clone();
         text[place] = byte;
         let count = if sound(Scene::parse(&text[..]), scene_is_sound)? { &read } else { &refused };
@@ -140,7 +140,7 @@ fn what_is_written_reads_back_as_it_was() {
             Options { seed, objects, extent, arrangement, ..Options::default() }
         });
     let objects = Cell::new(0);
-    check(cases(50, 500), options, |options| {
+    check(500, options, |options| {
         let (config, scene) = (generator::view(&options), generator::scene(&options));
         prop_assert_eq!(Config::parse(write::config(&config).as_bytes()).ok(), Some(config));
         prop_assert_eq!(Scene::parse(write::scene(&scene).as_bytes()).ok(), Some(scene.clone()));

@@ -25,13 +25,14 @@ pub use cylinder_lanes::{CylinderHits, SideLanes, filtered_lanes};
 /// as long as the cylinder is high, and `record` was made from it.
 ///
 /// ```
-/// use cpu::{Ray, Vec3, exact, geometry::cylinder::{CylinderPart, CylinderRecord}};
+/// use cpu::intersect::{self, CylinderPart, CylinderRecord};
+/// use cpu::{Ray, Vec3};
 ///
 /// let axis = Vec3::new(0.0, 4.0, 0.0);
 /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
 /// // To the last bit through the rim: side and base are equally near, and the later counts.
 /// let ray = Ray { origin: Vec3::new(0.0, 4.0, -3.0), direction: Vec3::new(0.0, -1.0, 1.0) };
-/// assert_eq!(exact::cylinder::intersect(&cylinder, &axis, &ray), Some((2.0, CylinderPart::Top)));
+/// assert_eq!(intersect::cylinder(&cylinder, &axis, &ray), Some((2.0, CylinderPart::Top)));
 /// ```
 #[inline(always)]
 #[must_use]

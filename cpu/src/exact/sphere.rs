@@ -18,12 +18,13 @@ use crate::simd::{Kernel, Simd};
 /// Where the ray meets the sphere: the contract of [`SphereRecord::intersect`], and right.
 ///
 /// ```
-/// use cpu::{Ray, Vec3, exact, geometry::sphere::SphereRecord};
+/// use cpu::intersect::{self, SphereRecord};
+/// use cpu::{Ray, Vec3};
 ///
 /// // A grain of sand, 10 km away, touched at its rim; the textbook's discriminant is rounding noise there.
 /// let sand = SphereRecord::new(Vec3::new(1e-4, 0.0, 1e4), 1e-4);
 /// let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(0.0, 0.0, 1.0) };
-/// assert_eq!(exact::sphere::intersect(&sand, &ray), Some(1e4));
+/// assert_eq!(intersect::sphere(&sand, &ray), Some(1e4));
 /// ```
 #[inline(always)]
 #[must_use]

@@ -201,7 +201,8 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     /// Where the ray meets the cylinder first: the side, then the upper base, then the lower; of equals the later.
     ///
     /// ```
-    /// use cpu::{Ray, Vec3, geometry::cylinder::{CylinderPart, CylinderRecord}};
+    /// use cpu::intersect::{CylinderPart, CylinderRecord};
+    /// use cpu::{Ray, Vec3};
     ///
     /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 4.0, 0.0));
     /// let ray = Ray { origin: Vec3::new(0.0, 5.0, 0.5), direction: Vec3::new(0.0, -1.0, 0.0) };

@@ -118,7 +118,8 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
     /// Where the ray meets the sphere: the smaller root that is in range, else the larger; `None` when neither is.
     ///
     /// ```
-    /// use cpu::{Ray, Vec3, geometry::sphere::SphereRecord};
+    /// use cpu::intersect::SphereRecord;
+    /// use cpu::{Ray, Vec3};
     ///
     /// let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
     /// let ray = Ray { origin: Vec3::new(0.0, 0.0, -5.0), direction: Vec3::new(0.0, 0.0, 2.0) };

@@ -16,7 +16,7 @@ use stability::regimes::{CYLINDERS, EXTREMES, SPHERES};
 use stability::run::{self, PROVEN_ERRORS};
 
 /// Rays a regime.
-const RAYS: u64 = if cfg!(debug_assertions) { 500 } else { 5_000 };
+const RAYS: u64 = 5_000;
 
 fn number(variable: &str, default: u64) -> u64 {
     std::env::var(variable).map_or(default, |text| text.parse().expect("the variable is a number"))
@@ -48,7 +48,7 @@ fn every_decision_is_right_and_every_lambda_within_its_bound() {
 
 #[test]
 fn climbing_does_not_pass_the_proven_bounds() {
-    let steps = if cfg!(debug_assertions) { 60 } else { 600 };
+    let steps = 600;
     for (regimes, proven) in [(&SPHERES[..], PROVEN_ERRORS[0]), (&CYLINDERS[..], PROVEN_ERRORS[1])] {
         let largest = run::climb(regimes, proven, 5, 20, steps).expect("the bound is proven");
         assert!(largest > proven / 1e4, "the climb found nothing: {largest:e}");

@@ -9,8 +9,8 @@ use cpu::reference::intersect::{Certified, Intersect, Textbook};
 use cpu::{Ray, Vec3};
 use stability::random::Random;
 
-const SHAPES: usize = if cfg!(debug_assertions) { 100 } else { 1_000 };
-const RAYS: usize = if cfg!(debug_assertions) { 100 } else { 1_000 };
+const SHAPES: usize = 1_000;
+const RAYS: usize = 1_000;
 
 /// Rays leave at angles whose sine is a power of ten down to this one.
 const LEAST_SLOPE_DECADE: f64 = -6.0;

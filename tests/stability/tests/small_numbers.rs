@@ -10,7 +10,7 @@ use stability::case::Case;
 use stability::oracle::{self, to_f64};
 use stability::random::Random;
 
-const CASES: usize = if cfg!(debug_assertions) { 20_000 } else { 200_000 };
+const CASES: usize = 200_000;
 
 fn whole(random: &mut Random, most: usize) -> Vec3 {
     Vec3::from([(); 3].map(|()| random.below(2 * most + 1) as f64 - most as f64))

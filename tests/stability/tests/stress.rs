@@ -6,7 +6,7 @@ use stability::report::Section;
 use stability::run;
 
 const SEED: u64 = 7;
-const RAYS: usize = if cfg!(debug_assertions) { 2_000 } else { 20_000 };
+const RAYS: usize = 20_000;
 
 fn sections(regimes: &[Regime], seed: u64, count: usize) -> Vec<Section> {
     run::sections(&methods::all(), regimes, seed, count).expect("formulas in Rust have answers")
