@@ -11,22 +11,20 @@
 
 #![allow(unsafe_code)]
 
-pub mod instruction_set;
-pub mod portable;
-#[cfg(test)]
-pub(crate) mod positive_nan;
-#[cfg(test)]
-mod tests;
-
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+pub mod instruction_set;
+pub mod portable;
+#[cfg_attr(not(target_arch = "x86_64"), allow(unused_imports, unused_macros))]
+mod tables;
+#[cfg(test)]
+pub(crate) mod tests;
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::math::error_free::Fused;
-use crate::math::real::MulAdd;
+use crate::math::rounding::MulAdd;
 
 /// An instruction set, as a type that kernels are compiled for. A value of it is the proof that the machine has it:
 /// only [`run`](instruction_set::InstructionSet::run) makes one, after asking.
@@ -66,7 +64,7 @@ pub trait LaneMask: Copy {
 }
 
 /// Lanes of `f64`.
-pub trait SimdF64: Fused<Mask: LaneMask> + MulAdd {
+pub trait SimdF64: MulAdd<Mask: LaneMask> {
     /// Their number.
     const LANES: usize;
 
@@ -128,19 +126,3 @@ pub trait SimdF32: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     /// When there are fewer.
     fn places_of(number: u32, numbers: &[u32]) -> u32;
 }
-
-/// Implements arithmetic operators of a one-field lane type through functions of `std::arch`.
-macro_rules! operators {
-    ($type:ident, $($trait:ident $method:ident $function:path),+ $(,)?) => {
-        $(impl std::ops::$trait for $type {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                // SAFETY: lanes exist only inside kernels, where the machine has the instruction set.
-                Self(unsafe { $function(self.0, other.0) })
-            }
-        })+
-    };
-}
-#[cfg(target_arch = "x86_64")]
-use operators;

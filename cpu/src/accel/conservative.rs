@@ -9,7 +9,8 @@
 use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
-use crate::math::real::{MulAdd, Real};
+use crate::math::real::Real;
+use crate::math::rounding::MulAdd;
 use crate::math::vec3::Vec3;
 
 /// By how much of its terms the constant of a quadratic is lowered: a thousand roundings.

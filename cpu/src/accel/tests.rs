@@ -14,7 +14,7 @@ use crate::layout::aos::AosObjects;
 use crate::math::vec3::Vec3;
 use crate::sampling::uniform::Uniform;
 use crate::simd::instruction_set::InstructionSet;
-use crate::simd::positive_nan::PositiveNan;
+use crate::simd::tests::positive_nan::PositiveNan;
 use crate::simd::{Kernel, Simd};
 
 /// `count` objects of both kinds in a cube, and one much larger below them.

@@ -9,7 +9,8 @@ use crate::exact::error_bound::{OVERFLOW, UNDERFLOW, in_scale};
 use crate::exact::sphere_filter::{LIMITS, SphereHits};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
-use crate::math::error_free::{Fused, two_product, two_sum};
+use crate::math::error_free::{two_product, two_sum};
+use crate::math::rounding::MulAdd;
 use crate::math::vec3::Vec3;
 
 /// The largest condition number of the root's denominator that is accepted.
@@ -21,7 +22,7 @@ const LEAST_C: f64 = 64.0;
 /// range; of no meaning in the others.
 #[inline(always)]
 #[must_use]
-pub fn compensated<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHits<T> {
+pub fn compensated<T: MulAdd>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHits<T> {
     let a = ray.direction.dot(ray.direction);
     let (h, discriminant) = record.quadratic(ray, a);
     let root = discriminant.sqrt();
@@ -38,7 +39,7 @@ pub fn compensated<T: Fused>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHi
 
 /// `|C - O|^2 - r^2`, nearly as if rounded once, and the sum of the two.
 #[inline(always)]
-fn difference_of_squares<T: Fused>(record: &SphereRecord<T>, origin: Vec3<T>) -> (T, T) {
+fn difference_of_squares<T: MulAdd>(record: &SphereRecord<T>, origin: Vec3<T>) -> (T, T) {
     let (x, x_rest) = two_sum(record.center.x, -origin.x);
     let (y, y_rest) = two_sum(record.center.y, -origin.y);
     let (z, z_rest) = two_sum(record.center.z, -origin.z);
@@ -49,7 +50,7 @@ fn difference_of_squares<T: Fused>(record: &SphereRecord<T>, origin: Vec3<T>) ->
     let (sum, first_rest) = two_sum(xx, yy);
     let (sum, second_rest) = two_sum(sum, zz);
     let (difference, third_rest) = two_sum(sum, -rr);
-    let across = x.fused(x_rest, y.fused(y_rest, z * z_rest));
+    let across = x.mul_add(x_rest, y.mul_add(y_rest, z * z_rest));
     let rest =
         (first_rest + second_rest + third_rest) + ((xx_rest + yy_rest) + (zz_rest - rr_rest)) + (across + across);
     (difference + rest, sum + rr)

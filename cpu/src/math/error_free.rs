@@ -1,20 +1,7 @@
-//! Sums and products with their rounding errors: what they are built of rounds once, so nothing is lost.
+//! Sums and products with their rounding errors. Each rounding error is itself a number of the arithmetic, so the pair
+//! is exact.
 
-use crate::math::rounding::Rounding;
-
-/// Arithmetic with a product and a sum that are rounded once, together.
-pub trait Fused: Rounding {
-    /// `self * factor + term`, rounded once. Code that is compiled for a machine without the instruction calls a
-    /// function instead, just as exact.
-    fn fused(self, factor: Self, term: Self) -> Self;
-}
-
-impl Fused for f64 {
-    #[inline(always)]
-    fn fused(self, factor: Self, term: Self) -> Self {
-        self.mul_add(factor, term)
-    }
-}
+use crate::math::rounding::{MulAdd, Rounding};
 
 /// `a + b` and its rounding error (Knuth).
 #[inline(always)]
@@ -28,9 +15,9 @@ pub fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
 /// `a b` and its rounding error.
 #[inline(always)]
 #[must_use]
-pub fn two_product<T: Fused>(a: T, b: T) -> (T, T) {
+pub fn two_product<T: MulAdd>(a: T, b: T) -> (T, T) {
     let product = a * b;
-    (product, a.fused(b, -product))
+    (product, a.mul_add(b, -product))
 }
 
 #[cfg(test)]

@@ -4,11 +4,11 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// A real number, or a lane of them.
+/// A real number, or a vector of them, one a lane.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The answer of a comparison: one `bool`, or one a lane.
+    /// The result of a comparison: one `bool`, or one a lane.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
     /// The number nearest to `value`, in every lane.
@@ -28,21 +28,6 @@ pub trait Real:
     #[must_use]
     fn flipped_by(self, other: Self) -> Self {
         Self::select(other.less(Self::of(0.0)), -self, self)
-    }
-}
-
-/// Arithmetic for filters, whose margins cover a rounding more or less.
-pub trait MulAdd: Real {
-    /// `self * factor + term`, rounded once or twice.
-    #[must_use]
-    fn mul_add_loosely(self, factor: Self, term: Self) -> Self;
-}
-
-impl MulAdd for f64 {
-    // Not every machine has an instruction for both, and the function in its place is slow.
-    #[inline(always)]
-    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
-        self * factor + term
     }
 }
 
@@ -75,7 +60,7 @@ macro_rules! scalar {
             fn select(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }
-            // Of a selection the compiler would make a branch.
+            // The compiler would turn a selection into a branch.
             #[inline(always)]
             fn flipped_by(self, other: Self) -> Self {
                 Self::from_bits(self.to_bits() ^ (other.to_bits() & $sign))

@@ -1,23 +1,39 @@
-//! What formulas that know their own rounding errors ask of the arithmetic that they are written over.
-
-use std::ops::{BitAnd, BitOr};
+//! What formulas that bound their own rounding errors need from the arithmetic that they are written over.
 
 use crate::math::real::Real;
 
-/// Masks that can be combined: `bool`, and what lanes compare to.
-pub trait Logic: Copy + BitAnd<Output = Self> + BitOr<Output = Self> {}
-
-impl<M: Copy + BitAnd<Output = Self> + BitOr<Output = Self>> Logic for M {}
-
-/// Arithmetic of known precision.
-pub trait Rounding: Real<Mask: Logic> {
+/// Arithmetic of known precision: that of f64, unless it states another.
+pub trait Rounding: Real {
     /// The largest relative error of an operation.
-    const UNIT_ROUNDOFF: f64;
-    /// How many times worse conditioned than in f64 a root may be that is accepted.
-    const LENIENCE: f64;
+    const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+    /// How many times larger than in f64 the condition number of an accepted root may be.
+    const LENIENCE: f64 = 1.0;
 }
 
-impl Rounding for f64 {
-    const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    const LENIENCE: f64 = 1.0;
+/// Fused multiply-add.
+pub trait MulAdd: Rounding {
+    /// `self * factor + term`, rounded once. Code that is compiled for a machine without the instruction calls a
+    /// function instead, just as exact.
+    #[must_use]
+    fn mul_add(self, factor: Self, term: Self) -> Self;
+    /// `self * factor + term`, rounded once or twice, whichever is faster: for tests whose margins cover both.
+    #[inline(always)]
+    #[must_use]
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+}
+
+impl Rounding for f64 {}
+
+impl MulAdd for f64 {
+    #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        self.mul_add(factor, term)
+    }
+    // Not every machine has an instruction for both, and the function in its place is slow.
+    #[inline(always)]
+    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
+        self * factor + term
+    }
 }

@@ -1,42 +1,29 @@
-//! 256-bit lanes with fused multiply-add for the filters.
-//!
-//! Each function is one or two instructions. They are sound because a lane value exists only inside a kernel, and a
-//! kernel is compiled for this instruction set only where
-//! [`InstructionSet::run`](crate::simd::instruction_set::InstructionSet::run) has found that the machine has it.
+//! 256-bit lanes: AVX2 with fused multiply-add. Each line of a table is one operation with its intrinsics.
 
-mod filter_lanes;
 mod permutations;
 
 use std::arch::x86_64::*;
 
-use crate::math::error_free::Fused;
-use crate::math::real::{MulAdd, Real};
-use crate::math::rounding::Rounding;
-use crate::simd::avx2::permutations::{COMPRESSED, EXPANDED, Halves, SELECTED};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF64, operators};
+use crate::math::real::Real;
+use crate::math::rounding::{MulAdd, Rounding};
+use crate::simd::avx2::permutations::{COMPRESSING, EXPANDING, Halves};
+use crate::simd::tables::{features, intrinsics, operators};
+use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64};
 
-/// AVX2 and FMA.
+features!("avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
+
+/// The proof that the machine has AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]
 pub struct Avx2(());
 
 impl Avx2 {
-    /// The proof that the machine has it.
+    /// The proof.
     ///
     /// # Safety
-    /// It must have.
+    /// [`is_found`] must be true.
     pub const unsafe fn new() -> Self {
         Self(())
     }
-}
-
-/// Whether the machine has all that kernels are compiled for here, by [`Simd::run`].
-pub fn is_found() -> bool {
-    is_x86_feature_detected!("avx2")
-        && is_x86_feature_detected!("fma")
-        && is_x86_feature_detected!("bmi1")
-        && is_x86_feature_detected!("bmi2")
-        && is_x86_feature_detected!("lzcnt")
-        && is_x86_feature_detected!("popcnt")
 }
 
 impl Simd for Avx2 {
@@ -46,157 +33,131 @@ impl Simd for Avx2 {
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
-        #[inline(never)]
-        #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-        fn compiled<K: Kernel>(simd: Avx2, kernel: K) -> K::Output {
-            kernel.call(simd)
-        }
-        // SAFETY: `self` is the proof that the machine has these features.
+        // SAFETY: `self` is the proof that the machine has the features.
         unsafe { compiled(self, kernel) }
     }
 }
 
-/// Lanes of `f64`.
+/// Four lanes of `f64`.
 #[derive(Clone, Copy, Debug)]
 pub struct F64(__m256d);
 
-/// Lanes of `f32`.
+/// Eight lanes of `f32`.
 #[derive(Clone, Copy, Debug)]
 pub struct F32(__m256);
 
-/// Answers of comparisons.
+/// Results of comparisons: all bits of a lane are ones or zeros.
 #[derive(Clone, Copy, Debug)]
 pub struct Mask(__m256d);
 
-operators!(F64, Add add _mm256_add_pd, Sub sub _mm256_sub_pd, Mul mul _mm256_mul_pd, Div div _mm256_div_pd);
-operators!(F32, Add add _mm256_add_ps, Sub sub _mm256_sub_ps, Mul mul _mm256_mul_ps);
-operators!(Mask, BitAnd bitand _mm256_and_pd, BitOr bitor _mm256_or_pd);
+operators! { F64:
+    Add add(self, other: Self) { _mm256_add_pd(self.0, other.0) }
+    Sub sub(self, other: Self) { _mm256_sub_pd(self.0, other.0) }
+    Mul mul(self, other: Self) { _mm256_mul_pd(self.0, other.0) }
+    Div div(self, other: Self) { _mm256_div_pd(self.0, other.0) }
+    Neg neg(self) { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) }
+}
 
-impl std::ops::Not for Mask {
-    type Output = Self;
-    #[inline(always)]
-    fn not(self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_xor_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi32(-1))) })
-    }
+operators! { F32:
+    Add add(self, other: Self) { _mm256_add_ps(self.0, other.0) }
+    Sub sub(self, other: Self) { _mm256_sub_ps(self.0, other.0) }
+    Mul mul(self, other: Self) { _mm256_mul_ps(self.0, other.0) }
+}
+
+operators! { Mask:
+    BitAnd bitand(self, other: Self) { _mm256_and_pd(self.0, other.0) }
+    BitOr bitor(self, other: Self) { _mm256_or_pd(self.0, other.0) }
+    Not not(self) { _mm256_xor_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi32(-1))) }
 }
 
 impl LaneMask for Mask {
-    #[inline(always)]
-    fn bits(self) -> u32 {
-        // SAFETY: see the module's head.
-        unsafe { _mm256_movemask_pd(self.0) as u32 }
-    }
-}
-
-impl std::ops::Neg for F64 {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_xor_pd(self.0, _mm256_set1_pd(-0.0)) })
+    intrinsics! {
+        fn bits(self) -> u32 { _mm256_movemask_pd(self.0) as u32 }
     }
 }
 
 impl Real for F64 {
     type Mask = Mask;
 
-    #[inline(always)]
-    fn of(value: f64) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_set1_pd(value) })
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_sqrt_pd(self.0) })
-    }
-    #[inline(always)]
-    fn abs(self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
-    }
-    #[inline(always)]
-    fn less(self, other: Self) -> Mask {
-        // SAFETY: see the module's head.
-        Mask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn less_equal(self, other: Self) -> Mask {
-        // SAFETY: see the module's head.
-        Mask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn select(mask: Mask, yes: Self, no: Self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
+    intrinsics! {
+        fn of(value: f64) -> Self { Self(_mm256_set1_pd(value)) }
+        fn sqrt(self) -> Self { Self(_mm256_sqrt_pd(self.0)) }
+        fn abs(self) -> Self { Self(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)) }
+        fn less(self, other: Self) -> Mask { Mask(_mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0)) }
+        fn less_equal(self, other: Self) -> Mask { Mask(_mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0)) }
+        fn select(mask: Mask, yes: Self, no: Self) -> Self { Self(_mm256_blendv_pd(no.0, yes.0, mask.0)) }
     }
 }
 
-impl Rounding for F64 {
-    const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
-    const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
-}
-
-impl Fused for F64 {
-    #[inline(always)]
-    fn fused(self, factor: Self, term: Self) -> Self {
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_fmadd_pd(self.0, factor.0, term.0) })
-    }
-}
+impl Rounding for F64 {}
 
 impl MulAdd for F64 {
-    #[inline(always)]
-    fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
-        self.fused(factor, term)
+    intrinsics! {
+        fn mul_add(self, factor: Self, term: Self) -> Self { Self(_mm256_fmadd_pd(self.0, factor.0, term.0)) }
     }
 }
 
 impl SimdF64 for F64 {
     const LANES: usize = 4;
 
-    #[inline(always)]
-    fn load(values: &[f64]) -> Self {
-        let values = &values[..Self::LANES];
-        // SAFETY: as many numbers as lanes start there; the load needs no alignment. See the module's head.
-        Self(unsafe { _mm256_loadu_pd(values.as_ptr()) })
-    }
-    #[inline(always)]
-    fn store(self, place: &mut [f64]) {
-        let place = &mut place[..Self::LANES];
-        // SAFETY: as many numbers as lanes fit there; the store needs no alignment. See the module's head.
-        unsafe { _mm256_storeu_pd(place.as_mut_ptr(), self.0) }
-    }
-    #[inline(always)]
-    fn compress(self, bits: u32) -> Self {
-        self.permuted(&COMPRESSED[bits as usize % 16])
-    }
-    #[inline(always)]
-    fn expand(self, bits: u32, packed: Self) -> Self {
-        let Halves(selected) = &SELECTED[bits as usize % 16];
-        // SAFETY: the table's entries have 256 bits, aligned to as many. See the module's head.
-        let mask = unsafe { _mm256_load_pd(selected.as_ptr().cast()) };
-        Self::select(Mask(mask), packed.permuted(&EXPANDED[bits as usize % 16]), self)
-    }
-    #[inline(always)]
-    fn unzip(self, next: Self) -> (Self, Self) {
-        // SAFETY: see the module's head.
-        unsafe {
+    // As many numbers as lanes are at the pointers, which need no alignment.
+    intrinsics! {
+        fn load(values: &[f64]) -> Self { Self(_mm256_loadu_pd(values[..Self::LANES].as_ptr())) }
+        fn store(self, place: &mut [f64]) { _mm256_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
+        fn unzip(self, next: Self) -> (Self, Self) {
             // Within each half; then the middle two change places.
             let (even, odd) = (_mm256_unpacklo_pd(self.0, next.0), _mm256_unpackhi_pd(self.0, next.0));
             (Self(_mm256_permute4x64_pd::<0b11_01_10_00>(even)), Self(_mm256_permute4x64_pd::<0b11_01_10_00>(odd)))
         }
     }
+
+    #[inline(always)]
+    fn compress(self, bits: u32) -> Self {
+        self.permuted(COMPRESSING[bits as usize % 16].lanes())
+    }
+
+    #[inline(always)]
+    fn expand(self, bits: u32, packed: Self) -> Self {
+        let places = EXPANDING[bits as usize % 16].lanes();
+        Self::select(places, packed.permuted(places), self)
+    }
 }
 
 impl F64 {
-    /// The halves of the lanes that `order` names.
-    #[inline(always)]
-    fn permuted(self, Halves(order): &Halves) -> Self {
-        // SAFETY: the table's entries have 256 bits, aligned to as many. See the module's head.
-        let order = unsafe { _mm256_load_si256(order.as_ptr().cast()) };
-        // SAFETY: see the module's head.
-        Self(unsafe { _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order)) })
+    intrinsics! {
+        fn permuted(self, order: Mask) -> Self {
+            let halves = _mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), _mm256_castpd_si256(order.0));
+            Self(_mm256_castps_pd(halves))
+        }
+    }
+}
+
+impl Halves {
+    // The numbers have 256 bits, aligned to as many.
+    intrinsics! {
+        fn lanes(&self) -> Mask { Mask(_mm256_load_pd(self.0.as_ptr().cast())) }
+    }
+}
+
+impl SimdF32 for F32 {
+    const LANES: usize = 8;
+
+    // As many numbers as lanes are at the pointers, which need no alignment.
+    intrinsics! {
+        fn splat(value: f32) -> Self { Self(_mm256_set1_ps(value)) }
+        fn load(values: &[f32]) -> Self { Self(_mm256_loadu_ps(values[..Self::LANES].as_ptr())) }
+        fn store(self, place: &mut [f32]) { _mm256_storeu_ps(place[..Self::LANES].as_mut_ptr(), self.0) }
+        fn mul_add(self, factor: Self, term: Self) -> Self { Self(_mm256_fmadd_ps(self.0, factor.0, term.0)) }
+        fn negative_mul_add(self, factor: Self, term: Self) -> Self { Self(_mm256_fnmadd_ps(self.0, factor.0, term.0)) }
+        fn min(self, other: Self) -> Self { Self(_mm256_min_ps(self.0, other.0)) }
+        fn max(self, other: Self) -> Self { Self(_mm256_max_ps(self.0, other.0)) }
+        fn less_equal(self, other: Self) -> u32 {
+            _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32
+        }
+        fn places_of(number: u32, numbers: &[u32]) -> u32 {
+            let numbers = _mm256_loadu_si256(numbers[..Self::LANES].as_ptr().cast());
+            let equal = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(number as i32));
+            _mm256_movemask_ps(_mm256_castsi256_ps(equal)) as u32
+        }
     }
 }

@@ -1,36 +1,31 @@
-//! Lanes put together, put apart and selected by bits, which AVX2 has no instructions for: tables of permutations.
+//! Tables of permutations that compress and expand lanes, for which AVX2 has no instructions.
 
-/// A number for each half of four lanes: the set has no permutation of whole lanes by a variable.
+/// A number for each half of four lanes: AVX2 permutes only 32-bit lanes by a variable.
 #[repr(align(32))]
 pub struct Halves(pub [u32; 8]);
 
-/// By the bits that select lanes: the selected ones in order.
-pub static COMPRESSED: [Halves; 16] = tables().0;
-/// By the bits that select lanes: in each selected one its place among them.
-pub static EXPANDED: [Halves; 16] = tables().1;
-/// By the bits that select lanes: all ones in these.
-pub static SELECTED: [Halves; 16] = tables().2;
+/// Added to the numbers of a selected lane. A permutation uses the lowest three bits alone, a blend the highest.
+const SELECTED: u32 = 1 << 31;
 
-const fn tables() -> ([Halves; 16], [Halves; 16], [Halves; 16]) {
-    let (mut compressed, mut expanded, mut selected) =
-        ([const { Halves([0; 8]) }; 16], [const { Halves([0; 8]) }; 16], [const { Halves([0; 8]) }; 16]);
+/// By the bits that select lanes: the halves of the selected lanes, in order.
+pub static COMPRESSING: [Halves; 16] = table(false);
+/// By the bits that select lanes: in each half of a selected lane its place among them, and [`SELECTED`].
+pub static EXPANDING: [Halves; 16] = table(true);
+
+const fn table(is_expanding: bool) -> [Halves; 16] {
+    let mut table = [const { Halves([0; 8]) }; 16];
     let mut bits = 0;
     while bits < 16 {
-        let (mut lane, mut count) = (0, 0);
-        while lane < 4 {
-            if bits >> lane & 1 == 1 {
-                let mut half = 0;
-                while half < 2 {
-                    compressed[bits].0[2 * count + half] = (2 * lane + half) as u32;
-                    expanded[bits].0[2 * lane + half] = (2 * count + half) as u32;
-                    selected[bits].0[2 * lane + half] = u32::MAX;
-                    half += 1;
-                }
-                count += 1;
+        let (mut half, mut place) = (0, 0);
+        while half < 8 {
+            if bits >> (half / 2) & 1 == 1 {
+                let (at, number) = if is_expanding { (half, place as u32 + SELECTED) } else { (place, half as u32) };
+                table[bits].0[at] = number;
+                place += 1;
             }
-            lane += 1;
+            half += 1;
         }
         bits += 1;
     }
-    (compressed, expanded, selected)
+    table
 }

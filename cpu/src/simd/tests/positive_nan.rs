@@ -4,7 +4,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::simd::portable::{F32x4, Portable};
+use crate::simd::portable::{Array, Portable};
 use crate::simd::{Kernel, Simd, SimdF32};
 
 /// The portable set with positive NaNs in the lanes for filters.
@@ -13,7 +13,7 @@ pub struct PositiveNan;
 
 impl Simd for PositiveNan {
     type F64 = <Portable as Simd>::F64;
-    type F32 = SimdF64;
+    type F32 = F32;
     const FUSES: bool = false;
 
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
@@ -23,18 +23,18 @@ impl Simd for PositiveNan {
 
 /// Four numbers, none of them a negative NaN.
 #[derive(Clone, Copy, Debug)]
-pub struct SimdF64(F32x4);
+pub struct F32(Array<f32>);
 
 /// Returns the lanes, with the sign of every NaN made positive.
-fn positive(lanes: F32x4) -> SimdF64 {
+fn positive(lanes: Array<f32>) -> F32 {
     let mut numbers = [0.0; 4];
     lanes.store(&mut numbers);
-    SimdF64(F32x4::load(&numbers.map(|number: f32| if number.is_nan() { f32::NAN.copysign(1.0) } else { number })))
+    F32(Array::load(&numbers.map(|number: f32| if number.is_nan() { f32::NAN.copysign(1.0) } else { number })))
 }
 
 macro_rules! operators {
     ($($trait:ident $method:ident),+) => {
-        $(impl $trait for SimdF64 {
+        $(impl $trait for F32 {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
                 positive(self.0.$method(other.0))
@@ -44,14 +44,14 @@ macro_rules! operators {
 }
 operators!(Add add, Sub sub, Mul mul);
 
-impl SimdF32 for SimdF64 {
-    const LANES: usize = F32x4::LANES;
+impl SimdF32 for F32 {
+    const LANES: usize = Array::<f32>::LANES;
 
     fn splat(value: f32) -> Self {
-        positive(F32x4::splat(value))
+        positive(Array::splat(value))
     }
     fn load(values: &[f32]) -> Self {
-        positive(F32x4::load(values))
+        positive(Array::load(values))
     }
     fn store(self, place: &mut [f32]) {
         self.0.store(place);
@@ -72,6 +72,6 @@ impl SimdF32 for SimdF64 {
         self.0.less_equal(other.0)
     }
     fn places_of(number: u32, numbers: &[u32]) -> u32 {
-        F32x4::places_of(number, numbers)
+        Array::<f32>::places_of(number, numbers)
     }
 }
