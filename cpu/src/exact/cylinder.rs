@@ -8,7 +8,6 @@
 use crate::exact::cylinder_surfaces::{Plane, Side};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::error_bound::{Decision, in_scale};
-use crate::exact::sphere::widened;
 use crate::exact::sphere_exact::NotFinite;
 use crate::exact::{cylinder_exact, cylinder_lanes};
 use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
@@ -19,7 +18,7 @@ use crate::math::vec3::Vec3;
 use crate::simd::instruction_set::InstructionSet;
 use crate::simd::{Kernel, Simd};
 
-pub use cylinder_lanes::{CylinderHits, SideLanes, filtered_lanes};
+pub use cylinder_lanes::{CylinderHits, SideLanes};
 
 /// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
 /// as long as the cylinder is high, and `record` was made from it.
@@ -88,32 +87,28 @@ pub fn filtered<T: Rounding<Mask = bool>>(
     let (facing, other) = (record.center - along, record.center + along);
     let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
     let down = slope.less(T::of(0.0));
-    match base(record, ray, facing) {
+    match cap(record, ray, facing, part(down)) {
         Decision::Certain(None) if exit.hits => Decision::Certain(Some((exit.lambda, CylinderPart::Side))),
-        Decision::Certain(None) => with(base(record, ray, other), part(!down)),
-        found => with(found, part(down)),
+        Decision::Certain(None) => cap(record, ray, other, part(!down)),
+        decision => decision,
     }
 }
 
-/// The part that is met, if any.
+/// The intersection with one cap, the `part` around `center`.
 #[inline(always)]
-fn with<T>(verdict: Decision<Option<T>>, part: CylinderPart) -> Decision<Option<(T, CylinderPart)>> {
-    match verdict {
-        Decision::Certain(lambda) => Decision::Certain(lambda.map(|lambda| (lambda, part))),
-        Decision::Uncertain => Decision::Uncertain,
-    }
-}
-
-/// The base around `center` alone.
-#[inline(always)]
-fn base<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Decision<Option<T>> {
+fn cap<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    center: Vec3<T>,
+    part: CylinderPart,
+) -> Decision<Option<(T, CylinderPart)>> {
     let plane = Plane::new(record, ray, center);
     if plane.fails {
         return Decision::Certain(None);
     }
     let disc = plane.disc(record, ray);
     match (disc.hits, disc.fails) {
-        (true, _) => Decision::Certain(Some(disc.lambda)),
+        (true, _) => Decision::Certain(Some((disc.lambda, part))),
         (_, true) => Decision::Certain(None),
         _ => Decision::Uncertain,
     }
@@ -145,8 +140,8 @@ impl Kernel for Precisely<'_> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> Self::Output {
         let Self { record, axis, ray } = self;
-        let record = CylinderRecord::new(widened(record.center), DoubleDouble::of(record.radius), widened(*axis));
-        filtered(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
+        let of = DoubleDouble::of;
+        filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
     }
 }
 

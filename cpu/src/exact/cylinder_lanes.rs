@@ -32,14 +32,6 @@ pub struct SideLanes<T: Real> {
     pub open: T::Mask,
 }
 
-/// [`filtered`](crate::exact::cylinder::filtered) without a branch, for several lanes at once: the same bits in every
-/// lane. That directions are [in scale](crate::exact::error_bound::in_scale) the caller sees to, once a ray.
-#[inline(always)]
-#[must_use]
-pub fn filtered_lanes<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
-    SideLanes::new(record, &record.seen_from(ray.origin), ray).with_bases(record, ray)
-}
-
 impl<T: Rounding> SideLanes<T> {
     /// Judges the side.
     #[inline(always)]
@@ -74,8 +66,8 @@ impl<T: Rounding> SideLanes<T> {
     pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
-        let facing = Plane::new(record, ray, center(record, down)).disc(record, ray);
-        let other = Plane::new(record, ray, center(record, !down)).disc(record, ray);
+        let facing = Plane::new(record, ray, Vec3::select(down, record.top, record.bottom)).disc(record, ray);
+        let other = Plane::new(record, ray, Vec3::select(down, record.bottom, record.top)).disc(record, ray);
         let by_facing = open & facing.hits;
         let by_exit = through | (open & !facing.hits & exit.hits);
         let by_other = open & !facing.hits & !exit.hits & other.hits;
@@ -91,14 +83,4 @@ impl<T: Rounding> SideLanes<T> {
             certain: !open | (entry.fails() & (exit.hits | exit.fails()) & (facing.hits | past_facing)),
         }
     }
-}
-
-/// The centre of the upper base in the lanes of `is_top`, of the lower base in the others.
-#[inline(always)]
-fn center<T: Real>(record: &CylinderRecord<T>, is_top: T::Mask) -> Vec3<T> {
-    Vec3::new(
-        T::select(is_top, record.top.x, record.bottom.x),
-        T::select(is_top, record.top.y, record.bottom.y),
-        T::select(is_top, record.top.z, record.bottom.z),
-    )
 }

@@ -12,7 +12,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::math::error_free;
+use crate::math::error_free::{two_product, two_sum};
 use crate::math::real::Real;
 use crate::math::rounding::Rounding;
 
@@ -26,52 +26,21 @@ pub struct DoubleDouble {
     pub low: f64,
 }
 
-/// `a + b`, exactly.
-#[inline(always)]
-#[must_use]
-pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
-    let (high, low) = error_free::two_sum(a, b);
-    DoubleDouble { high, low }
-}
-
-/// As [`two_sum`], for `|a| >= |b|` or `a = 0` (Dekker).
+/// `a + b`, exactly, for `|a| >= |b|` or `a = 0` (Dekker).
 #[inline(always)]
 fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     let high = a + b;
     DoubleDouble { high, low: b - (high - a) }
 }
 
-/// `a b`, exactly.
-#[inline(always)]
-#[must_use]
-pub fn two_product(a: f64, b: f64) -> DoubleDouble {
-    let (high, low) = error_free::two_product(a, b);
-    DoubleDouble { high, low }
-}
-
-impl DoubleDouble {
-    /// The same number, for parts that overlap or whose larger is not the rounded whole.
-    #[inline(always)]
-    #[must_use]
-    pub fn renormalized(self) -> Self {
-        two_sum(self.high, self.low)
-    }
-}
-
-impl From<f64> for DoubleDouble {
-    #[inline(always)]
-    fn from(high: f64) -> Self {
-        Self { high, low: 0.0 }
-    }
-}
-
 impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let (high, low) = (two_sum(self.high, other.high), two_sum(self.low, other.low));
-        let sum = fast_two_sum(high.high, high.low + low.high);
-        fast_two_sum(sum.high, sum.low + low.low)
+        let (high, high_rest) = two_sum(self.high, other.high);
+        let (low, low_rest) = two_sum(self.low, other.low);
+        let sum = fast_two_sum(high, high_rest + low);
+        fast_two_sum(sum.high, sum.low + low_rest)
     }
 }
 
@@ -95,10 +64,10 @@ impl Mul for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let product = two_product(self.high, other.high);
+        let (product, rest) = two_product(self.high, other.high);
         let low = self.high.mul_add(other.low, self.low * other.low);
         let low = self.low.mul_add(other.high, low);
-        fast_two_sum(product.high, product.low + low)
+        fast_two_sum(product, rest + low)
     }
 }
 
@@ -107,8 +76,8 @@ impl Div for DoubleDouble {
     #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         let high = self.high / divisor.high;
-        let product = two_product(divisor.high, high);
-        let product = fast_two_sum(product.high, divisor.low.mul_add(high, product.low));
+        let (product, rest) = two_product(divisor.high, high);
+        let product = fast_two_sum(product, divisor.low.mul_add(high, rest));
         let remainder = (self.high - product.high) + (self.low - product.low);
         fast_two_sum(high, remainder / divisor.high)
     }
@@ -118,8 +87,8 @@ impl Real for DoubleDouble {
     type Mask = bool;
 
     #[inline(always)]
-    fn of(value: f64) -> Self {
-        value.into()
+    fn of(high: f64) -> Self {
+        Self { high, low: 0.0 }
     }
 
     #[inline(always)]
@@ -164,32 +133,21 @@ mod tests {
     use super::*;
 
     fn number(high: f64, low: f64) -> DoubleDouble {
-        two_sum(high, low)
-    }
-
-    #[test]
-    fn sums_and_products_of_f64_are_exact() {
-        assert_eq!(two_sum(1e16, 1.0), DoubleDouble { high: 1e16, low: 1.0 });
-        assert_eq!(two_sum(1.0, 1e16), DoubleDouble { high: 1e16, low: 1.0 });
-        let x = 1.0 + f64::EPSILON;
-        assert_eq!(
-            two_product(x, x),
-            DoubleDouble { high: 1.0 + 2.0 * f64::EPSILON, low: f64::EPSILON * f64::EPSILON }
-        );
+        fast_two_sum(high, low)
     }
 
     #[test]
     fn what_is_below_the_last_place_survives_cancellation() {
         let tiny = 2.0_f64.powi(-90);
-        assert_eq!(number(1.0, tiny) - 1.0.into(), tiny.into());
-        assert_eq!(number(1e16, 1.0) * 3.0.into() - 3e16.into(), 3.0.into());
+        assert_eq!(number(1.0, tiny) - DoubleDouble::of(1.0), DoubleDouble::of(tiny));
+        assert_eq!(number(1e16, 1.0) * DoubleDouble::of(3.0) - DoubleDouble::of(3e16), DoubleDouble::of(3.0));
     }
 
     #[test]
     fn quotients_and_roots_undo_products() {
         for value in [number(2.0, 1e-17), number(3e100, 1e83), number(7e-120, 0.0)] {
-            let (product, square) = (value * 5.0.into(), value * value);
-            for (actual, expected) in [(product / 5.0.into(), value), (square.sqrt(), value)] {
+            let (product, square) = (value * DoubleDouble::of(5.0), value * value);
+            for (actual, expected) in [(product / DoubleDouble::of(5.0), value), (square.sqrt(), value)] {
                 let error = (actual - expected).abs().high / expected.high;
                 assert!(error <= 20.0 * 2.0_f64.powi(-106), "{value:?}: {error:e}");
             }

@@ -8,6 +8,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::limbs;
+use crate::math::error_free::two_sum;
 use crate::math::real::Real;
 
 /// The number `(-1)^negative magnitude 2^exponent`.
@@ -82,10 +83,9 @@ impl Dyadic {
     #[must_use]
     pub fn to_double_double(&self) -> DoubleDouble {
         let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
-        let (high, low) = (self.digits(0), self.digits(53));
-        let part = |digits: u64, skipped: i64| power_of_two(digits as f64, order - 53 - skipped);
-        let (high, low) = (part(high, 0), part(low, 53));
-        if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }.renormalized()
+        let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped);
+        let (high, low) = two_sum(part(0), part(53));
+        if self.negative { DoubleDouble { high: -high, low: -low } } else { DoubleDouble { high, low } }
     }
 
     fn bits(&self) -> i64 {
@@ -144,10 +144,10 @@ impl Add for &Dyadic {
         }
         let exponent = self.exponent.min(other.exponent);
         let (a, b) = (self.aligned(exponent), other.aligned(exponent));
-        let (negative, magnitude) = match (self.negative == other.negative, limbs::compare(&a, &b)) {
-            (true, _) => (self.negative, limbs::sum(&a, &b)),
-            (false, Ordering::Less) => (other.negative, limbs::difference(&b, &a)),
-            (false, _) => (self.negative, limbs::difference(&a, &b)),
+        let is_difference = self.negative != other.negative;
+        let (negative, magnitude) = match limbs::compare(&a, &b) {
+            Ordering::Less => (other.negative, limbs::sum(&b, &a, is_difference)),
+            _ => (self.negative, limbs::sum(&a, &b, is_difference)),
         };
         Dyadic { negative, magnitude, exponent }
     }

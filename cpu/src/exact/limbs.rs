@@ -15,30 +15,15 @@ pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-/// `a + b`.
-pub fn sum(a: &[u64], b: &[u64]) -> Vec<u64> {
-    let mut carry = false;
-    let limb = |list: &[u64], index: usize| list.get(index).copied().unwrap_or(0);
-    let mut limbs: Vec<u64> = (0..a.len().max(b.len()))
-        .map(|index| {
-            let (partial, first) = limb(a, index).overflowing_add(limb(b, index));
-            let (total, second) = partial.overflowing_add(u64::from(carry));
-            carry = first | second;
-            total
-        })
-        .collect();
-    limbs.push(u64::from(carry));
-    trimmed(limbs)
-}
-
-/// `a - b`, where `a` is not the smaller.
-pub fn difference(a: &[u64], b: &[u64]) -> Vec<u64> {
-    let mut borrow = false;
-    let limbs = a.iter().enumerate().map(|(index, &limb)| {
-        let (partial, first) = limb.overflowing_sub(b.get(index).copied().unwrap_or(0));
-        let (rest, second) = partial.overflowing_sub(u64::from(borrow));
-        borrow = first | second;
-        rest
+/// `a + b`, or `a - b`, where `a` is not the smaller.
+pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
+    let limb = |list: &[u64], index: usize| i128::from(list.get(index).copied().unwrap_or(0));
+    let mut carry = 0;
+    let limbs = (0..=a.len()).map(|index| {
+        let (x, y) = (limb(a, index), limb(b, index));
+        let total = carry + if is_difference { x - y } else { x + y };
+        carry = total >> 64;
+        total as u64
     });
     trimmed(limbs.collect())
 }

@@ -7,11 +7,10 @@ use crate::exact::double_double::DoubleDouble;
 use crate::exact::error_bound::Decision;
 use crate::exact::sphere_compensated;
 use crate::exact::sphere_exact;
-pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from, filtered_lanes};
+pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from};
 use crate::geometry::ray::Ray;
 use crate::geometry::sphere::SphereRecord;
 use crate::math::real::Real;
-use crate::math::vec3::Vec3;
 use crate::simd::instruction_set::InstructionSet;
 use crate::simd::{Kernel, Simd};
 
@@ -104,15 +103,9 @@ impl Kernel for Precisely<'_> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> Self::Output {
         let Self { record, ray } = self;
-        let record = SphereRecord::new(widened(record.center), DoubleDouble::of(record.radius));
-        filtered(&record, &Ray { origin: widened(ray.origin), direction: widened(ray.direction) })
+        let of = DoubleDouble::of;
+        filtered(&SphereRecord::new(record.center.map(of), of(record.radius)), &ray.lanes())
     }
-}
-
-/// The same vector with room for more digits.
-#[inline(always)]
-pub(super) fn widened(vector: Vec3) -> Vec3<DoubleDouble> {
-    Vec3::new(DoubleDouble::of(vector.x), DoubleDouble::of(vector.y), DoubleDouble::of(vector.z))
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ const LEAST_C: f64 = 64.0;
 #[must_use]
 pub fn compensated<T: MulAdd>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHits<T> {
     let a = ray.direction.dot(ray.direction);
-    let (h, discriminant) = record.quadratic(ray, a);
+    let (h, discriminant) = record.seen_from(ray.origin).quadratic(ray.direction, a);
     let root = discriminant.sqrt();
     let (c, squares) = difference_of_squares(record, ray.origin);
     let denominator = h.abs() + root;

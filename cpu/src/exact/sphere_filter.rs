@@ -19,8 +19,9 @@ pub const LIMITS: Limits = Limits { noise: 32.0, condition: 12288.0 };
 #[must_use]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Decision<Option<T>> {
     let a = ray.direction.dot(ray.direction);
-    let (h, discriminant) = record.quadratic(ray, a);
-    let certificate = certificate(record, ray, a);
+    let view = record.seen_from(ray.origin);
+    let (h, discriminant) = view.quadratic(ray.direction, a);
+    let certificate = ErrorBound::new(LIMITS, a, view.squares);
     if !in_scale(a) {
         return Decision::Uncertain;
     }
@@ -54,15 +55,9 @@ pub struct SphereHits<T: Real> {
     pub certain: T::Mask,
 }
 
-/// [`filtered`] without a branch, for several lanes at once: the same bits in every lane. `a` is the direction's length
-/// squared; that it is [in scale](in_scale) the caller sees to, once a ray.
-#[inline(always)]
-#[must_use]
-pub fn filtered_lanes<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> SphereHits<T> {
-    filtered_from(&record.seen_from(ray.origin), ray.direction, a)
-}
-
-/// The same for a sphere as it is seen from where the rays begin.
+/// [`filtered`] without a branch, for several lanes at once: the same bits in every lane, for the sphere as it is seen
+/// from the origin of the rays. `a` is the direction's length squared; the caller checks, once a ray, that it is
+/// [in scale](in_scale).
 #[inline(always)]
 #[must_use]
 pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> SphereHits<T> {
@@ -76,11 +71,4 @@ pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T
         lambda: T::select(misses, T::of(f64::INFINITY), lambda),
         certain: misses | near.hits | (near.fails & far.hits),
     }
-}
-
-#[inline(always)]
-fn certificate<T: Rounding>(record: &SphereRecord<T>, ray: &Ray<T>, a: T) -> ErrorBound<T> {
-    // The compiler finds this product again in the quadratic.
-    let r_c = record.center - ray.origin;
-    ErrorBound::new(LIMITS, a, r_c.dot(r_c) + record.radius_squared)
 }

@@ -1,6 +1,6 @@
 //! The projection window, and the rays through its pixels (statement, sections 3.1 and 3.2).
 
-use crate::geometry::ray::Ray;
+use crate::geometry::ray::{Ray, broadcast};
 use crate::input::config::Config;
 use crate::input::error::Picture;
 use crate::input::size::Size;
@@ -20,6 +20,8 @@ pub struct Camera<T = f64> {
     /// One pixel down.
     pub delta_y: Vec3<T>,
 }
+
+broadcast!(Camera: position, origin, delta_x, delta_y;);
 
 impl Camera {
     /// The camera of a picture of `size` pixels.
@@ -57,20 +59,6 @@ impl Camera {
         let camera = Self { position, origin, delta_x, delta_y };
         let finite = [position, origin, delta_x, delta_y].iter().all(|vector| vector.is_finite());
         if finite { Ok(camera) } else { Err(Picture::CameraOutOfRange) }
-    }
-}
-
-impl Camera {
-    /// The same in every lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn lanes<V: Real>(&self) -> Camera<V> {
-        Camera {
-            position: self.position.map(V::of),
-            origin: self.origin.map(V::of),
-            delta_x: self.delta_x.map(V::of),
-            delta_y: self.delta_y.map(V::of),
-        }
     }
 }
 

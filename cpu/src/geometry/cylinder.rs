@@ -6,7 +6,7 @@
 //! bits as `b`. A root counts if its point, measured along the axis, is at most half the height from the centre. The
 //! caps are discs in the planes at both ends.
 
-use crate::geometry::ray::{Ray, in_range};
+use crate::geometry::ray::{Ray, broadcast, in_range};
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
 
@@ -44,44 +44,10 @@ pub struct CylinderView<T = f64> {
     pub squares: T,
     /// How far the origin is along the axis from the plane halfway between the bases.
     pub along: T,
-    /// From the origin to the upper base's plane, along the axis.
-    pub to_top: T,
-    /// From the origin to the lower base's plane, along the axis.
-    pub to_bottom: T,
 }
 
-impl CylinderView {
-    /// The same in every lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn lanes<V: Real>(&self) -> CylinderView<V> {
-        CylinderView {
-            r_c: self.r_c.map(V::of),
-            c: V::of(self.c),
-            squares: V::of(self.squares),
-            along: V::of(self.along),
-            to_top: V::of(self.to_top),
-            to_bottom: V::of(self.to_bottom),
-        }
-    }
-}
-
-impl CylinderRecord {
-    /// The same in every lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn lanes<V: Real>(&self) -> CylinderRecord<V> {
-        CylinderRecord {
-            center: self.center.map(V::of),
-            axis: self.axis.map(V::of),
-            top: self.top.map(V::of),
-            bottom: self.bottom.map(V::of),
-            radius: V::of(self.radius),
-            radius_squared: V::of(self.radius_squared),
-            half_height: V::of(self.half_height),
-        }
-    }
-}
+broadcast!(CylinderView: r_c; c, squares, along);
+broadcast!(CylinderRecord: center, axis, top, bottom; radius, radius_squared, half_height);
 
 /// The part of a cylinder that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,8 +84,6 @@ impl<T: Real> CylinderRecord<T> {
             c: r_c.dot(r_c) - self.radius_squared,
             squares: from_center.dot(from_center) + self.radius_squared,
             along: from_center.dot(self.axis),
-            to_top: (self.top - origin).dot(self.axis),
-            to_bottom: (self.bottom - origin).dot(self.axis),
         }
     }
 
@@ -133,30 +97,11 @@ impl<T: Real> CylinderRecord<T> {
         (a, h, h * h - a * view.c)
     }
 
-    /// How far the point at `lambda` is along the axis from the plane halfway between the bases.
-    #[inline(always)]
-    #[must_use]
-    pub fn along(&self, ray: &Ray<T>, lambda: T) -> T {
-        (ray.at(lambda) - self.center).dot(self.axis)
-    }
-
     /// Whether the side's point at `lambda` lies between the bases.
     #[inline(always)]
     #[must_use]
     pub fn within_height(&self, ray: &Ray<T>, lambda: T) -> T::Mask {
-        self.along(ray, lambda).abs().less_equal(self.half_height)
-    }
-
-    /// The curved side, given the quadratic: the smaller root that is in range and between the bases, else the larger;
-    /// and whether that counts. Where the discriminant is negative nothing does.
-    #[inline(always)]
-    #[must_use]
-    pub fn side(&self, ray: &Ray<T>, (a, h, discriminant): (T, T, T)) -> (T, T::Mask) {
-        let root = discriminant.sqrt();
-        let (near, far) = ((-h - root) / a, (-h + root) / a);
-        let near_counts = in_range(near) & self.within_height(ray, near);
-        let far_counts = in_range(far) & self.within_height(ray, far);
-        (T::select(near_counts, near, far), near_counts | far_counts)
+        (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
     }
 
     /// Where the ray meets the plane of a base that is `distance` along the axis from the ray's origin, and the product
@@ -174,15 +119,6 @@ impl<T: Real> CylinderRecord<T> {
     #[must_use]
     pub fn on_disc(&self, ray: &Ray<T>, base: Vec3<T>, lambda: T) -> T::Mask {
         (ray.at(lambda) - base).length().less_equal(self.radius)
-    }
-
-    /// The disc around `base`, one of the two centres, `distance` along the axis from the ray's origin: where the ray
-    /// meets its plane, and whether that counts.
-    #[inline(always)]
-    #[must_use]
-    pub fn base(&self, ray: &Ray<T>, base: Vec3<T>, distance: T) -> (T, T::Mask) {
-        let (lambda, slope) = self.plane(ray, distance);
-        (lambda, !slope.abs().less(T::of(PARALLEL)) & in_range(lambda) & self.on_disc(ray, base, lambda))
     }
 
     /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
@@ -212,17 +148,16 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     #[must_use]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, CylinderPart)> {
         let view = self.seen_from(ray.origin);
-        let quadratic = self.quadratic(&view, ray.direction);
-        let mut nearest = None;
-        if !quadratic.2.less(T::of(0.0)) {
-            let (lambda, met) = self.side(ray, quadratic);
-            nearest = met.then_some((lambda, CylinderPart::Side));
-        }
-        for (base, distance, part) in
-            [(self.top, view.to_top, CylinderPart::Top), (self.bottom, view.to_bottom, CylinderPart::Bottom)]
-        {
-            let (lambda, met) = self.base(ray, base, distance);
-            if met && nearest.is_none_or(|(best, _)| lambda.less_equal(best)) {
+        let (a, h, discriminant) = self.quadratic(&view, ray.direction);
+        // The roots of a negative discriminant are NaN, which is not in range.
+        let root = discriminant.sqrt();
+        let mut roots = [(-h - root) / a, (-h + root) / a].into_iter();
+        let side = roots.find(|&lambda| in_range(lambda) && self.within_height(ray, lambda));
+        let mut nearest = side.map(|lambda| (lambda, CylinderPart::Side));
+        for (base, part) in [(self.top, CylinderPart::Top), (self.bottom, CylinderPart::Bottom)] {
+            let (lambda, slope) = self.plane(ray, (base - ray.origin).dot(self.axis));
+            let is_hit = !slope.abs().less(T::of(PARALLEL)) && in_range(lambda) && self.on_disc(ray, base, lambda);
+            if is_hit && nearest.is_none_or(|(best, _)| lambda.less_equal(best)) {
                 nearest = Some((lambda, part));
             }
         }

@@ -3,6 +3,21 @@
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
 
+/// Gives a structure of vectors and numbers the method `lanes`.
+macro_rules! broadcast {
+    ($type:ident: $($vector:ident),*; $($number:ident),*) => {
+        impl $type {
+            /// The same values in every lane.
+            #[inline(always)]
+            #[must_use]
+            pub fn lanes<V: Real>(&self) -> $type<V> {
+                $type { $($vector: self.$vector.map(V::of),)* $($number: V::of(self.$number),)* }
+            }
+        }
+    };
+}
+pub(super) use broadcast;
+
 /// Hits nearer than this are ignored, in lengths of the ray's direction (statement, section 3.4).
 pub const LAMBDA_MIN: f64 = 1e-3;
 
@@ -15,6 +30,8 @@ pub struct Ray<T = f64> {
     /// Where it goes; lambda counts its lengths.
     pub direction: Vec3<T>,
 }
+
+broadcast!(Ray: origin, direction;);
 
 impl<T: Real> Ray<T> {
     /// The point `origin + direction lambda`.

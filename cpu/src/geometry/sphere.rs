@@ -5,7 +5,7 @@
 //! `(h -+ sqrt(h^2 - a c)) / a` have the bits of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, since scaling by a power of two
 //! is exact short of overflow and underflow.
 
-use crate::geometry::ray::{Ray, in_range};
+use crate::geometry::ray::{Ray, broadcast, in_range};
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
 
@@ -42,27 +42,8 @@ impl<T: Real> SphereView<T> {
     }
 }
 
-impl SphereView {
-    /// The same in every lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn lanes<V: Real>(&self) -> SphereView<V> {
-        SphereView { r_c: self.r_c.map(V::of), c: V::of(self.c), squares: V::of(self.squares) }
-    }
-}
-
-impl SphereRecord {
-    /// The same in every lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn lanes<V: Real>(&self) -> SphereRecord<V> {
-        SphereRecord {
-            center: self.center.map(V::of),
-            radius: V::of(self.radius),
-            radius_squared: V::of(self.radius_squared),
-        }
-    }
-}
+broadcast!(SphereView: r_c; c, squares);
+broadcast!(SphereRecord: center; radius, radius_squared);
 
 impl<T: Real> SphereRecord<T> {
     /// The record of the sphere at `center`.
@@ -80,30 +61,6 @@ impl<T: Real> SphereRecord<T> {
         let distance_squared = r_c.dot(r_c);
         let (c, squares) = (distance_squared - self.radius_squared, distance_squared + self.radius_squared);
         SphereView { r_c, c, squares }
-    }
-
-    /// Half of `-b`, and a quarter of the discriminant, of the ray's quadratic; `a` is `direction . direction`.
-    #[inline(always)]
-    #[must_use]
-    pub fn quadratic(&self, ray: &Ray<T>, a: T) -> (T, T) {
-        self.seen_from(ray.origin).quadratic(ray.direction, a)
-    }
-
-    /// Both roots of the quadratic; not numbers where the discriminant is negative.
-    #[inline(always)]
-    #[must_use]
-    pub fn roots(a: T, h: T, discriminant: T) -> (T, T) {
-        let root = discriminant.sqrt();
-        ((h - root) / a, (h + root) / a)
-    }
-
-    /// The smaller root that is in range, else the larger, and whether that is in range; without a branch.
-    #[inline(always)]
-    #[must_use]
-    pub fn first_root(a: T, h: T, discriminant: T) -> (T, T::Mask) {
-        let (near, far) = Self::roots(a, h, discriminant);
-        let lambda = T::select(in_range(near), near, far);
-        (lambda, in_range(lambda))
     }
 
     /// The normal at `point` that leaves the sphere, of length one.
@@ -129,12 +86,10 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
     #[must_use]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<T> {
         let a = ray.direction.dot(ray.direction);
-        let (h, discriminant) = self.quadratic(ray, a);
-        if discriminant.less(T::of(0.0)) {
-            return None;
-        }
-        let (lambda, met) = Self::first_root(a, h, discriminant);
-        met.then_some(lambda)
+        let (h, discriminant) = self.seen_from(ray.origin).quadratic(ray.direction, a);
+        // The roots of a negative discriminant are NaN, which is not in range.
+        let root = discriminant.sqrt();
+        [(h - root) / a, (h + root) / a].into_iter().find(|&lambda| in_range(lambda))
     }
 }
 

@@ -162,36 +162,25 @@ impl<T: Copy> From<[T; 3]> for Vec3<T> {
     }
 }
 
-impl<T: Real> Add for Vec3<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
-    }
+/// Implements operators component by component; `$right` is the right operand as a vector.
+macro_rules! operators {
+    ($($trait:ident $method:ident $operator:tt $other:ident: $type:ty => $right:expr;)+) => {
+        $(impl<T: Real> $trait<$type> for Vec3<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, $other: $type) -> Self {
+                let right = $right;
+                Self::new(self.x $operator right.x, self.y $operator right.y, self.z $operator right.z)
+            }
+        })+
+    };
 }
 
-impl<T: Real> Sub for Vec3<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
-    }
-}
-
-impl<T: Real> Mul<T> for Vec3<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, factor: T) -> Self {
-        Self::new(self.x * factor, self.y * factor, self.z * factor)
-    }
-}
-
-impl<T: Real> Div<T> for Vec3<T> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, divisor: T) -> Self {
-        Self::new(self.x / divisor, self.y / divisor, self.z / divisor)
-    }
+operators! {
+    Add add + other: Self => other;
+    Sub sub - other: Self => other;
+    Mul mul * factor: T => Vec3::splat(factor);
+    Div div / divisor: T => Vec3::splat(divisor);
 }
 
 impl<T: Real> Neg for Vec3<T> {

@@ -181,11 +181,12 @@ fn is_doubtful_in_double_double(case: &Case) -> bool {
     let ray = cpu::Ray { origin: wide(case.ray.origin), direction: wide(case.ray.direction) };
     match &case.shape {
         Shape::Sphere(sphere) => {
-            let record = SphereRecord::new(wide(sphere.center), sphere.radius.into());
+            let record = SphereRecord::new(wide(sphere.center), DoubleDouble::of(sphere.radius));
             exact::sphere::filtered(&record, &ray) == Decision::Uncertain
         }
         Shape::Cylinder(cylinder) => {
-            let record = CylinderRecord::new(wide(cylinder.center), cylinder.radius.into(), wide(cylinder.axis));
+            let record =
+                CylinderRecord::new(wide(cylinder.center), DoubleDouble::of(cylinder.radius), wide(cylinder.axis));
             exact::cylinder::filtered(&record, &ray) == Decision::Uncertain
         }
     }

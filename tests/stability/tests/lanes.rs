@@ -77,10 +77,7 @@ impl Real for Pair {
     }
 }
 
-impl Rounding for Pair {
-    const UNIT_ROUNDOFF: f64 = <f64 as Rounding>::UNIT_ROUNDOFF;
-    const LENIENCE: f64 = <f64 as Rounding>::LENIENCE;
-}
+impl Rounding for Pair {}
 
 fn together(one: Vec3, other: Vec3) -> Vec3<Pair> {
     let (one, other) = (one.to_array(), other.to_array());
@@ -115,7 +112,8 @@ fn spheres_in_lanes_are_as_alone() {
         let (center, radius) = (together(records[0].center, records[1].center), records.map(|record| record.radius));
         let ray = rays(cases);
         let a = ray.direction.dot(ray.direction);
-        let lanes = exact::sphere::filtered_lanes(&SphereRecord::new(center, Pair(radius)), &ray, a);
+        let view = SphereRecord::new(center, Pair(radius)).seen_from(ray.origin);
+        let lanes = exact::sphere::filtered_from(&view, ray.direction, a);
         for lane in 0..2 {
             let alone = exact::sphere::filtered(&records[lane], &cases[lane].ray);
             match alone {
@@ -138,7 +136,9 @@ fn cylinders_in_lanes_are_as_alone() {
         let center = together(shapes[0].center, shapes[1].center);
         let axis = together(shapes[0].axis, shapes[1].axis);
         let radius = Pair(shapes.map(|shape| shape.radius));
-        let lanes = exact::cylinder::filtered_lanes(&CylinderRecord::new(center, radius, axis), &rays(cases));
+        let (record, ray) = (CylinderRecord::new(center, radius, axis), rays(cases));
+        let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray);
+        let lanes = side.with_bases(&record, &ray);
         for lane in 0..2 {
             let shape = shapes[lane];
             let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
