@@ -74,7 +74,7 @@ fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 
-/// The literal program, the reference with the textbook's formulas, and the renderer on random ordinary scenes.
+/// The literal program, the reference with the plain formulas, and the renderer on random ordinary scenes.
 ///
 /// Both must give the literal program's bytes. The renderer's intersections are certified, so on other scenes it might
 /// differ where rounding decides a ray for the literal program; in 10,000 of these scenes it does not.

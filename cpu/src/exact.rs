@@ -1,6 +1,6 @@
 //! Intersections whose decisions are right and whose lambdas are accurate, at nearly the textbook's price.
 //!
-//! The textbook's formulas run first. A running certificate, a few multiplications, bounds what rounding may have done
+//! The plain formulas run first. A running certificate, a few multiplications, bounds what rounding may have done
 //! to them; where it holds, the textbook's bits are the answer. Where it does not, a sphere is asked by a formula in
 //! which the root that is short does not [cancel](sphere_compensated). Else, or where that is in doubt too, the
 //! textbook's formulas and their certificate run again in [double-double](double_double) arithmetic, and where even

@@ -7,12 +7,13 @@
 //! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a
 //! program.
 //!
-//! With [certified](crate::exact) intersections it asks these for every object in turn, and shares the rest.
+//! With [`Exact`] intersections it shares those with the real renderer, and calls them for every object in turn.
+//! With [`Plain`] ones it has formulas of its own.
 
 pub mod intersect;
 mod nearest;
 
-pub use crate::reference::intersect::{Certified, Intersect, Precision, Textbook};
+pub use crate::reference::intersect::{Exact, Intersect, Plain, Precision};
 
 use std::marker::PhantomData;
 
@@ -36,7 +37,7 @@ use crate::sampling::uniform::Uniform;
 /// # Errors
 /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
 pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
-    render_with::<I, Textbook>(config, scene, scatter)
+    render_with::<I, Plain>(config, scene, scatter)
 }
 
 /// Renders by the definition, with the intersections of `P`.
@@ -64,7 +65,7 @@ pub fn render_linear(
     scatter: Scatter,
     pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
-    render_linear_with::<Textbook>(config, scene, scatter, pixel)
+    render_linear_with::<Plain>(config, scene, scatter, pixel)
 }
 
 /// As [`render_linear`], with the intersections of `P`.
@@ -179,14 +180,12 @@ impl<P: Intersect> Path<'_, P> {
         for object in &self.scene.objects {
             let nearest = &mut nearest;
             let met = match (P::PRECISION, &object.shape) {
-                (Precision::Textbook, Shape::Sphere(sphere)) => meets_sphere(sphere, origin, direction, nearest),
-                (Precision::Textbook, Shape::Cylinder(cylinder)) => {
-                    meets_cylinder(cylinder, origin, direction, nearest)
-                }
-                (Precision::Certified, Shape::Sphere(sphere)) => {
+                (Precision::Plain, Shape::Sphere(sphere)) => meets_sphere(sphere, origin, direction, nearest),
+                (Precision::Plain, Shape::Cylinder(cylinder)) => meets_cylinder(cylinder, origin, direction, nearest),
+                (Precision::Exact, Shape::Sphere(sphere)) => {
                     meets_certified_sphere::<P>(sphere, Ray { origin, direction }, nearest)
                 }
-                (Precision::Certified, Shape::Cylinder(cylinder)) => {
+                (Precision::Exact, Shape::Cylinder(cylinder)) => {
                     meets_certified_cylinder::<P>(cylinder, Ray { origin, direction }, nearest)
                 }
             };

@@ -14,9 +14,9 @@ use crate::kernel::Reader;
 use crate::kernels::{CYLINDER, PROJECTED_CYLINDER, PROJECTED_SPHERE, SPHERE};
 use crate::{Error, Float, Gpu, Kernel, Pipeline, check};
 
-/// The name of the textbook's formulas in f64.
+/// The name of the plain formulas in f64.
 pub const TEXTBOOK: &str = "WGSL textbook f64";
-/// The name of the textbook's formulas in f32.
+/// The name of the plain formulas in f32.
 pub const TEXTBOOK_SINGLE: &str = "WGSL textbook f32";
 /// The name of the projected form in f32.
 pub const PROJECTED: &str = "WGSL projected f32";

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use cpu::reference::intersect::{Certified, Textbook};
+use cpu::reference::intersect::{Exact, Plain};
 use cpu::{Aos, Config, Error, Layout, Scatter, Scene};
 
 const USAGE: &str = "\
@@ -27,9 +27,9 @@ fn main() -> Result<(), Error> {
     let (config, scene) = (Config::read(Path::new(config))?, Scene::read(Path::new(scene))?);
     let output = cpu::internals::output::Output::open(Path::new(out), cpu::internals::output::Options::default())?;
     let render = if certified {
-        cpu::reference::render_with::<<Aos as Layout>::Image, Certified>
+        cpu::reference::render_with::<<Aos as Layout>::Image, Exact>
     } else {
-        cpu::reference::render_with::<<Aos as Layout>::Image, Textbook>
+        cpu::reference::render_with::<<Aos as Layout>::Image, Plain>
     };
     let image = render(&config, &scene, Scatter::Statement)?;
     output.fill(|file| cpu::internals::image::ppm::write_ppm(&image, file))

@@ -156,7 +156,7 @@ mod tests {
     use crate::layout::aos::AosObjects;
     use crate::math::real::Real;
     use crate::math::vec3::Vec3;
-    use crate::reference::intersect::{Certified, Intersect, Textbook};
+    use crate::reference::intersect::{Exact, Intersect, Plain};
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
@@ -212,12 +212,12 @@ mod tests {
             let mut met = 0;
             for index in 0..objects.sphere_count() {
                 let record = objects.sphere(index).record;
-                let any = [Textbook::sphere(&record, &ray), Certified::sphere(&record, &ray)];
+                let any = [Plain::sphere(&record, &ray), Exact::sphere(&record, &ray)];
                 met |= u32::from(any.iter().any(Option::is_some)) << index;
             }
             for index in 0..objects.cylinder_count() {
                 let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
-                let any = [Textbook::cylinder(&record, &axis, &ray), Certified::cylinder(&record, &axis, &ray)];
+                let any = [Plain::cylinder(&record, &axis, &ray), Exact::cylinder(&record, &axis, &ray)];
                 met |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
             }
             for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {

@@ -4,8 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What [`crate::input::config`], [`crate::input::scene`], [`crate::render::prepared`] and [`crate::output`] can
-/// refuse.
+/// Why the arguments, a configuration, a scene, a picture or an output file was refused.
 ///
 /// The message is [`Error::message`], without the leading `Error: ` that the programs print. Lines and keys are bytes,
 /// since the input need not be UTF-8 and is shown as it stands.

@@ -9,10 +9,10 @@ use crate::math::vec3::Vec3;
 /// How the reference intersects: the choice as a value. [`Intersect`] is the same choice as a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// The textbook's formulas, with whatever rounding makes of them.
-    Textbook,
+    /// The plain formulas, with whatever rounding makes of them.
+    Plain,
     /// The same, checked, and repeated more precisely where they may be wrong: what the real renderer does.
-    Certified,
+    Exact,
 }
 
 /// Intersections of a ray with one object. Tests bring some of their own, which count or leave out a step.
@@ -28,16 +28,16 @@ pub trait Intersect {
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 }
 
-/// [`Precision::Textbook`] as a type.
+/// [`Precision::Plain`] as a type.
 #[derive(Clone, Copy, Debug)]
-pub enum Textbook {}
+pub enum Plain {}
 
-/// [`Precision::Certified`] as a type.
+/// [`Precision::Exact`] as a type.
 #[derive(Clone, Copy, Debug)]
-pub enum Certified {}
+pub enum Exact {}
 
-impl Intersect for Textbook {
-    const PRECISION: Precision = Precision::Textbook;
+impl Intersect for Plain {
+    const PRECISION: Precision = Precision::Plain;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         record.intersect(ray)
@@ -48,8 +48,8 @@ impl Intersect for Textbook {
     }
 }
 
-impl Intersect for Certified {
-    const PRECISION: Precision = Precision::Certified;
+impl Intersect for Exact {
+    const PRECISION: Precision = Precision::Exact;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         exact::sphere::intersect(record, ray)

@@ -1,4 +1,4 @@
-//! The stages of one span, each to be run alone: for benchmarks. [`super`] says what they do, and in which order.
+//! The stages of one span, each to be run alone: for benchmarks. `render.rs` says what they do, and in which order.
 
 use crate::layout::aos::Aos;
 use crate::render::prepared::Prepared;

@@ -117,7 +117,7 @@ impl Arguments {
             LayoutName::Soa => self.write_picture::<Soa>(&config, &scene, (kind, options), &interrupt)?,
         };
         if self.count {
-            let counts = cpu::reference::render_counted::<cpu::reference::intersect::Certified>(
+            let counts = cpu::reference::render_counted::<cpu::reference::intersect::Exact>(
                 &config,
                 &scene,
                 self.scatter.into(),

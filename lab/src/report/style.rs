@@ -70,7 +70,7 @@ pub fn engine_meaning(engine: &str) -> String {
     };
     let (set, without) = match (rest.strip_suffix("-plain-search"), rest.strip_suffix("-textbook")) {
         (Some(set), _) => (set, ", every object tried for every ray"),
-        (_, Some(set)) => (set, ", intersections by the textbook's formulas alone"),
+        (_, Some(set)) => (set, ", intersections by the plain formulas alone"),
         _ => (rest, ""),
     };
     format!("{layout}, {set} instructions{without}")

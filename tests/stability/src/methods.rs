@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use cpu::Vec3;
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::reference::intersect::{Certified, Textbook};
+use cpu::reference::intersect::{Exact, Plain};
 
 use crate::case::Case;
 use formulas::{InDouble, ProjectedSingle, Resolved, TextbookSingle};
@@ -64,8 +64,8 @@ pub trait Method {
 #[must_use]
 pub fn all() -> Vec<Box<dyn Method>> {
     vec![
-        Box::new(Host::<InDouble<Textbook>>::new(TEXTBOOK)),
-        Box::new(Host::<InDouble<Certified>>::new(CERTIFIED)),
+        Box::new(Host::<InDouble<Plain>>::new(TEXTBOOK)),
+        Box::new(Host::<InDouble<Exact>>::new(CERTIFIED)),
         Box::new(Host::<TextbookSingle>::new(TEXTBOOK_SINGLE)),
         Box::new(Host::<ProjectedSingle>::new(PROJECTED)),
     ]

@@ -1,4 +1,4 @@
-//! Certified intersections that count what the certificate does, while a whole picture is rendered with them.
+//! Exact intersections that count what the certificate does, while a whole picture is rendered with them.
 
 use std::cell::Cell;
 
@@ -6,7 +6,7 @@ use cpu::internals::exact;
 use cpu::internals::exact::error_bound::Decision;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::reference::intersect::{Certified, Intersect, Precision};
+use cpu::reference::intersect::{Exact, Intersect, Precision};
 use cpu::{Ray, Vec3};
 
 /// What a render's intersections came to.
@@ -14,7 +14,7 @@ use cpu::{Ray, Vec3};
 pub struct Counts {
     /// Rays tried on objects.
     pub tests: u64,
-    /// Of these, in doubt after the textbook's formulas.
+    /// Of these, in doubt after the plain formulas.
     pub doubtful: u64,
     /// Tests that met something.
     pub hits: u64,
@@ -75,22 +75,22 @@ fn update(kind: usize, change: impl FnOnce(&mut Counts)) {
     });
 }
 
-/// [`Certified`], observed.
+/// [`Exact`], observed.
 #[derive(Clone, Copy, Debug)]
 pub enum Observed {}
 
 impl Intersect for Observed {
-    const PRECISION: Precision = Precision::Certified;
+    const PRECISION: Precision = Precision::Exact;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-        let truth = Certified::sphere(record, ray);
+        let truth = Exact::sphere(record, ray);
         let verdict = exact::sphere::filtered(record, ray);
         update(0, |counts| counts.record(record.intersect(ray), truth, true, &verdict));
         truth
     }
 
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-        let (textbook, truth) = (record.intersect(ray), Certified::cylinder(record, axis, ray));
+        let (textbook, truth) = (record.intersect(ray), Exact::cylinder(record, axis, ray));
         let verdict = exact::cylinder::filtered(record, ray);
         let same_part = textbook.map(|(_, part)| part) == truth.map(|(_, part)| part);
         let lambda = |hit: (f64, CylinderPart)| hit.0;

@@ -1,6 +1,6 @@
 //! The whole stress test: every regime with every implementation, pictures, and spheres of growing radius.
 
-use cpu::reference::intersect::Textbook;
+use cpu::reference::intersect::Plain;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
 
 use crate::climb::largest_error;
@@ -39,7 +39,7 @@ pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> 
     let _ = take_counts();
     let certified: Pixels = cpu::reference::render_with::<_, Observed>(config, scene, scatter)?;
     let [spheres, cylinders] = take_counts();
-    let textbook: Pixels = cpu::reference::render_with::<_, Textbook>(config, scene, scatter)?;
+    let textbook: Pixels = cpu::reference::render_with::<_, Plain>(config, scene, scatter)?;
     let same_bytes = (0..certified.size().pixels()).all(|index| certified.pixel(index) == textbook.pixel(index));
     Ok(Picture { name: name.into(), counts: spheres.with(&cylinders), same_bytes })
 }

@@ -1,4 +1,4 @@
-//! Certified intersections in every regime, also where squares underflow or nearly overflow and where terms cancel to
+//! Exact intersections in every regime, also where squares underflow or nearly overflow and where terms cancel to
 //! zero.
 //!
 //! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
@@ -6,7 +6,7 @@
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::{Cylinder, Shape};
-use cpu::reference::intersect::{Certified, Intersect};
+use cpu::reference::intersect::{Exact, Intersect};
 use cpu::{Ray, Vec3};
 use stability::case::Case;
 use stability::climb::certified_answer;
@@ -78,7 +78,7 @@ fn a_plane_is_skipped_by_the_exact_slope_where_the_axis_has_no_square() {
     // The slope is 9.8e-9: the planes of the bases are skipped.
     assert!(ray.direction.x < 1e-8);
     assert!(oracle::judge(&Case::cylinder(cylinder, ray.origin, ray.direction)).truth.is_none());
-    assert_eq!(Certified::cylinder(&record, &axis, &ray), None);
+    assert_eq!(Exact::cylinder(&record, &axis, &ray), None);
 }
 
 #[test]
@@ -88,8 +88,8 @@ fn a_coefficient_that_cancels_to_zero_leaves_the_root_its_size() {
     let axis = Vec3::new(0.0, 0.0, 2.0);
     let cylinder = Cylinder { center: far, radius: 1.0, axis };
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
-    assert_eq!(Certified::cylinder(&record, &axis, &ray), Some((1.0, CylinderPart::Side)));
+    assert_eq!(Exact::cylinder(&record, &axis, &ray), Some((1.0, CylinderPart::Side)));
     let sphere = SphereRecord::new(far, 2.0);
     let ray = Ray { direction: Vec3::new(0.0, 4.0, 0.0), ..ray };
-    assert_eq!(Certified::sphere(&sphere, &ray), Some(0.5));
+    assert_eq!(Exact::sphere(&sphere, &ray), Some(0.5));
 }

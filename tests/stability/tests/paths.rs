@@ -5,7 +5,7 @@ use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
-use cpu::reference::intersect::{Certified, Intersect, Textbook};
+use cpu::reference::intersect::{Exact, Intersect, Plain};
 use cpu::{Ray, Vec3};
 use stability::random::Random;
 
@@ -108,16 +108,16 @@ fn cylinders<P: Intersect>() -> Outcome {
 
 #[test]
 fn rays_leaving_a_sphere_do_not_meet_it_again_from_the_wrong_side() {
-    let outcome = spheres::<Certified>();
+    let outcome = spheres::<Exact>();
     assert!(outcome.left > SHAPES * RAYS / 10 && outcome.entered > SHAPES * RAYS / 10, "{outcome:?}");
     assert_eq!((outcome.met_from_outside, outcome.lost_inside), (0, 0), "{outcome:?}");
-    let textbook = spheres::<Textbook>();
+    let textbook = spheres::<Plain>();
     assert!(textbook.met_from_outside > 0, "the test is too mild to find the textbook's errors: {textbook:?}");
 }
 
 #[test]
 fn rays_leaving_a_cylinder_do_not_meet_it_again_from_the_wrong_side() {
-    let outcome = cylinders::<Certified>();
+    let outcome = cylinders::<Exact>();
     assert!(outcome.left > SHAPES * RAYS / 10 && outcome.entered > SHAPES * RAYS / 10, "{outcome:?}");
     assert_eq!((outcome.met_from_outside, outcome.lost_inside), (0, 0), "{outcome:?}");
 }

@@ -5,7 +5,7 @@ use cpu::Vec3;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::Cylinder;
-use cpu::reference::intersect::{Certified, Intersect};
+use cpu::reference::intersect::{Exact, Intersect};
 use stability::case::Case;
 use stability::oracle::{self, to_f64};
 use stability::random::Random;
@@ -54,7 +54,7 @@ fn spheres_of_small_numbers_are_met_rightly() {
         let (center, radius) = (whole(&mut random, 6) * scale, (random.below(6) + 1) as f64 * scale);
         let (origin, direction) = (whole(&mut random, 6) * scale, some_direction(&mut random, 4) * length);
         let case = Case::sphere(center, radius, origin, direction);
-        let lambda = Certified::sphere(&SphereRecord::new(center, radius), &case.ray);
+        let lambda = Exact::sphere(&SphereRecord::new(center, radius), &case.ray);
         hits += usize::from(agrees(&case, lambda.map(|lambda| (lambda, CylinderPart::Side))));
         let crossings = oracle::judge(&case).crossings;
         tangents += usize::from(crossings.len() == 2 && crossings[0] == crossings[1]);
@@ -80,7 +80,7 @@ fn cylinders_of_small_numbers_are_met_rightly() {
         let (origin, direction) = (whole(&mut random, 5) * scale, some_direction(&mut random, 3) * length);
         let case = Case::cylinder(cylinder, origin, direction);
         let record = CylinderRecord::new(cylinder.center, radius, cylinder.axis);
-        hits += usize::from(agrees(&case, Certified::cylinder(&record, &cylinder.axis, &case.ray)));
+        hits += usize::from(agrees(&case, Exact::cylinder(&record, &cylinder.axis, &case.ray)));
         let crossings = oracle::judge(&case).crossings;
         ties += usize::from(crossings.len() == 4 && crossings[..2].iter().any(|side| crossings[2..].contains(side)));
     }

@@ -3,7 +3,7 @@
 
 use cpu::internals::layout::aos::AosImage;
 use cpu::internals::{InstructionSet, Prepared, render_linear, render_with};
-use cpu::reference::intersect::Certified;
+use cpu::reference::intersect::Exact;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Soa, Vec3};
 
 use crate::write;
@@ -57,9 +57,9 @@ pub fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> 
 /// # Errors
 /// What the reference refuses.
 pub fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
-    let image = cpu::reference::render_with::<AosImage, Certified>(config, scene, scatter)?;
+    let image = cpu::reference::render_with::<AosImage, Exact>(config, scene, scatter)?;
     let mut means = Vec::new();
-    cpu::reference::render_linear_with::<Certified>(config, scene, scatter, |_, mean| means.push(bits(mean)))?;
+    cpu::reference::render_linear_with::<Exact>(config, scene, scatter, |_, mean| means.push(bits(mean)))?;
     Ok(Picture { image, means })
 }
 

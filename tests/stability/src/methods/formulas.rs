@@ -45,11 +45,11 @@ impl<P: Intersect> Formulas for InDouble<P> {
     }
 }
 
-/// Certified intersections without their first step.
+/// Exact intersections without their first step.
 pub enum Resolved {}
 
 impl Intersect for Resolved {
-    const PRECISION: Precision = Precision::Certified;
+    const PRECISION: Precision = Precision::Exact;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         exact::sphere::precise(record, ray)
@@ -60,7 +60,7 @@ impl Intersect for Resolved {
     }
 }
 
-/// The textbook's formulas in f32.
+/// The plain formulas in f32.
 pub enum TextbookSingle {}
 
 impl Formulas for TextbookSingle {
