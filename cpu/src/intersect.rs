@@ -2,7 +2,7 @@
 //!
 //! [`sphere`] and [`cylinder`] are exact: they decide between hit and miss as infinitely precise arithmetic would, with
 //! the bits of the plain formula where that decides rightly. The methods `intersect` of [`SphereRecord`] and
-//! [`CylinderRecord`] are the plain formulas of the statement in f64.
+//! [`CylinderRecord`] are the plain formulas (specification, section 9) in f64.
 
 pub use crate::exact::cylinder::intersect as cylinder;
 pub use crate::exact::sphere::intersect as sphere;

@@ -1,4 +1,4 @@
-//! The renderer by the definition: SPEC.md line by line, slow and plain for good.
+//! The renderer by the definition: docs/specification.md line by line, slow and plain for good.
 //!
 //! A loop over all objects in the order of the file, for every ray. It shares no formula with the real
 //! renderer, only the vector arithmetic, the random numbers, the camera's window and the definition of a byte, so that
@@ -144,7 +144,8 @@ struct Path<'a, P> {
 }
 
 impl<P: Intersect> Path<'_, P> {
-    /// The colour that arrives along a ray: the recursion of SPEC.md, unrolled so that no depth overflows the stack.
+    /// The colour that arrives along a ray: the recursion (specification, section 8.1), unrolled so that no depth
+    /// overflows the stack.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`]: a ray between mirrors meets as many surfaces as it may, and that may be 2^64.

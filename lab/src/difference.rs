@@ -1,4 +1,4 @@
-//! How far two pictures differ (statement, section 2.4; SPEC.md), and by measures that other fields use.
+//! How far two pictures differ (specification, section 12), and by measures that other fields use.
 
 use serde::Serialize;
 

@@ -62,7 +62,7 @@ fn lines() -> impl Strategy<Value = Vec<u8>> {
     })
 }
 
-/// Checks that what comes out is within the ranges of SPEC.md, or an error that has something to say.
+/// Checks that a result is within the ranges (specification, sections 3.1 and 4.1), or an error with a message.
 fn sound<T>(result: Result<T, Error>, is_sound: impl Fn(&T) -> bool) -> Result<bool, TestCaseError> {
     match result {
         Ok(value) => {

@@ -1,4 +1,4 @@
-//! Every message that a configuration can cause (SPEC.md, "Configuration file").
+//! Every message that a configuration can cause (specification, section 3.4).
 
 use crate::bench::Bench;
 

@@ -1,4 +1,4 @@
-//! Every message that a scene can cause (SPEC.md, "Scene file").
+//! Every message that a scene can cause (specification, section 4.3).
 
 use crate::bench::{Bench, SMALL};
 

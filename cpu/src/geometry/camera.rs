@@ -1,4 +1,4 @@
-//! The projection window, and the rays through its pixels (statement, sections 3.1 and 3.2).
+//! The projection window, and the rays through its pixels (specification, sections 6.1 and 6.2).
 
 use crate::geometry::ray::{Ray, broadcast};
 use crate::input::config::Config;

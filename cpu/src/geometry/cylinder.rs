@@ -1,7 +1,7 @@
-//! Ray against closed cylinder (statement, section 3.4.2).
+//! Ray against closed cylinder (specification, sections 9.2 and 9.3).
 //!
 //! The curved side is part of the infinite cylinder `|r_c' + d' lambda|^2 = r^2`, where `'` takes the component
-//! perpendicular to the axis and `r_c = O - C`. With `h = r_c'.d'`, half of the statement's `b`, its roots are
+//! perpendicular to the axis and `r_c = O - C`. With `h = r_c'.d'`, half of the linear coefficient, its roots are
 //! `(-h -+ sqrt(h^2 - a c)) / a`. The module of the [sphere](crate::geometry::sphere) explains why `h` gives the same
 //! bits as `b`. A root counts if its point, measured along the axis, is at most half the height from the centre. The
 //! caps are discs in the planes at both ends.
@@ -10,7 +10,7 @@ use crate::geometry::ray::{Ray, broadcast, in_range};
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
 
-/// A plane whose direction and the ray's have a smaller product than this is never met (statement, 3.4.2).
+/// A plane whose direction and the ray's have a smaller product than this is never met (specification, section 9.3).
 pub const PARALLEL: f64 = 1e-8;
 
 /// A cylinder with what its rays need computed once.
@@ -121,7 +121,7 @@ impl<T: Real> CylinderRecord<T> {
         (ray.at(lambda) - base).length().less_equal(self.radius)
     }
 
-    /// The normal at `point` that leaves `part`. The side's is as long as the radius, by the statement.
+    /// The normal at `point` that leaves `part`. The side's is as long as the radius (specification, section 9.2).
     #[inline(always)]
     #[must_use]
     pub fn outward(&self, part: CylinderPart, point: Vec3<T>) -> Vec3<T> {

@@ -18,7 +18,7 @@ macro_rules! broadcast {
 }
 pub(super) use broadcast;
 
-/// Hits nearer than this are ignored, in lengths of the ray's direction (statement, section 3.4).
+/// Hits nearer than this are ignored, in lengths of the ray's direction (specification, section 8.2).
 pub const LAMBDA_MIN: f64 = 1e-3;
 
 /// A half-line from `origin` along `direction`, which need not have length one.
@@ -61,7 +61,8 @@ pub struct Hit<T = f64> {
 }
 
 impl<T: Real<Mask = bool>> Hit<T> {
-    /// The hit at `point` of a ray along `direction`, given the normal that points `outward` (statement, 3.4.1).
+    /// The hit at `point` of a ray along `direction`, given the normal that points `outward` (specification, section
+    /// 8.3).
     #[inline(always)]
     #[must_use]
     pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {

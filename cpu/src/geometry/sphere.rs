@@ -1,7 +1,7 @@
-//! Ray against sphere (statement, section 3.4.1).
+//! Ray against sphere (specification, section 9.1).
 //!
 //! A point `O + d lambda` lies on the sphere when `a lambda^2 + b lambda + c = 0` with `a = d.d`, `b = -2 d.r_c`,
-//! `c = r_c.r_c - r^2`, `r_c = C - O` (the statement's `b` lacks its sign). The code works with `h = -b / 2`: the roots
+//! `c = r_c.r_c - r^2`, `r_c = C - O`. The code works with `h = -b / 2`: the roots
 //! `(h -+ sqrt(h^2 - a c)) / a` have the bits of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, since scaling by a power of two
 //! is exact short of overflow and underflow.
 

@@ -1,4 +1,4 @@
-//! Writing pictures as PPM, variant P3 (statement, section 2.3.2).
+//! Writing pictures as PPM, variant P3 (specification, section 5.3).
 
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! The configuration file: `key: values` lines to a checked [`Config`] (statement, section 2.2; SPEC.md).
+//! The configuration file: `key: values` lines to a checked [`Config`] (specification, section 3).
 
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -64,7 +64,7 @@ impl Default for Config {
 /// Reads one key's values into the configuration; `None` when they are missing, unreadable or out of range.
 type Read = fn(&mut Config, &mut Tokens<'_>) -> Option<()>;
 
-/// Every key with its reader, in the statement's order.
+/// Every key with its reader, in the order of the table (specification, section 3.1).
 const KEYS: [(&str, Read); 13] = [
     ("aspect_ratio:", |config, tokens| {
         config.aspect_ratio = [tokens.positive_integer()?, tokens.positive_integer()?];

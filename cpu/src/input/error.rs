@@ -1,4 +1,4 @@
-//! Everything that can go wrong, as values with the exact messages of SPEC.md.
+//! Everything that can go wrong, as values with the exact messages (specification, sections 3.4 and 4.3).
 
 use std::fmt;
 use std::io;

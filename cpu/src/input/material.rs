@@ -1,4 +1,4 @@
-//! What surfaces are made of (statement, section 2.1.2). How they scatter light is in [`crate::materials::scatter`].
+//! What surfaces are made of (specification, section 4.1). How they scatter light is in [`crate::materials::scatter`].
 
 use crate::math::vec3::Vec3;
 

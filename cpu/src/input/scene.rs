@@ -1,4 +1,4 @@
-//! The scene file: materials and objects, one a line, to a checked [`Scene`] (statement, section 2.1.3; SPEC.md).
+//! The scene file: materials and objects, one a line, to a checked [`Scene`] (specification, section 4).
 
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};

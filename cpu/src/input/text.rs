@@ -1,6 +1,6 @@
 //! Reading text: lines with a bounded length, tokens between blanks, numbers that must be whole tokens.
 //!
-//! Both input files share these rules (SPEC.md, "Configuration file"): blanks and tabs separate tokens, a line ends in
+//! Both input files share these rules (specification, section 2): blanks and tabs separate tokens, a line ends in
 //! LF or CRLF, and bytes need not be valid UTF-8.
 
 use std::io::{self, BufRead, Read};

@@ -39,8 +39,8 @@ pub struct ScatterParams<T = f64> {
     pub scale: T,
     /// See `scale`.
     pub shift: T,
-    /// A direction whose components are all smaller is replaced by the one it is scattered around (statement, section
-    /// 3.5.1); nothing is smaller where the surface is metal.
+    /// A direction whose components are all smaller is replaced by the one it is scattered around (specification,
+    /// section 10.1); nothing is smaller where the surface is metal.
     pub negligible: T,
 }
 

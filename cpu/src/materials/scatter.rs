@@ -1,9 +1,9 @@
-//! How surfaces send light on (statement, section 3.5).
+//! How surfaces send light on (specification, section 10).
 
 use crate::math::real::Real;
 use crate::math::vec3::{NEGLIGIBLE, Vec3};
 
-/// Where a matte surface sends light: around the normal (statement, section 3.5.1).
+/// Where a matte surface sends light: around the normal (specification, section 10.1).
 #[inline(always)]
 #[must_use]
 pub fn matte<T: Real<Mask = bool>>(normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> {
@@ -44,15 +44,15 @@ pub fn mirror<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
     reflect(direction, normal).unit()
 }
 
-/// Where a metal surface sends light: the mirror image's direction, spread (statement, section 3.5.2).
+/// Where a metal surface sends light: the mirror image's direction, spread (specification, section 10.2).
 #[inline(always)]
 #[must_use]
 pub fn metal<T: Real>(direction: Vec3<T>, normal: Vec3<T>, vector: Vec3<T>) -> Vec3<T> {
     mirror(direction, normal) + vector
 }
 
-/// Where a refractive surface sends light (statement, section 3.5.3). `ratio` is `1 / index` where the ray enters and
-/// `index` where it leaves; beyond the critical angle the ray is reflected instead.
+/// Where a refractive surface sends light (specification, section 10.3). `ratio` is `1 / index` where the ray enters
+/// and `index` where it leaves; beyond the critical angle the ray is reflected instead.
 #[inline(always)]
 #[must_use]
 pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {

@@ -137,7 +137,7 @@ impl<T: Real> Vec3<T> {
 }
 
 impl<T: Real<Mask = bool>> Vec3<T> {
-    /// Whether every component is smaller than [`NEGLIGIBLE`] in magnitude (statement, section 3.5.1).
+    /// Whether every component is smaller than [`NEGLIGIBLE`] in magnitude (specification, section 10.1).
     #[inline(always)]
     #[must_use]
     pub fn is_negligible(self) -> bool {
@@ -153,7 +153,7 @@ impl<T: Real<Mask = bool>> Vec3<T> {
 }
 
 /// What the components of a matte surface's scattered direction are smaller than where it is replaced by the normal
-/// (statement, section 3.5.1).
+/// (specification, section 10.1).
 pub const NEGLIGIBLE: f64 = 1e-8;
 
 impl<T: Copy> From<[T; 3]> for Vec3<T> {

@@ -20,7 +20,7 @@ fn counts(lambda: f64, nearest: &Nearest) -> bool {
     lambda >= 1e-3 && lambda <= nearest.lambda
 }
 
-/// The certified intersection, with the normal of SPEC.md.
+/// The certified intersection, with the normal (specification, section 9.1).
 pub(super) fn meets_certified_sphere<P: Intersect>(sphere: &Sphere, ray: Ray, nearest: &mut Nearest) -> bool {
     let record = SphereRecord::new(sphere.center, sphere.radius);
     let Some(lambda) = P::sphere(&record, &ray).filter(|&lambda| counts(lambda, nearest)) else {
@@ -31,7 +31,7 @@ pub(super) fn meets_certified_sphere<P: Intersect>(sphere: &Sphere, ray: Ray, ne
     true
 }
 
-/// The certified intersection, with the normals of SPEC.md.
+/// The certified intersection, with the normals (specification, sections 9.2 and 9.3).
 pub(super) fn meets_certified_cylinder<P: Intersect>(cylinder: &Cylinder, ray: Ray, nearest: &mut Nearest) -> bool {
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
     let met = P::cylinder(&record, &cylinder.axis, &ray);

@@ -1,4 +1,4 @@
-//! The colour of a ray that meets nothing: a gradient along y (statement, section 3.6).
+//! The colour of a ray that meets nothing: a gradient along y (specification, section 8.4).
 
 use crate::input::config::Config;
 use crate::math::real::Real;

@@ -1,9 +1,9 @@
-//! The random vectors that surfaces need to scatter light, in the conventions of SPEC.md.
+//! The random vectors that surfaces need to scatter light, in three conventions (specification, section 11).
 
 use crate::math::vec3::Vec3;
 use crate::sampling::uniform::Uniform;
 
-/// Where the random vectors come from: the two conventions of SPEC.md, and none at all.
+/// Where the random vectors come from: two conventions, and none at all (specification, section 11).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scatter {
     /// The statement's: a vector in a cube, three draws. What `render-aos` and `render-soa` follow.

@@ -4,8 +4,9 @@
 //! `targets` hands them to libFuzzer; `tests/smoke.rs` runs them over the committed seeds and some thousand seeded
 //! [mutations](mutate) of these, on any toolchain.
 //!
-//! An oracle is never the code under test: the two parsers are held to [`plain`] ones, written from SPEC.md alone, the
-//! fast renderer to `cpu::reference`, the reader of pictures to a plain reader and to what a writer makes of it.
+//! An oracle is never the code under test: the two parsers are held to [`plain`] ones, written from
+//! docs/specification.md alone, the fast renderer to `cpu::reference`, the reader of pictures to a plain
+//! reader and to what a writer makes of it.
 
 pub mod config;
 pub mod mutate;

@@ -32,6 +32,6 @@ pub fn check(bytes: &[u8]) {
     assert_eq!(Picture::parse(&png).as_ref(), Ok(&picture));
     picture.write_ppm(&mut text).expect("memory takes all bytes");
     assert_eq!(Picture::parse(&text).as_ref(), Ok(&picture));
-    let strict = test_support::p3::read(&text).expect("what is written is as SPEC.md has it");
+    let strict = test_support::p3::read(&text).expect("what is written is P3 (specification, section 5.3)");
     assert_eq!((strict.width, strict.height, strict.pixels), (picture.width, picture.height, picture.pixels));
 }

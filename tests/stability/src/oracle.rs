@@ -1,4 +1,5 @@
-//! The truth: the definitions of SPEC.md in arithmetic of 2,048 bits, from the exact numbers of a [`Case`].
+//! The truth: the definitions (specification, section 9) in arithmetic of 2,048 bits, from the exact numbers of a
+//! [`Case`].
 //!
 //! As long as no input is zero but for a bit (all regimes keep within 2^-100 and 2^60), sums and products of the inputs
 //! fit these bits, so a discriminant of zero is zero. Roots and quotients are rounded; two lambdas that agree to 1,000

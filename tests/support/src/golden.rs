@@ -11,7 +11,7 @@ use cpu::Scatter;
 
 use crate::digest::read_sums;
 
-/// The two conventions of SPEC.md, with their names in the lists of digests.
+/// The two conventions (specification, section 11), with their names in the lists of digests.
 const CONVENTIONS: [(&str, Scatter); 2] = [("statement", Scatter::Statement), ("published", Scatter::Published)];
 
 /// A picture and where its digest is written.

@@ -1,5 +1,5 @@
-//! A reader of PPM files, variant P3, that accepts exactly what SPEC.md describes and nothing else: three header lines,
-//! then one pixel a line, single blanks, LF line ends, no leading zeros, no comments, nothing after the last pixel.
+//! A strict reader of PPM files, variant P3 (specification, section 5.3): three header lines, then one pixel a line,
+//! single blanks, LF line ends, no leading zeros, no comments, nothing after the last pixel.
 
 /// A picture as it stands in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]

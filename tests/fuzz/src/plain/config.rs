@@ -1,4 +1,4 @@
-//! The configuration file by SPEC.md's table, a line at a time.
+//! The configuration file by the table (specification, section 3.1), a line at a time.
 
 use cpu::{Config, Vec3};
 

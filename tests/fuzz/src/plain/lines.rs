@@ -1,4 +1,4 @@
-//! Lines, tokens and numbers as SPEC.md describes them, the whole text in memory.
+//! Lines, tokens and numbers (specification, section 2), the whole text in memory.
 //!
 //! The grammar of numbers is checked here character by character; only the value of a number that passed comes from the
 //! standard library.

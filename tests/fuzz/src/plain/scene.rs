@@ -1,4 +1,4 @@
-//! The scene file by SPEC.md's table, a line at a time, names looked up one after the other.
+//! The scene file by the table (specification, section 4.1), a line at a time, names looked up one after the other.
 
 use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Material, Scene, Vec3};
