@@ -12,7 +12,7 @@ use crate::geometry::cylinder::CylinderRecord;
 use crate::geometry::sphere::SphereRecord;
 use crate::image::Image;
 use crate::input::error::Error;
-use crate::input::scene::{MaterialId, Scene};
+use crate::input::scene::{Cylinder, MaterialId, Scene, Shape, Sphere};
 use crate::math::vec3::Vec3;
 
 /// A choice of layout.
@@ -62,39 +62,31 @@ pub trait Objects: Sized {
     fn axis(&self, index: usize) -> Vec3;
 }
 
-/// Calls `sphere` and `cylinder` for the objects of `scene`, in the order of the file.
-///
-/// # Errors
-/// What they return, or [`Error::OutOfMemory`] for more objects than `u32` counts.
-fn for_each_object(
-    scene: &Scene,
-    mut sphere: impl FnMut(Placed<SphereRecord>) -> Result<(), Error>,
-    mut cylinder: impl FnMut(Placed<CylinderRecord>, Vec3) -> Result<(), Error>,
-) -> Result<(), Error> {
-    use crate::input::scene::Shape;
-    for (order, object) in scene.objects.iter().enumerate() {
-        let order = u32::try_from(order).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
-        let material = object.material;
-        match object.shape {
-            Shape::Sphere(shape) => {
-                let record = SphereRecord::new(shape.center, shape.radius);
-                sphere(Placed { record, order, material })?;
-            }
-            Shape::Cylinder(shape) => {
-                let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
-                cylinder(Placed { record, order, material }, shape.axis)?;
-            }
-        }
-    }
-    Ok(())
+/// The spheres of `scene` in the order of the file.
+fn spheres(scene: &Scene) -> impl Iterator<Item = Placed<SphereRecord>> {
+    scene.objects.iter().zip(0..).filter_map(|(object, order)| {
+        let Shape::Sphere(Sphere { center, radius }) = object.shape else { return None };
+        Some(Placed { record: SphereRecord::new(center, radius), order, material: object.material })
+    })
+}
+
+/// The cylinders of `scene` in the order of the file, and their axes as the file has them.
+fn cylinders(scene: &Scene) -> impl Iterator<Item = (Placed<CylinderRecord>, Vec3)> {
+    scene.objects.iter().zip(0..).filter_map(|(object, order)| {
+        let Shape::Cylinder(Cylinder { center, radius, axis }) = object.shape else { return None };
+        let record = CylinderRecord::new(center, radius, axis);
+        Some((Placed { record, order, material: object.material }, axis))
+    })
 }
 
 /// Numbers of spheres and of cylinders in `scene`.
-fn count_kinds(scene: &Scene) -> (usize, usize) {
-    let is_sphere =
-        |object: &&crate::input::scene::Object| matches!(object.shape, crate::input::scene::Shape::Sphere(_));
-    let spheres = scene.objects.iter().filter(is_sphere).count();
-    (spheres, scene.objects.len() - spheres)
+///
+/// # Errors
+/// [`Error::OutOfMemory`] for more objects than `u32` counts.
+fn count_kinds(scene: &Scene) -> Result<(usize, usize), Error> {
+    u32::try_from(scene.objects.len()).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
+    let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
+    Ok((spheres, scene.objects.len() - spheres))
 }
 
 /// An empty list with room for `count` items.
@@ -141,7 +133,7 @@ mod tests {
     #[test]
     fn room_is_made_for_as_many_as_there_are() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
-        assert_eq!(count_kinds(&scene), (2, 1));
+        assert!(matches!(count_kinds(&scene), Ok((2, 1))));
         assert!(with_room::<u64>(5).is_ok_and(|list| list.is_empty() && list.capacity() >= 5));
         assert!(matches!(with_room::<u64>(usize::MAX / 8), Err(Error::OutOfMemory { .. })));
     }

@@ -6,7 +6,7 @@ use crate::image::{Image, Rgb, zeroed};
 use crate::input::error::Error;
 use crate::input::scene::Scene;
 use crate::input::size::Size;
-use crate::layout::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
+use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
 use crate::math::vec3::Vec3;
 
 /// Arrays of structures.
@@ -50,25 +50,18 @@ impl Image for AosImage {
 pub struct AosObjects {
     spheres: Vec<Placed<SphereRecord>>,
     cylinders: Vec<Placed<CylinderRecord>>,
-    /// Apart, since hardly a ray asks for it.
+    /// Apart, since only the fallback of an uncertain intersection needs it.
     axes: Vec<Vec3>,
 }
 
 impl Objects for AosObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
-        let (sphere_count, cylinder_count) = count_kinds(scene);
-        let (mut spheres, mut cylinders) = (with_room(sphere_count)?, with_room(cylinder_count)?);
-        let mut axes = with_room(cylinder_count)?;
-        let add_sphere = |sphere| {
-            spheres.push(sphere);
-            Ok(())
-        };
-        for_each_object(scene, add_sphere, |cylinder, axis| {
-            cylinders.push(cylinder);
-            axes.push(axis);
-            Ok(())
-        })?;
-        Ok(Self { spheres, cylinders, axes })
+        let (sphere_count, cylinder_count) = count_kinds(scene)?;
+        let mut spheres = with_room(sphere_count)?;
+        let mut cylinders = (with_room(cylinder_count)?, with_room(cylinder_count)?);
+        spheres.extend(layout::spheres(scene));
+        cylinders.extend(layout::cylinders(scene));
+        Ok(Self { spheres, cylinders: cylinders.0, axes: cylinders.1 })
     }
 
     fn sphere_count(&self) -> usize {

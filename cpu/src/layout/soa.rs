@@ -6,7 +6,7 @@ use crate::image::{Image, Rgb, zeroed};
 use crate::input::error::Error;
 use crate::input::scene::{MaterialId, Scene};
 use crate::input::size::Size;
-use crate::layout::{Layout, Objects, Placed, count_kinds, for_each_object, with_room};
+use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
 use crate::math::vec3::Vec3;
 
 /// Structures of arrays.
@@ -75,15 +75,14 @@ impl Vectors {
     }
 }
 
-/// The value at `index`, which other arrays, as long as this one, have been asked for as well. Where it is not used
-/// nothing is done: a second check would be.
+/// The value at `index`. The caller has indexed another array of this length already, so a second panic on a bad index
+/// is left out: it would keep the compiler from removing a load whose value is not used.
 #[inline(always)]
 fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
     values.get(index).copied().unwrap_or_default()
 }
 
-/// What spheres and cylinders have in common. The radius squared is not kept: a product is there sooner than one number
-/// more.
+/// What spheres and cylinders have in common. The radius squared is computed, which is faster than to load it.
 #[derive(Clone, Debug)]
 struct Common {
     center: Vectors,
@@ -116,7 +115,7 @@ pub struct SoaObjects {
     spheres: Common,
     cylinders: Common,
     axis: Vectors,
-    /// As the file has it; hardly a ray asks for it.
+    /// As the file has it: only the fallback of an uncertain intersection needs it.
     file_axis: Vectors,
     top: Vectors,
     bottom: Vectors,
@@ -125,28 +124,28 @@ pub struct SoaObjects {
 
 impl Objects for SoaObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
-        let (sphere_count, cylinder_count) = count_kinds(scene);
-        let mut spheres = Common::with_room(sphere_count)?;
-        let mut cylinders = Common::with_room(cylinder_count)?;
-        let mut axis = Vectors::with_room(cylinder_count)?;
-        let mut file_axis = Vectors::with_room(cylinder_count)?;
-        let mut top = Vectors::with_room(cylinder_count)?;
-        let mut bottom = Vectors::with_room(cylinder_count)?;
-        let mut half_height = with_room(cylinder_count)?;
-        let add_sphere = |Placed { record, order, material }: Placed<SphereRecord>| {
-            spheres.push(record.center, record.radius, order, material);
-            Ok(())
+        let (sphere_count, cylinder_count) = count_kinds(scene)?;
+        let mut objects = Self {
+            spheres: Common::with_room(sphere_count)?,
+            cylinders: Common::with_room(cylinder_count)?,
+            axis: Vectors::with_room(cylinder_count)?,
+            file_axis: Vectors::with_room(cylinder_count)?,
+            top: Vectors::with_room(cylinder_count)?,
+            bottom: Vectors::with_room(cylinder_count)?,
+            half_height: with_room(cylinder_count)?,
         };
-        for_each_object(scene, add_sphere, |Placed { record, order, material }, axis_of_file| {
-            file_axis.push(axis_of_file);
-            cylinders.push(record.center, record.radius, order, material);
-            axis.push(record.axis);
-            top.push(record.top);
-            bottom.push(record.bottom);
-            half_height.push(record.half_height);
-            Ok(())
-        })?;
-        Ok(Self { spheres, cylinders, axis, file_axis, top, bottom, half_height })
+        for Placed { record, order, material } in layout::spheres(scene) {
+            objects.spheres.push(record.center, record.radius, order, material);
+        }
+        for (Placed { record, order, material }, file_axis) in layout::cylinders(scene) {
+            objects.cylinders.push(record.center, record.radius, order, material);
+            objects.axis.push(record.axis);
+            objects.file_axis.push(file_axis);
+            objects.top.push(record.top);
+            objects.bottom.push(record.bottom);
+            objects.half_height.push(record.half_height);
+        }
+        Ok(objects)
     }
 
     fn sphere_count(&self) -> usize {
