@@ -1,9 +1,9 @@
 //! Ray against closed cylinder, certified; see [`crate::geometry::cylinder`] for the formulas.
 //!
-//! To the quadratic's certificate come margins for what the textbook decides afterwards: whether a point of the side
-//! is between the bases, whether a point of a base's plane is on the disc, whether a plane is met at all, and which
-//! of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points, which
-//! have the size of the cylinder's coordinates.
+//! Besides the quadratic's error bound there are margins for what the plain formula decides afterwards: whether a point
+//! of the side is between the caps, whether a point of a cap's plane is on the disc, whether a plane is hit at all, and
+//! which of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points,
+//! which have the size of the cylinder's coordinates.
 
 use crate::exact::cylinder_surfaces::{Plane, Side};
 use crate::exact::double_double::DoubleDouble;
@@ -42,7 +42,7 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
     }
 }
 
-/// What the textbook says in the arithmetic `T`, unless rounding may have changed it.
+/// Returns the result of the plain formula in the arithmetic `T`, or that rounding may have changed it.
 ///
 /// The cylinder is convex: the line meets its surface where it enters and where it leaves, and nowhere else. So no base
 /// is nearer than the side where that is entered, none but the base that faces the ray is nearer than where the side is
@@ -58,7 +58,7 @@ pub fn filtered<T: Rounding<Mask = bool>>(
     if !in_scale(side.length_squared) {
         return Decision::Uncertain;
     }
-    if side.certificate.misses(side.discriminant) {
+    if side.bound.misses(side.discriminant) {
         return Decision::Certain(None);
     }
     let root = side.discriminant.sqrt();
@@ -178,9 +178,9 @@ mod tests {
             (ray([0.0, 2.1, -3.0], [0.0, 0.1, 1.0]), None),
             (ray([0.0, 0.0, 3.0], [0.0, 0.1, 1.0]), None),
         ] {
-            let verdict = filtered(&record, &ray);
-            assert_eq!(verdict, Decision::Certain(record.intersect(&ray)), "{ray:?}");
-            let Decision::Certain(answer) = verdict else { unreachable!() };
+            let decision = filtered(&record, &ray);
+            assert_eq!(decision, Decision::Certain(record.intersect(&ray)), "{ray:?}");
+            let Decision::Certain(answer) = decision else { unreachable!() };
             assert_eq!(answer.map(|(_, part)| part), expected, "{ray:?}");
         }
     }

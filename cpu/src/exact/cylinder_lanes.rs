@@ -10,7 +10,7 @@ use crate::math::vec3::Vec3;
 /// The answers of several rays or cylinders at once.
 #[derive(Clone, Copy, Debug)]
 pub struct CylinderHits<T: Real> {
-    /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
+    /// The result of the plain formula; infinite where it finds no hit. Undefined in a lane that is not certain.
     pub lambda: T,
     /// Lanes whose hit, if there is one, is on the top cap.
     pub top: T::Mask,
@@ -33,7 +33,7 @@ pub struct SideLanes<T: Real> {
 }
 
 impl<T: Rounding> SideLanes<T> {
-    /// Judges the side.
+    /// Decides what the side alone can decide.
     #[inline(always)]
     #[must_use]
     pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>) -> Self {
@@ -41,7 +41,7 @@ impl<T: Rounding> SideLanes<T> {
         let root = side.discriminant.sqrt();
         let entry = side.crossing(record, ray, -side.h - root, root);
         let exit = side.crossing(record, ray, -side.h + root, root);
-        let nothing = side.certificate.misses(side.discriminant) | (entry.fails() & entry.passes_by(&exit));
+        let nothing = side.bound.misses(side.discriminant) | (entry.fails() & entry.passes_by(&exit));
         let through = entry.behind & exit.straight & !nothing;
         Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
     }

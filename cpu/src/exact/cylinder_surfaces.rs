@@ -1,4 +1,4 @@
-//! The side of a cylinder and the planes of its bases, each with its certificate; [`crate::exact::cylinder`] puts them
+//! The side of a cylinder and the planes of its bases, each with its error bound; [`crate::exact::cylinder`] puts them
 //! together.
 
 use crate::exact::error_bound::{ErrorBound, Limits, Outcome};
@@ -12,9 +12,9 @@ use crate::math::vec3::Vec3;
 /// side and 6.2e-10 on a base (measured: 1.4e-11).
 pub const LIMITS: Limits = Limits { noise: 192.0, condition: 65536.0 };
 
-/// The endless cylinder's quadratic, and its certificate.
+/// The endless cylinder's quadratic, and its error bound.
 pub(super) struct Side<T> {
-    pub certificate: ErrorBound<T>,
+    pub bound: ErrorBound<T>,
     pub length_squared: T,
     a: T,
     pub h: T,
@@ -43,7 +43,7 @@ pub(super) struct Crossing<T: Real> {
 }
 
 impl<T: Real> Crossing<T> {
-    /// The side is certainly not met there.
+    /// The side is certainly not hit there.
     #[inline(always)]
     pub fn fails(&self) -> T::Mask {
         self.behind | self.above | self.below
@@ -62,9 +62,9 @@ impl<T: Rounding> Side<T> {
     pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, direction: Vec3<T>) -> Self {
         let length_squared = direction.dot(direction);
         let (a, h, discriminant) = record.quadratic(view, direction);
-        let certificate = ErrorBound::new(LIMITS, length_squared, view.squares);
+        let bound = ErrorBound::new(LIMITS, length_squared, view.squares);
         let slope = direction.dot(record.axis);
-        Self { certificate, length_squared, a, h, discriminant, along: view.along, slope }
+        Self { bound, length_squared, a, h, discriminant, along: view.along, slope }
     }
 
     /// Nearly along the axis `a` itself cancels: beyond this limit its error exceeds that of an accepted lambda.
@@ -77,15 +77,15 @@ impl<T: Rounding> Side<T> {
     /// Whether the line certainly crosses the endless cylinder there at a lambda too small.
     #[inline(always)]
     pub fn is_behind(&self, numerator: T, root: T) -> T::Mask {
-        self.is_steep_enough() & self.certificate.is_too_small(self.a, numerator, root)
+        self.is_steep_enough() & self.bound.is_too_small(self.a, numerator, root)
     }
 
-    /// Whether the side is met where the line crosses the endless cylinder.
+    /// Whether the side is hit where the line crosses the endless cylinder.
     #[inline(always)]
     pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
         let steep_enough = self.is_steep_enough();
-        let crossing = self.certificate.root(self.a, numerator, root);
-        // Not by the point itself, as the textbook: the margin is of both.
+        let crossing = self.bound.root(self.a, numerator, root);
+        // Not by the point itself, as in the plain formula: the margin covers the difference.
         let along = self.along + crossing.lambda * self.slope;
         let margin = margin(record, ray, crossing.lambda);
         let accurate = steep_enough & crossing.hits;
@@ -102,12 +102,12 @@ impl<T: Rounding> Side<T> {
     }
 }
 
-/// A base's plane, and what is certain of it before it is met.
+/// A base's plane, and what is certain before its hit is computed.
 pub(super) struct Plane<T: Real> {
     center: Vec3<T>,
     /// From the ray's origin to the plane along the axis.
     to_plane: T,
-    /// The plane is certainly not met: it is parallel to the ray, behind it, or too near.
+    /// The plane is certainly not hit: it is parallel to the ray, behind it, or too near.
     pub fails: T::Mask,
     /// The ray is certainly not parallel to it.
     steep: T::Mask,
@@ -123,19 +123,19 @@ impl<T: Rounding> Plane<T> {
         let to_center = center - ray.origin;
         let (to_plane, slope) = (to_center.dot(record.axis), ray.direction.dot(record.axis));
         let (steepness, reach) = (slope.abs(), magnitude(ray.direction));
-        let slope_noise = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
-        let parallel = (steepness + slope_noise).less(T::of(PARALLEL));
-        let steep = (T::of(PARALLEL) + slope_noise).less(steepness);
+        let slope_error = reach * T::of(8.0 * T::UNIT_ROUNDOFF);
+        let parallel = (steepness + slope_error).less(T::of(PARALLEL));
+        let steep = (T::of(PARALLEL) + slope_error).less(steepness);
         // Positive in front of the ray.
         let distance = to_plane.flipped_by(slope);
         let size = extent(record) + magnitude(to_center);
-        let distance_noise = size * T::of(16.0 * T::UNIT_ROUNDOFF);
-        let too_near = (distance + distance_noise).less((steepness - slope_noise) * T::of(LAMBDA_MIN));
+        let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
+        let too_near = (distance + distance_error).less((steepness - slope_error) * T::of(LAMBDA_MIN));
         let accurate = size.less(distance * T::of(4.0 * condition)) & reach.less(steepness * T::of(8.0 * condition));
         Self { center, to_plane, fails: parallel | (steep & too_near), steep, accurate }
     }
 
-    /// Whether the disc is met.
+    /// Whether the disc is hit.
     #[inline(always)]
     pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
         let (lambda, _) = record.plane(ray, self.to_plane);

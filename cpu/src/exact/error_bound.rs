@@ -1,4 +1,4 @@
-//! The running certificate of a quadratic's roots: when rounding cannot have changed what they say.
+//! A bound of the rounding errors in a quadratic's roots: when rounding cannot have changed a decision.
 //!
 //! Spheres and the sides of cylinders lead to `a lambda^2 - 2 h lambda + c = 0`. Rounding moves the discriminant
 //! `D = h^2 - a c` by at most `noise u M`, where `u` is the unit roundoff, `M = |d|^2 (|O - C|^2 + r^2)` and `noise` a
@@ -31,7 +31,7 @@ pub struct Limits {
     /// A bound of the rounding errors in the discriminant, in units of `u M`.
     pub noise: f64,
     /// The largest condition number of a root that is accepted in f64. The smaller, the more accurate is lambda, and
-    /// the fewer rays keep the textbook's bits.
+    /// the fewer rays keep the bits of the plain formula.
     pub condition: f64,
 }
 

@@ -39,9 +39,9 @@ pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
 #[inline(always)]
 #[must_use]
 pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
-    let verdict = filtered(record, ray);
-    if verdict != Decision::Uncertain {
-        return verdict;
+    let decision = filtered(record, ray);
+    if decision != Decision::Uncertain {
+        return decision;
     }
     let lanes = sphere_compensated::compensated(record, ray);
     if !lanes.certain {

@@ -1,7 +1,8 @@
 //! The plain formula of ray and sphere with a bound of its rounding errors: an answer that is certain, or none.
 //!
-//! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. The two forms, with
-//! branches for one ray and without for lanes, give the same bits.
+//! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. There
+//! are two forms with the same bits: without branches for lanes, and with branches for one ray, where the form for
+//! lanes takes 61 % more instructions.
 
 use crate::exact::error_bound::{Decision, ErrorBound, Limits, in_scale};
 use crate::geometry::ray::Ray;
@@ -11,32 +12,32 @@ use crate::math::rounding::Rounding;
 use crate::math::vec3::Vec3;
 
 /// Counted in `docs/accuracy.md`: the noise is at most 26. With this condition lambdas are right to 5.9e-12 (a
-/// search reached 2.7e-12) and 99.6 % of an ordinary picture's keep the textbook's bits.
+/// search reached 2.7e-12) and 99.6 % of an ordinary picture's keep the bits of the plain formula.
 pub const LIMITS: Limits = Limits { noise: 32.0, condition: 12288.0 };
 
-/// What the textbook says in the arithmetic `T`, unless rounding may have changed it.
+/// Returns the result of the plain formula in the arithmetic `T`, or that rounding may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Decision<Option<T>> {
     let a = ray.direction.dot(ray.direction);
     let view = record.seen_from(ray.origin);
     let (h, discriminant) = view.quadratic(ray.direction, a);
-    let certificate = ErrorBound::new(LIMITS, a, view.squares);
+    let bound = ErrorBound::new(LIMITS, a, view.squares);
     if !in_scale(a) {
         return Decision::Uncertain;
     }
-    if certificate.misses(discriminant) {
+    if bound.misses(discriminant) {
         return Decision::Certain(None);
     }
     let root = discriminant.sqrt();
-    let near_fails = certificate.is_too_small(a, h - root, root);
+    let near_fails = bound.is_too_small(a, h - root, root);
     if !near_fails {
-        let near = certificate.root(a, h - root, root);
+        let near = bound.root(a, h - root, root);
         if near.hits {
             return Decision::Certain(Some(near.lambda));
         }
     }
-    let far = certificate.root(a, h + root, root);
+    let far = bound.root(a, h + root, root);
     match (near_fails && far.hits, far.fails) {
         (true, _) => Decision::Certain(Some(far.lambda)),
         // The larger root too near: the smaller too.
@@ -48,7 +49,7 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>
 /// The answers of several rays or spheres at once.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereHits<T: Real> {
-    /// What the textbook says; infinite where it finds no hit. Of no meaning in a lane that is not certain.
+    /// The result of the plain formula; infinite where it finds no hit. Undefined in a lane that is not certain.
     pub lambda: T,
     /// Lanes whose answer is right. The others need
     /// [`compensated_or_precise`](crate::exact::sphere::compensated_or_precise).
@@ -62,10 +63,10 @@ pub struct SphereHits<T: Real> {
 #[must_use]
 pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> SphereHits<T> {
     let (h, discriminant) = view.quadratic(direction, a);
-    let certificate = ErrorBound::new(LIMITS, a, view.squares);
+    let bound = ErrorBound::new(LIMITS, a, view.squares);
     let root = discriminant.sqrt();
-    let (near, far) = (certificate.root(a, h - root, root), certificate.root(a, h + root, root));
-    let misses = certificate.misses(discriminant) | far.fails;
+    let (near, far) = (bound.root(a, h - root, root), bound.root(a, h + root, root));
+    let misses = bound.misses(discriminant) | far.fails;
     let lambda = T::select(near.hits, near.lambda, far.lambda);
     SphereHits {
         lambda: T::select(misses, T::of(f64::INFINITY), lambda),
