@@ -3,7 +3,7 @@
 //! Everything here only decides which objects are asked, and in which order. Whether and where a ray meets an object is
 //! decided by [`exact`](crate::exact) alone, and the nearest of all hits (the later object of two at the same lambda)
 //! does not depend on the order. A filter may let an object pass that the ray misses; it never stops one that the ray
-//! meets (docs/performance.md derives the margins).
+//! meets (docs/margins.md derives the margins).
 //!
 //! Uses [`exact`](crate::exact), [`layout`](crate::layout), [`materials`](crate::materials) and what these use. Begin
 //! with [`choice`], which says what structure a scene gets, then [`every_object`], the plainest.

@@ -3,7 +3,7 @@
 //! A ray has no hit with a shape whose quadratic `f(lambda) = a lambda^2 - 2 h lambda + c` has no root that counts: the
 //! line misses, or the ray has come out before; most rays start on a surface and go outward. The quadratics are those
 //! of [`crate::geometry::sphere`] and [`crate::geometry::cylinder`], multiplied out to be short and rounded as it
-//! comes. The margin covers that, and what rounding may do to the exact formulas (docs/performance.md); where the
+//! comes. The margin covers that, and what rounding may do to the exact formulas (docs/margins.md); where the
 //! filter stops nothing, these decide.
 
 use crate::accel::target::{ConservativeCylinder, ConservativeSphere};

@@ -6,7 +6,7 @@
 //! `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`, `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half
 //! the height, squared.
 //!
-//! What multiplying out loses to cancellation is covered by the margins (docs/performance.md).
+//! What multiplying out loses to cancellation is covered by the margins (docs/margins.md).
 //!
 //! Every test gives a number that is positive where the ray certainly misses the object. The maximum of two tests is
 //! positive where one of them is, and replaces two comparisons. A NaN is not positive, so it keeps its object

@@ -102,7 +102,7 @@ impl InstructionSet {
 }
 
 /// Whether comparisons into mask registers take no longer than those into vectors: on AMD's machines they do not, by
-/// measurement (docs/performance.md). Asked once: under a hypervisor the instruction that tells takes microseconds.
+/// measurement (docs/experiments.md). Asked once: under a hypervisor the instruction that tells takes microseconds.
 fn has_quick_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {

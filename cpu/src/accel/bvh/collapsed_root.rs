@@ -2,7 +2,7 @@
 //!
 //! A traversal waits for one node after the other: which it goes on to is known at the end of some sixty cycles. With
 //! 512 bits a handful of nodes side by side take hardly longer than one, so a level less is worth several nodes more at
-//! its beginning. With 256 bits it is not, by measurement (docs/performance.md).
+//! its beginning. With 256 bits it is not, by measurement (docs/experiments.md).
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::node::{Child, Node, WIDTH};
