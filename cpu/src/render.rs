@@ -22,10 +22,9 @@ pub(crate) mod lane_by_lane;
 pub(crate) mod lookahead;
 pub(crate) mod path;
 pub(crate) mod path_ends;
-pub(crate) mod path_queue;
 pub(crate) mod path_vertex;
 pub mod prepared;
-pub(crate) mod sample_set;
+pub(crate) mod queue;
 pub(crate) mod samples;
 pub(crate) mod shade;
 pub(crate) mod span;
@@ -238,8 +237,8 @@ impl<L: Layout, K: Sink> Painter<'_, L, K> {
         let (prepared, batch) = (self.prepared, &mut *self.batch);
         let queue = &mut self.walk.queue;
         simd.run(camera_rays::Trace { prepared, row, candidates: &self.candidates, batch, queue });
-        if !batch.specular.is_empty() {
-            simd.run(specular_chains::Trace { prepared, batch, queue });
+        if batch.specular.count > 0 {
+            simd.run(specular_chains::Trace { prepared, batch, paths: queue });
         }
         if queue.count > 0 {
             simd.run(trace_paths::Follow { prepared, walk: &mut self.walk });

@@ -12,6 +12,20 @@ pub const SLACK: usize = 16;
 /// Room for a value of each sample.
 pub type Values = [f64; CAPACITY + SLACK];
 
+/// All null.
+pub const ZEROS: Values = [0.0; CAPACITY + SLACK];
+
+/// The number of each sample as bits, which lanes only move.
+pub const SAMPLES: Values = {
+    let mut samples = ZEROS;
+    let mut at = 0;
+    while at < samples.len() {
+        samples[at] = f64::from_bits(at as u64);
+        at += 1;
+    }
+    samples
+};
+
 /// Three arrays: points, directions or colours.
 #[derive(Clone, Debug)]
 pub struct Vectors {
@@ -25,7 +39,7 @@ pub struct Vectors {
 
 impl Vectors {
     /// All null.
-    pub const ZERO: Self = Self { x: [0.0; CAPACITY + SLACK], y: [0.0; CAPACITY + SLACK], z: [0.0; CAPACITY + SLACK] };
+    pub const ZERO: Self = Self { x: ZEROS, y: ZEROS, z: ZEROS };
 
     /// The vector of a sample.
     #[inline(always)]

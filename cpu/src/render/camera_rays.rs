@@ -4,17 +4,18 @@ use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::layout::Layout;
 use crate::math::real::Real;
+use crate::render::arrays::SAMPLES;
 use crate::render::frustum::{Candidate, Candidates};
 use crate::render::hit_lanes::{HitLanes, Rays};
-use crate::render::lane_by_lane::for_each_lane;
-use crate::render::path_queue::PathQueue;
+use crate::render::path_vertex::PathVertex;
 use crate::render::prepared::Prepared;
-use crate::render::sample_set::SampleSet;
-use crate::render::samples::{Batch, SpecularSample};
+use crate::render::queue::PathQueue;
+use crate::render::samples::Batch;
 use crate::render::shade::shade;
 use crate::simd::{Kernel, Simd, SimdF64, valid_lanes};
 
-/// Traces the batch's primary rays: the samples that meet nothing have their colour, the others stand in the queue.
+/// Traces the batch's primary rays. A sample that hits nothing gets its colour; one whose hit is refractive goes to the
+/// batch's specular queue, any other to `queue`.
 pub struct Trace<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub row: usize,
@@ -37,9 +38,9 @@ fn trace<S: Simd, L: Layout>(Trace { prepared, row, candidates, batch, queue }: 
     let camera = prepared.camera.lanes::<S::F64>();
     let background = prepared.background.lanes::<S::F64>();
     let row = S::F64::of(row as f64);
-    batch.specular.clear();
-    batch.queued = SampleSet::EMPTY;
-    queue.clear();
+    let rays = S::F64::of(f64::from_bits(prepared.max_depth - 1));
+    batch.specular.count = 0;
+    queue.count = 0;
     add(Counter::PrimaryRays, batch.count as u64);
     add(Counter::PrimaryTests, (batch.count * candidates.span.len()) as u64);
     for at in (0..batch.count).step_by(S::F64::LANES) {
@@ -52,13 +53,13 @@ fn trace<S: Simd, L: Layout>(Trace { prepared, row, candidates, batch, queue }: 
         }
         if hits.bits != 0 {
             let shaded = shade(prepared, &ray, &hits);
-            for_each_lane(shaded.glass, |lane| {
-                let before = hits.bits & ((1 << lane) - 1);
-                let place = queue.count as u32 + before.count_ones();
-                batch.specular.push(SpecularSample { sample: (at + lane) as u32, place });
-            });
-            batch.queued.add(at, hits.bits);
-            queue.push(&shaded.vertex, hits.bits, prepared.max_depth - 1);
+            let vertex = PathVertex { sample: S::F64::load(&SAMPLES[at..]), rays, ..shaded.vertex };
+            if shaded.refractive != 0 {
+                batch.specular.push(vertex.specular_numbers(), shaded.refractive);
+            }
+            if hits.bits != shaded.refractive {
+                queue.push(vertex.numbers(), hits.bits & !shaded.refractive);
+            }
         }
     }
 }

@@ -19,8 +19,9 @@ use crate::geometry::ray::Ray;
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::path::PathTracer;
-use crate::render::path_queue::PathQueue;
+use crate::render::path_vertex::PathVertex;
 use crate::render::prepared::Prepared;
+use crate::render::queue::PathQueue;
 use crate::sampling::scatter_stream::ScatterSamples;
 use crate::simd::{LaneMask, Simd, SimdF64};
 
@@ -109,8 +110,9 @@ fn trace_path<S: Simd, L: Layout>(
     mut touched: u32,
     if_it_leaves: &mut Lookahead<S::F64>,
 ) {
-    let mut ray = Ray { origin: walk.queue.point.get(at), direction: walk.ends.direction.get(at) };
-    let mut rays = walk.queue.rays[at];
+    let vertex = PathVertex::of(walk.queue.get(at));
+    let mut ray = Ray { origin: vertex.point, direction: walk.ends.direction.get(at) };
+    let mut rays = vertex.rays.to_bits();
     loop {
         let found = closest_hit_among(&prepared.objects, &ray, touched);
         if !found.is_hit() {
@@ -143,15 +145,14 @@ fn trace_path<S: Simd, L: Layout>(
 /// short for the filter, as bits.
 #[inline(always)]
 fn first_rays<V: SimdF64>(queue: &PathQueue, scatter_samples: &ScatterSamples, at: usize) -> (Ray<V>, u32) {
-    let (base, triple) = (queue.base.load::<V>(at), scatter_samples.following::<V>());
-    let spread = queue.spread::<V>(at);
-    let mut direction = base + spread.vector(triple);
+    let PathVertex { point, base, scatter_params, .. } = PathVertex::of(queue.load::<V>(at));
+    let mut direction = base + scatter_params.vector(scatter_samples.following::<V>());
     // A direction whose components are all negligible is shorter still.
     let short = is_too_short(direction.dot(direction)).bits();
     if short != 0 {
-        let limit = spread.negligible;
+        let limit = scatter_params.negligible;
         let negligible = direction.x.abs().less(limit) & direction.y.abs().less(limit) & direction.z.abs().less(limit);
         direction = Vec3::select(negligible, base, direction);
     }
-    (Ray { origin: queue.point.load(at), direction }, short)
+    (Ray { origin: point, direction }, short)
 }

@@ -10,8 +10,9 @@ use crate::layout::Layout;
 use crate::materials::prepared::{BsdfKind, PreparedMaterial};
 use crate::math::vec3::Vec3;
 use crate::render::path_ends::PathEnds;
-use crate::render::path_queue::PathQueue;
+use crate::render::path_vertex::PathVertex;
 use crate::render::prepared::Prepared;
+use crate::render::queue::PathQueue;
 use crate::render::surface::{ScatterResult, Surface, material_of};
 use crate::sampling::scatter_stream::ScatterSamples;
 use crate::simd::Simd;
@@ -38,10 +39,15 @@ impl PathTracer {
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Box<Self> {
         Box::new(Self {
             scatter_samples: ScatterSamples::new(prepared.vectors, prepared.material_seed),
-            queue: PathQueue::new(),
+            queue: PathQueue::EMPTY,
             ends: PathEnds::new(),
             stack: Stack::EMPTY,
         })
+    }
+
+    /// Whether every path of the queue may send a ray.
+    pub fn all_may_send_rays(&self) -> bool {
+        self.queue.arrays[PathVertex::RAYS][..self.queue.count].iter().all(|rays| rays.to_bits() > 0)
     }
 
     /// Traces every path of the queue to its end.
@@ -51,16 +57,16 @@ impl PathTracer {
             self.scatter_samples.prepare(simd);
             self.ends.begin();
             let triple = self.scatter_samples.next();
-            if self.queue.rays[at] == 0 {
+            let vertex = PathVertex::of(self.queue.get(at));
+            if vertex.rays.to_bits() == 0 {
                 self.ends.terminate(at, &mut self.queue);
             } else {
-                let ray = self.queue.ray(at, triple);
-                self.trace_path::<S, L, F>(prepared, search, simd, at, ray);
+                self.trace_path::<S, L, F>(prepared, search, simd, at, &vertex, triple);
             }
         }
     }
 
-    /// Traces path `at` of the queue from its first ray to its end.
+    /// Traces path `at` of the queue, which begins at `vertex`, to its end.
     #[inline(always)]
     fn trace_path<S: Simd, L: Layout, F: Accelerator>(
         &mut self,
@@ -68,10 +74,12 @@ impl PathTracer {
         search: &F,
         simd: S,
         at: usize,
-        mut ray: Ray,
+        vertex: &PathVertex,
+        triple: Vec3,
     ) {
-        let mut rays = self.queue.rays[at];
-        let mut origin = search.origin(&prepared.objects, &ray, self.queue.object[at] as ObjectId);
+        let mut ray = vertex.scattered_ray(triple);
+        let mut rays = vertex.rays.to_bits();
+        let mut origin = search.origin(&prepared.objects, &ray, vertex.object as ObjectId);
         loop {
             add(Counter::WalkRays, 1);
             let found = search.closest_hit_from::<S, L::Objects>(&prepared.objects, &ray, origin, &mut self.stack);

@@ -6,8 +6,10 @@ use crate::input::scene::MaterialId;
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
 use crate::render::arrays::{CAPACITY, Vectors};
-use crate::render::path_queue::PathQueue;
+use crate::render::lane_by_lane::LaneByLane;
+use crate::render::path_vertex::PathVertex;
 use crate::render::prepared::Prepared;
+use crate::render::queue::PathQueue;
 use crate::render::samples::Batch;
 use crate::simd::{Kernel, Simd, SimdF64};
 
@@ -88,7 +90,9 @@ impl PathEnds {
     pub fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
         self.count = self.begin;
         self.direction.set(at, Vec3::ONE);
-        queue.reflectance.set(at, Vec3::ZERO);
+        for array in &mut queue.arrays[PathVertex::REFLECTANCE] {
+            array[at] = 0.0;
+        }
         add(Counter::DepthReached, 1);
     }
 
@@ -139,14 +143,20 @@ fn color<S: Simd, L: Layout>(Color { prepared, queue, ends, batch }: Color<'_, L
         colors.set(path as usize, colors.get(path as usize).attenuate(reflectance));
     }
     ends.count = 0;
-    let mut from = 0;
-    for at in (0..batch.count).step_by(S::F64::LANES) {
-        let bits = batch.queued.bits(at, S::F64::LANES);
-        let color = colors.load::<S::F64>(from).attenuate(queue.reflectance.load(from));
-        let before = batch.color.load::<S::F64>(at);
-        let (x, y) = (before.x.expand(bits, color.x), before.y.expand(bits, color.y));
-        batch.color.store(at, Vec3::new(x, y, before.z.expand(bits, color.z)));
-        from += bits.count_ones() as usize;
+    for at in (0..queue.count).step_by(S::F64::LANES) {
+        let PathVertex { reflectance, .. } = PathVertex::of(queue.load::<S::F64>(at));
+        let color = colors.load::<S::F64>(at).attenuate(reflectance);
+        let sample = |place: usize| queue.arrays[PathVertex::SAMPLE][place].to_bits() as usize;
+        let last = at + S::F64::LANES - 1;
+        // Mostly all samples of the span are in the queue. Their numbers are in order, so these are consecutive.
+        if last < queue.count && sample(last) - sample(at) == S::F64::LANES - 1 {
+            batch.color.store(sample(at), color);
+        } else {
+            let color = LaneByLane::new(color.to_array());
+            for place in at..queue.count.min(last + 1) {
+                batch.color.set(sample(place), color.of(place - at).into());
+            }
+        }
     }
 }
 
@@ -156,6 +166,7 @@ mod tests {
     use crate::input::config::Config;
     use crate::input::scene::Scene;
     use crate::layout::aos::Aos;
+    use crate::materials::prepared::PreparedMaterial;
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
 
@@ -168,15 +179,16 @@ mod tests {
         let direction = Vec3::new(0.3, -0.7, 0.2);
         let background = prepared.background.color(direction);
         for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-            let (mut queue, mut ends, mut batch) = (PathQueue::new(), PathEnds::new(), Batch::new());
+            let (mut queue, mut ends, mut batch) = (PathQueue::EMPTY, PathEnds::new(), Batch::new());
             batch.count = 11;
             for sample in 0..batch.count {
                 batch.color.set(sample, Vec3::splat(sample as f64));
             }
-            (2..=3).for_each(|sample| batch.queued.add(sample, 1));
-            batch.queued.add(9, 1);
-            queue.count = 3;
-            (0..3).for_each(|at| queue.reflectance.set(at, reflectance(at / 2)));
+            for (sample, material) in [(2, 0), (3, 0), (9, 1)] {
+                let black = PathVertex::new(Vec3::ZERO, Vec3::ZERO, 0.0, &PreparedMaterial::BLACK);
+                let (sample, reflectance) = (f64::from_bits(sample), reflectance(material));
+                queue.push_one(PathVertex { sample, reflectance, ..black }.numbers());
+            }
             ends.begin();
             assert!(ends.push_attenuation(0, 1) && ends.push_attenuation(0, 0));
             ends.escape(0, direction);

@@ -1,11 +1,11 @@
-//! What is known of a sample on a surface: all that its way on begins with.
+//! A sample on a surface that scatters: all that its path begins with.
 
+use std::ops::Range;
+
+use crate::geometry::ray::Ray;
 use crate::materials::prepared::{PreparedMaterial, ScatterParams};
 use crate::math::real::Real;
 use crate::math::vec3::Vec3;
-
-/// Numbers that the queue keeps of a sample, besides its rays.
-pub const NUMBERS: usize = 13;
 
 /// A sample on a surface, or a lane of them.
 #[derive(Clone, Copy, Debug)]
@@ -15,44 +15,83 @@ pub struct PathVertex<T = f64> {
     /// The scattered direction before the random vector is added: the normal of a matte surface, the mirror direction
     /// of a metal one; the whole direction at a refractive one.
     pub base: Vec3<T>,
-    /// How its way on is scattered around `base`.
-    pub spread: ScatterParams<T>,
-    /// What the colour of the way on is multiplied by.
+    /// How the next ray is scattered around `base`.
+    pub scatter_params: ScatterParams<T>,
+    /// What the colour of the next ray is multiplied by.
     pub reflectance: Vec3<T>,
-    /// The [object](crate::accel::object::ObjectId) that it stands on, a whole number.
+    /// The [object](crate::accel::object::ObjectId) whose surface it is, a whole number.
     pub object: T,
+    /// The sample's number in the span, as bits.
+    pub sample: T,
+    /// How many rays the path may still send, as bits.
+    pub rays: T,
+}
+
+impl PathVertex {
+    /// How many numbers a vertex has.
+    pub const NUMBERS: usize = 15;
+    /// The places of `reflectance` among them.
+    pub const REFLECTANCE: Range<usize> = 9..12;
+    /// The place of `sample` among them.
+    pub const SAMPLE: usize = 13;
+    /// The place of `rays` among them.
+    pub const RAYS: usize = 14;
+
+    /// The ray that the surface scatters, with the stream's next scatter sample.
+    #[inline(always)]
+    pub fn scattered_ray(&self, scatter_sample: Vec3) -> Ray {
+        Ray { origin: self.point, direction: self.scatter_params.around(self.base, scatter_sample) }
+    }
 }
 
 impl<T: Real> PathVertex<T> {
     /// A vertex on a surface of this prepared material.
     #[inline(always)]
     pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, material_data: &PreparedMaterial) -> Self {
-        Self {
-            point,
-            base,
-            spread: material_data.spread.lanes(),
-            reflectance: material_data.reflectance.map(T::of),
-            object,
-        }
+        let (scatter_params, reflectance) = (material_data.spread.lanes(), material_data.reflectance.map(T::of));
+        let (sample, rays) = (T::of(0.0), T::of(0.0));
+        Self { point, base, scatter_params, reflectance, object, sample, rays }
     }
 
-    /// These where `mask` holds, `others` elsewhere: but for point and object, which are the same in both.
+    /// This vertex where `mask` holds, `other` elsewhere; point, object, sample and rays are those of this one.
     #[inline(always)]
-    pub fn where_else(&self, mask: T::Mask, others: &Self) -> Self {
-        let (these, those) = (&self.spread, &others.spread);
-        let spread = ScatterParams {
-            scale: T::select(mask, these.scale, those.scale),
-            shift: T::select(mask, these.shift, those.shift),
-            negligible: T::select(mask, these.negligible, those.negligible),
+    pub fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
+        let (this, that) = (&self.scatter_params, &other.scatter_params);
+        let scatter_params = ScatterParams {
+            scale: T::select(mask, this.scale, that.scale),
+            shift: T::select(mask, this.shift, that.shift),
+            negligible: T::select(mask, this.negligible, that.negligible),
         };
-        let reflectance = Vec3::select(mask, self.reflectance, others.reflectance);
-        Self { base: Vec3::select(mask, self.base, others.base), spread, reflectance, ..*self }
+        let reflectance = Vec3::select(mask, self.reflectance, other.reflectance);
+        Self { base: Vec3::select(mask, self.base, other.base), scatter_params, reflectance, ..*self }
     }
 
-    /// The numbers, in the order of the [queue's](crate::render::path_queue::PathQueue) arrays.
+    /// The numbers, as a [queue](crate::render::queue::PathQueue) keeps them.
     #[inline(always)]
-    pub fn numbers(&self) -> [T; NUMBERS] {
-        let Self { point: p, base: b, spread: s, reflectance: r, object } = *self;
-        [p.x, p.y, p.z, b.x, b.y, b.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object]
+    pub fn numbers(&self) -> [T; PathVertex::NUMBERS] {
+        let Self { point: p, base: b, scatter_params: s, reflectance: r, object, sample, rays } = *self;
+        [p.x, p.y, p.z, b.x, b.y, b.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object, sample, rays]
+    }
+
+    /// The numbers of a sample whose hit is refractive, as a [queue](crate::render::queue::SpecularQueue) keeps them.
+    #[inline(always)]
+    pub fn specular_numbers(&self) -> [T; 8] {
+        let Self { point: p, base: b, object, sample, .. } = *self;
+        [p.x, p.y, p.z, b.x, b.y, b.z, object, sample]
+    }
+
+    /// The vertex of these numbers.
+    #[inline(always)]
+    pub fn of(numbers: [T; PathVertex::NUMBERS]) -> Self {
+        let [px, py, pz, bx, by, bz, scale, shift, negligible, rx, ry, rz, object, sample, rays] = numbers;
+        Self {
+            point: Vec3::new(px, py, pz),
+            base: Vec3::new(bx, by, bz),
+            scatter_params: ScatterParams { scale, shift, negligible },
+            reflectance: Vec3::new(rx, ry, rz),
+            object,
+            sample,
+            rays,
+        }
     }
 }

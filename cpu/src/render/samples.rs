@@ -8,8 +8,8 @@ use crate::sampling::block::BlockUniform;
 use crate::sampling::scatter_vectors::Scatter;
 use crate::simd::{Kernel, Simd, SimdF64};
 
-use crate::render::arrays::{CAPACITY, SLACK, Values, Vectors};
-use crate::render::sample_set::SampleSet;
+use crate::render::arrays::{CAPACITY, Values, Vectors, ZEROS};
+use crate::render::queue::{PathQueue, Queue, SpecularQueue};
 use crate::render::span::Span;
 
 /// Begins a span: places its samples in their pixels.
@@ -29,17 +29,8 @@ impl<L: Layout> Kernel for Draw<'_, L> {
     }
 }
 
-/// A sample whose last hit was refractive.
-#[derive(Clone, Copy, Debug)]
-pub struct SpecularSample {
-    /// Its number in the span.
-    pub sample: u32,
-    /// Its place in the queue.
-    pub place: u32,
-}
-
 /// The samples of a span.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Batch {
     /// Number of samples.
     pub count: usize,
@@ -47,11 +38,11 @@ pub struct Batch {
     pub column: Values,
     /// Places in their pixels, to the right and down.
     pub offset: [Values; 2],
-    /// Samples that are in the [queue](crate::render::path_queue::PathQueue), in the same order.
-    pub queued: SampleSet,
-    /// Samples whose ray has just met a refractive surface.
-    pub specular: Vec<SpecularSample>,
-    /// Colours of the samples, linear; those of samples in the queue are not known yet.
+    /// Samples whose ray has just hit a refractive surface.
+    pub specular: SpecularQueue,
+    /// Samples whose specular chain has ended on a surface that scatters.
+    pub chained: PathQueue,
+    /// Colours of the samples, linear; those of samples in a queue are not known yet.
     pub color: Vectors,
     /// Room for the search.
     pub stack: Stack,
@@ -63,10 +54,10 @@ impl Batch {
     pub fn new() -> Box<Self> {
         Box::new(Self {
             count: 0,
-            column: [0.0; CAPACITY + SLACK],
-            offset: [[0.0; CAPACITY + SLACK]; 2],
-            queued: SampleSet::EMPTY,
-            specular: Vec::with_capacity(CAPACITY),
+            column: ZEROS,
+            offset: [ZEROS; 2],
+            specular: Queue::EMPTY,
+            chained: Queue::EMPTY,
             color: Vectors::ZERO,
             stack: Stack::EMPTY,
             draws: [0.0; 2 * CAPACITY],

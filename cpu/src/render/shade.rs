@@ -18,7 +18,7 @@ use crate::simd::{LaneMask, SimdF64};
 pub struct Shaded<V> {
     pub vertex: PathVertex<V>,
     /// Lanes whose surface is refractive, as bits.
-    pub glass: u32,
+    pub refractive: u32,
 }
 
 /// Shades the lanes that meet something.
@@ -28,7 +28,8 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
     let mut numbers = [0.0; MOST_LANES];
     hits.object.store(&mut numbers);
     let point = ray.at(hits.lambda);
-    let mut shaded = Shaded { vertex: PathVertex::new(point, point, hits.object, &PreparedMaterial::BLACK), glass: 0 };
+    let mut shaded =
+        Shaded { vertex: PathVertex::new(point, point, hits.object, &PreparedMaterial::BLACK), refractive: 0 };
     add(Counter::Hits, u64::from(hits.bits.count_ones()));
     let mut left = hits.bits;
     while left != 0 {
@@ -64,7 +65,7 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
             BsdfKind::Matte => normal,
             BsdfKind::Metal => scatter::mirror(ray.direction, normal),
             BsdfKind::Refractive => {
-                shaded.glass |= same_bits;
+                shaded.refractive |= same_bits;
                 let ratio = V::select(front, V::of(material_data.inverse_index), V::of(material_data.index));
                 scatter::refract(ray.direction, normal, ratio)
             }

@@ -60,7 +60,7 @@ impl<'a> Stages<'a> {
     /// Samples that wait for the glass stage, and for the walk.
     #[must_use]
     pub const fn waiting(&self) -> (usize, usize) {
-        (self.batch.specular.len(), self.walk.queue.count)
+        (self.batch.specular.count, self.walk.queue.count)
     }
 
     /// Finds the candidates of the row and of the span.
@@ -98,7 +98,7 @@ impl<'a> Stages<'a> {
     /// Follows the samples in glass.
     pub fn glass(&mut self) {
         let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
-        self.set.run(specular_chains::Trace { prepared: self.prepared, batch, queue });
+        self.set.run(specular_chains::Trace { prepared: self.prepared, batch, paths: queue });
     }
 
     /// Walks the waiting samples to their ends.

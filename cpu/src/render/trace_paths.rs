@@ -27,7 +27,7 @@ impl<L: Layout> Kernel for Follow<'_, L> {
         // The loop is compiled once for each structure; with many objects width matters more than latency.
         match &self.prepared.search {
             Accel::EveryObject => simd.run_promptly(OneByOne { follow: self, search: &EveryObject }),
-            Accel::SmallScene(few) if !few.uses_object_lanes() && self.walk.queue.fewest_rays > 0 => {
+            Accel::SmallScene(few) if !few.uses_object_lanes() && self.walk.all_may_send_rays() => {
                 simd.run_promptly(Leaping { follow: self, few });
             }
             Accel::SmallScene(search) => simd.run_promptly(OneByOne { follow: self, search }),
