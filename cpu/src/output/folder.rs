@@ -5,6 +5,8 @@
 
 #![allow(unsafe_code)]
 
+mod flags;
+
 use std::ffi::{CStr, CString, c_char, c_int, c_uint};
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind};
@@ -12,6 +14,8 @@ use std::os::fd::{AsFd, AsRawFd, BorrowedFd, FromRawFd};
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
+
+use flags::{FLAGS, Flags};
 
 // SAFETY: the C library of every Unix has these functions, with these types.
 unsafe extern "C" {
@@ -21,56 +25,6 @@ unsafe extern "C" {
     fn unlinkat(folder: c_int, name: *const c_char, flags: c_int) -> c_int;
     fn faccessat(folder: c_int, path: *const c_char, mode: c_int, flags: c_int) -> c_int;
 }
-
-/// Flags of `openat` and their like, which differ from system to system.
-struct Flags {
-    write: c_int,
-    create: c_int,
-    exclusive: c_int,
-    close_on_exec: c_int,
-    no_follow: c_int,
-    nonblocking: c_int,
-    /// A folder that is only looked up in: needs no right to read it.
-    path: c_int,
-    /// A file without a name.
-    unnamed: c_int,
-    /// Follow the link, for `linkat`.
-    follow: c_int,
-    /// Remove a folder, for `unlinkat`.
-    folder: c_int,
-    /// Ask for the rights of the effective user, for `faccessat`.
-    effective: c_int,
-    /// Stands for the working folder.
-    here: c_int,
-}
-
-/// Known for Linux on these processors, from its header `asm-generic/fcntl.h`. Elsewhere files are opened by their
-/// path, and all have a name.
-const FLAGS: Option<Flags> = {
-    const KNOWN: bool =
-        cfg!(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "riscv64")));
-    // On ARM these two are other numbers than in the common header.
-    let (directory, no_follow) =
-        if cfg!(target_arch = "aarch64") { (0o40_000, 0o100_000) } else { (0o200_000, 0o400_000) };
-    if KNOWN {
-        Some(Flags {
-            write: 1,
-            create: 0o100,
-            exclusive: 0o200,
-            close_on_exec: 0o2_000_000,
-            no_follow,
-            nonblocking: 0o4_000,
-            path: 0o10_000_000,
-            unnamed: 0o20_000_000 | directory | 1,
-            follow: 0x400,
-            folder: 0x200,
-            effective: 0x200,
-            here: -100,
-        })
-    } else {
-        None
-    }
-};
 
 /// An open folder.
 #[derive(Debug)]

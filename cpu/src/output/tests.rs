@@ -1,4 +1,4 @@
-//! Files that come into being whole or not at all, special files, and what stands there afterwards.
+//! Files that come into being whole or not at all, and what stands there afterwards.
 
 use std::fs::Permissions;
 use std::os::unix::fs::{PermissionsExt, symlink};
@@ -6,6 +6,7 @@ use std::os::unix::fs::{PermissionsExt, symlink};
 use crate::output::*;
 
 mod failures;
+mod special;
 
 /// A folder of its own for each test, removed at its end.
 struct Folder(PathBuf);
@@ -94,37 +95,6 @@ fn folders_and_missing_folders_are_refused_at_once() {
 }
 
 #[test]
-fn links_are_followed_and_permissions_kept() {
-    let folder = Folder::new("links");
-    let (path, link) = (folder.0.join("out.ppm"), folder.0.join("link.ppm"));
-    symlink("out.ppm", &link).expect("links are allowed");
-    write(&link, "through a dangling link").expect("the folder is writable");
-    fs::set_permissions(&path, Permissions::from_mode(0o640)).expect("it is ours");
-    write(&link, "through a link").expect("the folder is writable");
-    assert_eq!(fs::read_to_string(&path).expect("written"), "through a link");
-    assert!(fs::symlink_metadata(&link).expect("there").is_symlink());
-    assert_eq!(fs::metadata(&path).expect("there").permissions().mode() & 0o777, 0o640);
-}
-
-#[test]
-fn a_dangling_chain_of_links_is_followed_to_its_end() {
-    let folder = Folder::new("chain");
-    fs::create_dir(folder.0.join("below")).expect("the folder is writable");
-    for (link, target) in [("l1", "below/l2"), ("below/l2", "../l3"), ("l3", "t")] {
-        symlink(target, folder.0.join(link)).expect("links are allowed");
-    }
-    for text in ["first", "second"] {
-        write(&folder.0.join("l1"), text).expect("the folder is writable");
-        assert_eq!(folder.names(), ["below", "l1", "l3", "t"]);
-        assert!(["l1", "below/l2", "l3"].iter().all(|name| folder.0.join(name).is_symlink()));
-        assert!(!folder.0.join("t").is_symlink());
-        assert_eq!(fs::read_to_string(folder.0.join("t")).expect("written"), text);
-    }
-    symlink("loop", folder.0.join("loop")).expect("links are allowed");
-    assert!(open(&folder.0.join("loop")).is_err());
-}
-
-#[test]
 fn a_file_that_is_being_written_is_for_its_owner_alone() {
     use crate::output::temporary::Temporary;
 
@@ -201,15 +171,6 @@ fn a_folder_that_is_renamed_meanwhile_gets_the_file() {
 }
 
 #[test]
-fn sockets_and_pipes_without_permission_are_refused_at_once() {
-    let folder = Folder::new("sockets");
-    let path = folder.0.join("socket");
-    let _socket = std::os::unix::net::UnixListener::bind(&path).expect("the folder is writable");
-    let error = open(&path).expect_err("it is a socket").to_string();
-    assert!(error.ends_with(": it is a socket"), "{error}");
-}
-
-#[test]
 fn an_output_that_is_an_input_is_refused_under_any_name() {
     let folder = Folder::new("inputs");
     let [scene, link, hard, other] = ["scene", "link", "hard", "other"].map(|name| folder.0.join(name));
@@ -226,57 +187,4 @@ fn an_output_that_is_an_input_is_refused_under_any_name() {
     assert!(refuse_inputs(&other, &[&scene]).is_ok());
     assert!(refuse_inputs(&folder.0.join("new"), &[&scene]).is_ok());
     assert!(refuse_inputs(Path::new("/dev/null"), &[Path::new("/dev/null")]).is_ok());
-}
-
-/// Even root may not write to a program while it runs; renaming over it would go round that.
-#[cfg(target_os = "linux")]
-#[test]
-fn what_may_not_be_written_to_is_not_replaced() {
-    let folder = Folder::new("busy");
-    let path = folder.0.join("sleep");
-    fs::copy("/bin/sleep", &path).expect("the folder is writable");
-    let start = || std::process::Command::new(&path).arg("60").spawn();
-    // While another test starts a process of its own, that one may hold the copy open for a moment.
-    let mut running = (0..100)
-        .find_map(|_| {
-            std::thread::sleep(std::time::Duration::from_millis(5));
-            start().ok()
-        })
-        .expect("the copy runs");
-    let result = open(&path);
-    running.kill().expect("it is ours");
-    running.wait().expect("it ends");
-    let message = result.expect_err("it was running").to_string();
-    assert!(message.starts_with(&format!("Cannot write file [{}]: ", path.display())), "{message}");
-}
-
-/// A pipe with a name, of the test's own: where this module is wrong it renames files over whatever it is given, and
-/// the devices of the machine belong to all.
-#[test]
-fn special_files_take_the_bytes_directly() {
-    use std::io::Read;
-    use std::os::unix::fs::FileTypeExt;
-    let folder = Folder::new("special");
-    let path = folder.0.join("pipe");
-    let status = std::process::Command::new("mkfifo").arg(&path).status().expect("every Unix has mkfifo");
-    assert!(status.success());
-    let is_pipe = || fs::symlink_metadata(&path).expect("there").file_type().is_fifo();
-
-    let from = path.clone();
-    let reader = std::thread::spawn(move || {
-        let mut text = String::new();
-        File::open(from).and_then(|mut file| file.read_to_string(&mut text)).map(|_| text)
-    });
-    write(&path, "through a pipe").expect("somebody reads");
-    assert!(is_pipe());
-    assert_eq!(reader.join().expect("it reads").expect("it is text"), "through a pipe");
-
-    let from = path.clone();
-    let reader = std::thread::spawn(move || File::open(from).map(drop));
-    // More than a pipe holds.
-    let error = write(&path, &"x".repeat(1 << 20)).expect_err("nobody reads");
-    assert!(error.to_string().starts_with(&format!("Cannot write file [{}]: ", path.display())), "{error}");
-    reader.join().expect("it ends").expect("the pipe is there");
-    assert!(is_pipe());
-    assert_eq!(folder.names(), ["pipe"]);
 }
