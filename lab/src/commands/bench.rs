@@ -1,19 +1,17 @@
 //! `render-lab bench`: measurements into files.
 
+mod measure;
+
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use clap::{Args, Subcommand};
 use cpu::internals::output;
 use cpu::internals::output::Options;
 
 use crate::Failure;
-use crate::bench::machine::Machine;
-use crate::bench::matrix::{PARAMETERS, Plan, Task, tasks};
-use crate::bench::progress::{self, Partial};
-use crate::bench::results::{Growth, Results};
-use crate::interrupt::Interrupt;
-use crate::{sources, terminal};
+use crate::bench::matrix::{PARAMETERS, Task, tasks};
+use crate::bench::results::Results;
+use crate::terminal;
 
 /// Options of `bench`.
 #[derive(Debug, Args)]
@@ -154,89 +152,6 @@ fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure>
         all.check().map_err(|reason| format!("the parts together: {reason}"))?;
     }
     all.write(out, options)
-}
-
-impl How {
-    fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
-        let interrupt = Interrupt::listen();
-        // Before minutes are spent on figures that could not be kept.
-        Results::check_writable(&self.out, options)?;
-        let plan = Plan {
-            quick: self.quick,
-            repeats: usize::from(self.repeats),
-            idle: self.subtract_idle,
-            scenes: self.scenes.clone(),
-            reference: self.reference.clone(),
-        };
-        let machine = Machine::here();
-        let say = |text: String| (!self.quiet).then(|| terminal::note(&text));
-        progress::load_warning(&machine).map(say);
-        let tasks: Vec<_> = tasks.collect();
-        let mut partial = self.begin(&format!("{plan:?}, commit {}", machine.commit))?;
-        if partial.done.is_empty() {
-            partial.results = Results { quick: self.quick, machines: vec![machine], ..Results::default() };
-        } else {
-            say(format!("going on after {} of {} tasks", partial.done.len(), tasks.len()));
-        }
-        let kept = Partial::path(&self.out);
-        let (start, mut measured) = (Instant::now(), 0);
-        for (index, task) in tasks.iter().enumerate() {
-            let name = task.to_string();
-            if partial.done.contains(&name) {
-                continue;
-            }
-            say(progress::announcement(index + 1, tasks.len(), task, measured, start));
-            // A task that is interrupted adds nothing.
-            let mut results = partial.results.clone();
-            match plan.run(task, &mut results, &interrupt) {
-                Err(Failure::Interrupted) if !partial.done.is_empty() && kept.is_some() => {
-                    let done = format!("{} of {} tasks are kept", partial.done.len(), tasks.len());
-                    return Err(Failure::Paused(format!(
-                        "interrupted; {done}: the same command with --resume goes on"
-                    )));
-                }
-                outcome => outcome?,
-            }
-            (partial.results, measured) = (results, measured + 1);
-            partial.done.push(name);
-            if let (Some(path), true) = (&kept, index + 1 < tasks.len()) {
-                partial.write(path, options)?;
-            }
-        }
-        let mut results = partial.results;
-        results.complete();
-        progress::spread_warning(&results).map(say);
-        for Growth { parameter, engine, law, .. } in &results.growth {
-            let error = law.exponent_error.map_or_else(String::new, |error| format!(" +- {error:.2}"));
-            say(format!("{engine}: time grows with {parameter} to the power {:.2}{error}", law.exponent));
-        }
-        results.write(&self.out, options)?;
-        if let Some(path) = kept {
-            // It is there only where there was more than one task.
-            let _ = std::fs::remove_file(path);
-        }
-        say(format!(
-            "{}: {} times in {:.0} s",
-            sources::output_name(&self.out),
-            results.timings.len(),
-            start.elapsed().as_secs_f64()
-        ));
-        Ok(())
-    }
-
-    /// What there is to go on from: nothing, unless it is asked for and there.
-    fn begin(&self, request: &str) -> Result<Partial, Failure> {
-        let fresh = Partial { request: request.to_owned(), ..Partial::default() };
-        match Partial::path(&self.out).filter(|path| path.exists()) {
-            Some(path) if self.resume => Partial::read(&path, request),
-            Some(path) => {
-                let path = terminal::name(&path);
-                Err(format!("{path} has an interrupted measurement: --resume goes on with it, or remove the file")
-                    .into())
-            }
-            None => Ok(fresh),
-        }
-    }
 }
 
 #[cfg(test)]
