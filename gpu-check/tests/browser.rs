@@ -233,6 +233,9 @@ fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Faile
     println!("the page is {needed} pixels wide in a window of {shown}");
     assert!(needed.parse::<u32>()? <= shown.parse::<u32>()?, "a phone shows all of its width");
     assert!(shown.parse::<u32>()? <= 390, "a phone is meant");
+    let icon = String::from_utf8_lossy(&results["icon"]);
+    println!("the icon is {icon} pixels wide");
+    assert!(icon.parse::<u32>()? > 0, "the page has an icon");
     assert!(error.starts_with("shaders/wgsl/background.wgsl:11:") && error.ends_with('^'), "{error}");
     assert!(error.contains("direktion") && results["kept"] == b"true", "the last good picture stays beside the error");
     Ok(())

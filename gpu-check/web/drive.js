@@ -33,6 +33,14 @@ async function onPhone() {
     return [scrollWidth, clientWidth];
 }
 
+// The width that the page's icon is drawn at: 0 where there is none.
+async function iconWidth() {
+    const icon = new Image();
+    icon.src = document.querySelector("link[rel=icon]").href;
+    await icon.decode().catch(() => {});
+    return icon.naturalWidth;
+}
+
 export async function drive(started) {
     try {
         const first = next("rendered");
@@ -61,6 +69,7 @@ export async function drive(started) {
         const rows = [...find("kernels").rows].slice(1).map((row) => [...row.cells].map((cell) => cell.textContent));
         await post("table", JSON.stringify(rows));
         await post("width", (await onPhone()).join(" "));
+        await post("icon", String(await iconWidth()));
         await post("done", find("error").textContent);
     } catch (error) {
         await post("failed", `${error.message}\n${error.stack}`);
