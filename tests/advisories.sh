@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # Looks for known faults of the dependencies: cargo deny check advisories, for the workspace and for tests/fuzz/targets.
 #
-# It needs cargo-deny (cargo install cargo-deny --locked) and the list of faults, which cargo-deny gets from GitHub.
-# Without either it says so, as a test that is ignored, and succeeds. ADVISORIES_REQUIRED=1 makes that a failure.
+#   tests/advisories.sh                            # without cargo-deny or the list: says so and succeeds
+#   ADVISORIES_REQUIRED=1 tests/advisories.sh      # without them: fails
+#
+# Needs cargo-deny (cargo install cargo-deny --locked) and the list of faults, which cargo-deny gets from GitHub.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+[ "${1:-}" != --help ] || { sed -n '2,7s/^# \{0,1\}//p' "$0"; exit; }
 ignored() {
     echo "advisories ... ignored: $1"
     [ -z "${ADVISORIES_REQUIRED:-}" ]

@@ -1,12 +1,17 @@
 #!/usr/bin/env bash
-# Which lines and functions of cpu the tests run: a table, and what is missed in target/coverage. Arguments go to the
-# report, such as --fail-under-lines 95.
+# Prints a table of the lines and functions of cpu that the tests run. The lines that they miss go to
+# target/coverage/missing.txt.
+#
+#   tests/coverage.sh [OPTION OF cargo llvm-cov report]...
+#
+#   tests/coverage.sh --fail-under-lines 95
 #
 # Needs cargo install --locked cargo-llvm-cov, and LLVM's tools of the compiler's version (rustc -vV names it): the
 # component llvm-tools, or Debian's llvm-22 with LLVM_COV=llvm-cov-22 LLVM_PROFDATA=llvm-profdata-22.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
 cargo llvm-cov clean --workspace
 cargo llvm-cov --no-report test -p cpu --lib
 cargo llvm-cov --no-report test -p tests --tests

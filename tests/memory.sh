@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
-# The SIMD paths under valgrind and, with a nightly toolchain, under the address sanitizer and miri. Minutes, on one core;
-# miri takes twenty.
+# Runs the SIMD paths under valgrind and, with a nightly toolchain, under the address sanitizer and miri. Each takes
+# minutes on one core, miri twenty.
 #
 #   tests/memory.sh [valgrind|sanitizer|miri]
 #
-# valgrind and miri know no AVX-512; the sanitizer runs what the machine has. Only miri sees undefined behaviour that touches
-# no wrong byte.
+#   tests/memory.sh              # all three; without a nightly toolchain, valgrind alone
+#   tests/memory.sh valgrind     # 64 renderings
+#
+# valgrind and miri know no AVX-512; the sanitizer runs the instruction sets of the machine. Only miri sees undefined
+# behaviour that touches no wrong byte.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
 host=x86_64-unknown-linux-gnu
 
 valgrind_all() {

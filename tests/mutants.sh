@@ -1,13 +1,18 @@
 #!/usr/bin/env bash
-# Which mistakes in cpu no test would notice: cargo-mutants on the parsers, camera, materials, intersections, image and
-# output, against cpu's own unit tests. Half an hour on one core; arguments go to cargo mutants, such as -f FILE. What
-# follows -- goes to cargo test: tests/mutants.sh -f cpu/src/output.rs -- output::
+# Finds mistakes in cpu that no test would notice: runs cargo-mutants on the parsers, camera, materials, intersections,
+# image and output, against cpu's own unit tests. All files take an hour on one core.
 #
-# Needs cargo install --locked cargo-mutants. Mutants do what nobody meant, and one of output.rs may well rename a file
-# over what it is told to write to: as root this runs where nothing outside the temporary folders can be changed.
+#   tests/mutants.sh [OPTION OF cargo mutants]... [-- OPTION OF cargo test...]
+#
+#   tests/mutants.sh                                            # all files
+#   tests/mutants.sh -f cpu/src/output.rs -- output::           # one file, against the tests of its module
+#
+# Needs cargo install --locked cargo-mutants. A mutant of output.rs may rename a file over a device that a test writes to.
+# So as root this runs where the devices cannot be replaced.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
 files=(input/{text,config,scene,material,error,reader} geometry/{camera,sphere,cylinder,ray} materials/scatter image image/{quantize,ppm}
     output output/{folder,place,stdout,stop,temporary} render/{background,surface} program layout)
 if [ $# -eq 0 ]; then

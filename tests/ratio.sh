@@ -4,12 +4,14 @@
 #
 #   tests/ratio.sh ROUNDS CONFIG SCENE [ROUNDS CONFIG SCENE ...]
 #
+#   tests/ratio.sh 5 scenes/spheres/config.txt scenes/spheres/scene.txt
+#
 # RENDER_INSTRUCTION_SET=portable|avx2|avx512|avx512-throughout forces an instruction set; PROGRAM and YARDSTICK replace
 # the two, by a command each, as in YARDSTICK="env RENDER_INSTRUCTION_SET=portable target/release/render-aos".
 set -euo pipefail
 
 if [ "${1:-}" = --help ]; then
-    sed -n '2,8s/^# \{0,1\}//p' "$0"
+    sed -n '2,10s/^# \{0,1\}//p' "$0"
     exit
 fi
 top=$(cd "$(dirname "$0")/.." && pwd)
@@ -17,7 +19,7 @@ cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p bench 
 program=${PROGRAM:-$top/target/release/render-aos}
 yardstick=${YARDSTICK:-$top/target/release/reference}
 runs=${RUNS:-1}
-[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,8p' "$0" >&2; exit 2; }
+[ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 
 user_seconds() {
     local TIMEFORMAT=%U

@@ -1,14 +1,18 @@
 #!/usr/bin/env bash
-# What the programs are made of: a bill of materials (CycloneDX 1.5, JSON) for each of render-aos, render-soa and
-# render-lab, of the commit that is checked out.
+# Writes a bill of materials (CycloneDX 1.5, JSON) for each of render-aos, render-soa and render-lab, of the commit that
+# is checked out. It lists the packages that the program is made of.
 #
 #   tests/sbom.sh FOLDER
 #
-# Needs cargo install --locked cargo-cyclonedx. Nothing of it becomes a part of the project.
+#   tests/sbom.sh /tmp/materials     # writes /tmp/materials/render-aos.cdx.json and two others
+#
+# Needs cargo install --locked cargo-cyclonedx, which does not become a part of the project.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ $# -eq 1 ] || { sed -n '2,7p' "$0" >&2; exit 2; }
+help() { sed -n '2,9s/^# \{0,1\}//p' "$0"; }
+[ "${1:-}" != --help ] || { help; exit; }
+[ $# -eq 1 ] || { help >&2; exit 2; }
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 [ -z "$(git status --porcelain --untracked-files=no)" ] || { echo "tests/sbom.sh: there are changes that no commit has" >&2; exit 1; }

@@ -47,7 +47,7 @@ fn disturb(
         only_folder: false,
         most: usize::MAX,
     };
-    println!("{} runs", job.disturb(disturbance)?);
+    println!("{}", job.disturb(disturbance)?);
     Ok(())
 }
 

@@ -4,8 +4,8 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use libtest_mimic::{Failed, Trial};
-use test_support::injection::{Disturbance, Job, unavailable};
+use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::injection::{Disturbance, Job, most, total, unavailable};
 
 /// Calls of each kind that are disturbed.
 const MOST: usize = 2;
@@ -29,7 +29,16 @@ const CASES: [(Disturbance, Option<&str>, &str); 5] = [
     (Disturbance::Named, Some("old"), "the_same_where_a_file_needs_a_name"),
 ];
 
-pub fn trials() -> Vec<Trial> {
+/// Runs the trials and tells how many runs of the program they made.
+pub fn run() {
+    let conclusion = libtest_mimic::run(&Arguments::from_args(), trials());
+    if conclusion.num_passed + conclusion.num_failed > 0 {
+        println!("in all {}", total());
+    }
+    conclusion.exit();
+}
+
+fn trials() -> Vec<Trial> {
     let trial = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
         let missing = unavailable(disturbance);
         let trial = Trial::test(name, move || disturb(disturbance, old));
@@ -42,7 +51,7 @@ fn disturb(disturbance: Disturbance, old: Option<&str>) -> Result<(), Failed> {
     let folder = tempfile::tempdir()?;
     fs::create_dir(folder.path().join("d"))?;
     let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path())? };
-    println!("{} runs", job.disturb(disturbance)?);
+    job.disturb(disturbance)?;
     Ok(())
 }
 
@@ -62,6 +71,6 @@ fn job(folder: &Path) -> std::io::Result<Job> {
         graceful: false,
         gate: Some((config, b"image_width: 8\nmax_depth: 1\n".to_vec())),
         only_folder: true,
-        most: MOST,
+        most: most(MOST),
     })
 }

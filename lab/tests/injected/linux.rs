@@ -4,8 +4,11 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use libtest_mimic::{Failed, Trial};
-use test_support::injection::{Disturbance, Job, unavailable};
+use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::injection::{Disturbance, Job, most, total, unavailable};
+
+/// Calls of each name that are disturbed.
+const MOST: usize = 3;
 
 const DISTURBANCES: [(Disturbance, &str); 4] = [
     (Disturbance::Errors, "every_call_fails_and_the_old_files_stand_or_the_new_ones"),
@@ -17,15 +20,25 @@ const DISTURBANCES: [(Disturbance, &str); 4] = [
 /// Prepares a folder for a command, and says how the command is run there.
 type Prepare = fn(&Path) -> Job;
 
-const COMMANDS: [(&str, Prepare); 5] = [
+const COMMANDS: [(&str, Prepare); 6] = [
     ("render", render),
     ("compare", compare),
     ("compare_from_the_start", compare_from_the_start),
     ("merge", merge),
     ("report", report),
+    ("report_with_a_thumbnail", report_with_a_thumbnail),
 ];
 
-pub fn trials() -> Vec<Trial> {
+/// Runs the trials and tells how many runs of the program they made.
+pub fn run() {
+    let conclusion = libtest_mimic::run(&Arguments::from_args(), trials());
+    if conclusion.num_passed + conclusion.num_failed > 0 {
+        println!("in all {}", total());
+    }
+    conclusion.exit();
+}
+
+fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for (disturbance, name) in DISTURBANCES {
         let missing = unavailable(disturbance);
@@ -35,9 +48,17 @@ pub fn trials() -> Vec<Trial> {
             if command.starts_with("compare") && disturbance == Disturbance::Named {
                 continue;
             }
-            let test = move || [None, Some("old")].into_iter().try_for_each(|old| disturb(job, old, disturbance));
-            let trial = Trial::test(format!("{name}_{command}"), test);
-            trials.push(trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some()));
+            for (old, place) in [(None, "free"), (Some("old"), "taken")] {
+                // A thumbnail takes ten times as long as the page without it, and brings calls that read, none that
+                // write.
+                let has_thumbnail = command == "report_with_a_thumbnail";
+                if has_thumbnail && (disturbance != Disturbance::Errors || old.is_none()) {
+                    continue;
+                }
+                let test = move || disturb(job, old, disturbance);
+                let trial = Trial::test(format!("{name}_{command}_{place}"), test);
+                trials.push(trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some()));
+            }
         }
     }
     trials
@@ -47,7 +68,7 @@ fn disturb(job: Prepare, old: Option<&str>, disturbance: Disturbance) -> Result<
     let folder = tempfile::tempdir()?;
     fs::create_dir(folder.path().join("d"))?;
     let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path()) };
-    println!("{} runs", job.disturb(disturbance)?);
+    job.disturb(disturbance)?;
     Ok(())
 }
 
@@ -66,7 +87,7 @@ fn job(folder: &Path, words: &str, gate: &[u8]) -> Job {
         graceful: false,
         gate: Some((folder.join("gate"), gate.to_vec())),
         only_folder: false,
-        most: 12,
+        most: most(MOST),
     }
 }
 
@@ -94,21 +115,28 @@ fn compare_from_the_start(folder: &Path) -> Job {
     Job { gate: None, ..compare(folder) }
 }
 
-/// Results with little in them, so that few charts are drawn.
-fn results() -> Vec<u8> {
+/// Results with little in them, so that few charts are drawn, and the thumbnail of `scene` if there is such a scene.
+fn results(scene: &str) -> Vec<u8> {
     let path = test_support::project_root().join("docs/report/data/bench.json");
     let text = fs::read(path).expect("it is committed");
     let mut value: serde_json::Value = serde_json::from_slice(&text).expect("it is JSON");
     let lists = value.as_object_mut().expect("it has names").values_mut().filter_map(|value| value.as_array_mut());
-    lists.for_each(|list| list.truncate(1));
+    for list in lists {
+        list.truncate(1);
+        list.iter_mut().filter_map(|entry| entry.get_mut("scene")).for_each(|name| *name = scene.into());
+    }
     value.to_string().into_bytes()
 }
 
 fn merge(folder: &Path) -> Job {
-    write(folder, "part", results());
-    job(folder, "bench merge --out ./d/all.json ./gate ./part", &results())
+    write(folder, "part", results("none"));
+    job(folder, "bench merge --out ./d/all.json ./gate ./part", &results("none"))
 }
 
 fn report(folder: &Path) -> Job {
-    job(folder, "report ./gate --out ./d", &results())
+    job(folder, "report ./gate --out ./d", &results("none"))
+}
+
+fn report_with_a_thumbnail(folder: &Path) -> Job {
+    job(folder, "report ./gate --out ./d", &results("spheres"))
 }

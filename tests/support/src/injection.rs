@@ -10,6 +10,7 @@
 mod calls;
 mod check;
 mod gate;
+mod runs;
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -19,6 +20,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use calls::Call;
+pub use runs::{Runs, most, total};
 
 /// What each call fails with.
 const ERRORS: [&str; 4] = ["EIO", "ENOSPC", "EPERM", "EINTR"];
@@ -46,7 +48,8 @@ pub struct Job {
     /// Whether only calls are disturbed that name `folder` or use a file in it. Else every call about files is, from
     /// the first on that names `folder`.
     pub only_folder: bool,
-    /// How many calls of each name are disturbed at most. They are spread over the run.
+    /// How many calls of each name are disturbed at most: the first, the last, and others evenly between them. See
+    /// [`most`].
     pub most: usize,
 }
 
@@ -81,11 +84,11 @@ pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 impl Job {
-    /// Disturbs every call in turn. Returns the number of runs.
+    /// Disturbs one call after the other. Returns how many runs were made, which is not 0.
     ///
     /// # Errors
     /// The first run after which a file is neither the old nor the new one, with what the program said.
-    pub fn disturb(&self, disturbance: Disturbance) -> Result<usize, String> {
+    pub fn disturb(&self, disturbance: Disturbance) -> Result<Runs, String> {
         self.prepare(&Files::new()).map_err(|error| error.to_string())?;
         let output = self.run(&Files::new(), false, &[])?;
         let new = check::files(&self.folder).map_err(|error| error.to_string())?;
@@ -93,11 +96,10 @@ impl Job {
             return Err(format!("undisturbed: {new:?}, {output:?}"));
         }
         let calls = self.calls(&new, &[])?;
-        let some = |calls| calls::spread(calls, self.most);
-        match disturbance {
-            Disturbance::Errors => self.fail(&new, &some(calls), &[]),
-            Disturbance::Signal => self.signal(&new, &some(calls), &[], false),
-            Disturbance::SignalAsProcessOne => self.signal(&new, &some(calls), &[], true),
+        let runs = match disturbance {
+            Disturbance::Errors => self.each(calls, |calls| self.fail(&new, calls, &[]))?,
+            Disturbance::Signal => self.each(calls, |calls| self.signal(&new, calls, &[], false))?,
+            Disturbance::SignalAsProcessOne => self.each(calls, |calls| self.signal(&new, calls, &[], true))?,
             Disturbance::Named => {
                 let unnamed = calls.iter().find(|call| call.text.contains("O_TMPFILE"));
                 let unnamed = unnamed.ok_or("no file without a name was made")?;
@@ -109,10 +111,22 @@ impl Job {
                     return Err("no file with a name was made".to_owned());
                 }
                 calls.retain(|call| call.name != "openat");
-                let calls = some(calls);
-                Ok(self.fail(&new, &calls, &first)? + self.signal(&new, &calls, &first, false)?)
+                self.each(
+                    calls,
+                    |calls| Ok(self.fail(&new, calls, &first)? + self.signal(&new, calls, &first, false)?),
+                )?
             }
-        }
+        };
+        runs::add(runs);
+        if runs.made == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
+    }
+
+    /// Does `disturb` for the calls that are chosen. It makes as many runs for each call.
+    fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<Runs, String> {
+        let all = calls.len();
+        let chosen = calls::spread(calls, self.most);
+        let made = disturb(&chosen)?;
+        Ok(Runs { made, all: made * all / chosen.len().max(1) })
     }
 
     fn fail(&self, new: &Files, calls: &[Call], more: &[&str]) -> Result<usize, String> {

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use cpu::output::Options;
+use cpu::internals::output::Options;
 
 use crate::Failure;
 use crate::bench::machine::Machine;

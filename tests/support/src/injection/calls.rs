@@ -68,17 +68,25 @@ pub fn calls(text: &str, folder: &str, only_folder: bool) -> Vec<Call> {
     found
 }
 
-/// At most `most` calls of each name, spread over all of them, the last one included.
+/// At most `most` calls of each name, spread evenly over all of them: the last one, the first one if there may be two,
+/// and others between them.
 pub fn spread(mut calls: Vec<Call>, most: usize) -> Vec<Call> {
     let mut totals: HashMap<String, usize> = HashMap::new();
     calls.iter().for_each(|call| *totals.entry(call.name.clone()).or_default() += 1);
     let mut seen: HashMap<String, usize> = HashMap::new();
     calls.retain(|call| {
-        let total = totals[&call.name];
+        let last = totals[&call.name] - 1;
         let index = seen.entry(call.name.clone()).or_default();
         *index += 1;
-        let share = |index: usize| index * most.min(total) / total;
-        share(*index) > share(*index - 1)
+        is_chosen(*index - 1, last, most)
     });
     calls
+}
+
+/// Whether the call number `index`, of calls from 0 to `last`, is among the `most` chosen ones.
+fn is_chosen(index: usize, last: usize, most: usize) -> bool {
+    match most.saturating_sub(1).min(last) {
+        0 => most > 0 && index == last,
+        gaps => (0..=gaps).any(|gap| gap * last / gaps == index),
+    }
 }

@@ -1,0 +1,61 @@
+//! How many runs a test makes, of how many that it could.
+
+use std::env;
+use std::fmt;
+use std::iter::Sum;
+use std::sync::{Mutex, PoisonError};
+
+/// The variable of the environment that asks for every run.
+const VARIABLE: &str = "RENDER_INJECTIONS";
+
+/// How many calls of each name to disturb: `some`, or all where `RENDER_INJECTIONS` is `all`.
+///
+/// # Panics
+/// `RENDER_INJECTIONS` has another value.
+#[must_use]
+pub fn most(some: usize) -> usize {
+    match env::var_os(VARIABLE) {
+        None => some,
+        Some(value) => {
+            assert_eq!(value, "all", "{VARIABLE} may only be \"all\"");
+            usize::MAX
+        }
+    }
+}
+
+/// Runs of a program in which a call was disturbed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Runs {
+    /// Runs that were made.
+    pub made: usize,
+    /// Runs that disturbing every call takes.
+    pub all: usize,
+}
+
+impl Sum for Runs {
+    fn sum<I: Iterator<Item = Self>>(runs: I) -> Self {
+        runs.fold(Self::default(), |sum, runs| Self { made: sum.made + runs.made, all: sum.all + runs.all })
+    }
+}
+
+impl fmt::Display for Runs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {} runs", self.made, self.all)?;
+        if self.made < self.all { write!(f, ", all with {VARIABLE}=all") } else { Ok(()) }
+    }
+}
+
+/// What [`total`] returns.
+static TOTAL: Mutex<Runs> = Mutex::new(Runs { made: 0, all: 0 });
+
+/// Adds to the total.
+pub(super) fn add(runs: Runs) {
+    let mut total = TOTAL.lock().unwrap_or_else(PoisonError::into_inner);
+    *total = [*total, runs].into_iter().sum();
+}
+
+/// All runs of this process so far, for the last line of a test.
+#[must_use]
+pub fn total() -> Runs {
+    *TOTAL.lock().unwrap_or_else(PoisonError::into_inner)
+}
