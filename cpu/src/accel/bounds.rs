@@ -1,6 +1,7 @@
 //! Boxes around objects, with room for rounding.
 
 use crate::accel::extent::Extent;
+use crate::accel::object::{ObjectId, ObjectRef};
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
@@ -74,21 +75,21 @@ impl Bounds {
         self.low[axis] + self.high[axis]
     }
 
-    /// The box of the object at `id`, a sphere or a cylinder (see [`crate::accel::object::ObjectId`]).
+    /// The box of the object at `id`, a sphere or a cylinder.
     ///
     /// It holds every point that the exact formulas may report: the surface itself, and what their rounding adds. A
     /// discriminant is off by at most some units in the last place of the squared distance between ray origin and
     /// centre, which acts like a larger radius.
     #[must_use]
-    pub fn of_object<O: Objects>(objects: &O, id: usize, extent: &Extent) -> Self {
+    pub fn of_object<O: Objects>(objects: &O, id: ObjectId, extent: &Extent) -> Self {
         let distance_squared = 12.0 * extent.reach * extent.reach;
         let slack = |radius: f64| (radius * radius + 64.0 * f64::EPSILON * distance_squared).sqrt() - radius;
-        match id.checked_sub(objects.sphere_count()) {
-            None => {
-                let sphere = objects.sphere(id).record;
+        match ObjectRef::of(objects, id) {
+            ObjectRef::Sphere(index) => {
+                let sphere = objects.sphere(index).record;
                 Self::around(sphere.center, Vec3::splat(sphere.radius + slack(sphere.radius)))
             }
-            Some(index) => {
+            ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
                 let reach = cylinder.axis.map(|along| {
                     cylinder.half_height * along.abs() + cylinder.radius * (1.0 - along * along).max(0.0).sqrt()

@@ -19,6 +19,7 @@ use crate::accel::every_object::plain;
 use crate::accel::extent::Extent;
 use crate::accel::find::{Accelerator, Origin};
 use crate::accel::isolated::{Isolated, roomy_bounds};
+use crate::accel::object;
 use crate::accel::object::{NOWHERE, ObjectId};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
@@ -53,13 +54,13 @@ impl Bvh {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let count = objects.sphere_count() + objects.cylinder_count();
+        let count = object::count(objects);
         if count >= Child::OBJECT as usize {
             return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
         }
         let ground = DominantSphere::of(objects);
         let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
-        let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id as usize, extent), id)))?;
+        let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id, extent), id)))?;
         let top = CollapsedRoot::new(&mut nodes)?;
         let all = nodes.first().into_iter().flat_map(Node::children).fold(Bounds::EMPTY, |all, (it, _)| all.union(&it));
         let steps = Steps::new(&all);
@@ -104,49 +105,6 @@ impl Bvh {
     /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
     pub fn without_isolation(&mut self) {
         self.alone = Isolated::none();
-    }
-
-    /// The nearest object that a ray from the surface of `from` meets.
-    #[inline(always)]
-    pub fn closest_hit<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        from: ObjectId,
-        stack: &mut Stack,
-    ) -> ClosestHit {
-        let mut found = ClosestHit::NOTHING;
-        let touch = ConservativeRay::new(*ray);
-        // A ray starts at the camera or on a surface, so within the scene's reach.
-        if !is_in_scale(touch.length_squared) {
-            return plain(objects, ray);
-        }
-        self.ground.intersect_closely::<S, O>(&mut found, objects, &touch);
-        if self.nodes.is_empty() {
-            return found;
-        }
-        if from != NOWHERE && !self.ground.is(from) {
-            let mut again = ClosestHit::NOTHING;
-            again.intersect_if_may_hit(objects, from, &touch, self.reach);
-            if again.is_hit() {
-                found.update(again.lambda, again.object, again.order, again.part);
-                if self.alone.is(from) {
-                    return found;
-                }
-            }
-        }
-        let query = Query { objects, ray, from, box_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
-        if S::F32::LANES < WIDTH {
-            self.traverse::<S, O>(&self.nodes[0], &query, &mut found, stack);
-            return found;
-        }
-        let mut met = self.top.met(&query.box_ray, farthest(&found));
-        let backwards = self.top.is_passed_backwards(ray.direction);
-        while met != 0 {
-            let place = self.top.take(&mut met, backwards);
-            self.traverse::<S, O>(&self.nodes[place], &query, &mut found, stack);
-        }
-        found
     }
 
     /// Takes the objects below a node into account, but for the one that the ray leaves.
@@ -252,9 +210,42 @@ impl Accelerator for Bvh {
         &self,
         objects: &O,
         ray: &Ray,
-        origin: Origin,
+        Origin { object: from, .. }: Origin,
         stack: &mut Stack,
     ) -> ClosestHit {
-        self.closest_hit::<S, O>(objects, ray, origin.object, stack)
+        let mut found = ClosestHit::NOTHING;
+        let touch = ConservativeRay::new(*ray);
+        // A ray starts at the camera or on a surface, so within the scene's reach.
+        if !is_in_scale(touch.length_squared) {
+            return plain(objects, ray);
+        }
+        self.ground.intersect_closely::<S, O>(&mut found, objects, &touch);
+        if self.nodes.is_empty() {
+            return found;
+        }
+        if from != NOWHERE && !self.ground.is(from) {
+            let mut again = ClosestHit::NOTHING;
+            if touch.object_at(objects, from, self.reach) {
+                again.intersect(objects, from, ray);
+            }
+            if again.is_hit() {
+                found.update(again.lambda, again.object, again.order, again.part);
+                if self.alone.is(from) {
+                    return found;
+                }
+            }
+        }
+        let query = Query { objects, ray, from, box_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
+        if S::F32::LANES < WIDTH {
+            self.traverse::<S, O>(&self.nodes[0], &query, &mut found, stack);
+            return found;
+        }
+        let mut met = self.top.met(&query.box_ray, farthest(&found));
+        let backwards = self.top.is_passed_backwards(ray.direction);
+        while met != 0 {
+            let place = self.top.take(&mut met, backwards);
+            self.traverse::<S, O>(&self.nodes[place], &query, &mut found, stack);
+        }
+        found
     }
 }

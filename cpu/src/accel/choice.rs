@@ -55,7 +55,7 @@ impl Accel {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}
             Self::FlatFilter(filter) => filter.without_isolation(),
-            Self::Bvh(tree) => tree.without_isolation(),
+            Self::Bvh(bvh) => bvh.without_isolation(),
         }
     }
 
@@ -68,20 +68,18 @@ impl Accel {
         from: ObjectId,
         stack: &mut Stack,
     ) -> ClosestHit {
+        // Not a closure: it would be compiled without the instruction set.
+        macro_rules! closest_hit {
+            ($accel:expr) => {
+                $accel.closest_hit_from::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
+            };
+        }
         add(Counter::WalkRays, 1);
         match self {
-            Self::EveryObject => {
-                EveryObject.closest_hit_from::<S, O>(objects, ray, EveryObject.origin(objects, ray, from), stack)
-            }
-            Self::SmallScene(search) => {
-                search.closest_hit_from::<S, O>(objects, ray, search.origin(objects, ray, from), stack)
-            }
-            Self::FlatFilter(search) => {
-                search.closest_hit_from::<S, O>(objects, ray, search.origin(objects, ray, from), stack)
-            }
-            Self::Bvh(search) => {
-                search.closest_hit_from::<S, O>(objects, ray, search.origin(objects, ray, from), stack)
-            }
+            Self::EveryObject => closest_hit!(EveryObject),
+            Self::SmallScene(accel) => closest_hit!(accel),
+            Self::FlatFilter(accel) => closest_hit!(accel),
+            Self::Bvh(accel) => closest_hit!(accel),
         }
     }
 }

@@ -1,14 +1,12 @@
 //! The nearest hit so far.
 
-use crate::accel::conservative::ConservativeRay;
-use crate::accel::object::{NOWHERE, ObjectId};
+use crate::accel::object::{NOWHERE, ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
 use crate::exact;
 use crate::exact::error_bound::Decision;
 use crate::geometry::cylinder::CylinderPart;
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
-use crate::math::vec3::Vec3;
 use crate::simd::Simd;
 
 /// The closest hit among the objects intersected so far.
@@ -46,32 +44,9 @@ impl ClosestHit {
     /// Takes the object at `id` into account.
     #[inline(always)]
     pub fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
-        match (id as usize).checked_sub(objects.sphere_count()) {
-            None => self.intersect_sphere(objects, id as usize, ray),
-            Some(index) => self.intersect_cylinder(objects, index, ray),
-        }
-    }
-
-    /// Intersects the object if the conservative test keeps it; `reach`, the extent of the scene, is its margin.
-    #[inline(always)]
-    pub fn intersect_if_may_hit<O: Objects>(
-        &mut self,
-        objects: &O,
-        id: ObjectId,
-        touch: &ConservativeRay<f64>,
-        reach: f64,
-    ) {
-        match (id as usize).checked_sub(objects.sphere_count()) {
-            None => {
-                if touch.sphere_at(objects, id as usize) {
-                    self.intersect_sphere(objects, id as usize, &touch.ray);
-                }
-            }
-            Some(index) => {
-                if touch.cylinder_at(objects, index, reach) {
-                    self.intersect_cylinder(objects, index, &touch.ray);
-                }
-            }
+        match ObjectRef::of(objects, id) {
+            ObjectRef::Sphere(index) => self.intersect_sphere(objects, index, ray),
+            ObjectRef::Cylinder(index) => self.intersect_cylinder(objects, index, ray),
         }
     }
 
@@ -99,10 +74,7 @@ impl ClosestHit {
         add(Counter::SphereAsks, 1);
         let lambda = match verdict {
             Decision::Certain(lambda) => lambda,
-            Decision::Uncertain => {
-                let Ray { origin: o, direction: d } = *ray;
-                precise_sphere(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
-            }
+            Decision::Uncertain => precise_sphere(objects, index, *ray),
         };
         if let Some(lambda) = lambda {
             self.update(lambda, index as ObjectId, objects.sphere(index).order, CylinderPart::Side);
@@ -116,10 +88,7 @@ impl ClosestHit {
         let cylinder = objects.cylinder(index);
         let met = match exact::cylinder::filtered(&cylinder.record, ray) {
             Decision::Certain(met) => met,
-            Decision::Uncertain => {
-                let Ray { origin: o, direction: d } = *ray;
-                precise_cylinder(objects, index, o.x, o.y, o.z, d.x, d.y, d.z)
-            }
+            Decision::Uncertain => precise_cylinder(objects, index, *ray),
         };
         if let Some((lambda, part)) = met {
             self.update(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
@@ -127,40 +96,18 @@ impl ClosestHit {
     }
 }
 
-/// The precise answer. It fetches the object again and takes the ray by components: what a call may read through a
-/// reference would have to be in memory for every ray.
+/// The precise answer. It fetches the object again and takes the ray by value, so that neither has to be in memory for
+/// rays that do not need it.
 #[cold]
 #[inline(never)]
-#[expect(clippy::too_many_arguments, reason = "these fit the registers")]
-fn precise_sphere<O: Objects>(
-    objects: &O,
-    index: usize,
-    x: f64,
-    y: f64,
-    z: f64,
-    dx: f64,
-    dy: f64,
-    dz: f64,
-) -> Option<f64> {
-    let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
+fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64> {
     exact::sphere::compensated_or_precise(&objects.sphere(index).record, &ray)
 }
 
 /// See [`precise_sphere`].
 #[cold]
 #[inline(never)]
-#[expect(clippy::too_many_arguments, reason = "these fit the registers")]
-fn precise_cylinder<O: Objects>(
-    objects: &O,
-    index: usize,
-    x: f64,
-    y: f64,
-    z: f64,
-    dx: f64,
-    dy: f64,
-    dz: f64,
-) -> Option<(f64, CylinderPart)> {
-    let ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
+fn precise_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {
     exact::cylinder::precise(&objects.cylinder(index).record, &objects.axis(index), &ray)
 }
 

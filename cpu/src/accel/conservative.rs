@@ -6,6 +6,7 @@
 //! comes. The margin covers that, and what rounding may do to the exact formulas (docs/margins.md); where the
 //! filter stops nothing, these decide.
 
+use crate::accel::object::{ObjectId, ObjectRef};
 use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
@@ -51,6 +52,15 @@ pub(super) struct Quadratic<T> {
 }
 
 impl ConservativeRay<f64> {
+    /// Whether the ray may hit the object, in a scene of this reach.
+    #[inline(always)]
+    pub fn object_at<O: Objects>(&self, objects: &O, id: ObjectId, reach: f64) -> bool {
+        match ObjectRef::of(objects, id) {
+            ObjectRef::Sphere(index) => self.sphere_at(objects, index),
+            ObjectRef::Cylinder(index) => self.cylinder_at(objects, index, reach),
+        }
+    }
+
     /// Whether the ray may meet the sphere at `index`.
     #[inline(always)]
     pub fn sphere_at<O: Objects>(&self, objects: &O, index: usize) -> bool {

@@ -7,7 +7,7 @@ use crate::accel::bounds::Bounds;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::conservative::ConservativeRay;
 use crate::accel::extent::Extent;
-use crate::accel::object::ObjectId;
+use crate::accel::object::{ObjectId, count};
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
 use crate::materials::prepared::{BsdfKind, PreparedMaterial};
@@ -65,10 +65,9 @@ impl DominantSphere {
         // A textbook's root moves a point off the surface by some 26 units in the last place of (q + r^2) / r.
         let squares = 12.0 * extent.reach * extent.reach;
         let slack = 1e-9 * extent.reach + 64.0 * f64::EPSILON * squares / record.radius;
-        let count = objects.sphere_count() + objects.cylinder_count();
         let mut overlapping = Vec::new();
-        for id in (0..count as ObjectId).filter(|&id| !self.is(id)) {
-            if Bounds::of_object(objects, id as usize, extent).distance(record.center) <= record.radius + slack {
+        for id in (0..count(objects) as ObjectId).filter(|&id| !self.is(id)) {
+            if Bounds::of_object(objects, id, extent).distance(record.center) <= record.radius + slack {
                 if overlapping.len() == MOST_SUNK {
                     return None;
                 }

@@ -3,6 +3,7 @@
 use crate::accel::bvh::stack::Stack;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::find::{Accelerator, Origin};
+use crate::accel::object::count;
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
@@ -22,7 +23,7 @@ impl Accelerator for EveryObject {
 /// The nearest object, by asking every one.
 #[inline(never)]
 pub fn plain<O: Objects>(objects: &O, ray: &Ray) -> ClosestHit {
-    add(Counter::PlainAsks, (objects.sphere_count() + objects.cylinder_count()) as u64);
+    add(Counter::PlainAsks, count(objects) as u64);
     let mut found = ClosestHit::NOTHING;
     for index in 0..objects.sphere_count() {
         found.intersect_sphere(objects, index, ray);

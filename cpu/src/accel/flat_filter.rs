@@ -80,58 +80,6 @@ impl FlatFilter {
         self.ground
     }
 
-    /// The nearest object that a ray meets.
-    #[inline(always)]
-    pub fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, origin: Origin) -> ClosestHit {
-        let mut found = ClosestHit::NOTHING;
-        let touch = ConservativeRay::new(*ray);
-        let Ray { origin: o, direction: d } = *ray;
-        if is_too_short(touch.length_squared) {
-            return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
-        }
-        if self.ground.is(origin.object)
-            && let Some(overlapping) = &self.overlapping
-        {
-            // The branch that the processor cannot guess is on what is expected, which is known early; whether it is as
-            // expected it guesses right.
-            if origin.goes_in {
-                self.ground.intersect(&mut found, objects, &touch);
-                if !found.is_hit() {
-                    add(Counter::Unexpected, 1);
-                    return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
-                }
-                for &id in overlapping {
-                    found.intersect(objects, id, ray);
-                }
-                return found;
-            }
-            if self.ground.may_be_met(objects, &touch) {
-                add(Counter::Unexpected, 1);
-                return ask_every_object(objects, o.x, o.y, o.z, d.x, d.y, d.z);
-            }
-        }
-        let (mut spheres, mut cylinders) = self.may_meet::<S>(ray);
-        if let Some(ground) = self.ground.id()
-            && !(self.overlapping.is_some() && origin.object == ground)
-            && self.ground.may_be_met(objects, &touch)
-        {
-            spheres |= 1 << ground;
-        }
-        // One branch for the commonest answer, as early as it can be known.
-        if spheres | cylinders == 0 {
-            return found;
-        }
-        while spheres != 0 {
-            found.intersect_sphere(objects, spheres.trailing_zeros() as usize, ray);
-            spheres &= spheres - 1;
-        }
-        while cylinders != 0 {
-            found.intersect_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
-            cylinders &= cylinders - 1;
-        }
-        found
-    }
-
     /// The spheres but for the ground, and the cylinders, that a ray may meet: a bit each.
     #[inline(always)]
     fn may_meet<S: Simd>(&self, ray: &Ray) -> (u64, u64) {
@@ -154,13 +102,12 @@ impl FlatFilter {
     }
 }
 
-/// The nearest hit, found by asking every object: for a ray whose direction is too short for the filter, or that goes
-/// another way than expected. It takes the ray by components, which stay in registers, where a reference would keep
-/// every ray in memory.
+/// The closest hit among all objects: for a ray whose direction is too short for the filter, or whose entry was
+/// predicted wrong. It takes the ray by value, because a reference would keep every ray in memory.
 #[cold]
 #[inline(never)]
-fn ask_every_object<O: Objects>(objects: &O, x: f64, y: f64, z: f64, dx: f64, dy: f64, dz: f64) -> ClosestHit {
-    plain(objects, &Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) })
+fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
+    plain(objects, &ray)
 }
 
 /// As many blocks as `count` objects take.
@@ -193,7 +140,52 @@ impl Accelerator for FlatFilter {
         origin: Origin,
         _: &mut Stack,
     ) -> ClosestHit {
-        self.closest_hit::<S, O>(objects, ray, origin)
+        let mut found = ClosestHit::NOTHING;
+        let touch = ConservativeRay::new(*ray);
+        if is_too_short(touch.length_squared) {
+            return intersect_every_object(objects, *ray);
+        }
+        if self.ground.is(origin.object)
+            && let Some(overlapping) = &self.overlapping
+        {
+            // The branch that the processor cannot guess is on what is expected, which is known early; whether it is as
+            // expected it guesses right.
+            if origin.goes_in {
+                self.ground.intersect(&mut found, objects, &touch);
+                if !found.is_hit() {
+                    add(Counter::Unexpected, 1);
+                    return intersect_every_object(objects, *ray);
+                }
+                for &id in overlapping {
+                    found.intersect(objects, id, ray);
+                }
+                return found;
+            }
+            if self.ground.may_be_met(objects, &touch) {
+                add(Counter::Unexpected, 1);
+                return intersect_every_object(objects, *ray);
+            }
+        }
+        let (mut spheres, mut cylinders) = self.may_meet::<S>(ray);
+        if let Some(ground) = self.ground.id()
+            && !(self.overlapping.is_some() && origin.object == ground)
+            && self.ground.may_be_met(objects, &touch)
+        {
+            spheres |= 1 << ground;
+        }
+        // One branch for the commonest answer, as early as it can be known.
+        if spheres | cylinders == 0 {
+            return found;
+        }
+        while spheres != 0 {
+            found.intersect_sphere(objects, spheres.trailing_zeros() as usize, ray);
+            spheres &= spheres - 1;
+        }
+        while cylinders != 0 {
+            found.intersect_cylinder(objects, cylinders.trailing_zeros() as usize, ray);
+            cylinders &= cylinders - 1;
+        }
+        found
     }
 
     #[inline(always)]

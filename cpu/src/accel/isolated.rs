@@ -48,7 +48,7 @@ impl Isolated {
 /// The box of an object, with room for how far rounding may move the points of its surface.
 #[must_use]
 pub fn roomy_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
-    Bounds::of_object(objects, id as usize, extent).enlarged((1e-9 * extent.reach) as f32)
+    Bounds::of_object(objects, id, extent).enlarged((1e-9 * extent.reach) as f32)
 }
 
 #[cfg(test)]

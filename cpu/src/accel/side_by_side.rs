@@ -2,6 +2,7 @@
 //! against several at once, an object a lane.
 
 use crate::accel::conservative::{ConservativeRay, is_too_short};
+use crate::accel::object::{ObjectId, ObjectRef, count};
 use crate::accel::target::{ConservativeCylinder, ConservativeSphere};
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
@@ -27,13 +28,10 @@ impl ObjectLanes {
     /// The objects, of which those beyond [`PLACES`] are left out, of a scene of this reach.
     pub fn new(objects: &impl Objects, reach: f64) -> Self {
         let sphere_count = objects.sphere_count().min(PLACES);
-        let count = (objects.sphere_count() + objects.cylinder_count()).min(PLACES);
-        let target = |id| {
-            if id < sphere_count {
-                ConservativeSphere::new(&objects.sphere(id).record).as_cylinder()
-            } else {
-                ConservativeCylinder::new(&objects.cylinder(id - sphere_count).record, reach)
-            }
+        let count = count(objects).min(PLACES);
+        let target = |id| match ObjectRef::of(objects, id as ObjectId) {
+            ObjectRef::Sphere(index) => ConservativeSphere::new(&objects.sphere(index).record).as_cylinder(),
+            ObjectRef::Cylinder(index) => ConservativeCylinder::new(&objects.cylinder(index).record, reach),
         };
         let targets = ConservativeCylinder {
             center: rows(count, |id| target(id).center),

@@ -9,7 +9,7 @@ use crate::accel::closest_hit::ClosestHit;
 use crate::accel::conservative::{ConservativeRay, is_too_short};
 use crate::accel::extent::Extent;
 use crate::accel::find::{Accelerator, Origin};
-use crate::accel::object::ObjectId;
+use crate::accel::object::{ObjectId, count, in_order};
 use crate::accel::side_by_side::{MayHitLanes, ObjectLanes, PLACES};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
@@ -34,7 +34,7 @@ impl SmallScene {
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let side_by_side = ObjectLanes::new(objects, extent.reach);
-        Ok(Self { in_order: crate::accel::object::in_order(objects)?, side_by_side, reach: extent.reach })
+        Ok(Self { in_order: in_order(objects)?, side_by_side, reach: extent.reach })
     }
 
     /// The objects in the order of the file.
@@ -139,7 +139,7 @@ fn intersect_cylinders<O: Objects>(found: &mut ClosestHit, objects: &O, ray: &Ra
 /// Whether a scene of this many objects is searched like this.
 #[must_use]
 pub fn suits(objects: &impl Objects) -> bool {
-    objects.sphere_count() + objects.cylinder_count() <= PLACES
+    count(objects) <= PLACES
 }
 
 impl Accelerator for SmallScene {

@@ -8,7 +8,7 @@
 use crate::accel::bounds::Bounds;
 use crate::accel::choice::Accel;
 use crate::accel::object;
-use crate::accel::object::ObjectId;
+use crate::accel::object::{ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
 use crate::geometry::cylinder::{CylinderRecord, CylinderView};
 use crate::geometry::sphere::{SphereRecord, SphereView};
@@ -50,12 +50,12 @@ struct Ball {
 impl Ball {
     fn new<L: Layout>(prepared: &Prepared<L>, id: ObjectId) -> Self {
         let (objects, from) = (&prepared.objects, prepared.camera.position);
-        let (center, radius, margin) = match (id as usize).checked_sub(objects.sphere_count()) {
-            None => {
-                let record = objects.sphere(id as usize).record;
+        let (center, radius, margin) = match ObjectRef::of(objects, id) {
+            ObjectRef::Sphere(index) => {
+                let record = objects.sphere(index).record;
                 (record.center, record.radius, 0.0)
             }
-            Some(index) => {
+            ObjectRef::Cylinder(index) => {
                 let record = objects.cylinder(index).record;
                 (record.center, record.radius + record.half_height, MARGIN_OF_CYLINDERS * record.radius)
             }
@@ -130,13 +130,16 @@ impl Candidates {
         self.span.clear();
         let meets = |ball: &&Ball| !self.culls || reaches(prepared, ball, &walls);
         for &Ball { id, .. } in self.row.iter().filter(meets) {
-            let (objects, spheres) = (&prepared.objects, prepared.objects.sphere_count());
-            let candidate = if (id as usize) < spheres {
-                let record = objects.sphere(id as usize).record;
-                Candidate::Sphere(record, record.seen_from(camera.position))
-            } else {
-                let record = objects.cylinder(id as usize - spheres).record;
-                Candidate::Cylinder(record, objects.axis(id as usize - spheres), record.seen_from(camera.position))
+            let objects = &prepared.objects;
+            let candidate = match ObjectRef::of(objects, id) {
+                ObjectRef::Sphere(index) => {
+                    let record = objects.sphere(index).record;
+                    Candidate::Sphere(record, record.seen_from(camera.position))
+                }
+                ObjectRef::Cylinder(index) => {
+                    let record = objects.cylinder(index).record;
+                    Candidate::Cylinder(record, objects.axis(index), record.seen_from(camera.position))
+                }
             };
             self.span.push((id, candidate));
         }
@@ -170,7 +173,7 @@ fn reaches<L: Layout>(prepared: &Prepared<L>, ball: &Ball, walls: &[HalfSpace; 2
     if !ball.reaches(walls) {
         return false;
     }
-    let Some(index) = (ball.id as usize).checked_sub(objects.sphere_count()) else {
+    let ObjectRef::Cylinder(index) = ObjectRef::of(objects, ball.id) else {
         return true;
     };
     let record = objects.cylinder(index).record;

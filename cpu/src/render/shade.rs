@@ -1,6 +1,6 @@
 //! What a surface does to rays that have just met it, several at once.
 
-use crate::accel::object::ObjectId;
+use crate::accel::object::{ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
 use crate::geometry::cylinder::CylinderPart;
 use crate::geometry::ray::Ray;
@@ -39,12 +39,12 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
         let same = V::of(number).less_equal(hits.object) & hits.object.less_equal(V::of(number));
         let same_bits = same.bits() & left;
         left &= !same_bits;
-        let (outward, material) = match (object as usize).checked_sub(objects.sphere_count()) {
-            None => {
-                let sphere = objects.sphere(object as usize);
+        let (outward, material) = match ObjectRef::of(objects, object) {
+            ObjectRef::Sphere(index) => {
+                let sphere = objects.sphere(index);
                 (sphere.record.lanes::<V>().outward(point), sphere.material)
             }
-            Some(index) => {
+            ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index);
                 let record = cylinder.record.lanes::<V>();
                 let side = record.outward(CylinderPart::Side, point);

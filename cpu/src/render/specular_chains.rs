@@ -2,7 +2,7 @@
 
 use crate::accel::choice::Accel;
 use crate::accel::conservative::{ConservativeRay, is_too_short};
-use crate::accel::object::ObjectId;
+use crate::accel::object::{ObjectId, ObjectRef};
 use crate::accel::small_scene::SmallScene;
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
@@ -98,9 +98,9 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, few: &SmallScene, ray: &Ray<
         if (few.touches(id, &touch).bits() & valid) | too_short == 0 {
             continue;
         }
-        match (id as usize).checked_sub(objects.sphere_count()) {
-            None => hits.intersect_candidate_sphere(id, &objects.sphere(id as usize).record, &rays),
-            Some(index) => {
+        match ObjectRef::of(objects, id) {
+            ObjectRef::Sphere(index) => hits.intersect_candidate_sphere(id, &objects.sphere(index).record, &rays),
+            ObjectRef::Cylinder(index) => {
                 let record = objects.cylinder(index).record;
                 hits.intersect_candidate_cylinder(id, (&record, &objects.axis(index)), &rays);
             }

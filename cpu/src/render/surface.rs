@@ -1,7 +1,7 @@
 //! The surface that a ray meets: its point, its normal, its material, and where it sends the ray.
 
 use crate::accel::closest_hit::ClosestHit;
-use crate::accel::object::ObjectId;
+use crate::accel::object::{ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::{Hit, Ray};
 use crate::input::scene::MaterialId;
@@ -36,12 +36,12 @@ impl Surface {
     pub fn new<O: Objects>(objects: &O, ray: &Ray, found: &ClosestHit) -> Self {
         add(Counter::Hits, 1);
         let point = ray.at(found.lambda);
-        match (found.object as usize).checked_sub(objects.sphere_count()) {
-            None => {
-                let sphere = objects.sphere(found.object as usize);
+        match ObjectRef::of(objects, found.object) {
+            ObjectRef::Sphere(index) => {
+                let sphere = objects.sphere(index);
                 Self { point, outward: sphere.record.outward(point), material: sphere.material }
             }
-            Some(index) => {
+            ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index);
                 Self { point, outward: cylinder.record.outward(found.part, point), material: cylinder.material }
             }
@@ -67,8 +67,8 @@ impl Surface {
 /// The material of the object at `object`.
 #[inline(always)]
 pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
-    match (object as usize).checked_sub(objects.sphere_count()) {
-        None => objects.sphere(object as usize).material,
-        Some(index) => objects.cylinder(index).material,
+    match ObjectRef::of(objects, object) {
+        ObjectRef::Sphere(index) => objects.sphere(index).material,
+        ObjectRef::Cylinder(index) => objects.cylinder(index).material,
     }
 }
