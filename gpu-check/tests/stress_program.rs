@@ -32,29 +32,29 @@ fn help_has_examples_and_a_folder_is_asked_for() {
 #[test]
 fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
     let folder = tempfile::tempdir().expect("there is room");
-    let document = folder.path().join("accuracy.md");
-    fs::copy(repository("docs/accuracy.md"), &document).expect("it is committed");
+    let document = folder.path().join("tables.md");
+    fs::copy(repository("docs/accuracy/tables.md"), &document).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--case", "case-2", "c", "s"]);
     assert_eq!(output.status.code(), Some(2));
     let message = String::from_utf8(output.stderr).expect("it is text");
     assert!(
-        message.contains("accuracy.md: its rows for case-1, case-3, case-4 would go; give each as --case"),
+        message.contains("tables.md: its rows for case-1, case-3, case-4 would go; give each as --case"),
         "{message}"
     );
-    assert_eq!(fs::read(&document).ok(), fs::read(repository("docs/accuracy.md")).ok());
+    assert_eq!(fs::read(&document).ok(), fs::read(repository("docs/accuracy/tables.md")).ok());
 }
 
 #[test]
 fn tables_and_plots_are_written_into_the_folder_alone() {
     common::gpu();
     let folder = tempfile::tempdir().expect("there is room");
-    let before = fs::read(repository("docs/accuracy.md")).expect("it is committed");
+    let before = fs::read(repository("docs/accuracy/tables.md")).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--rays", "1000"]);
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
-    let text = fs::read_to_string(folder.path().join("accuracy.md")).expect("it was written");
+    let text = fs::read_to_string(folder.path().join("tables.md")).expect("it was written");
     assert!(text.contains("--rays 1000 --seed 1") && text.contains("| **ordinary** ("), "{text}");
-    let plots = fs::read_dir(folder.path().join("accuracy")).expect("it was made").count();
-    assert_eq!(plots, 1 + 5, "a table and five plots");
-    assert_eq!(fs::read(repository("docs/accuracy.md")).ok(), Some(before), "the project's own file stays");
+    let files = fs::read_dir(folder.path()).expect("it is there").count();
+    assert_eq!(files, 2 + 5, "the tables twice, and five plots");
+    assert_eq!(fs::read(repository("docs/accuracy/tables.md")).ok(), Some(before), "the project's own file stays");
 }

@@ -25,14 +25,14 @@ use stability::run::{self, LargeSpheres};
 Examples:
   stress --out /tmp/accuracy                 minutes; nothing else is written
   stress --out /tmp/accuracy --rays 2000     seconds, to see what it writes
-  stress --out docs --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
-                                             rewrites the tables of docs/accuracy.md; name every case that they have
+  stress --out docs/accuracy --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
+                                             rewrites docs/accuracy/tables.md; name every case that it has
 
 Exit status: 0 all decisions are as they should be, 2 an error or a wrong decision"
 )]
 struct Arguments {
-    /// Folder to write: accuracy.md, and accuracy/ with a CSV file and plots. An accuracy.md that is there keeps its
-    /// words: only its tables are replaced
+    /// Folder to write: tables.md, a CSV file and plots. A tables.md that is there keeps its words: only its tables are
+    /// replaced
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
     /// Rays of each regime of spheres; a regime of cylinders gets three fifths of it
@@ -79,12 +79,12 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Arguments { out, rays, seed, case } = arguments;
     let (rays, seed) = (*rays, *seed);
-    let document = out.join("accuracy.md");
+    let document = out.join("tables.md");
     let text = document_text(&document)?;
     // Before minutes are spent on tables that would replace others.
     check_that_no_row_goes(&text, case).map_err(|message| format!("{}: {message}", document.display()))?;
-    let folder = out.join("accuracy");
-    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let folder = out;
+    fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     Output::open(&document, Options { sync: true })?;
 
     let gpu = Gpu::open()?;
@@ -128,9 +128,9 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         command += &format!(" --case {} CONFIG SCENE", triple[0]);
     }
     let limits = format!(
-        "Of {rays} rays that leave a sphere, up to which radius at most none, and at most one in a thousand, is \
-         decided wrongly: projected f32 {:.0} and {:.0}, in WGSL {:.0} and {:.0}, certified f64 {:.0e} (the largest \
-         tried) and the same.\n",
+        "Of {rays} rays that leave a sphere, these radii are the largest with no wrong decision, and with at most one in a\n\
+         thousand. Projected f32: {:.0} and {:.0}. Projected f32 in WGSL: {:.0} and {:.0}. Certified f64: {:.0e}, the largest \
+         tried, and the same.\n",
         large.limit(PROJECTED, 0.0),
         large.limit(PROJECTED, 1e-3),
         large.limit(gpu_check::methods::PROJECTED, 0.0),
@@ -140,7 +140,13 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let today = String::from_utf8(Command::new("date").args(["-u", "+%F"]).output()?.stdout)?;
     let mut text = text;
     for (mark, block) in [
-        ("command", format!("`{command}`\n\nRun on {}, the seed is {seed}; WGSL ran on {device}.\n", today.trim())),
+        (
+            "command",
+            format!(
+                "    {command}\n\nRun on {}, the seed is {seed}. WGSL ran on this device:\n\n    {device}\n",
+                today.trim()
+            ),
+        ),
         ("spheres", report::markdown(&spheres)),
         ("cylinders", report::markdown(&cylinders)),
         ("costs", report::costs(&kinds)),
@@ -150,7 +156,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         text = replaced(&text, mark, &block)?;
     }
     put(&document, &text)?;
-    terminal::print(&format!("wrote {} and {}\n", document.display(), folder.display()))?;
+    terminal::print(&format!("wrote {}\n", folder.display()))?;
 
     for (kind, regimes, proven) in [
         ("spheres", &regimes::SPHERES[..], run::PROVEN_ERRORS[0]),
@@ -176,7 +182,7 @@ fn put(path: &Path, text: &str) -> Result<(), cpu::Error> {
     Output::open(path, Options { sync: true })?.fill(|file| file.write_all(text.as_bytes()))
 }
 
-/// Largest document that is read, in bytes. docs/accuracy.md has 33,000.
+/// Largest document that is read, in bytes. docs/accuracy/tables.md has 20,000.
 const MAX_BYTES: u64 = 1 << 22;
 
 /// The document as it is, or an empty one with all marks.

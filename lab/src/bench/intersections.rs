@@ -1,6 +1,6 @@
 //! What one intersection costs, and how far its lambda is from the truth.
 //!
-//! The rays and the oracle are those of the crate `stability`, whose tables in `docs/accuracy.md` tell regimes apart;
+//! The rays and the oracle are those of the crate `stability`, whose tables in `docs/accuracy/` tell regimes apart;
 //! here all but the ordinary one are one family of hard rays. The cost is that of tests one after the other, each with
 //! its ray and its object at hand, as the renderer has them.
 

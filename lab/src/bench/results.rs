@@ -79,9 +79,9 @@ pub struct Intersection {
 pub struct Trial {
     /// `sphere` or `cylinder`.
     pub object: String,
-    /// `ordinary` rays, or `hard` ones: those of all other regimes of `docs/accuracy.md`, as many of each.
+    /// `ordinary` rays, or `hard` ones: those of all other regimes of `docs/accuracy/tables.md`, as many of each.
     pub rays: String,
-    /// The implementation, as `docs/accuracy.md` names it.
+    /// The implementation, as `docs/accuracy/tables.md` names it.
     pub implementation: String,
     /// Seed of the rays.
     pub seed: u64,
