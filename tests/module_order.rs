@@ -1,6 +1,6 @@
 //! The order of the modules of `cpu`: a folder uses only folders before it, and no files use each other in a circle.
 //!
-//! docs/design.md says what each folder holds. Tests are left out: they may use anything.
+//! docs/design.md says what each folder holds, in the same order. Tests are left out: they may use anything.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -190,8 +190,8 @@ fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     found
 }
 
-/// Returns the modules that use each other in circles. A module that uses no other one, or that no other one uses, is in
-/// no circle, so such modules are removed until none is left to remove.
+/// Returns the modules that use each other in circles. A module that uses no other one, or that no other one uses, is
+/// in no circle, so such modules are removed until none is left to remove.
 fn in_circles(uses: &Uses) -> Vec<String> {
     let mut left: Uses = uses.clone();
     left.remove(&Vec::new());
@@ -230,6 +230,22 @@ fn folders_use_only_those_before_them_and_no_files_use_each_other_in_a_circle() 
     assert!(uses.len() > 80 && links > 300, "only {links} uses by {} files were found", uses.len());
     assert_eq!(against_the_order(&uses, &ORDER), [""; 0]);
     assert_eq!(in_circles(&uses), [""; 0]);
+}
+
+/// The folders and files that the table of a page lists: the first cell of each row of the section `## Folders of`.
+fn folders_of_page(page: &str) -> Vec<&str> {
+    let (_, section) = page.split_once("\n## Folders of").expect("the page has the section");
+    let section = section.split_once("\n## ").map_or(section, |(section, _)| section);
+    let cells = section.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));
+    cells.map(|(folder, _)| folder.trim_end_matches('/')).collect()
+}
+
+#[test]
+fn the_page_on_the_design_lists_the_folders_in_this_order() {
+    let page = std::fs::read_to_string(test_support::project_root().join("docs/design.md")).expect("it is committed");
+    assert_eq!(folders_of_page(&page), ORDER);
+    let changed = page.replacen("| `math/` |", "| `maths/` |", 1);
+    assert_ne!(folders_of_page(&changed), ORDER, "a change of the table is noticed");
 }
 
 #[test]
