@@ -1,9 +1,9 @@
 //! A sequential renderer of spheres and cylinders, exact to the byte.
 //!
-//! Text becomes checked values ([`Config`], [`Scene`]), these become pixels in one of two layouts ([`render()`], [`Aos`],
-//! [`Soa`]), and pixels become a PPM file ([`write_ppm`]). What is wrong with the two texts is found before anything is
-//! rendered; after that only memory and the output can fail. docs/design.md says what each folder holds, and which others
-//! it uses.
+//! Text becomes checked values ([`Config`], [`Scene`]), these become pixels in one of two layouts ([`render()`],
+//! [`Aos`], [`Soa`]), and pixels become a PPM file ([`write_ppm`]). What is wrong with the two texts is found before
+//! anything is rendered; after that only memory and the output can fail. docs/design.md says what each folder holds,
+//! and which others it uses.
 //!
 //! ```
 //! use cpu::{Aos, Config, Scatter, Scene};
@@ -17,7 +17,7 @@
 //! # Ok::<(), cpu::Error>(())
 //! ```
 //!
-//! Two renderers live here. The module [`mod@reference`] follows the specification line by line and stays slow and
+//! Two renderers live here. The module [`mod@reference`] follows docs/specification.md line by line and stays slow and
 //! plain: start reading there. The real one, [`render()`], takes every shortcut that gives the same bytes.
 //!
 //! The feature `internals` opens every module, for the project's own tests, tools and measurements. What it opens may

@@ -145,8 +145,8 @@ pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     Ok(means)
 }
 
-/// Renders with the real renderer and calls `after_row` as [`cpu::internals::render_into`] does; `None` when it broke off before
-/// `rows` rows were done.
+/// Renders with the real renderer and calls `after_row` as [`cpu::internals::render_into`] does; `None` when it broke
+/// off before `rows` rows were done.
 ///
 /// # Errors
 /// What the renderer says.

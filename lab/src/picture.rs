@@ -1,7 +1,7 @@
 //! Pictures from files, whoever wrote them: PPM (P3 and P6) and PNG.
 //!
-//! `test_support::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must take any
-//! valid picture, so this reader follows the PPM format with its comments and free white space.
+//! `test_support::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must
+//! take any valid picture, so this reader follows the PPM format with its comments and free white space.
 
 pub mod kind;
 

@@ -10,8 +10,8 @@ struct ClosestHit {
     part: u32,
 }
 
-// ClosestHit::update: whether a hit at `lambda` replaces the closest one. Of two hits at the same lambda, the hit of the
-// object that comes later in the file counts.
+// ClosestHit::update: whether a hit at `lambda` replaces the closest one. Of two hits at the same lambda, the hit of
+// the object that comes later in the file counts.
 fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
     return !closest.some || lambda < closest.lambda || (lambda == closest.lambda && order > closest.order);
 }

@@ -1,6 +1,6 @@
 // The projected form of both intersections, the best that one precision can do; twin of
-// tests/stability/src/methods/projected.rs. It starts from the point of the line nearest to the centre or the axis and goes
-// half a chord to each side: what cancels is only as large as the miss distance, not as the way there.
+// tests/stability/src/methods/projected.rs. It starts from the point of the line nearest to the centre or the axis and
+// goes half a chord to each side: what cancels is only as large as the miss distance, not as the way there.
 
 // crossings: both lambdas at which a line crosses a round surface, given its direction and the way from its start to
 // the centre, both without what runs along the axis if there is one.

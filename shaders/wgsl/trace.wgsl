@@ -1,8 +1,8 @@
 // The colour that arrives along one path; twin of Path::color in cpu/src/reference.rs.
 
-// Path::color: writes the colour that arrives along `primary`; `slot` is the invocation's place in `attenuations`, `paths` and
-// `pixels`. Drivers bound the iterations that the loops of an invocation may have together (lavapipe: 65,535), so a
-// long path takes several runs, each of which continues where the last one ended.
+// Path::color: writes the colour that arrives along `primary`; `slot` is the invocation's place in `attenuations`,
+// `paths` and `pixels`. Drivers bound the iterations that the loops of an invocation may have together (lavapipe:
+// 65,535), so a long path takes several runs, each of which continues where the last one ended.
 fn trace_path(primary: Ray, slot: u32) {
     var ray = primary;
     let scatter_vector = vec3_load(picture.scatter_vector);

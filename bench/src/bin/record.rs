@@ -1,4 +1,5 @@
-//! `record [--rounds N]`: measures the renderer, adds the times to `bench/record` and compares them with the last record.
+//! `record [--rounds N]`: measures the renderer, adds the times to `bench/record` and compares them with the last
+//! record.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Formats an error in a line of an input file: file, line and column, the line with a caret below the fault, and what to
-//! write instead. `render-aos` and `render-soa` print the messages that the statement prescribes for these errors.
+//! Formats an error in a line of an input file: file, line and column, the line with a caret below the fault, and what
+//! to write instead. `render-aos` and `render-soa` print the messages that the statement prescribes for these errors.
 
 use std::path::Path;
 

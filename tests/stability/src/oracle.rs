@@ -4,8 +4,8 @@
 //! As long as no input is zero but for a bit (all regimes keep within 2^-100 and 2^60), sums and products of the inputs
 //! fit these bits, so a discriminant of zero is zero. Roots and quotients are rounded; two lambdas that agree to 1,000
 //! bits are taken for equal, which others cannot come near: they are roots of polynomials with shorter coefficients.
-//! Written apart from `cpu::internals::exact` and with another big-number library, so that each can tell when the other is
-//! wrong: here formulas are plain and comparisons compare lambdas, there no root is ever taken to decide.
+//! Written apart from `cpu::internals::exact` and with another big-number library, so that each can tell when the
+//! other is wrong: here formulas are plain and comparisons compare lambdas, there no root is ever taken to decide.
 
 use cpu::internals::geometry::cylinder::{CylinderPart, PARALLEL};
 use cpu::internals::geometry::ray::LAMBDA_MIN;

@@ -1,9 +1,9 @@
 //! Scenes from a seed: the same options give the same scene on every machine, for ever.
 //!
-//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]) and go only through operations
-//! that IEEE 754 defines exactly, so no library of elementary functions can change a digit. Everything is proportional
-//! to [`Options::extent`]; the objects of a scene are those of a larger one with the same options, as far as they go,
-//! unless they stand on a [grid](Arrangement::Grid).
+//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]) and go only
+//! through operations that IEEE 754 defines exactly, so no library of elementary functions can change a digit.
+//! Everything is proportional to [`Options::extent`]; the objects of a scene are those of a larger one with the same
+//! options, as far as they go, unless they stand on a [grid](Arrangement::Grid).
 
 mod arrange;
 mod draws;

@@ -1,0 +1,83 @@
+//! The files of the project.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Folders that are not of the project: what is built, and what git keeps.
+const SKIPPED: [&str; 3] = ["target", ".git", "out"];
+
+/// The files and folders of the project, by their paths from its root with slashes.
+#[derive(Debug)]
+pub struct Project {
+    root: PathBuf,
+    paths: BTreeSet<String>,
+    /// The folders at the root.
+    pub folders: BTreeSet<String>,
+}
+
+impl Project {
+    /// Lists the project.
+    pub fn read() -> Self {
+        let root = test_support::project_root();
+        let mut paths = BTreeSet::new();
+        list(&root, "", &mut paths);
+        let folders = paths.iter().filter(|path| !path.contains('/') && root.join(path).is_dir()).cloned().collect();
+        Self { root, paths, folders }
+    }
+
+    /// Whether there is a file or a folder of this path.
+    pub fn has(&self, path: &str) -> bool {
+        path.is_empty() || self.paths.contains(path.trim_end_matches('/'))
+    }
+
+    /// Whether there is a file or a folder whose path is this one, or ends with it.
+    pub fn has_ending_with(&self, path: &str) -> bool {
+        let path = path.trim_end_matches('/');
+        self.paths.iter().any(|known| known.strip_suffix(path).is_some_and(|it| it.is_empty() || it.ends_with('/')))
+    }
+
+    /// The files whose names have one of these endings.
+    pub fn with_endings(&self, endings: &[&str]) -> impl Iterator<Item = &str> {
+        self.paths.iter().map(String::as_str).filter(move |path| {
+            let ending = path.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
+            ending.is_some_and(|ending| endings.contains(&ending))
+        })
+    }
+
+    /// The text of a file.
+    pub fn text(&self, path: &str) -> String {
+        std::fs::read_to_string(self.root.join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+    }
+}
+
+/// Adds what is in a folder to `paths`, with `prefix` before each name.
+fn list(folder: &Path, prefix: &str, paths: &mut BTreeSet<String>) {
+    for entry in std::fs::read_dir(folder).expect("the folder is there") {
+        let entry = entry.expect("the folder can be read");
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if SKIPPED.contains(&name.as_str()) {
+            continue;
+        }
+        let path = format!("{prefix}{name}");
+        if entry.file_type().expect("the entry can be asked").is_dir() {
+            list(&entry.path(), &format!("{path}/"), paths);
+        }
+        paths.insert(path);
+    }
+}
+
+/// The path that `link` means in the file `from`.
+pub fn join(from: &str, link: &str) -> String {
+    let mut parts: Vec<&str> = from.split('/').collect();
+    parts.pop();
+    for part in link.split('/') {
+        match part {
+            "." | "" => {}
+            ".." if parts.last().is_some_and(|last| *last != "..") => {
+                parts.pop();
+            }
+            _ => parts.push(part),
+        }
+    }
+    parts.join("/")
+}

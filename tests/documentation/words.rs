@@ -1,0 +1,83 @@
+//! What a piece of text names, and how long it is.
+
+use std::collections::BTreeSet;
+
+/// Endings of files that must exist wherever they are named.
+const ENDINGS: [&str; 3] = ["rs", "md", "wgsl"];
+
+/// Words that end with a full stop and end no sentence.
+const ABBREVIATIONS: [&str; 4] = ["e.g.", "i.e.", "etc.", "vs."];
+
+/// The lines of a source that are comments, with their numbers and without their slashes.
+pub fn comments(source: &str) -> Vec<(usize, String)> {
+    let comments = source.lines().enumerate().filter_map(|(index, line)| {
+        let text = line.trim_start().strip_prefix("//")?;
+        Some((index + 1, text.trim_start_matches(['/', '!']).trim().to_owned()))
+    });
+    comments.collect()
+}
+
+/// The paths of the project that a text names: those that begin with one of the `folders` at the root, and files by
+/// their names alone. A path with a placeholder such as `*` is none.
+pub fn paths<'a>(text: &'a str, folders: &BTreeSet<String>) -> impl Iterator<Item = &'a str> {
+    let is_apart = |letter: char| letter.is_whitespace() || "`()[],;\"'|=<>".contains(letter);
+    let words = text.split(is_apart).map(|word| {
+        let word = word.split('#').next().unwrap_or_default();
+        word.trim_start_matches("./").trim_end_matches(['.', ':', '!', '?'])
+    });
+    words.filter(|word| {
+        let is_plain = word.chars().all(|letter| letter.is_ascii_alphanumeric() || "_-./".contains(letter));
+        let begins = word.split_once('/').is_some_and(|(first, rest)| folders.contains(first) && !rest.is_empty());
+        let ends = word.rsplit_once('.').is_some_and(|(stem, end)| {
+            ENDINGS.contains(&end) && stem.ends_with(|letter: char| letter.is_ascii_alphanumeric() || letter == '_')
+        });
+        is_plain && !word.starts_with(['/', '.']) && (begins || ends)
+    })
+}
+
+/// The sections of the specification that a text cites: "specification, section 4.2" or "sections 4.2 and 5". A
+/// citation without a number counts as the section "".
+pub fn sections(text: &str) -> Vec<String> {
+    const BEFORE: [&str; 2] = ["specification, section", "specification.md, section"];
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut found = Vec::new();
+    for before in BEFORE {
+        for (start, _) in text.match_indices(before) {
+            let mut rest = text[start + before.len()..].trim_start_matches('s').trim_start();
+            loop {
+                let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(rest.len());
+                found.push(rest[..end].trim_end_matches('.').to_owned());
+                let next = [" and ", " to ", ", "].iter().find_map(|between| rest[end..].strip_prefix(between));
+                match next {
+                    Some(next) if next.starts_with(|letter: char| letter.is_ascii_digit()) => rest = next,
+                    _ => break,
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The sentences of a paragraph. A full stop, a question mark or an exclamation mark ends one, and so does the end of
+/// the paragraph.
+pub fn sentences(paragraph: &str) -> Vec<String> {
+    let mut sentences = vec![String::new()];
+    for word in paragraph.split_whitespace() {
+        let sentence = sentences.last_mut().expect("there is always one");
+        if !sentence.is_empty() {
+            sentence.push(' ');
+        }
+        sentence.push_str(word);
+        let bare = word.trim_end_matches([')', '"', '\'', '*', ']']);
+        if bare.ends_with(['.', '!', '?']) && !ABBREVIATIONS.contains(&bare) {
+            sentences.push(String::new());
+        }
+    }
+    sentences.retain(|sentence| !sentence.is_empty());
+    sentences
+}
+
+/// How many words a sentence has: what stands between blanks and has a letter or a digit.
+pub fn count(sentence: &str) -> usize {
+    sentence.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count()
+}
