@@ -1,8 +1,8 @@
 //! Samples that wait for the next stage, side by side: an array for each of their numbers.
 //!
-//! Data goes one way. Camera rays push a sample to the specular queue if its hit is refractive, and to the path queue if
-//! its hit scatters. Specular chains take samples from the first queue and push those that scatter at last to a third
-//! queue, which is merged into the second.
+//! Data goes one way. Camera rays push a sample to the specular queue if its hit is refractive, and to the path queue
+//! if its hit scatters. Specular chains take samples from the first queue and push those that scatter at last to a
+//! third queue, which is merged into the second.
 
 use crate::render::arrays::{CAPACITY, Values, ZEROS};
 use crate::render::path_vertex::PathVertex;

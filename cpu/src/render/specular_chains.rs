@@ -19,8 +19,8 @@ use crate::render::shade::shade;
 use crate::render::surface::{ScatterResult, Surface};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF64, valid_lanes};
 
-/// Traces the samples of the batch's specular queue until each hits a surface that scatters, escapes, or has used up its
-/// depth. Those that scatter are merged into `paths`; the others get their colour.
+/// Traces the samples of the batch's specular queue until each hits a surface that scatters, escapes, or has used up
+/// its depth. Those that scatter are merged into `paths`; the others get their colour.
 pub struct Trace<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub batch: &'a mut Batch,

@@ -1,8 +1,9 @@
 //! What the tests of all crates share.
 //!
-//! [`agreement`] compares the renderer with the reference, [`generator`] makes scenes from a seed, [`write`](mod@write) turns scenes and configurations back into text,
-//! [`golden`] knows the pictures whose digests have an origin outside this project, [`digest`] computes digests,
-//! [`p3`] reads pictures without forgiving anything, and `injection` lets system calls of a program fail.
+//! [`agreement`] compares the renderer with the reference, [`generator`] makes scenes from a seed, [`write`](mod@write)
+//! turns scenes and configurations back into text, [`golden`] knows the pictures whose digests have an origin outside
+//! this project, [`digest`] computes digests, [`p3`] reads pictures without forgiving anything, and `injection` lets
+//! system calls of a program fail.
 //!
 //! The tests of the built programs live in `cli/tests`, where Cargo builds the programs first; the ones that need the
 //! library alone live in `tests`.
