@@ -15,6 +15,7 @@ pub mod background;
 pub(crate) mod background_pixels;
 pub(crate) mod background_slope;
 pub(crate) mod camera_rays;
+pub(crate) mod context;
 pub(crate) mod fallback;
 pub(crate) mod frustum;
 pub(crate) mod hit_lanes;
@@ -167,14 +168,14 @@ impl<L: Layout, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<
             sink,
             offsets: PixelJitter::new(prepared.ray_seed),
             batch: Batch::new(),
-            walk: PathTracer::new(prepared),
+            tracer: PathTracer::new(prepared),
             candidates,
             sums: Sums::new(prepared.samples),
             sky: BackgroundPixels::new(prepared),
         };
         for row in 0..prepared.size.height() {
             painter.row(simd, row);
-            painter.walk.ends.check()?;
+            painter.tracer.ends.check()?;
             if after_row(row + 1).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -189,7 +190,7 @@ struct Painter<'a, L: Layout, K> {
     sink: K,
     offsets: PixelJitter,
     batch: Box<Batch>,
-    walk: Box<PathTracer>,
+    tracer: Box<PathTracer>,
     candidates: Candidates,
     sums: Sums,
     sky: BackgroundPixels,
@@ -235,14 +236,14 @@ impl<L: Layout, K: Sink> Painter<'_, L, K> {
     /// A span whose samples have been drawn.
     fn trace<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
         let (prepared, batch) = (self.prepared, &mut *self.batch);
-        let queue = &mut self.walk.queue;
+        let queue = &mut self.tracer.queue;
         simd.run(camera_rays::Trace { prepared, row, candidates: &self.candidates, batch, queue });
         if batch.specular.count > 0 {
             simd.run(specular_chains::Trace { prepared, batch, paths: queue });
         }
         if queue.count > 0 {
-            simd.run(trace_paths::Follow { prepared, walk: &mut self.walk });
-            let PathTracer { queue, ends, .. } = &mut *self.walk;
+            simd.run(trace_paths::TracePaths { prepared, tracer: &mut self.tracer });
+            let PathTracer { queue, ends, .. } = &mut *self.tracer;
             simd.run(path_ends::Color { prepared, queue, ends, batch });
         }
         let first_pixel = row * prepared.size.width();

@@ -16,26 +16,29 @@ use crate::accel::side_by_side::MayHitLanes;
 use crate::accel::small_scene::{SmallScene, closest_hit_among};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
-use crate::layout::Layout;
 use crate::math::vec3::Vec3;
+use crate::render::context::Context;
 use crate::render::path::PathTracer;
 use crate::render::path_vertex::PathVertex;
-use crate::render::prepared::Prepared;
 use crate::render::queue::PathQueue;
 use crate::sampling::scatter_stream::ScatterSamples;
 use crate::simd::{LaneMask, Simd, SimdF64};
+
+/// The lanes that a context is compiled for.
+type LanesOf<'a, C> = <<C as Context<'a>>::Simd as Simd>::F64;
 
 /// First rays of consecutive paths of the queue, one a lane, as if each of them escaped.
 #[derive(Clone, Copy)]
 struct Lookahead<V: SimdF64> {
     /// The first sample.
     at: usize,
-    /// Where in the stream the triple stands that it takes.
+    /// The position in the stream of the scatter sample that it takes.
     position: u64,
-    /// How many samples there are.
-    tried: usize,
+    /// How many lanes hold a sample.
+    tested: usize,
     direction: Vec3<V>,
-    touched: MayHitLanes,
+    /// What each ray may hit.
+    may_hit: MayHitLanes,
 }
 
 impl<V: SimdF64> Lookahead<V> {
@@ -43,105 +46,105 @@ impl<V: SimdF64> Lookahead<V> {
     #[inline(always)]
     fn nothing() -> Self {
         let direction = Vec3::splat(V::of(0.0));
-        Self { at: usize::MAX, position: 0, tried: 0, direction, touched: MayHitLanes::NOTHING }
+        Self { at: usize::MAX, position: 0, tested: 0, direction, may_hit: MayHitLanes::NOTHING }
     }
 
     /// The samples from `at` on.
     #[inline(always)]
-    fn look(few: &SmallScene, PathTracer { queue, scatter_samples, .. }: &PathTracer, at: usize) -> Self {
+    fn look(small_scene: &SmallScene, PathTracer { queue, scatter_samples, .. }: &PathTracer, at: usize) -> Self {
         let (rays, short) = first_rays::<V>(queue, scatter_samples, at);
-        let tried = V::LANES.min(queue.count - at);
-        add(Counter::Guesses, tried as u64);
+        let tested = V::LANES.min(queue.count - at);
+        add(Counter::Guesses, tested as u64);
         Self {
             at,
             position: scatter_samples.position(),
-            tried,
+            tested,
             direction: rays.direction,
-            touched: few.objects_may_hit_lanes(&rays, short),
+            may_hit: small_scene.objects_may_hit_lanes(&rays, short),
         }
     }
 
-    /// Whether it begins with the sample `at` and the triple at `position`.
+    /// Whether it begins with the sample `at` and the scatter sample at `position`.
     #[inline(always)]
     fn is_of(&self, at: usize, position: u64) -> bool {
         self.at == at && self.position == position
     }
 
-    /// How many samples leave before one that may meet something.
+    /// How many samples escape before the first that may hit something.
     #[inline(always)]
-    fn leaving(&self) -> usize {
-        (self.touched.any() | u32::MAX << self.tried).trailing_zeros() as usize
+    fn escaping(&self) -> usize {
+        (self.may_hit.any() | u32::MAX << self.tested).trailing_zeros() as usize
     }
 }
 
-/// Follows every waiting sample, each of which may send a ray, to its end.
+/// Traces every path of the queue, each of which may send a ray, to its end.
 #[inline(always)]
-pub fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, few: &SmallScene, walk: &mut PathTracer, simd: S) {
-    let mut ahead = Lookahead::<S::F64>::nothing();
+pub fn trace<'a, C: Context<'a, Accel = SmallScene>>(context: &C, tracer: &mut PathTracer) {
+    let (simd, small_scene) = (context.simd(), context.accel());
+    let mut ahead = Lookahead::<LanesOf<'a, C>>::nothing();
     let mut at = 0;
-    while at < walk.queue.count {
-        walk.scatter_samples.prepare(simd);
-        if !ahead.is_of(at, walk.scatter_samples.position()) {
-            ahead = Lookahead::look(few, walk, at);
+    while at < tracer.queue.count {
+        tracer.scatter_samples.prepare(simd);
+        if !ahead.is_of(at, tracer.scatter_samples.position()) {
+            ahead = Lookahead::look(small_scene, tracer, at);
         }
-        let (left, tried, touched) = (ahead.leaving(), ahead.tried, ahead.touched);
-        walk.ends.escape_several(at, ahead.direction);
-        walk.scatter_samples.skip(left);
-        add(Counter::WalkRays, left as u64);
-        at += left;
-        if left < tried {
-            walk.scatter_samples.skip(1);
+        let (escaping, tested, may_hit) = (ahead.escaping(), ahead.tested, ahead.may_hit);
+        tracer.ends.escape_several(at, ahead.direction);
+        tracer.scatter_samples.skip(escaping);
+        add(Counter::WalkRays, escaping as u64);
+        at += escaping;
+        if escaping < tested {
+            tracer.scatter_samples.skip(1);
             add(Counter::WalkRays, 1);
-            trace_path(prepared, few, walk, simd, at, touched.by(left), &mut ahead);
+            trace_path(context, tracer, at, may_hit.by(escaping), &mut ahead);
             at += 1;
         }
     }
 }
 
-/// Traces path `at` of the queue to its end, from its first ray on, which may hit the objects of `touched`. Tests the
+/// Traces path `at` of the queue to its end, from its first ray on, which may hit the objects of `may_hit`. Tests the
 /// first rays of the paths behind it meanwhile.
 #[inline(always)]
-fn trace_path<S: Simd, L: Layout>(
-    prepared: &Prepared<L>,
-    few: &SmallScene,
-    walk: &mut PathTracer,
-    simd: S,
+fn trace_path<'a, C: Context<'a, Accel = SmallScene>>(
+    context: &C,
+    tracer: &mut PathTracer,
     at: usize,
-    mut touched: u32,
-    if_it_leaves: &mut Lookahead<S::F64>,
+    mut may_hit: u32,
+    if_escapes: &mut Lookahead<LanesOf<'a, C>>,
 ) {
-    let vertex = PathVertex::of(walk.queue.get(at));
-    let mut ray = Ray { origin: vertex.point, direction: walk.ends.direction.get(at) };
+    let (prepared, small_scene) = (context.prepared(), context.accel());
+    let vertex = PathVertex::of(tracer.queue.get(at));
+    let mut ray = Ray { origin: vertex.point, direction: tracer.ends.direction.get(at) };
     let mut rays = vertex.rays.to_bits();
     loop {
-        let found = closest_hit_among(&prepared.objects, &ray, touched);
-        if !found.is_hit() {
-            return walk.ends.escape(at, ray.direction);
+        let hit = closest_hit_among(&prepared.objects, &ray, may_hit);
+        if !hit.is_hit() {
+            return tracer.ends.escape(at, ray.direction);
         }
         rays -= 1;
-        let Some(sent) = walk.scatter(prepared, simd, at, rays, &ray, &found) else {
+        let Some(scattered) = tracer.scatter(context, at, rays, &ray, &hit) else {
             return;
         };
-        ray = sent.ray;
+        ray = scattered.ray;
         add(Counter::WalkRays, 1);
-        walk.scatter_samples.prepare(simd);
-        *if_it_leaves = Lookahead::look(few, walk, at + 1);
-        touched = few.objects_may_hit::<S::F64, _>(&prepared.objects, &ray);
+        tracer.scatter_samples.prepare(context.simd());
+        *if_escapes = Lookahead::look(small_scene, tracer, at + 1);
+        may_hit = small_scene.objects_may_hit::<LanesOf<'a, C>, _>(&prepared.objects, &ray);
         // One branch for the commonest answer, as early as it can be known.
-        if touched == 0 {
-            return walk.ends.escape(at, ray.direction);
+        if may_hit == 0 {
+            return tracer.ends.escape(at, ray.direction);
         }
         // On a certain hit by the last ray the object does not matter: every material takes one sample.
-        if rays == 1 && prepared.scatters_everywhere && few.starts_inside(&prepared.objects, &ray) {
+        if rays == 1 && prepared.scatters_everywhere && small_scene.starts_inside(&prepared.objects, &ray) {
             add(Counter::Hits, 1);
             add(Counter::LastRaysSpared, 1);
-            walk.scatter_samples.skip(1);
-            return walk.ends.terminate(at, &mut walk.queue);
+            tracer.scatter_samples.skip(1);
+            return tracer.ends.terminate(at, &mut tracer.queue);
         }
     }
 }
 
-/// The first rays of the samples from `at` on, which take the next triples; and the lanes whose directions are too
+/// The first rays of the samples from `at` on, which take the next scatter samples; and the lanes whose directions are too
 /// short for the filter, as bits.
 #[inline(always)]
 fn first_rays<V: SimdF64>(queue: &PathQueue, scatter_samples: &ScatterSamples, at: usize) -> (Ray<V>, u32) {

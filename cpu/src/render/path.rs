@@ -9,19 +9,19 @@ use crate::geometry::ray::Ray;
 use crate::layout::Layout;
 use crate::materials::prepared::{BsdfKind, PreparedMaterial};
 use crate::math::vec3::Vec3;
+use crate::render::context::Context;
 use crate::render::path_ends::PathEnds;
 use crate::render::path_vertex::PathVertex;
 use crate::render::prepared::Prepared;
 use crate::render::queue::PathQueue;
 use crate::render::surface::{ScatterResult, Surface, material_of};
 use crate::sampling::scatter_stream::ScatterSamples;
-use crate::simd::Simd;
 
 /// The ray that a surface scatters.
 pub struct Scattered<'a> {
     pub ray: Ray,
     /// The prepared material and the random vector; `None` after refraction.
-    scattered: Option<(&'a PreparedMaterial, Vec3)>,
+    cause: Option<(&'a PreparedMaterial, Vec3)>,
 }
 
 /// Traces paths; holds the stream of scatter samples, the queue and the ends of its paths.
@@ -52,70 +52,61 @@ impl PathTracer {
 
     /// Traces every path of the queue to its end.
     #[inline(always)]
-    pub fn trace<S: Simd, L: Layout, F: Accelerator>(&mut self, prepared: &Prepared<L>, search: &F, simd: S) {
+    pub fn trace<'a, C: Context<'a>>(&mut self, context: &C) {
         for at in 0..self.queue.count {
-            self.scatter_samples.prepare(simd);
+            self.scatter_samples.prepare(context.simd());
             self.ends.begin();
-            let triple = self.scatter_samples.next();
+            let scatter_sample = self.scatter_samples.next();
             let vertex = PathVertex::of(self.queue.get(at));
             if vertex.rays.to_bits() == 0 {
                 self.ends.terminate(at, &mut self.queue);
             } else {
-                self.trace_path::<S, L, F>(prepared, search, simd, at, &vertex, triple);
+                self.trace_path(context, at, &vertex, scatter_sample);
             }
         }
     }
 
     /// Traces path `at` of the queue, which begins at `vertex`, to its end.
     #[inline(always)]
-    fn trace_path<S: Simd, L: Layout, F: Accelerator>(
-        &mut self,
-        prepared: &Prepared<L>,
-        search: &F,
-        simd: S,
-        at: usize,
-        vertex: &PathVertex,
-        triple: Vec3,
-    ) {
-        let mut ray = vertex.scattered_ray(triple);
+    fn trace_path<'a, C: Context<'a>>(&mut self, context: &C, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
+        let (accel, objects) = (context.accel(), &context.prepared().objects);
+        let mut ray = vertex.scattered_ray(scatter_sample);
         let mut rays = vertex.rays.to_bits();
-        let mut origin = search.origin(&prepared.objects, &ray, vertex.object as ObjectId);
+        let mut origin = accel.origin(objects, &ray, vertex.object as ObjectId);
         loop {
             add(Counter::WalkRays, 1);
-            let found = search.closest_hit_from::<S, L::Objects>(&prepared.objects, &ray, origin, &mut self.stack);
-            if !found.is_hit() {
+            let hit = accel.closest_hit_from::<C::Simd, _>(objects, &ray, origin, &mut self.stack);
+            if !hit.is_hit() {
                 return self.ends.escape(at, ray.direction);
             }
             rays -= 1;
-            let Some(sent) = self.scatter(prepared, simd, at, rays, &ray, &found) else {
+            let Some(scattered) = self.scatter(context, at, rays, &ray, &hit) else {
                 return;
             };
-            origin = match sent.scattered {
-                Some((material_data, vector)) => {
-                    search.next_origin(&prepared.objects, &ray, &found, material_data, vector)
-                }
-                None => search.origin(&prepared.objects, &sent.ray, found.object),
+            origin = match scattered.cause {
+                Some((material_data, vector)) => accel.next_origin(objects, &ray, &hit, material_data, vector),
+                None => accel.origin(objects, &scattered.ray, hit.object),
             };
-            ray = sent.ray;
+            ray = scattered.ray;
         }
     }
 
     /// Scatters path `at` at its hit, or terminates it if `rays`, how many more it may send, is 0.
     #[inline(always)]
-    pub fn scatter<'a, S: Simd, L: Layout>(
+    pub fn scatter<'a, C: Context<'a>>(
         &mut self,
-        prepared: &'a Prepared<L>,
-        simd: S,
+        context: &C,
         at: usize,
         rays: u64,
         ray: &Ray,
-        found: &ClosestHit,
+        hit: &ClosestHit,
     ) -> Option<Scattered<'a>> {
+        let (simd, prepared) = (context.simd(), context.prepared());
         let Self { scatter_samples, queue, ends, .. } = self;
         if rays == 0 {
             // At the maximum depth a surface that scatters takes its sample all the same.
             add(Counter::Hits, 1);
-            let material = material_of(&prepared.objects, found.object);
+            let material = material_of(&prepared.objects, hit.object);
             if prepared.materials[material as usize].kind != BsdfKind::Refractive {
                 scatter_samples.prepare(simd);
                 scatter_samples.skip(1);
@@ -123,7 +114,7 @@ impl PathTracer {
             ends.terminate(at, queue);
             return None;
         }
-        let surface = Surface::new(&prepared.objects, ray, found);
+        let surface = Surface::new(&prepared.objects, ray, hit);
         let material_data = &prepared.materials[surface.material as usize];
         match surface.scatter_result(material_data, ray.direction) {
             ScatterResult::Around(base) => {
@@ -132,12 +123,12 @@ impl PathTracer {
                     return None;
                 }
                 scatter_samples.prepare(simd);
-                let triple = scatter_samples.next();
-                let ray = Ray { origin: surface.point, direction: material_data.spread.around(base, triple) };
-                Some(Scattered { ray, scattered: Some((material_data, material_data.spread.vector(triple))) })
+                let scatter_sample = scatter_samples.next();
+                let ray = Ray { origin: surface.point, direction: material_data.spread.around(base, scatter_sample) };
+                Some(Scattered { ray, cause: Some((material_data, material_data.spread.vector(scatter_sample))) })
             }
             ScatterResult::Along(direction) => {
-                Some(Scattered { ray: Ray { origin: surface.point, direction }, scattered: None })
+                Some(Scattered { ray: Ray { origin: surface.point, direction }, cause: None })
             }
         }
     }

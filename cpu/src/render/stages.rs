@@ -9,7 +9,7 @@ use crate::render::frustum::Candidates;
 use crate::render::path::PathTracer;
 use crate::render::samples::{Batch, Draw};
 use crate::render::span::{Span, Spans};
-use crate::render::trace_paths::Follow;
+use crate::render::trace_paths::TracePaths;
 use crate::render::{camera_rays, path_ends, specular_chains};
 use crate::sampling::pixel_jitter::PixelJitter;
 
@@ -23,7 +23,7 @@ pub struct Stages<'a> {
     offsets: PixelJitter,
     sky: BackgroundPixels,
     batch: Box<Batch>,
-    walk: Box<PathTracer>,
+    tracer: Box<PathTracer>,
     candidates: Candidates,
 }
 
@@ -44,7 +44,7 @@ impl<'a> Stages<'a> {
             offsets: PixelJitter::new(prepared.ray_seed),
             sky: BackgroundPixels::new(prepared),
             batch: Batch::new(),
-            walk: PathTracer::new(prepared),
+            tracer: PathTracer::new(prepared),
             candidates: Candidates::new(prepared).expect("a benchmark's scene fits"),
         };
         stages.cull();
@@ -60,7 +60,7 @@ impl<'a> Stages<'a> {
     /// Samples that wait for the glass stage, and for the walk.
     #[must_use]
     pub const fn waiting(&self) -> (usize, usize) {
-        (self.batch.specular.count, self.walk.queue.count)
+        (self.batch.specular.count, self.tracer.queue.count)
     }
 
     /// Finds the candidates of the row and of the span.
@@ -91,24 +91,24 @@ impl<'a> Stages<'a> {
     /// Traces and shades the primary rays.
     pub fn primary(&mut self) {
         let (prepared, row, candidates) = (self.prepared, self.row, &self.candidates);
-        let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
+        let (batch, queue) = (&mut *self.batch, &mut self.tracer.queue);
         self.set.run(camera_rays::Trace { prepared, row, candidates, batch, queue });
     }
 
     /// Follows the samples in glass.
     pub fn glass(&mut self) {
-        let (batch, queue) = (&mut *self.batch, &mut self.walk.queue);
+        let (batch, queue) = (&mut *self.batch, &mut self.tracer.queue);
         self.set.run(specular_chains::Trace { prepared: self.prepared, batch, paths: queue });
     }
 
     /// Walks the waiting samples to their ends.
     pub fn walk(&mut self) {
-        self.set.run(Follow { prepared: self.prepared, walk: &mut self.walk });
+        self.set.run(TracePaths { prepared: self.prepared, tracer: &mut self.tracer });
     }
 
     /// Gives the ended paths their colours.
     pub fn ends(&mut self) {
-        let PathTracer { queue, ends, .. } = &mut *self.walk;
+        let PathTracer { queue, ends, .. } = &mut *self.tracer;
         self.set.run(path_ends::Color { prepared: self.prepared, queue, ends, batch: &mut self.batch });
     }
 }
