@@ -149,11 +149,13 @@ impl<T: Real<Mask = bool>> CylinderRecord<T> {
     pub fn intersect(&self, ray: &Ray<T>) -> Option<(T, CylinderPart)> {
         let view = self.seen_from(ray.origin);
         let (a, h, discriminant) = self.quadratic(&view, ray.direction);
-        // The roots of a negative discriminant are NaN, which is not in range.
-        let root = discriminant.sqrt();
-        let mut roots = [(-h - root) / a, (-h + root) / a].into_iter();
-        let side = roots.find(|&lambda| in_range(lambda) && self.within_height(ray, lambda));
-        let mut nearest = side.map(|lambda| (lambda, CylinderPart::Side));
+        let mut nearest = None;
+        if !discriminant.less(T::of(0.0)) {
+            let root = discriminant.sqrt();
+            let mut roots = [(-h - root) / a, (-h + root) / a].into_iter();
+            let side = roots.find(|&lambda| in_range(lambda) && self.within_height(ray, lambda));
+            nearest = side.map(|lambda| (lambda, CylinderPart::Side));
+        }
         for (base, part) in [(self.top, CylinderPart::Top), (self.bottom, CylinderPart::Bottom)] {
             let (lambda, slope) = self.plane(ray, (base - ray.origin).dot(self.axis));
             let is_hit = !slope.abs().less(T::of(PARALLEL)) && in_range(lambda) && self.on_disc(ray, base, lambda);

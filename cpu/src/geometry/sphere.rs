@@ -87,7 +87,9 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
     pub fn intersect(&self, ray: &Ray<T>) -> Option<T> {
         let a = ray.direction.dot(ray.direction);
         let (h, discriminant) = self.seen_from(ray.origin).quadratic(ray.direction, a);
-        // The roots of a negative discriminant are NaN, which is not in range.
+        if discriminant.less(T::of(0.0)) {
+            return None;
+        }
         let root = discriminant.sqrt();
         [(h - root) / a, (h + root) / a].into_iter().find(|&lambda| in_range(lambda))
     }

@@ -144,8 +144,8 @@ fn trace_path<'a, C: Context<'a, Accel = SmallScene>>(
     }
 }
 
-/// The first rays of the samples from `at` on, which take the next scatter samples; and the lanes whose directions are too
-/// short for the filter, as bits.
+/// The first rays of the samples from `at` on, which take the next scatter samples; and the lanes whose directions are
+/// too short for the filter, as bits.
 #[inline(always)]
 fn first_rays<V: SimdF64>(queue: &PathQueue, scatter_samples: &ScatterSamples, at: usize) -> (Ray<V>, u32) {
     let PathVertex { point, base, scatter_params, .. } = PathVertex::of(queue.load::<V>(at));
