@@ -240,6 +240,35 @@ fn folders_of_page(page: &str) -> Vec<&str> {
     cells.map(|(folder, _)| folder.trim_end_matches('/')).collect()
 }
 
+/// The dotted arrows of a page's diagram, each from a folder to one that uses it: `a[title] -.-> b & c` are two.
+fn dotted_arrows(page: &str) -> Vec<(&str, &str)> {
+    let arrows = page.lines().filter_map(|line| line.split_once(" -.-> "));
+    let ends = arrows.flat_map(|(from, to)| to.split(" & ").map(move |to| (from, to)));
+    ends.map(|(from, to)| (from.split('[').next().unwrap_or(from).trim(), to.trim())).collect()
+}
+
+/// The arrows whose second folder does not use the first.
+fn arrows_without_a_use<'a>(arrows: &[(&'a str, &'a str)], uses: &Uses) -> Vec<(&'a str, &'a str)> {
+    let is_in = |module: &Module, folder: &str| module.first().is_some_and(|first| first == folder);
+    let is_use = |(from, to): &(&str, &str)| {
+        let mut users = uses.iter().filter(|(module, _)| is_in(module, to));
+        users.any(|(_, used)| used.iter().any(|target| is_in(target, from)))
+    };
+    arrows.iter().filter(|arrow| !is_use(arrow)).copied().collect()
+}
+
+#[test]
+fn the_dotted_arrows_of_the_design_are_uses() {
+    let root = test_support::project_root();
+    let page = std::fs::read_to_string(root.join("docs/design.md")).expect("it is committed");
+    let mut sources = Sources::new();
+    read(&root.join("cpu/src"), &Vec::new(), &mut sources);
+    let (arrows, uses) = (dotted_arrows(&page), uses(&sources));
+    assert!(arrows.len() >= 8, "{arrows:?}");
+    assert_eq!(arrows_without_a_use(&arrows, &uses), []);
+    assert_eq!(arrows_without_a_use(&[("render", "accel")], &uses), [("render", "accel")]);
+}
+
 #[test]
 fn the_page_on_the_design_lists_the_folders_in_this_order() {
     let page = std::fs::read_to_string(test_support::project_root().join("docs/design.md")).expect("it is committed");
