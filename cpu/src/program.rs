@@ -35,8 +35,8 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
 /// SIGSEGV instead of with a message. All other memory that grows with the input is asked for in ways that report a
 /// refusal. The programs have this one thread.
 ///
-/// 10,000 objects took up to 384 KiB, the least `ulimit -s` with which they were rendered, in builds for tests, and
-/// 288 KiB in release builds.
+/// Rendering 10,000 objects needs a stack of 384 KiB in test builds and of 288 KiB in release builds. These are the
+/// smallest values of `ulimit -s` with which the programs rendered them.
 #[inline(never)]
 fn reserve_stack() {
     const BYTES: usize = 512 << 10;

@@ -8,9 +8,8 @@
 //!
 //! What multiplying out loses to cancellation is covered by the margins (docs/margins.md).
 //!
-//! Every test gives a number that is positive where the ray certainly misses the object. The maximum of two tests is
-//! positive where one of them is, and replaces two comparisons. A NaN is not positive, so it keeps its object
-//! ([`misses`]).
+//! Each test returns a number that is positive if the ray certainly misses the object. The maximum of two tests is
+//! positive if one of them is, and saves a comparison. A NaN is not positive, so [`misses`] keeps its object.
 //!
 //! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). Glass, for
 //! example, turns the side's normal of a cylinder, which is as long as the cylinder's radius, into a direction about

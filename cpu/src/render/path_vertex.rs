@@ -34,7 +34,7 @@ impl PathVertex {
     pub const REFLECTANCE: Range<usize> = 9..12;
     /// The place of `sample` among them.
     pub const SAMPLE: usize = 13;
-    /// The place of `rays` among them.
+    /// The index of `rays` in [`PathVertex::numbers`].
     pub const RAYS: usize = 14;
 
     /// The ray that the surface scatters, with the stream's next scatter sample.
@@ -53,7 +53,8 @@ impl<T: Real> PathVertex<T> {
         Self { point, base, scatter_params, reflectance, object, sample, rays }
     }
 
-    /// This vertex where `mask` holds, `other` elsewhere; point, object, sample and rays are those of this one.
+    /// Selects lanes: the direction, scatter parameters and reflectance come from this vertex where `mask` holds, and
+    /// from `other` elsewhere. The point, the object, the sample and the number of rays always come from this vertex.
     #[inline(always)]
     pub fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
         let (this, that) = (&self.scatter_params, &other.scatter_params);

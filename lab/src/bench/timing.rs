@@ -65,8 +65,8 @@ pub fn turns_of(seconds: Seconds) -> u32 {
     (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
 }
 
-/// User time of one call of `work` with each index of `turns`, which says how many calls make a repeat, `repeats`
-/// times.
+/// Returns the user time of one call of `work(index)`, measured `repeats` times for each index of `turns`. Entry
+/// `index` of `turns` is the number of calls that one measurement takes the mean of.
 ///
 /// # Errors
 /// What `work` says, or [`Failure::Interrupted`].

@@ -1,5 +1,5 @@
-//! Second readers of every format, written from its description alone, plain and slow: what the real ones must agree
-//! with.
+//! A second reader of each format: configuration, scene and picture. Each is written from the description of its format
+//! alone, and is plain and slow. The fuzz targets compare the real readers with these.
 
 pub mod config;
 pub mod lines;
