@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints a table of the lines and functions of cpu that the tests run. The lines that they miss go to
+# Prints a table of the lines and functions of cpu and output that the tests run. Lists the lines that no test runs in
 # target/coverage/missing.txt.
 #
 #   tests/coverage.sh [OPTION OF cargo llvm-cov report]...
@@ -13,15 +13,16 @@ cd "$(dirname "$0")/.."
 
 [ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
 cargo llvm-cov clean --workspace
-cargo llvm-cov --no-report test -p cpu --lib
+cargo llvm-cov --no-report test -p cpu -p output --lib
 cargo llvm-cov --no-report test -p tests --tests
 cargo llvm-cov --no-report test -p cli --test programs --test machine --test digests
-# Forced, so that the way in which an instruction set is asked for by name is run too.
+# With the variable set, the code that chooses an instruction set by its name is run too.
 for set in portable avx2; do
     RENDER_INSTRUCTION_SET=$set cargo llvm-cov --no-report test -p cli --test programs pictures
 done
-others='/(cli|gpu-check|lab|shaders|tests)/|/\.cargo/|/rustc/'
+others='/(cli/src|cli/tests|gpu-check|lab|shaders|tests)/|/\.cargo/|/rustc/'
 mkdir -p target/coverage
-# A program that may write no larger file leaves half a profile; --failure-mode all fails where there is no whole one.
+# Tests that limit the size of files leave incomplete profiles. With --failure-mode all, these are ignored, and the
+# command fails only if no profile is complete.
 cargo llvm-cov report --failure-mode all --ignore-filename-regex "$others" --show-missing-lines > target/coverage/missing.txt
 cargo llvm-cov report --failure-mode all --ignore-filename-regex "$others" --summary-only "$@"

@@ -1,8 +1,8 @@
-//! The literal program in C++ (`tests/literal`), built here, gives the bytes whose digests `tests/cases` has.
+//! Builds the literal program in C++ (`tests/literal`) and checks that it gives the digests in `tests/cases`.
 //!
-//! So those digests can be made again from what is in the repository, and the program that times are held against is
-//! one that renders the same pictures. It also renders random ordinary scenes, 200 or `RENDER_LITERAL_SCENES` of them,
-//! which the reference and the renderer are held against. Where there is no g++ the tests are shown as ignored.
+//! So the digests can be computed again from the repository alone, and the program whose times are compared renders the
+//! right pictures. It also renders random ordinary scenes, 200 or `RENDER_LITERAL_SCENES` of them, with which the
+//! reference and the renderer are compared. Without g++ the tests are shown as ignored.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -11,14 +11,15 @@ use std::sync::Arc;
 use cpu::internals::layout::aos::AosImage;
 use cpu::{Aos, Config, Scatter, Scene};
 use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::folder::Folder;
 use test_support::generator::{self, Options};
 use test_support::golden::{self, Golden};
 use test_support::{digest, p3};
 
-/// Not any C++ compiler: the digests rest on the distributions of its library.
+/// The compiler. It must be g++, because the digests depend on the distributions of its library, libstdc++.
 const COMPILER: &str = "g++";
 
-/// What a trial does with the built program.
+/// A check that gets the path of the built program.
 type Check = Box<dyn FnOnce(&Path) -> Result<(), Failed> + Send>;
 
 fn main() {
@@ -27,8 +28,8 @@ fn main() {
     assert_eq!(cases.len(), 32, "16 scenes in both conventions");
     let runs = Command::new(COMPILER).arg("--version").output().is_ok_and(|output| output.status.success());
 
-    let folder = tempfile::tempdir().expect("the temporary folder is writable");
-    // Built once, before the tests that share it; a list of names needs no program.
+    let folder = Folder::new();
+    // The program is built once, for all tests. It is not built if only the names of the tests are listed.
     let program = if runs && !arguments.list { build(folder.path()) } else { Err("it was not built".to_owned()) };
     let program = Arc::new(program);
     let trial = |name: String, check: Check| {
@@ -43,7 +44,7 @@ fn main() {
     let mut trials: Vec<_> = cases.into_iter().map(of_case).collect();
     trials.push(trial("random scenes by the literal program".to_owned(), Box::new(renders_random_scenes)));
     let conclusion = libtest_mimic::run(&arguments, trials);
-    // Leaving the process drops nothing.
+    // `exit` runs no destructors, so the folder is removed here.
     drop(folder);
     conclusion.exit();
 }
@@ -52,7 +53,7 @@ fn main() {
 fn build(folder: &Path) -> Result<PathBuf, String> {
     let program = folder.join("literal");
     let mut compiler = Command::new(COMPILER);
-    // A product and a sum that are rounded once give other bytes than two operations.
+    // A fused multiply-add rounds once and not twice, which would give other bytes. So contraction is switched off.
     compiler.args(["-std=c++20", "-O2", "-ffp-contract=off", "-o"]).arg(&program);
     compiler.arg(test_support::project_root().join("tests/literal/literal.cpp"));
     check(&compiler.output().map_err(|error| error.to_string())?)?;
@@ -60,8 +61,8 @@ fn build(folder: &Path) -> Result<PathBuf, String> {
 }
 
 fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
-    let folder = tempfile::tempdir()?;
-    let out = folder.path().join("out.ppm");
+    let folder = Folder::new();
+    let out = folder.file("out.ppm");
     let mut command = Command::new(program);
     command.args([&golden.config, &golden.scene, &out]);
     if golden.scatter == Scatter::Published {
@@ -74,14 +75,15 @@ fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 
-/// The literal program, the reference with the plain formulas, and the renderer on random ordinary scenes.
+/// Checks on random ordinary scenes that the reference with the plain formulas and the renderer give the literal
+/// program's bytes.
 ///
-/// Both must give the literal program's bytes. The renderer's intersections are certified, so on other scenes it might
-/// differ where rounding decides a ray for the literal program; in 10,000 of these scenes it does not.
+/// The renderer's intersections are exact. So on other scenes it might differ where rounding decides whether the
+/// literal program's ray hits. In 10,000 of these scenes it does not differ.
 fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
     let scenes: u64 = std::env::var("RENDER_LITERAL_SCENES").map_or(Ok(200), |text| text.parse())?;
-    let folder = tempfile::tempdir()?;
-    let [config_file, scene_file, out] = ["config.txt", "scene.txt", "out.ppm"].map(|name| folder.path().join(name));
+    let folder = Folder::new();
+    let [config_file, scene_file, out] = ["config.txt", "scene.txt", "out.ppm"].map(|name| folder.file(name));
     let mut with_objects = 0;
     for seed in 1..=scenes {
         let options = Options { seed, objects: (seed % 50) as usize, ..Options::default() };
@@ -104,7 +106,7 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
         }
         check(&command.output()?)?;
         let literal = std::fs::read(&out)?;
-        // What is rendered here is what was read from the files.
+        // The files are read back, so that both programs render the values in the files.
         let (config, scene) = (Config::read(&config_file)?, Scene::read(&scene_file)?);
         let reference = |scene: &Scene| cpu::reference::render::<AosImage>(&config, scene, scatter);
         let rendered = [("reference", reference(&scene)?), ("renderer", cpu::render::<Aos>(&config, &scene, scatter)?)];
@@ -119,14 +121,14 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
     if 2 * with_objects > scenes { Ok(()) } else { Err("most pictures show no object".into()) }
 }
 
-/// The picture as a file's bytes.
+/// Returns the picture as the bytes of a P3 file.
 fn p3_of(image: &AosImage) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     cpu::internals::image::ppm::write_ppm(image, &mut bytes)?;
     Ok(bytes)
 }
 
-/// Both commands succeed without a word.
+/// Checks that a command has succeeded and printed nothing.
 fn check(output: &Output) -> Result<(), String> {
     let silent = output.stdout.is_empty() && output.stderr.is_empty();
     if output.status.success() && silent { Ok(()) } else { Err(format!("{output:?}")) }

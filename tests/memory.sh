@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Runs the SIMD paths under valgrind and, with a nightly toolchain, under the address sanitizer and miri. Each takes
-# minutes on one core, miri twenty.
+# Runs the SIMD code under valgrind and, with a nightly toolchain, under the address sanitizer and miri. On one core,
+# valgrind and the sanitizer take some minutes each, and miri twenty.
 #
 #   tests/memory.sh [valgrind|sanitizer|miri]
 #
 #   tests/memory.sh              # all three; without a nightly toolchain, valgrind alone
 #   tests/memory.sh valgrind     # 64 renderings
 #
-# valgrind and miri know no AVX-512; the sanitizer runs the instruction sets of the machine. Only miri sees undefined
-# behaviour that touches no wrong byte.
+# valgrind and miri cannot run AVX-512; the sanitizer runs the instruction sets of the machine. Only miri finds
+# undefined behaviour that reads and writes no wrong address.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -36,10 +36,10 @@ valgrind_all() {
 }
 
 sanitizer_all() {
-    # What is leaked is no wrong address: a name that a signal handler has used must not be freed.
+    # Leaks are not reported, because some are on purpose: a name that a signal handler may use is never freed.
     export RUSTFLAGS=-Zsanitizer=address ASAN_OPTIONS=detect_odr_violation=0:detect_leaks=0
     export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/sanitizer
-    cargo +nightly test --target $host -p cpu --lib
+    cargo +nightly test --target $host -p cpu -p output --lib
     cargo +nightly test --target $host -p tests --test properties
     cargo +nightly test --target $host -p fuzz-oracles --test smoke
 }
@@ -49,12 +49,12 @@ miri_all() {
         echo "tests/memory.sh: miri is missing: rustup component add --toolchain nightly miri rust-src" >&2
         exit 1
     }
-    # A power is what the C library gives, as outside of it; else miri errs on purpose by some last bits.
+    # Without the second flag miri adds random errors to the last bits of functions such as `powf`.
     export MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-no-extra-rounding-error"
     export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/miri
-    # It has the features of its target, and no more: the portable set first, then AVX2 as well.
+    # miri offers the target features that are given at compile time: first none, for the portable set, then AVX2.
     for features in "" "-Ctarget-feature=+avx2,+fma,+bmi1,+bmi2,+lzcnt,+popcnt"; do
-        # Left out is what takes it too long.
+        # Tests that take miri too long are left out.
         RUSTFLAGS=$features cargo +nightly miri test -p cpu --lib -- \
             simd:: sampling:: layout:: render:: --skip a_channel_of_ones_is_one_in_every_sample
         RUSTFLAGS=$features cargo +nightly miri test -p cpu --test small_pictures

@@ -1,6 +1,6 @@
-//! What a large picture and a large scene cost outside of rendering: `cargo bench -p bench --bench large`.
+//! Measures how long a large picture takes to write and a large scene to read: `cargo bench -p bench --bench large`.
 //!
-//! The fastest of several turns on the clock: what the machine's other work adds is not the program's.
+//! The result is the shortest wall-clock time of several turns, since other work of the machine can only add time.
 
 use std::fs::File;
 use std::time::Instant;
@@ -15,7 +15,7 @@ use cpu::internals::layout::soa::SoaImage;
 use cpu::{Image, Rgb, Scene, Size};
 use test_support::generator::{self, Options};
 
-/// The fastest of some turns, in seconds.
+/// The shortest time of `turns` turns, in seconds.
 fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
     let time = |_| {
         let start = Instant::now();
@@ -35,12 +35,12 @@ fn write<I: Image>(layout: &str) {
         let [red, green, blue] = [index, index / 3, index / 7].map(|value| value as u8);
         image.set_pixel(index, Rgb { red, green, blue });
     }
-    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let folder = test_support::folder::Folder::new();
     let mut turn = 0;
     let to_file = fastest(15, || {
-        // A file of its own each time, as the programs write: emptying an old one takes as long again.
+        // A new file in each turn, as the programs write it. Truncating an old file would take as long again.
         turn += 1;
-        let file = File::create(folder.path().join(format!("{turn}.ppm"))).expect("the folder takes files");
+        let file = File::create(folder.file(format!("{turn}.ppm"))).expect("the folder takes files");
         cpu::internals::image::ppm::write_ppm(&image, file).expect("the file takes all");
     });
     let to_nowhere =
@@ -72,7 +72,7 @@ fn read() {
 }
 
 fn main() {
-    // `cargo test --benches` only wants to know that it starts.
+    // `cargo test --benches` only checks that the benchmark starts.
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }

@@ -1,5 +1,5 @@
-//! What it gains to leave out what a scene does not need: the same picture with and without, user time, in turn:
-//! `cargo bench -p bench --bench skipping`.
+//! Measures how much the shortcuts gain that skip work which a scene does not need. A picture is rendered alternately
+//! with a shortcut and without it, and the user times are compared: `cargo bench -p bench --bench skipping`.
 
 use std::hint::black_box;
 
@@ -21,7 +21,7 @@ const COLORS: &str = "background_dark_color: .2 .4 .8\nbackground_light_color: .
 const ONE_COLOR: &str = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
 const MATTE: &str = "matte: m .5 .6 .7\n";
 const MIRROR: &str = "metal: m .9 .8 .7 0\n";
-/// Two balls that see each other, before a sky that fills most of the picture.
+/// Two spheres next to each other. The background fills most of the picture.
 const BALLS: &str = "sphere: -1.5 0 0 1.4 m\nsphere: 1.5 0 0 1.4 m\n";
 
 fn prepared(config: &str, scene: &str) -> Prepared<Aos> {
@@ -35,7 +35,7 @@ fn render(prepared: &Prepared<Aos>) -> Picture {
     cpu::internals::render_with(prepared, InstructionSet::chosen()).expect("it is small")
 }
 
-/// The same with every pixel's samples traced.
+/// Renders as [`render`] does, but traces all samples of every pixel.
 fn render_every_sample(prepared: &Prepared<Aos>) -> Picture {
     let mut image = Picture::black(prepared.size).expect("it is small");
     cpu::internals::render_linear(prepared, InstructionSet::chosen(), |index, mean| {
@@ -51,49 +51,53 @@ fn row(what: &str, skipping: impl FnMut(), doing: impl FnMut()) {
     println!("{what:<60} {:>9.2} {:>9.2} {ratio:>7.2}", with * 1e3, without * 1e3);
 }
 
-/// Compares two ways to the same picture.
+/// Compares the times of two ways to render one picture.
 fn pictures(what: &str, skipping: impl Fn() -> Picture, doing: impl Fn() -> Picture) {
     assert!(test_support::ppm(&skipping()) == test_support::ppm(&doing()), "{what}: the pictures differ");
     row(what, || drop(skipping()), || drop(doing()));
 }
 
-/// Compares a picture with the same one rendered after `spoil` has taken a shortcut away.
-fn without(what: &str, config: &str, scene: &str, spoil: fn(&mut Prepared<Aos>)) {
+/// Compares the times of a picture with a shortcut and without it. `disable` removes the shortcut.
+fn without(what: &str, config: &str, scene: &str, disable: fn(&mut Prepared<Aos>)) {
     let (skipping, mut doing) = (prepared(config, scene), prepared(config, scene));
-    spoil(&mut doing);
+    disable(&mut doing);
     pictures(what, || render(&skipping), || render(&doing));
 }
 
-/// Compares a scene with the same scene and something that is needed but never seen.
+/// Compares the times of a scene without and with a hidden object, which is never seen but makes a shortcut impossible.
 fn beside_hidden(what: &str, scene: &str, hidden: &str) {
     let (skipping, doing) = (prepared(COLORS, scene), prepared(COLORS, &format!("{scene}{hidden}")));
     pictures(what, || render(&skipping), || render(&doing));
 }
 
+/// Compares the times with and without the bytes of background pixels that need no rays.
 fn sky(what: &str, colors: &str, scene: &str) {
     let prepared = prepared(colors, scene);
     pictures(what, || render(&prepared), || render_every_sample(&prepared));
 }
 
-/// A ground with objects on the squares of a board, all matte.
+/// Compares the times with the acceleration structure and with a loop over all objects. The scene is a ground with
+/// matte objects in a grid.
 fn board(what: &str, objects: usize, width: u64) {
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [1.0, 0.0, 0.0], ..Options::default() };
     let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
     let new = || Prepared::<Aos>::new(&config, &generator::scene(&options), Scatter::Statement).expect("it is small");
     let (skipping, mut doing) = (new(), new());
-    doing.search = Accel::EveryObject;
+    doing.accel = Accel::EveryObject;
     pictures(what, || render(&skipping), || render(&doing));
 }
 
-/// A ground of rough metal, whose rays go inward as often as outward, and `objects` of glass above it.
+/// Compares the times with and without the shortcut for isolated objects. The scene is a ground of rough metal, whose
+/// scattered rays go inward as often as outward, and `objects` spheres of glass above it.
 fn ground(what: &str, objects: u32) {
     let row = (0..objects).map(|at| f64::from(at) - f64::from(objects) / 2.0);
     let above: String = row.map(|x| format!("sphere: {} 1 {} .4 g\n", x % 5.0, (x / 5.0).floor())).collect();
     let scene = format!("metal: m .9 .8 .7 4\nrefractive: g 1.5\nsphere: 0 -60 0 60 m\n{above}");
     let config = format!("{COLORS}camera_position: 0 5 -10\n");
-    without(what, &config, &scene, |prepared| prepared.search.without_isolation());
+    without(what, &config, &scene, |prepared| prepared.accel.without_isolation());
 }
 
+/// Compares the times of quantising by a table and by the power of the gamma correction.
 fn gamma() {
     let mut draws = Uniform::new(7);
     let means: Vec<_> = (0..300_000).map(|_| draws.canonical()).collect();
@@ -109,7 +113,7 @@ fn gamma() {
 }
 
 fn main() {
-    // `cargo test --benches` only wants to know that it starts.
+    // `cargo test --benches` only checks that the benchmark starts.
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }
@@ -124,7 +128,7 @@ fn main() {
     ground("objects outside a ray's own object, 30 over a ground", 30);
     ground("objects outside a ray's own object, 300 over a ground", 300);
     let forty: String = (0..40).map(|at| format!("sphere: {} 0 0 .4 m\n", f64::from(at - 20) / 4.0)).collect();
-    // What is inside a mirror is never seen.
+    // The hidden objects are inside mirrors, so they are never seen.
     beside_hidden(
         "cylinders where there is none, 2 spheres",
         &format!("{MIRROR}{BALLS}"),
@@ -136,11 +140,11 @@ fn main() {
         "cylinder: 0 0 0 .1 0 .1 0 m\n",
     );
     without("random vectors where all is smooth", COLORS, &format!("{MIRROR}{BALLS}"), |prepared| {
-        prepared.vectors = prepared.scatter;
+        prepared.scatter_stream = prepared.scatter;
     });
     let one = format!("{COLORS}max_depth: 1\n");
     without("random vectors with a depth of one", &one, &format!("{MATTE}{BALLS}"), |prepared| {
-        prepared.vectors = prepared.scatter;
+        prepared.scatter_stream = prepared.scatter;
     });
     let room = format!("{COLORS}max_depth: 3\n");
     let tube = format!("{MATTE}cylinder: 0 0 0 30 9 90 5 m\nsphere: 0 0 20 3 m\n");
@@ -148,7 +152,7 @@ fn main() {
         prepared.scatters_everywhere = false;
     });
     without("an unused material that no filter bears, 40 spheres", COLORS, &format!("{MATTE}{forty}"), |prepared| {
-        prepared.search = Accel::EveryObject;
+        prepared.accel = Accel::EveryObject;
     });
     gamma();
 }

@@ -1,4 +1,4 @@
-//! A dated record of the renderer's times: what is in a file of `bench/record`, and the comparison of two of them.
+//! A dated record of the renderer's times: the content of a file of `bench/record`, and the comparison of two records.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -17,18 +17,19 @@ pub struct Time {
     pub relative: f64,
 }
 
-/// What was measured on one day on one machine.
+/// The times that were measured on one day on one machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Day of the measurement, as in `2026-01-31`.
     pub date: String,
     /// The processor as it calls itself.
     pub processor: String,
-    /// Commit of the working tree, with `-dirty` where it has changes.
+    /// Commit of the working tree, with `-dirty` if the tree has changes.
     pub commit: String,
     /// Compiler that built the renderer.
     pub compiler: String,
-    /// Average number of processes that wanted to run in the minute before: how noisy the machine was.
+    /// Load average of the minute before the measurement: the number of processes that wanted to run. A high load makes
+    /// the times less certain.
     pub load: f64,
     /// How often each time was measured.
     pub rounds: usize,
@@ -76,7 +77,8 @@ impl Record {
     }
 }
 
-/// The record to compare with: the latest file of `folder` but `except`, of the same processor if there is one.
+/// Returns the record to compare with: the latest one in `folder` of this `processor`, or else of any processor. It
+/// ignores the file `except`, which is the record just written.
 ///
 /// # Errors
 /// The folder or a record in it cannot be read.
@@ -93,6 +95,8 @@ pub fn latest(folder: &Path, except: &Path, processor: &str) -> io::Result<Optio
 
 #[cfg(test)]
 mod tests {
+    use test_support::folder::Folder;
+
     use super::*;
 
     fn record(date: &str, processor: &str, seconds: f64, relative: f64) -> Record {
@@ -110,15 +114,15 @@ mod tests {
 
     #[test]
     fn a_record_is_compared_with_the_last_one_of_its_machine() {
-        let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+        let folder = Folder::new();
         let new = record("2026-03-01", "Fast (TM) 9", 1.0, 0.1);
         assert_eq!(new.file_name(), "2026-03-01-fast-tm-9.json");
-        let path = folder.path().join(new.file_name());
+        let path = folder.file(new.file_name());
         assert_eq!(latest(folder.path(), &path, &new.processor).expect("it is readable"), None);
         let others = [record("2026-01-01", "Fast (TM) 9", 2.0, 0.3), record("2026-02-01", "Slow", 9.0, 0.2)];
         for other in others.iter().chain([&new]) {
             let text = serde_json::to_string(other).expect("a record is JSON");
-            fs::write(folder.path().join(other.file_name()), text).expect("the folder takes a file");
+            fs::write(folder.file(other.file_name()), text).expect("the folder takes a file");
         }
         let last = latest(folder.path(), &path, &new.processor).expect("they are readable").expect("there are two");
         assert_eq!(last, others[0]);

@@ -1,17 +1,19 @@
-//! Whole pictures against digests that were made elsewhere: `tests/cases` and the reference folder, both conventions,
-//! both layouts. `statement` goes through the built programs, `published` through the library.
+//! Compares whole pictures of `tests/cases` and of the reference folder with digests that other programs made. Pictures
+//! with `Scatter::Statement` are rendered by the built programs, those with `Scatter::Published` through the library,
+//! both with both layouts.
 //!
-//! The reference pictures are shown as ignored where the folder is not there.
+//! Without the reference folder, the tests of its pictures are shown as ignored.
 
 use std::path::Path;
 use std::process::Command;
 
 use cpu::{Aos, Config, Layout, Scatter, Scene, Soa};
 use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
 use test_support::{digest, p3, ppm};
 
-/// A layout, as the program that uses it and as the library's function.
+/// The two renderers with one layout: the built program, and the function of the library.
 #[derive(Clone, Copy)]
 struct Renderer {
     program: &'static str,
@@ -42,7 +44,7 @@ fn main() {
     libtest_mimic::run(&arguments, trials).exit();
 }
 
-/// Why the reference pictures are not rendered here, if there is a reason.
+/// Why the reference pictures cannot be rendered; `None` if they can.
 fn obstacle(folder: &Path) -> Option<String> {
     (!folder.is_dir()).then(|| format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()))
 }
@@ -78,7 +80,8 @@ fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 
-/// The second published image is at hand itself, so that a difference can be shown.
+/// Compares a picture with the second published image pixel by pixel. Only of this published image the reference folder
+/// has the file itself.
 fn is_the_published_image(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
     let bytes = (renderer.library)(golden)?;
     let expected = std::fs::read(golden.config.with_file_name("published2.ppm"))?;
@@ -88,8 +91,8 @@ fn is_the_published_image(golden: &Golden, renderer: Renderer) -> Result<(), Fai
 }
 
 fn through_the_program(golden: &Golden, program: &str) -> Result<Vec<u8>, Failed> {
-    let folder = tempfile::tempdir()?;
-    let out = folder.path().join("out.ppm");
+    let folder = Folder::new();
+    let out = folder.file("out.ppm");
     let output = Command::new(program).args([&golden.config, &golden.scene, &out]).output()?;
     if !output.status.success() || !output.stdout.is_empty() || !output.stderr.is_empty() {
         return Err(format!("{output:?}").into());

@@ -1,6 +1,6 @@
-//! Each system call on the way of the picture fails once, and a signal meets the programs in each of them.
+//! Makes each system call of the programs fail once, and sends a signal in each of them.
 //!
-//! Where `strace` cannot run, these tests are shown as ignored.
+//! If `strace` cannot run, these tests are shown as ignored.
 
 #[cfg(unix)]
 fn trials() -> Vec<libtest_mimic::Trial> {
@@ -11,7 +11,7 @@ fn trials() -> Vec<libtest_mimic::Trial> {
         (Disturbance::Errors, "every_call_fails_and_the_old_picture_stands_or_the_new_one"),
         (Disturbance::Signal, "a_signal_in_every_call_leaves_the_old_picture_or_the_new_one"),
         (Disturbance::SignalAsProcessOne, "a_signal_in_every_call_ends_process_1"),
-        (Disturbance::Named, "the_same_where_a_file_needs_a_name"),
+        (Disturbance::Named, "failures_and_signals_where_a_file_needs_a_name"),
     ];
     let mut trials = Vec::new();
     for (disturbance, name) in disturbances {
@@ -31,8 +31,8 @@ fn disturb(
     old: Option<&str>,
     disturbance: test_support::injection::Disturbance,
 ) -> Result<(), libtest_mimic::Failed> {
-    let folder = tempfile::tempdir()?;
-    let [config, scene, d] = ["config.txt", "scene.txt", "d"].map(|name| folder.path().join(name));
+    let folder = test_support::folder::Folder::new();
+    let [config, scene, d] = ["config.txt", "scene.txt", "d"].map(|name| folder.file(name));
     std::fs::write(&config, "image_width: 100\naspect_ratio: 1 1\nsamples_per_pixel: 1\n")?;
     std::fs::write(&scene, "")?;
     std::fs::create_dir(&d)?;

@@ -1,11 +1,22 @@
-//! Intersects a sphere where the usual formula is wrong: a ray that passes a large sphere closer than f64 can tell.
+//! Intersects a sphere where the usual formula is wrong: a ray so close to a large sphere that rounding decides.
 //!
 //! `cargo run -p cpu --example intersect_exactly`
 
 use cpu::intersect::{SphereRecord, sphere};
 use cpu::{Ray, Vec3};
 
+const USAGE: &str = "\
+intersect_exactly
+Prints, for rays that nearly touch a sphere, what the plain formula and the exact intersection answer.
+
+Example:
+  cargo run -p cpu --example intersect_exactly";
+
 fn main() {
+    if std::env::args().any(|argument| argument == "--help") {
+        println!("{USAGE}");
+        return;
+    }
     // The ray runs parallel to the z axis, at a distance from the centre of almost exactly the radius.
     let radius = 1e8_f64;
     let target = SphereRecord::new(Vec3::new(0.0, 0.0, 1e8), radius);

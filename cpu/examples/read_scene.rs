@@ -9,7 +9,18 @@ use std::process::ExitCode;
 
 use cpu::{Material, Scene, Shape};
 
+const USAGE: &str = "\
+read_scene SCENE
+Reads a scene and lists its objects with their materials.
+
+Example:
+  cargo run -p cpu --example read_scene scenes/materials/scene.txt";
+
 fn main() -> ExitCode {
+    if env::args_os().any(|argument| argument == "--help") {
+        println!("{USAGE}");
+        return ExitCode::SUCCESS;
+    }
     match list() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

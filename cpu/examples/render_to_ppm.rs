@@ -23,7 +23,17 @@ sphere: -1.1 1 0 1 glass
 cylinder: 1.1 0.8 0.5 0.7 0 1.6 0 mirror
 ";
 
+const USAGE: &str = "\
+render_to_ppm
+Renders a scene from code and writes the picture as PPM to standard output.
+
+Example:
+  cargo run --release -p cpu --example render_to_ppm > picture.ppm";
+
 fn main() -> Result<(), Error> {
+    if std::env::args().any(|argument| argument == "--help") {
+        return writeln!(stdout(), "{USAGE}");
+    }
     // Both texts are checked here: an error names the line and what is wrong with it.
     let config = Config::parse(CONFIG.as_bytes()).map_err(Error::other)?;
     let scene = Scene::parse(SCENE.as_bytes()).map_err(Error::other)?;

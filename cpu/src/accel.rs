@@ -1,12 +1,11 @@
-//! Finding the nearest object of a ray without asking every one.
+//! Acceleration structures: the closest hit of a ray without intersecting every object.
 //!
-//! Everything here only decides which objects are asked, and in which order. Whether and where a ray meets an object is
-//! decided by [`exact`](crate::exact) alone, and the nearest of all hits (the later object of two at the same lambda)
-//! does not depend on the order. A filter may let an object pass that the ray misses; it never stops one that the ray
-//! meets (docs/margins.md derives the margins).
+//! A structure only decides which objects are intersected, and in which order. [`exact`](crate::exact) alone decides
+//! whether and where a ray hits an object, and the closest hit does not depend on the order. A conservative test may
+//! let an object pass that the ray misses; it never stops one that the ray hits (docs/margins.md derives the margins).
 //!
 //! Uses [`exact`](crate::exact), [`layout`](crate::layout), [`materials`](crate::materials) and what these use. Begin
-//! with [`choice`], which says what structure a scene gets, then [`every_object`], the plainest.
+//! with [`choice`], the rule that chooses a structure, then [`every_object`], the plainest one, and [`conservative`].
 
 pub mod bounds;
 pub mod bvh;
@@ -22,7 +21,7 @@ pub mod flat_filter;
 mod inside;
 pub(crate) mod isolated;
 pub mod object;
-pub mod side_by_side;
+pub mod object_lanes;
 pub mod small_scene;
 pub mod target;
 

@@ -1,89 +1,73 @@
-//! What the renderer does, counted: rays, tests, draws, and what it was spared.
+//! Counts rays, object tests and random draws, and how much work the shortcuts save.
 //!
-//! Counting is compiled in with the feature `counters` alone, which no program that is measured has; without it
-//! [`add`] is nothing. Counts belong to the thread that renders, so that tests run beside each other.
+//! Only builds with the feature `counters` count. Measured programs are built without it: [`add`] then does nothing.
+//! Each thread has counters of its own, so that tests can run in parallel.
 
-/// What is counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Counter {
-    /// Samples whose primary ray was traced.
-    PrimaryRays,
-    /// Primary rays times the objects that they were tested against.
-    PrimaryTests,
-    /// Objects of the scene, summed over spans.
-    SpanObjects,
-    /// Objects that a span's cull left, summed over spans.
-    SpanCandidates,
-    /// Rays followed several at once from one refractive surface to the next.
-    GlassRays,
-    /// All other rays that left a surface.
-    WalkRays,
-    /// First rays of samples that were tried several at once, as if those before them left; some more than once.
-    Guesses,
-    /// Nodes of the tree whose boxes were tested.
-    NodeVisits,
-    /// Spheres asked exactly by rays that left a surface.
-    SphereAsks,
-    /// Cylinders asked exactly by rays that left a surface.
-    CylinderAsks,
-    /// Last rays of paths that are known to meet something before any object is asked.
-    LastRaysSpared,
-    /// Objects asked without any filter, in scenes of extreme magnitudes.
-    PlainAsks,
-    /// Rays from the ground that did not go the way that was expected.
-    Unexpected,
-    /// Rays that met a surface.
-    Hits,
-    /// Spheres that were in doubt and answered by the formula without cancellation.
-    Compensated,
-    /// Intersections that were in doubt and repeated more precisely.
-    Fallbacks,
-    /// Draws of the samples' places.
-    RayDraws,
-    /// Draws of the samples' places that were passed over.
-    RayDrawsSkipped,
-    /// Draws for random vectors.
-    MaterialDraws,
-    /// Random vectors that surfaces took.
-    VectorsTaken,
-    /// Pixels whose bytes were known without a ray.
-    SkyPixels,
-    /// Pixels that no object reaches whose rays were traced all the same.
-    SkyTraced,
-    /// Power functions of the gamma correction.
-    Powers,
-    /// Paths that had used up their depth.
-    DepthReached,
+/// Defines [`Counter`] and the list of all counters from one table.
+macro_rules! counters {
+    ($($(#[$documentation:meta])* $name:ident,)+) => {
+        /// A quantity that the renderer counts.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Counter {
+            $($(#[$documentation])* $name,)+
+        }
+
+        impl Counter {
+            /// All counters.
+            pub const ALL: &[Self] = &[$(Self::$name,)+];
+        }
+    };
 }
 
-impl Counter {
-    /// All of them.
-    pub const ALL: [Self; 24] = [
-        Self::PrimaryRays,
-        Self::PrimaryTests,
-        Self::SpanObjects,
-        Self::SpanCandidates,
-        Self::GlassRays,
-        Self::WalkRays,
-        Self::Guesses,
-        Self::NodeVisits,
-        Self::SphereAsks,
-        Self::CylinderAsks,
-        Self::LastRaysSpared,
-        Self::PlainAsks,
-        Self::Unexpected,
-        Self::Hits,
-        Self::Compensated,
-        Self::Fallbacks,
-        Self::RayDraws,
-        Self::RayDrawsSkipped,
-        Self::MaterialDraws,
-        Self::VectorsTaken,
-        Self::SkyPixels,
-        Self::SkyTraced,
-        Self::Powers,
-        Self::DepthReached,
-    ];
+counters! {
+    /// Camera rays.
+    CameraRays,
+    /// Camera rays times the objects that they were tested against.
+    CameraRayTests,
+    /// Objects of the scene, summed over spans.
+    SpanObjects,
+    /// Candidate objects of a span, summed over spans.
+    SpanCandidates,
+    /// Rays of specular chains that were traced several at once.
+    SpecularRays,
+    /// All other rays that start on a surface.
+    PathRays,
+    /// First rays of paths that were tested ahead, as if the paths before them escaped; some more than once.
+    LookaheadRays,
+    /// Nodes of the BVH whose boxes were tested.
+    NodeVisits,
+    /// Exact tests of spheres by rays that start on a surface.
+    SphereTests,
+    /// Exact tests of cylinders by rays that start on a surface.
+    CylinderTests,
+    /// Last rays of paths that certainly hit, so that no object was tested.
+    LastRaysSkipped,
+    /// Exact tests without a filter, in scenes of extreme magnitudes.
+    UnfilteredTests,
+    /// Rays from the dominant sphere whose entry was predicted wrong.
+    MispredictedEntries,
+    /// Rays that hit a surface.
+    Hits,
+    /// Uncertain intersections with spheres that the compensated formula decided.
+    Compensated,
+    /// Uncertain intersections that were computed in double-double arithmetic.
+    Fallbacks,
+    /// Draws of the pixel jitter.
+    RayDraws,
+    /// Draws of the pixel jitter that were skipped.
+    RayDrawsSkipped,
+    /// Draws of the scatter samples.
+    MaterialDraws,
+    /// Scatter samples that surfaces used.
+    ScatterSamples,
+    /// Pixels whose bytes were known without a ray.
+    BackgroundPixels,
+    /// Pixels whose rays can hit no object, but were traced, because the byte was not known without them.
+    BackgroundPixelsTraced,
+    /// Power functions of the gamma correction.
+    Powers,
+    /// Paths that reached the maximum depth.
+    MaxDepthReached,
 }
 
 #[cfg(feature = "counters")]
@@ -106,25 +90,23 @@ mod counting {
         });
     }
 
-    /// Counters as they stood at one time.
+    /// The counters of a thread at one time.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct Snapshot([u64; COUNT]);
 
     impl Snapshot {
-        /// What a counter had counted.
-        #[must_use]
+        /// The value of a counter.
         pub fn of(&self, counter: Counter) -> u64 {
             self.0[counter as usize]
         }
     }
 
-    /// How the counters of this thread stand.
-    #[must_use]
+    /// The counters of this thread.
     pub fn snapshot() -> Snapshot {
         COUNTS.with(|counts| Snapshot(counts.each_ref().map(Cell::get)))
     }
 
-    /// Sets all counters of this thread to nought.
+    /// Sets all counters of this thread to 0.
     pub fn reset() {
         COUNTS.with(|counts| counts.iter().for_each(|cell| cell.set(0)));
     }
@@ -133,7 +115,7 @@ mod counting {
 #[cfg(feature = "counters")]
 pub use counting::{Snapshot, add, reset, snapshot};
 
-/// Adds to a counter of this thread: nothing without the feature `counters`.
+/// Does nothing, because the feature `counters` is not compiled in.
 #[cfg(not(feature = "counters"))]
 #[inline(always)]
 pub fn add(_: Counter, _: u64) {}

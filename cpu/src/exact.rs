@@ -10,23 +10,24 @@
 //! |---|---|---|
 //! | plain, f64 | 2^-53 | nearly all rays |
 //! | compensated, f64 | 2^-53 | rays that start near a large sphere |
-//! | double-double | 2^-102 | rays that graze, or meet a small or far object |
+//! | double-double | 2^-102 | rays that graze, or hit a small or far object |
 //! | exact | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! Uses [`geometry`](crate::geometry), [`math`](crate::math) and [`simd`](crate::simd). Begin with [`sphere`], then
 //! [`error_bound`].
 //!
-//! What is true is decided by the numbers of the scene file, taken as exact: the sphere `|C - O - d lambda| = r`; the
+//! "Right" means right for the numbers of the scene file, taken as exact: the sphere `|C - O - d lambda| = r`; the
 //! cylinder of height `|axis|` around the line through its centre along `axis`, which need not be a multiple of a
 //! rounded unit vector. The bounds are derived in `docs/accuracy.md`, where they are also measured.
 //!
 //! A ray that is not finite has no exact meaning: it gets the result of the plain formula. So does a null
 //! direction, which hits nothing, and the side of a cylinder that the ray is parallel to.
 
+pub(crate) mod cap;
 pub mod cylinder;
 pub(crate) mod cylinder_exact;
 pub(crate) mod cylinder_lanes;
-pub(crate) mod cylinder_surfaces;
+pub(crate) mod cylinder_side;
 pub mod double_double;
 pub mod dyadic;
 pub mod error_bound;

@@ -6,7 +6,7 @@
 pub mod ppm;
 pub mod quantize;
 
-use crate::input::error::Error;
+use crate::input::error::{Error, with_room};
 use crate::input::size::Size;
 
 /// A pixel's red, green and blue.
@@ -42,13 +42,12 @@ pub trait Image: Sized {
     fn set_pixel(&mut self, index: usize, color: Rgb);
 }
 
-/// `count` default values, without dying when memory is short.
+/// `count` default values.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
 pub(crate) fn zeroed<T: Clone + Default>(count: usize) -> Result<Vec<T>, Error> {
-    let mut values = Vec::new();
-    values.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what: "the image" })?;
+    let mut values = with_room(count, "the image")?;
     values.resize(count, T::default());
     Ok(values)
 }

@@ -8,11 +8,11 @@
 pub mod aos;
 pub mod soa;
 
-use crate::geometry::cylinder::CylinderRecord;
-use crate::geometry::sphere::SphereRecord;
+use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::Image;
-use crate::input::error::Error;
-use crate::input::scene::{Cylinder, MaterialId, Scene, Shape, Sphere};
+use crate::input::{
+    error, error::Error, scene::Cylinder, scene::MaterialId, scene::Scene, scene::Shape, scene::Sphere,
+};
 use crate::math::vec3::Vec3;
 
 /// A choice of layout.
@@ -89,11 +89,12 @@ fn count_kinds(scene: &Scene) -> Result<(usize, usize), Error> {
     Ok((spheres, scene.objects.len() - spheres))
 }
 
-/// An empty list with room for `count` items.
-fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
-    let mut list = Vec::new();
-    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
-    Ok(list)
+/// An empty list with room for `count` items of the objects.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
+    error::with_room(count, "the objects")
 }
 
 #[cfg(test)]

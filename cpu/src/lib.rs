@@ -1,8 +1,8 @@
 //! A sequential renderer of spheres and cylinders, exact to the byte.
 //!
 //! Text becomes checked values ([`Config`], [`Scene`]), these become pixels in one of two layouts ([`render()`],
-//! [`Aos`], [`Soa`]), and pixels become a PPM file ([`write_ppm`]). What is wrong with the two texts is found before
-//! anything is rendered; after that only memory and the output can fail. docs/design.md says what each folder holds,
+//! [`Aos`], [`Soa`]), and pixels become PPM text ([`write_ppm`]). What is wrong with the two texts is found before
+//! anything is rendered; after that only memory and the writer can fail. docs/design.md says what each folder holds,
 //! and which others it uses.
 //!
 //! ```
@@ -23,6 +23,7 @@
 //! The feature `internals` opens every module, for the project's own tests, tools and measurements. What it opens may
 //! change at any time.
 
+#![allow(rustdoc::private_intra_doc_links, reason = "the modules are read with --document-private-items")]
 #![cfg_attr(
     not(feature = "internals"),
     expect(dead_code, unused_imports, reason = "the feature `internals` shows it to tests and tools")
@@ -38,8 +39,6 @@ pub mod intersect;
 mod layout;
 mod materials;
 mod math;
-mod output;
-pub mod program;
 pub mod reference;
 mod render;
 mod sampling;
@@ -53,6 +52,7 @@ pub use crate::input::error::Error;
 pub use crate::input::material::Material;
 pub use crate::input::scene::{Object, Scene, Shape};
 pub use crate::input::size::Size;
+pub use crate::input::text::escape;
 pub use crate::layout::Layout;
 pub use crate::layout::aos::Aos;
 pub use crate::layout::soa::Soa;
@@ -70,43 +70,12 @@ pub mod internals {
     pub use crate::render::{render_into, render_linear, render_with};
     pub use crate::simd::instruction_set::InstructionSet;
 
-    pub mod accel {
-        pub use crate::accel::*;
+    macro_rules! open {
+        ($($module:ident)+) => {
+            $(pub mod $module {
+                pub use crate::$module::*;
+            })+
+        };
     }
-    pub mod counters {
-        pub use crate::counters::*;
-    }
-    pub mod exact {
-        pub use crate::exact::*;
-    }
-    pub mod geometry {
-        pub use crate::geometry::*;
-    }
-    pub mod image {
-        pub use crate::image::*;
-    }
-    pub mod input {
-        pub use crate::input::*;
-    }
-    pub mod layout {
-        pub use crate::layout::*;
-    }
-    pub mod materials {
-        pub use crate::materials::*;
-    }
-    pub mod math {
-        pub use crate::math::*;
-    }
-    pub mod output {
-        pub use crate::output::*;
-    }
-    pub mod render {
-        pub use crate::render::*;
-    }
-    pub mod sampling {
-        pub use crate::sampling::*;
-    }
-    pub mod simd {
-        pub use crate::simd::*;
-    }
+    open!(accel counters exact geometry image input layout materials math render sampling simd);
 }

@@ -1,7 +1,10 @@
-//! How surfaces send light on: matte, metal and refractive.
+//! How surfaces scatter light: matte, metal and refractive (specification, section 10).
 //!
-//! [`scatter`] has the formulas (specification, section 10), [`prepared`] their constants, computed once. Uses
-//! [`math`](crate::math), [`input`](crate::input) and [`sampling`](crate::sampling). Begin with [`scatter`].
+//! [`reflection`] and [`refraction`] have the formulas of metal and of refractive surfaces, and [`scatter`] adds the
+//! random vector. [`prepared`] chooses between them, with constants that are computed once. Uses
+//! [`math`](crate::math), [`input`](crate::input) and [`sampling`](crate::sampling). Begin with [`prepared`].
 
 pub mod prepared;
+pub mod reflection;
+pub mod refraction;
 pub mod scatter;

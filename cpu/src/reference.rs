@@ -1,14 +1,14 @@
-//! The renderer by the definition: docs/specification.md line by line, slow and plain for good.
+//! The renderer by the definition: docs/specification.md line by line. It is slow, and is never optimised.
 //!
-//! A loop over all objects in the order of the file, for every ray. It shares no formula with the real
-//! renderer, only the vector arithmetic, the random numbers, the camera's window and the definition of a byte, so that
-//! each of the two tells when the other is wrong. Every fast path must give its bytes.
+//! Every ray is intersected with all objects, in the order of the file. With [`Plain`] intersections the reference has
+//! no formula in common with the real renderer, so a comparison shows an error of either. Both share only the vector
+//! arithmetic, the random numbers, the camera's window and the definition of a byte. Every fast path must give the
+//! reference's bytes.
 //!
 //! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a
 //! program.
 //!
-//! With [`Exact`] intersections it shares those with the real renderer, and calls them for every object in turn.
-//! With [`Plain`] ones it has formulas of its own.
+//! With [`Exact`] intersections it also shares these with the real renderer.
 
 pub mod intersect;
 mod nearest;
@@ -17,22 +17,16 @@ pub use crate::reference::intersect::{Exact, Intersect, Plain, Precision};
 
 use std::marker::PhantomData;
 
-use crate::geometry::camera::Camera;
-use crate::geometry::ray::Ray;
-use crate::image::quantize::quantize;
-use crate::image::{Image, Rgb};
-use crate::input::config::Config;
-use crate::input::error::Error;
-use crate::input::material::Material;
+use crate::geometry::{camera::Camera, ray::Ray};
+use crate::image::{Image, Rgb, quantize::quantize};
 use crate::input::scene::{Scene, Shape};
+use crate::input::{config::Config, error::Error, material::Material};
 use crate::math::vec3::Vec3;
-use crate::reference::nearest::{
-    Nearest, meets_certified_cylinder, meets_certified_sphere, meets_cylinder, meets_sphere,
-};
+use crate::reference::nearest::Hit;
 use crate::sampling::scatter_vectors::{Scatter, ScatterVectors};
 use crate::sampling::uniform::Uniform;
 
-/// Renders by the definition, with the textbook's intersections.
+/// Renders by the definition, with the plain intersections.
 ///
 /// # Errors
 /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
@@ -47,14 +41,14 @@ pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Res
 pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     let size = config.image_size()?;
     let mut image = I::black(size)?;
-    render_linear_with::<P>(config, scene, scatter, |index, mean| {
+    render_counted::<P>(config, scene, scatter, |index, mean| {
         let [red, green, blue] = mean.to_array().map(|channel| quantize(channel, config.gamma));
         image.set_pixel(index, Rgb { red, green, blue });
     })?;
     Ok(image)
 }
 
-/// Renders by the definition, with the textbook's intersections, and hands every pixel's mean, before it becomes
+/// Renders by the definition, with the plain intersections, and hands every pixel's mean, before it becomes
 /// bytes, to `pixel` with its index.
 ///
 /// # Errors
@@ -65,32 +59,19 @@ pub fn render_linear(
     scatter: Scatter,
     pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
-    render_linear_with::<Plain>(config, scene, scatter, pixel)
+    render_counted::<Plain>(config, scene, scatter, pixel).map(|_| ())
 }
 
-/// As [`render_linear`], with the intersections of `P`.
-///
-/// # Errors
-/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
-pub fn render_linear_with<P: Intersect>(
-    config: &Config,
-    scene: &Scene,
-    scatter: Scatter,
-    pixel: impl FnMut(usize, Vec3),
-) -> Result<(), Error> {
-    render_counted::<P>(config, scene, scatter, pixel).map(|_| ())
-}
-
-/// How much a picture takes, whoever renders it.
+/// The work of a picture by the definition, without any shortcut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Rays for which the nearest object was sought.
+    /// Rays.
     pub rays: u64,
-    /// Those of them that met one.
+    /// Rays that hit an object.
     pub hits: u64,
 }
 
-/// [`render_linear`], and the rays and hits that the picture takes.
+/// [`render_linear`] with the intersections of `P`; returns the rays and hits of the picture.
 ///
 /// # Errors
 /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
@@ -104,7 +85,7 @@ pub fn render_counted<P: Intersect>(
     let camera = Camera::new(config, size)?;
     let deterministic = scatter == Scatter::Deterministic;
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
-    let mut offsets = Uniform::new(config.ray_rng_seed);
+    let mut jitter = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
     let mut path = Path::<P> {
         config,
@@ -120,8 +101,8 @@ pub fn render_counted<P: Intersect>(
             for _ in 0..samples {
                 let (mut x, mut y) = (0.0, 0.0);
                 if !deterministic {
-                    x = offsets.draw(-0.5, 0.5);
-                    y = offsets.draw(-0.5, 0.5);
+                    x = jitter.draw(-0.5, 0.5);
+                    y = jitter.draw(-0.5, 0.5);
                 }
                 let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
                 sum = sum + path.color(camera.position, target - camera.position, config.max_depth)?;
@@ -132,12 +113,12 @@ pub fn render_counted<P: Intersect>(
     Ok(path.counts)
 }
 
-/// What all rays of a picture share.
+/// The state that all rays of a picture share.
 struct Path<'a, P> {
     config: &'a Config,
     scene: &'a Scene,
     vectors: ScatterVectors,
-    /// Reflectances met by the ray being followed, first hit first. Empty between rays.
+    /// Reflectances of the surfaces on the present path, first hit first. Empty between paths.
     reflectances: Vec<Vec3>,
     intersect: PhantomData<P>,
     counts: Counts,
@@ -148,23 +129,23 @@ impl<P: Intersect> Path<'_, P> {
     /// overflows the stack.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]: a ray between mirrors meets as many surfaces as it may, and that may be 2^64.
+    /// [`Error::OutOfMemory`]: a ray between mirrors hits as many surfaces as `max_depth` says.
     fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
         let mut reflectances = std::mem::take(&mut self.reflectances);
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {
             self.counts.rays += 1;
-            let Some((nearest, material)) = self.nearest(origin, direction) else {
+            let Some((hit, material)) = self.nearest(&Ray { origin, direction }) else {
                 color = self.background(direction);
                 break;
             };
             self.counts.hits += 1;
-            let front = direction.dot(nearest.outward) < 0.0;
-            let normal = if front { nearest.outward } else { -nearest.outward };
+            let front = direction.dot(hit.outward) < 0.0;
+            let normal = if front { hit.outward } else { -hit.outward };
             let (reflectance, scattered) = self.scatter(material, direction, normal, front);
             reflectances.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the surfaces that a ray meets" })?;
             reflectances.push(reflectance);
-            (origin, direction) = (nearest.point, scattered);
+            (origin, direction) = (hit.point, scattered);
         }
         // From the last hit back to the first, as the recursion returns.
         for reflectance in reflectances.drain(..).rev() {
@@ -174,27 +155,21 @@ impl<P: Intersect> Path<'_, P> {
         Ok(color)
     }
 
-    /// The nearest hit over all objects, in the order of the file, and what is hit.
-    fn nearest(&self, origin: Vec3, direction: Vec3) -> Option<(Nearest, Material)> {
-        let mut nearest = Nearest { lambda: f64::INFINITY, point: Vec3::ZERO, outward: Vec3::ZERO };
-        let mut hit = None;
+    /// The nearest hit over all objects, in the order of the file, and the material of the object.
+    fn nearest(&self, ray: &Ray) -> Option<(Hit, Material)> {
+        let (mut nearest, mut material) = (None, 0);
         for object in &self.scene.objects {
-            let nearest = &mut nearest;
-            let met = match (P::PRECISION, &object.shape) {
-                (Precision::Plain, Shape::Sphere(sphere)) => meets_sphere(sphere, origin, direction, nearest),
-                (Precision::Plain, Shape::Cylinder(cylinder)) => meets_cylinder(cylinder, origin, direction, nearest),
-                (Precision::Exact, Shape::Sphere(sphere)) => {
-                    meets_certified_sphere::<P>(sphere, Ray { origin, direction }, nearest)
-                }
-                (Precision::Exact, Shape::Cylinder(cylinder)) => {
-                    meets_certified_cylinder::<P>(cylinder, Ray { origin, direction }, nearest)
-                }
+            let hit = match (P::PRECISION, &object.shape) {
+                (Precision::Plain, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
+                (Precision::Plain, Shape::Cylinder(cylinder)) => nearest::cylinder(cylinder, ray),
+                (Precision::Exact, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
+                (Precision::Exact, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
             };
-            if met {
-                hit = Some(object.material);
+            if nearest::update(&mut nearest, hit) {
+                material = object.material;
             }
         }
-        Some((nearest, self.scene.materials[hit? as usize]))
+        nearest.map(|hit| (hit, self.scene.materials[material as usize]))
     }
 
     fn background(&self, direction: Vec3) -> Vec3 {
@@ -202,7 +177,7 @@ impl<P: Intersect> Path<'_, P> {
         self.config.background_light_color * (1.0 - m) + self.config.background_dark_color * m
     }
 
-    /// The reflectance of a hit and the direction in which it sends light.
+    /// The reflectance of a surface, and the direction in which it scatters the ray.
     fn scatter(&mut self, material: Material, direction: Vec3, normal: Vec3, front: bool) -> (Vec3, Vec3) {
         match material {
             Material::Matte { reflectance } => {

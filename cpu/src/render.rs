@@ -1,61 +1,52 @@
-//! The real renderer: pixels in order, a span of a row at a time.
+//! The real renderer. It renders the pixels in order, one span of a row at a time.
 //!
-//! The camera rays of a span need no material's random numbers, so they are drawn, intersected and shaded several at
-//! once (`camera_rays`, `specular_chains`), up to the first matte or metal surface. What follows there takes its random
-//! vectors from one stream in the order of the samples, and is traced one path after the other (`trace_paths`). Where
-//! rays leave the scene, their background is computed several at once again (`path_ends`), and the samples are summed
-//! in order (`accumulation`).
+//! The camera rays of a span need no scatter samples, so they are drawn, intersected and shaded several at once
+//! (`camera_rays`, `specular_chains`), up to the first matte or metal surface. From there on the paths take their
+//! scatter samples from one stream in the order of the samples, and are traced one after the other (`trace_paths`).
+//! The background of the rays that escape is computed several rays at once again (`path_ends`). Then the samples are
+//! summed in their order (`accumulation`).
 //!
-//! Uses all folders but `reference` and `output`. Begin with [`prepared`], then this file, then the stages in that
+//! Uses all folders but `reference`. Begin with [`prepared`], then this file, then the stages in that
 //! order; docs/design.md follows one ray through them.
 
 pub(crate) mod accumulation;
 pub(crate) mod arrays;
 pub mod background;
-pub(crate) mod background_pixels;
+pub mod background_pixels;
 pub(crate) mod background_slope;
-pub(crate) mod camera_rays;
-pub(crate) mod context;
+pub(crate) mod boxed;
+pub mod camera_rays;
 pub(crate) mod fallback;
-pub(crate) mod frustum;
+pub mod frustum;
 pub(crate) mod hit_lanes;
-pub(crate) mod lane_by_lane;
 pub(crate) mod lookahead;
-pub(crate) mod path;
-pub(crate) mod path_ends;
+pub(crate) mod max_depth;
+pub mod path;
+pub mod path_ends;
 pub(crate) mod path_vertex;
 pub mod prepared;
-pub(crate) mod queue;
-pub(crate) mod samples;
+pub mod queue;
+pub mod samples;
 pub(crate) mod shade;
-pub(crate) mod span;
-pub(crate) mod specular_chains;
-#[cfg(feature = "internals")]
+pub mod span;
+pub mod span_state;
+pub mod specular_chains;
 pub mod stages;
 pub(crate) mod surface;
-pub(crate) mod trace_paths;
+pub mod trace_paths;
 
 use std::ops::ControlFlow;
 
 use crate::counters::{Counter, add};
-use crate::image::quantize::Quantizer;
 use crate::image::{Image, Rgb};
-use crate::input::config::Config;
-use crate::input::error::Error;
-use crate::input::scene::Scene;
+use crate::input::{config::Config, error::Error, scene::Scene};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
-use crate::render::accumulation::Sums;
-use crate::render::background_pixels::{BackgroundPixels, FindBytes};
-use crate::render::frustum::Candidates;
-use crate::render::path::PathTracer;
-use crate::render::prepared::Prepared;
-use crate::render::samples::{Batch, Draw};
-use crate::render::span::{Span, Spans};
-use crate::sampling::pixel_jitter::PixelJitter;
+use crate::render::stages::{ColorPaths, DrawSamples, FindBytes};
+use crate::render::{accumulation::Sums, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::Spans};
+use crate::render::{span_state::SpanState, specular_chains::TraceSpecularChains, trace_paths::TracePaths};
 use crate::sampling::scatter_vectors::Scatter;
-use crate::simd::instruction_set::InstructionSet;
-use crate::simd::{Kernel, Simd};
+use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
 
 /// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
 ///
@@ -71,13 +62,13 @@ pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Re
 /// [`Error::OutOfMemory`] when the picture does not fit.
 pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
-    // Nobody stops this one.
+    // The result is always `Continue`.
     let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()))?;
     Ok(image)
 }
 
-/// Renders what was prepared into an image of its size, and calls `after_row` with the number of rows that are done;
-/// the rendering stops where it breaks off, with the rows done so far in the image.
+/// Renders what was prepared into `image`, which must have the picture's size. After each row it calls `after_row` with
+/// the number of finished rows. If `after_row` returns `Break`, rendering stops, and the image holds the finished rows.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
@@ -85,98 +76,55 @@ pub fn render_into<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,
     image: &mut L::Image,
-    after_row: impl FnMut(usize) -> ControlFlow<()>,
+    mut after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
-    let (candidates, sink) = (Candidates::new(prepared)?, Bytes { image, quantizer: &prepared.quantizer });
-    set.run(Picture { prepared, candidates, sink, after_row })
+    set.run(Picture::new(prepared, Target::Image(image), &mut after_row)?)
 }
 
-/// Renders what was prepared and hands every pixel's mean, before it becomes bytes, to `pixel` with its index.
+/// Renders what was prepared and calls `pixel` with the index and the mean of every pixel, before it becomes bytes.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
 pub fn render_linear<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,
-    pixel: impl FnMut(usize, Vec3),
+    mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
-    let candidates = Candidates::new(prepared)?;
-    // Nobody stops this one.
-    let _ = set.run(Picture { prepared, candidates, sink: Means(pixel), after_row: |_| ControlFlow::Continue(()) })?;
+    // The result is always `Continue`.
+    let mut after_row = |_| ControlFlow::Continue(());
+    let _ = set.run(Picture::new(prepared, Target::Means(&mut pixel), &mut after_row)?)?;
     Ok(())
 }
 
-/// Where pixels go.
-trait Sink {
-    /// Whether a pixel's mean is wanted even where its bytes can be known without it.
-    const WANTS_MEANS: bool;
-
-    /// Takes a pixel's mean.
-    fn mean(&mut self, index: usize, mean: Vec3);
-    /// Takes a pixel's bytes.
-    fn bytes(&mut self, index: usize, color: Rgb);
+/// The destination of the pixels.
+enum Target<'a, I> {
+    /// An image, which takes their bytes.
+    Image(&'a mut I),
+    /// A function, which takes their means. Then every mean is computed, also where bounds would give the byte.
+    Means(&'a mut dyn FnMut(usize, Vec3)),
 }
 
-/// Pixels into an image.
-struct Bytes<'a, I> {
-    image: &'a mut I,
-    quantizer: &'a Quantizer,
+/// Renders the whole picture, row by row.
+struct Picture<'a, L: Layout> {
+    state: SpanState<'a, L>,
+    sums: Sums,
+    target: Target<'a, L::Image>,
+    after_row: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
 }
 
-impl<I: Image> Sink for Bytes<'_, I> {
-    const WANTS_MEANS: bool = false;
-
-    #[inline(always)]
-    fn mean(&mut self, index: usize, mean: Vec3) {
-        let [red, green, blue] = mean.to_array().map(|channel| self.quantizer.quantize(channel));
-        self.image.set_pixel(index, Rgb { red, green, blue });
-    }
-    #[inline(always)]
-    fn bytes(&mut self, index: usize, color: Rgb) {
-        self.image.set_pixel(index, color);
-    }
-}
-
-/// Means to whoever wants them.
-struct Means<F>(F);
-
-impl<F: FnMut(usize, Vec3)> Sink for Means<F> {
-    const WANTS_MEANS: bool = true;
-
-    fn mean(&mut self, index: usize, mean: Vec3) {
-        self.0(index, mean);
-    }
-    fn bytes(&mut self, _: usize, _: Rgb) {}
-}
-
-/// The whole picture.
-struct Picture<'a, L: Layout, K, R> {
-    prepared: &'a Prepared<L>,
-    candidates: Candidates,
-    sink: K,
-    after_row: R,
-}
-
-impl<L: Layout, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<'_, L, K, R> {
+impl<L: Layout> Kernel for Picture<'_, L> {
     type Output = Result<ControlFlow<()>, Error>;
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) -> Self::Output {
-        let Self { prepared, candidates, sink, mut after_row } = self;
-        let mut painter = Painter {
-            prepared,
-            sink,
-            offsets: PixelJitter::new(prepared.ray_seed),
-            batch: Batch::new(),
-            tracer: PathTracer::new(prepared),
-            candidates,
-            sums: Sums::new(prepared.samples),
-            sky: BackgroundPixels::new(prepared),
-        };
+    fn call<S: Simd>(mut self, simd: S) -> Self::Output {
+        let prepared = self.state.prepared;
         for row in 0..prepared.size.height() {
-            painter.row(simd, row);
-            painter.tracer.ends.check()?;
-            if after_row(row + 1).is_break() {
+            self.state.begin_row(row);
+            for span in Spans::of_row(prepared.size.width(), prepared.samples) {
+                self.span(simd, &span);
+            }
+            self.state.tracer.ends.check()?;
+            if (self.after_row)(row + 1).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
         }
@@ -184,69 +132,68 @@ impl<L: Layout, K: Sink, R: FnMut(usize) -> ControlFlow<()>> Kernel for Picture<
     }
 }
 
-/// What goes on from span to span.
-struct Painter<'a, L: Layout, K> {
-    prepared: &'a Prepared<L>,
-    sink: K,
-    offsets: PixelJitter,
-    batch: Box<Batch>,
-    tracer: Box<PathTracer>,
-    candidates: Candidates,
-    sums: Sums,
-    sky: BackgroundPixels,
-}
+impl<'a, L: Layout> Picture<'a, L> {
+    fn new(
+        prepared: &'a Prepared<L>,
+        target: Target<'a, L::Image>,
+        after_row: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        Ok(Self { state: SpanState::new(prepared)?, sums: Sums::new(prepared.samples), target, after_row })
+    }
 
-impl<L: Layout, K: Sink> Painter<'_, L, K> {
-    fn row<S: Simd>(&mut self, simd: S, row: usize) {
-        let prepared = self.prepared;
-        self.candidates.begin_row(prepared, row);
-        for span in Spans::of_row(prepared.size.width(), prepared.samples) {
-            self.candidates.narrow(prepared, row, &span);
-            let is_background = self.candidates.are_culled() && self.candidates.span.is_empty();
-            if !K::WANTS_MEANS && is_background && span.is_whole(prepared.samples) {
-                self.sky(simd, row, &span);
-            } else {
-                simd.run(Draw { prepared, span: &span, offsets: self.offsets.stream(), batch: &mut self.batch });
-                self.trace(simd, row, &span);
-            }
+    fn span<S: Simd>(&mut self, simd: S, span: &Span) {
+        let Self { state, target, .. } = self;
+        let (prepared, candidates) = (state.prepared, &mut state.candidates);
+        candidates.begin_span(prepared, state.row, span);
+        let is_background = candidates.are_culled() && candidates.span.is_empty();
+        if is_background && span.is_whole(prepared.samples) && matches!(target, Target::Image(_)) {
+            self.background_span(simd, span);
+        } else {
+            simd.run(DrawSamples(state, span));
+            self.trace(simd, span);
         }
     }
 
-    /// A span of whole pixels that no object can reach.
-    fn sky<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
-        let prepared = self.prepared;
-        let first = row * prepared.size.width() + span.first;
+    /// Renders a span of whole pixels that no object can reach.
+    fn background_span<S: Simd>(&mut self, simd: S, span: &Span) {
+        let prepared = self.state.prepared;
+        let first = self.state.row * prepared.size.width() + span.first;
         let mut done = 0;
         while done < span.width() {
-            let (sky, offsets, batch) = (&mut self.sky, &mut self.offsets, &mut *self.batch);
-            let known = simd.run(FindBytes { prepared, row, span, done, sky, offsets, batch });
-            add(Counter::SkyPixels, (known - done) as u64);
-            for at in done..known {
-                let [red, green, blue] = self.sky.bytes[at];
-                self.sink.bytes(first + at, Rgb { red, green, blue });
+            let known = simd.run(FindBytes { state: &mut self.state, span, done });
+            add(Counter::BackgroundPixels, (known - done) as u64);
+            if let Target::Image(image) = &mut self.target {
+                for at in done..known {
+                    let [red, green, blue] = self.state.background_pixels.bytes[at];
+                    image.set_pixel(first + at, Rgb { red, green, blue });
+                }
             }
             if known < span.width() {
-                add(Counter::SkyTraced, 1);
-                self.trace(simd, row, &span.pixel(known, prepared.samples));
+                add(Counter::BackgroundPixelsTraced, 1);
+                self.trace(simd, &span.pixel(known, prepared.samples));
             }
             done = known + 1;
         }
     }
 
-    /// A span whose samples have been drawn.
-    fn trace<S: Simd>(&mut self, simd: S, row: usize, span: &Span) {
-        let (prepared, batch) = (self.prepared, &mut *self.batch);
-        let queue = &mut self.tracer.queue;
-        simd.run(camera_rays::Trace { prepared, row, candidates: &self.candidates, batch, queue });
-        if batch.specular.count > 0 {
-            simd.run(specular_chains::Trace { prepared, batch, paths: queue });
+    /// Renders a span whose samples have been drawn.
+    fn trace<S: Simd>(&mut self, simd: S, span: &Span) {
+        let Self { state, sums, target, .. } = self;
+        simd.run(TraceCameraRays(state));
+        if state.batch.specular.count > 0 {
+            simd.run(TraceSpecularChains(state));
         }
-        if queue.count > 0 {
-            simd.run(trace_paths::TracePaths { prepared, tracer: &mut self.tracer });
-            let PathTracer { queue, ends, .. } = &mut *self.tracer;
-            simd.run(path_ends::Color { prepared, queue, ends, batch });
+        if state.tracer.queue.count > 0 {
+            simd.run(TracePaths(state));
+            simd.run(ColorPaths(state));
         }
-        let first_pixel = row * prepared.size.width();
-        self.sums.add(span, batch, |column, mean| self.sink.mean(first_pixel + column, mean));
+        let (first, quantizer) = (state.row * state.prepared.size.width(), &state.prepared.quantizer);
+        sums.add(span, &state.batch, |column, mean| match target {
+            Target::Image(image) => {
+                let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
+                image.set_pixel(first + column, Rgb { red, green, blue });
+            }
+            Target::Means(pixel) => pixel(first + column, mean),
+        });
     }
 }

@@ -1,11 +1,11 @@
-//! Several numbers at once, on whatever the machine offers.
+//! Lanes: several numbers that one instruction handles, with the instruction set that the machine has.
 //!
 //! A kernel is written once, over [`Simd`], and compiled for each instruction set by [`Simd::run`]. The set is chosen
 //! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly
 //! rounded IEEE operation, so the choice never changes a byte. Only `mul_add_loosely` and the `f32` lanes, which serve
 //! conservative tests alone, may round once or twice.
 //!
-//! The portable implementation is always compiled and tested; the others are held against it.
+//! The portable implementation is always compiled and tested. Tests compare the others with it.
 //!
 //! Uses [`math`](crate::math). Begin with [`SimdF64`] and [`portable`].
 
@@ -15,6 +15,8 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+pub mod columns;
+pub(crate) mod fused;
 pub mod instruction_set;
 pub mod portable;
 #[cfg_attr(not(target_arch = "x86_64"), allow(unused_imports, unused_macros))]
@@ -26,21 +28,19 @@ use std::ops::{Add, Mul, Sub};
 
 use crate::math::rounding::MulAdd;
 
-/// An instruction set, as a type that kernels are compiled for. A value of it is the proof that the machine has it:
-/// only [`run`](instruction_set::InstructionSet::run) makes one, after asking.
+/// An instruction set, as a type that kernels are compiled for. A value of the type proves that the machine has the
+/// instruction set: only [`run`](instruction_set::InstructionSet::run) makes one, after detecting it.
 pub trait Simd: Copy + 'static {
     /// Lanes of `f64`.
     type F64: SimdF64;
     /// Lanes of `f32`, for filters.
     type F32: SimdF32;
-    /// Whether a product and a sum that are rounded together are one instruction, not the call of a function.
-    const FUSES: bool;
 
     /// Runs `kernel`, compiled for this instruction set as a function of its own.
     fn run<K: Kernel>(self, kernel: K) -> K::Output;
 
-    /// The same for work on one ray after the other, where not how much is done at once counts but how soon an answer
-    /// is there: perhaps compiled for another instruction set.
+    /// Runs `kernel`, which works on one ray after the other and is bound by latency. Where comparisons have a lower
+    /// latency in another instruction set, `kernel` is compiled for that one.
     #[inline(always)]
     fn run_promptly<K: Kernel>(self, kernel: K) -> K::Output {
         self.run(kernel)
@@ -49,7 +49,7 @@ pub trait Simd: Copy + 'static {
 
 /// Work that is compiled once for each instruction set.
 pub trait Kernel {
-    /// What the work gives.
+    /// The result of the work.
     type Output;
 
     /// The work. Implementations, and all that handles lanes in them, must be `#[inline(always)]`: a function of its
@@ -57,7 +57,7 @@ pub trait Kernel {
     fn call<S: Simd>(self, simd: S) -> Self::Output;
 }
 
-/// A comparison's answer, a bit a lane.
+/// The result of a comparison in each lane.
 pub trait LaneMask: Copy {
     /// The lanes as bits, lane 0 lowest; bits beyond the lanes are 0.
     fn bits(self) -> u32;
@@ -78,19 +78,17 @@ pub trait SimdF64: MulAdd<Mask: LaneMask> {
     /// # Panics
     /// When it is shorter.
     fn store(self, place: &mut [f64]);
-    /// The lanes that `bits` selects, in order, as the first lanes; those behind them are of no meaning.
+    /// The lanes that `bits` selects, in order, as the first lanes. The lanes behind these have no meaning.
     fn compress(self, bits: u32) -> Self;
-    /// These lanes, but in those that `bits` selects the first ones of `packed`, in order.
-    fn expand(self, bits: u32, packed: Self) -> Self;
-    /// Of these lanes and then those of `next`, every other one from the first on, and the rest.
+    /// Joins these lanes and those of `next`; returns the lanes at even places, and those at odd places.
     fn unzip(self, next: Self) -> (Self, Self);
 }
 
-/// The lanes that are filled when `left` values are left, as bits.
+/// The first `count` lanes as bits; all lanes if there are fewer than `count`.
 #[inline(always)]
-pub fn valid_lanes<V: SimdF64>(left: usize) -> u32 {
+pub fn valid_lanes<V: SimdF64>(count: usize) -> u32 {
     let all = (1_u32 << V::LANES) - 1;
-    if left >= V::LANES { all } else { all & ((1_u32 << left) - 1) }
+    if count >= V::LANES { all } else { (1_u32 << count) - 1 }
 }
 
 /// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.
@@ -118,9 +116,10 @@ pub trait SimdF32: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     fn min(self, other: Self) -> Self;
     /// The larger; `other` when either is not a number.
     fn max(self, other: Self) -> Self;
-    /// Whether `self <= other`, a bit a lane; 0 when either is not a number.
+    /// Whether `self <= other`, a bit for each lane; 0 when either is not a number.
     fn less_equal(self, other: Self) -> u32;
-    /// Which of the first ones of `numbers`, as many as there are lanes, are `number`, a bit each.
+    /// Compares the first [`LANES`](Self::LANES) of `numbers` with `number`. Bit `i` of the result is 1 if `numbers[i]`
+    /// equals `number`.
     ///
     /// # Panics
     /// When there are fewer.

@@ -1,6 +1,7 @@
-//! What a scene does not need is not done: counted on a scene that does not need it, and on one that does.
+//! The renderer does no work that a scene does not need. Each test counts some work, for a scene that needs it and for
+//! one that does not.
 //!
-//! Counters belong to the thread, and a test has one of its own.
+//! Each thread has counters of its own, and each test runs in a thread of its own.
 
 #![cfg(feature = "counters")]
 
@@ -13,7 +14,7 @@ const SMALL: &str = "image_width: 32\nsamples_per_pixel: 16\nfield_of_view: 45\n
 const PIXELS: u64 = 32 * 18;
 const SAMPLES: u64 = 16 * PIXELS;
 
-/// Renders and says how the counters stand afterwards.
+/// Renders, and returns a function that gives the value of each counter afterwards.
 fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     let config = Config::parse(format!("{SMALL}{config}").as_bytes()).expect("the configuration is valid");
     let scene = Scene::parse(scene.as_bytes()).expect("the scene is valid");
@@ -34,31 +35,31 @@ const MIRROR: &str = "metal: m 1 1 1 0\n";
 const GLASS: &str = "refractive: g 1.5\n";
 
 #[test]
-fn kinds_of_objects_that_are_not_there_are_not_asked() {
+fn kinds_of_objects_that_are_not_there_are_not_tested() {
     // Two of a kind, so that rays go from one to the other.
     let (spheres, cylinders) =
         ("sphere: -2 0 0 2 m\nsphere: 2 0 0 1.9 m\n", "cylinder: -2 0 0 2 0 3 0 m\ncylinder: 2 0 0 1.9 0 3 0 m\n");
     let both = count("", &format!("{MATTE}{spheres}{cylinders}"));
-    assert!(both(Counter::SphereAsks) > 100 && both(Counter::CylinderAsks) > 100);
+    assert!(both(Counter::SphereTests) > 100 && both(Counter::CylinderTests) > 100);
     let no_cylinders = count("", &format!("{MATTE}{spheres}"));
-    assert!(no_cylinders(Counter::SphereAsks) > 100);
-    assert_eq!(no_cylinders(Counter::CylinderAsks), 0);
+    assert!(no_cylinders(Counter::SphereTests) > 100);
+    assert_eq!(no_cylinders(Counter::CylinderTests), 0);
     let no_spheres = count("", &format!("{MATTE}{cylinders}"));
-    assert!(no_spheres(Counter::CylinderAsks) > 100);
-    assert_eq!(no_spheres(Counter::SphereAsks), 0);
+    assert!(no_spheres(Counter::CylinderTests) > 100);
+    assert_eq!(no_spheres(Counter::SphereTests), 0);
 }
 
 #[test]
-fn rays_are_followed_through_glass_only_where_there_is_glass() {
+fn specular_chains_are_traced_only_where_a_surface_refracts() {
     let glass = count("", &format!("{GLASS}sphere: 0 0 0 3 g\n"));
-    assert!(glass(Counter::GlassRays) > 100);
+    assert!(glass(Counter::SpecularRays) > 100);
     let matte = count("", &format!("{MATTE}sphere: 0 0 0 3 m\n"));
     assert!(matte(Counter::Hits) > 100);
-    assert_eq!(matte(Counter::GlassRays), 0);
+    assert_eq!(matte(Counter::SpecularRays), 0);
 }
 
 #[test]
-fn random_vectors_are_drawn_only_where_a_surface_spreads_light() {
+fn random_vectors_are_drawn_only_where_a_surface_scatters_around_a_direction() {
     let sphere = "sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n";
     for mirror in ["metal: m 1 1 1 0\n", "refractive: m 1.5\n"] {
         let smooth = count("", &format!("{mirror}{sphere}"));
@@ -67,8 +68,8 @@ fn random_vectors_are_drawn_only_where_a_surface_spreads_light() {
     }
     for rough in [MATTE, "metal: m 1 1 1 .01\n"] {
         let spread = count("", &format!("{rough}{sphere}"));
-        assert!(spread(Counter::VectorsTaken) > 100);
-        assert!(spread(Counter::MaterialDraws) >= 3 * spread(Counter::VectorsTaken), "{rough}");
+        assert!(spread(Counter::ScatterSamples) > 100);
+        assert!(spread(Counter::MaterialDraws) >= 3 * spread(Counter::ScatterSamples), "{rough}");
     }
 }
 
@@ -78,7 +79,7 @@ fn with_a_depth_of_one_no_ray_leaves_a_surface_and_no_vector_is_drawn() {
         let scene = format!("{material}sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n");
         let one = count("max_depth: 1\n", &scene);
         assert!(one(Counter::Hits) > 100);
-        let rays = |counted: &dyn Fn(Counter) -> u64| counted(Counter::WalkRays) + counted(Counter::GlassRays);
+        let rays = |counted: &dyn Fn(Counter) -> u64| counted(Counter::PathRays) + counted(Counter::SpecularRays);
         assert_eq!((rays(&one), one(Counter::MaterialDraws)), (0, 0), "{material}");
         assert!(rays(&count("max_depth: 2\n", &scene)) > 100, "{material}");
     }
@@ -86,25 +87,25 @@ fn with_a_depth_of_one_no_ray_leaves_a_surface_and_no_vector_is_drawn() {
 
 #[test]
 fn the_last_surface_of_a_path_takes_its_vector_and_sends_no_ray() {
-    // Inside a mirror every ray meets a surface, so every path uses up its depth.
+    // Inside a mirror every ray hits a surface, so every path reaches the maximum depth.
     let closed = count("max_depth: 3\n", &format!("{MIRROR}sphere: 0 0 0 100 m\n"));
-    assert_eq!(closed(Counter::DepthReached), SAMPLES);
-    assert_eq!(closed(Counter::VectorsTaken), 3 * SAMPLES);
-    assert_eq!(closed(Counter::WalkRays), 2 * SAMPLES);
+    assert_eq!(closed(Counter::MaxDepthReached), SAMPLES);
+    assert_eq!(closed(Counter::ScatterSamples), 3 * SAMPLES);
+    assert_eq!(closed(Counter::PathRays), 2 * SAMPLES);
     let open = count("max_depth: 3\n", &format!("{MIRROR}sphere: 0 0 0 3 m\n"));
-    assert!(open(Counter::VectorsTaken) > 100);
-    assert_eq!(open(Counter::DepthReached), 0, "rays leave a ball at once");
-    assert_eq!(open(Counter::WalkRays), open(Counter::VectorsTaken), "each vector has its ray");
+    assert!(open(Counter::ScatterSamples) > 100);
+    assert_eq!(open(Counter::MaxDepthReached), 0, "rays leave a ball at once");
+    assert_eq!(open(Counter::PathRays), open(Counter::ScatterSamples), "each vector has its ray");
 }
 
 #[test]
 fn unused_materials_cost_nothing() {
     let scene = format!("{MATTE}metal: wild 1 1 1 1e300\n{}", row_of_spheres(20, "m"));
     let unused = count("", &scene);
-    assert!(unused(Counter::WalkRays) > 20);
-    assert_eq!(unused(Counter::PlainAsks), 0, "the filter is trusted");
+    assert!(unused(Counter::PathRays) > 20);
+    assert_eq!(unused(Counter::UnfilteredTests), 0, "the filter is trusted");
     let used = count("", &format!("{scene}sphere: 0 -9 0 1 wild\n"));
-    assert_eq!(used(Counter::PlainAsks), 21 * used(Counter::WalkRays), "it is not, with so far a scatter");
+    assert_eq!(used(Counter::UnfilteredTests), 21 * used(Counter::PathRays), "it is not, with so large a diffusion");
 }
 
 #[test]
@@ -114,86 +115,90 @@ fn pixels_that_no_object_reaches_are_known_without_rays() {
     let view = &format!("image_width: 480\nsamples_per_pixel: 2\n{colors}");
     let pixels = 480 * 270;
     let corner = count(view, &format!("{MATTE}sphere: 3 1 0 .5 m\n"));
-    let known = corner(Counter::SkyPixels);
+    let known = corner(Counter::BackgroundPixels);
     assert!(known > pixels / 2, "{known} of {pixels}");
-    assert!(corner(Counter::PrimaryRays) <= 2 * (pixels - known));
-    assert!(corner(Counter::RayDrawsSkipped) > 2 * known, "most without drawing their places");
+    assert!(corner(Counter::CameraRays) <= 2 * (pixels - known));
+    assert!(corner(Counter::RayDrawsSkipped) > 2 * known, "most without drawing their jitter");
     assert_eq!(corner(Counter::RayDrawsSkipped) + corner(Counter::RayDraws), 4 * pixels);
-    // The default sky, whose blue is 1 at both ends.
+    // The default background, whose blue is 1 at both ends.
     let default = count("image_width: 480\nsamples_per_pixel: 2\n", &format!("{MATTE}sphere: 3 1 0 .5 m\n"));
-    assert!(default(Counter::SkyPixels) > pixels / 2, "{} of {pixels}", default(Counter::SkyPixels));
+    assert!(default(Counter::BackgroundPixels) > pixels / 2, "{} of {pixels}", default(Counter::BackgroundPixels));
     let full = count(view, &format!("{MATTE}sphere: 0 0 0 100 m\n"));
-    assert_eq!((full(Counter::SkyPixels), full(Counter::PrimaryRays)), (0, 2 * pixels));
+    assert_eq!((full(Counter::BackgroundPixels), full(Counter::CameraRays)), (0, 2 * pixels));
     assert_eq!((full(Counter::RayDrawsSkipped), full(Counter::RayDraws)), (0, 4 * pixels));
 }
 
 #[test]
-fn with_equal_background_colours_no_place_is_drawn() {
+fn with_equal_background_colours_no_jitter_is_drawn() {
     // Pixels so large that a gradient's bytes differ within each.
     let view = "image_width: 8\nfield_of_view: 90\n";
     let equal = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
     let one_color = count(&format!("{view}{equal}"), "");
-    assert_eq!(one_color(Counter::SkyPixels), 8 * 4);
-    assert_eq!((one_color(Counter::RayDraws), one_color(Counter::PrimaryRays)), (0, 0));
+    assert_eq!(one_color(Counter::BackgroundPixels), 8 * 4);
+    assert_eq!((one_color(Counter::RayDraws), one_color(Counter::CameraRays)), (0, 0));
     let gradient = count(view, "");
-    assert!(gradient(Counter::RayDraws) > 0 && gradient(Counter::PrimaryRays) > 0);
-    assert!(gradient(Counter::SkyPixels) < 8 * 4);
+    assert!(gradient(Counter::RayDraws) > 0 && gradient(Counter::CameraRays) > 0);
+    assert!(gradient(Counter::BackgroundPixels) < 8 * 4);
 }
 
 #[test]
 fn primary_rays_are_tested_against_objects_near_their_span_alone() {
     let near = count("", &format!("{MATTE}{}", row_of_spheres(100, "m")));
     let (left, all) = (near(Counter::SpanCandidates), near(Counter::SpanObjects));
-    assert!(near(Counter::PrimaryRays) > 100);
+    assert!(near(Counter::CameraRays) > 100);
     // A row of spheres fills one or two of 18 rows.
     assert!(left > 0 && left < all / 5, "{left} of {all}");
-    assert!(near(Counter::PrimaryTests) < 100 * SAMPLES / 5);
+    assert!(near(Counter::CameraRayTests) < 100 * SAMPLES / 5);
     // Concentric spheres reach wherever the largest does.
     let concentric: String = (0..100).map(|at| format!("sphere: 0 0 0 {} m\n", 50 + at)).collect();
     let everywhere = count("", &format!("{MATTE}{concentric}"));
     assert_eq!(everywhere(Counter::SpanCandidates), everywhere(Counter::SpanObjects));
-    assert_eq!(everywhere(Counter::PrimaryTests), 100 * SAMPLES);
+    assert_eq!(everywhere(Counter::CameraRayTests), 100 * SAMPLES);
 }
 
 #[test]
-fn rays_ask_few_of_many_objects() {
+fn rays_are_tested_against_a_small_part_of_many_objects() {
     // A handful, a filter, a tree; the last has nodes to visit.
     for (objects, has_tree) in [(8, false), (60, false), (1000, true)] {
         let text = format!("{MATTE}{}", row_of_spheres(objects, "m"));
-        let spared = count("", &text);
-        let (rays, asks) = (spared(Counter::WalkRays), spared(Counter::SphereAsks));
-        assert!(rays > 20 && asks < rays * objects as u64 / 4, "{asks} asked by {rays} rays of {objects} objects");
-        assert_eq!(spared(Counter::NodeVisits) > 0, has_tree);
-        assert_eq!(spared(Counter::PlainAsks), 0);
-        // A grain of dust too small for any filter: every ray asks every object.
+        let skipped = count("", &text);
+        let (rays, tests) = (skipped(Counter::PathRays), skipped(Counter::SphereTests));
+        assert!(rays > 20 && tests < rays * objects as u64 / 4, "{tests} tests by {rays} rays of {objects} objects");
+        assert_eq!(skipped(Counter::NodeVisits) > 0, has_tree);
+        assert_eq!(skipped(Counter::UnfilteredTests), 0);
+        // A grain of dust too small for any filter: every ray tests every object.
         let extreme = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
-        assert_eq!(extreme(Counter::SphereAsks), extreme(Counter::WalkRays) * (objects as u64 + 1));
-        assert_eq!(extreme(Counter::PlainAsks), extreme(Counter::SphereAsks));
+        assert_eq!(extreme(Counter::SphereTests), extreme(Counter::PathRays) * (objects as u64 + 1));
+        assert_eq!(extreme(Counter::UnfilteredTests), extreme(Counter::SphereTests));
     }
 }
 
 #[test]
-fn samples_that_leave_at_once_are_walked_together() {
-    // Rays leave a mirroring ball at once: no guess is wrong. Inside of it each ray meets it again, and all are: at
-    // each of its four places a path tries the samples behind it, which have met it once more when their turn comes.
+fn paths_that_escape_at_once_are_looked_ahead_together() {
+    // Outside of a mirroring ball every reflected ray escapes, so no guess is wrong. Inside of it every ray hits again,
+    // so all guesses are wrong: at each of its four hits a path tests the samples behind it ahead, and in vain.
     let lone = count("max_depth: 4\n", &format!("{MIRROR}sphere: 0 0 0 3 m\n"));
-    assert!(lone(Counter::WalkRays) > 100);
-    assert_eq!(lone(Counter::Guesses), lone(Counter::WalkRays));
+    assert!(lone(Counter::PathRays) > 100);
+    assert_eq!(lone(Counter::LookaheadRays), lone(Counter::PathRays));
     let closed = count("max_depth: 4\n", &format!("{MIRROR}sphere: 0 0 0 100 m\n"));
-    assert!(closed(Counter::Guesses) > 2 * closed(Counter::WalkRays), "{} guesses", closed(Counter::Guesses));
+    assert!(
+        closed(Counter::LookaheadRays) > 2 * closed(Counter::PathRays),
+        "{} guesses",
+        closed(Counter::LookaheadRays)
+    );
 }
 
 #[test]
-fn where_a_last_ray_ends_no_object_is_asked_if_it_is_inside_of_one() {
-    // In a room most paths end at its wall; glass, which takes no vector, might be met there instead.
+fn the_last_ray_of_a_path_is_not_tested_where_it_starts_inside_an_object() {
+    // Inside a sphere most paths end on it. With a refractive object, which takes no random vector, no ray is skipped.
     let room = "matte: w .5 .5 .5\nsphere: 0 0 0 100 w\n";
     let rays = |scene: &str| {
         let counted = count("max_depth: 3\n", scene);
-        [Counter::WalkRays, Counter::Hits, Counter::SphereAsks, Counter::LastRaysSpared].map(counted)
+        [Counter::PathRays, Counter::Hits, Counter::SphereTests, Counter::LastRaysSkipped].map(counted)
     };
-    let [walked, hits, asks, spared] = rays(room);
-    assert!(spared > SAMPLES / 2 && asks + spared == hits - SAMPLES, "{asks} and {spared} of {hits}");
-    assert_eq!(rays(&format!("{room}{GLASS}sphere: 0 200 0 1 g\n")), [walked, hits, hits - SAMPLES, 0]);
+    let [path_rays, hits, tests, skipped] = rays(room);
+    assert!(skipped > SAMPLES / 2 && tests + skipped == hits - SAMPLES, "{tests} and {skipped} of {hits}");
+    assert_eq!(rays(&format!("{room}{GLASS}sphere: 0 200 0 1 g\n")), [path_rays, hits, hits - SAMPLES, 0]);
 }
 
 #[test]
@@ -208,7 +213,7 @@ fn means_become_bytes_without_a_power() {
 }
 
 #[test]
-fn precise_intersections_are_for_rays_in_doubt() {
+fn precise_intersections_are_for_uncertain_rays() {
     let ordinary = count("", &format!("{MATTE}sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n"));
     assert!(ordinary(Counter::Hits) > 100);
     assert!(ordinary(Counter::Fallbacks) * 50 < ordinary(Counter::Hits));
@@ -227,8 +232,8 @@ fn rays_that_start_near_a_large_sphere_seldom_need_double_double() {
 }
 
 #[test]
-fn rays_inside_an_object_that_nothing_reaches_into_ask_no_other() {
-    // A hundred objects are searched in a tree. In the second scene each is reached into by its neighbours.
+fn rays_inside_an_isolated_object_visit_no_node() {
+    // A hundred objects get a BVH. In the second scene each object overlaps its neighbours.
     let grid = |radius: f64| -> String {
         let place = |at: u32| 0.4 * (f64::from(at) - 4.5);
         (0..100).map(|at| format!("sphere: {} {} 0 {radius} m\n", place(at % 10), place(at / 10))).collect()
@@ -236,24 +241,24 @@ fn rays_inside_an_object_that_nothing_reaches_into_ask_no_other() {
     let visits = |radius: f64| {
         let counts = count("max_depth: 20\n", &format!("{MATTE}{}", grid(radius)));
         assert!(counts(Counter::Hits) > 1000);
-        counts(Counter::NodeVisits) as f64 / counts(Counter::WalkRays) as f64
+        counts(Counter::NodeVisits) as f64 / counts(Counter::PathRays) as f64
     };
-    let (alone, overlapping) = (visits(0.195), visits(0.205));
-    assert!(alone < 0.9 * overlapping, "{alone} and {overlapping} nodes a ray");
+    let (isolated, overlapping) = (visits(0.195), visits(0.205));
+    assert!(isolated < 0.9 * overlapping, "{isolated} and {overlapping} nodes a ray");
 }
 
 #[test]
-fn which_way_a_ray_leaves_the_ground_is_nearly_always_told_right() {
+fn the_entry_into_the_dominant_sphere_is_nearly_always_predicted_right() {
     // Wide enough for the filter, and a ground that sends rays into itself.
     for ground in ["metal: ground .9 .9 .9 1.5\n", "matte: ground .9 .9 .9\n", GLASS] {
         let name = if ground == GLASS { "g" } else { "ground" };
         let text = format!("{MATTE}{ground}sphere: 0 -101 0 100 {name}\n{}", row_of_spheres(30, "m"));
         let counts = count("samples_per_pixel: 64\n", &text);
-        assert!(counts(Counter::WalkRays) > 10_000, "{ground}");
+        assert!(counts(Counter::PathRays) > 10_000, "{ground}");
         assert!(
-            counts(Counter::Unexpected) * 1000 < counts(Counter::WalkRays),
+            counts(Counter::MispredictedEntries) * 1000 < counts(Counter::PathRays),
             "{ground}: {}",
-            counts(Counter::Unexpected)
+            counts(Counter::MispredictedEntries)
         );
     }
 }

@@ -1,8 +1,8 @@
-//! Pictures of a few pixels, one for each search and stage: with every instruction set that there is and in both
-//! layouts the reference's pixels.
+//! Pictures of 15 pixels, one for each acceleration structure and stage. They must have the reference's pixels with
+//! every available instruction set and in both layouts.
 //!
-//! The properties in the package `tests` try the same on thousands of random scenes. These are so small that miri,
-//! which interprets every instruction, is done with them in minutes (`tests/memory.sh miri`).
+//! The properties in the package `tests` check the same for thousands of random scenes. These pictures are so small
+//! that miri, which interprets every instruction, renders them in minutes (`tests/memory.sh miri`).
 
 use std::ops::RangeInclusive;
 
@@ -26,9 +26,9 @@ fn board(count: usize) -> String {
     (0..count).map(object).collect()
 }
 
-/// The picture of `objects`, with the materials m, s and g, which must be seen in as many pixels as `seen` says, of 15,
-/// and be searched as the test's name says.
-fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Accel) -> bool) {
+/// Compares the picture of `objects`, which use the materials m, s and g, with the reference. `seen` is how many of the
+/// 15 pixels may show an object. `is_expected` checks the acceleration structure that the test's name gives.
+fn check(objects: &str, seen: RangeInclusive<usize>, is_expected: fn(&Accel) -> bool) {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
     let scene = Scene::parse(format!("{MATERIALS}{objects}").as_bytes()).expect("the scene is valid");
@@ -40,46 +40,81 @@ fn check(objects: &str, seen: RangeInclusive<usize>, is_searched_so: fn(&Accel) 
     let differing = (0..means.len()).filter(|&at| means[at] != nothing[at]).count();
     assert!(seen.contains(&differing), "the objects are in {differing} pixels");
     let prepared = Prepared::<Aos>::new(&config, &scene, Scatter::Statement).expect("the camera is sound");
-    assert!(is_searched_so(&prepared.search), "{:?}", prepared.search);
+    assert!(is_expected(&prepared.accel), "{:?}", prepared.accel);
+}
+
+/// Means below -1/16: the squares of the rays' components underflow, so their lengths are too small by a fifth, and the
+/// background's weight is -0.1. With a gamma of 1/2 the bytes of such means are not 0.
+#[test]
+fn negative_means() {
+    let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 1\nfield_of_view: 1\ngamma: 0.5\n\
+        camera_position: 0 0 0\ncamera_target: 0 -2.68e-162 0\ncamera_north: 0 0 1\n\
+        background_dark_color: 1 1 1\nbackground_light_color: 0 0 0\n";
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let picture = equals_reference(&config, &Scene::default(), Scatter::Statement);
+    let means = picture.unwrap_or_else(|difference| panic!("{difference}")).expect("the picture is small").means;
+    assert!(means.iter().all(|mean| f64::from_bits(mean[0]) < -0.0625), "{means:?}");
+}
+
+/// Hits at an infinite lambda: it overflows, since the rays are 1e-150 long and the objects 1e159 away.
+#[test]
+fn hits_whose_lambda_overflows() {
+    let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 2\nfield_of_view: 40\n\
+        camera_position: 0 0 0\ncamera_target: 0 0 1e-150\n";
+    let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
+    let picture = |objects: &str| {
+        let scene = Scene::parse(format!("{MATERIALS}{objects}").as_bytes()).expect("the scene is valid");
+        let picture = equals_reference(&config, &scene, Scatter::Statement);
+        let picture = picture.unwrap_or_else(|difference| panic!("{objects}: {difference}"));
+        picture.expect("the picture is small").means
+    };
+    let nothing = picture("");
+    for material in ["m", "s", "g"] {
+        let (sphere, cylinder) =
+            (format!("sphere: 0 0 1e160 9e159 {material}\n"), "cylinder: 0 0 1e160 9e159 0 9e150 0 m\n");
+        assert_ne!(picture(&sphere), nothing, "{sphere}");
+        picture(&format!("{sphere}{cylinder}"));
+        picture(&format!("{cylinder}{sphere}"));
+    }
 }
 
 #[test]
 fn a_background_alone() {
-    check("", 0..=0, |search| matches!(search, Accel::SmallScene(_)));
+    check("", 0..=0, |accel| matches!(accel, Accel::SmallScene(_)));
 }
 
 #[test]
-fn two_objects_whose_samples_are_tried_ahead() {
+fn two_objects_with_lookahead() {
     check(
         "sphere: 0 -102 0 100 s\ncylinder: 0 0 0 1.5 .5 3 0 m\n",
         6..=15,
-        |search| matches!(search, Accel::SmallScene(few) if !few.uses_object_lanes()),
+        |accel| matches!(accel, Accel::SmallScene(small_scene) if !small_scene.uses_object_lanes()),
     );
 }
 
 #[test]
-fn a_handful_asked_side_by_side_with_glass_among_them() {
+fn five_objects_in_object_lanes_with_refraction() {
     check(
         "sphere: 0 0 0 2 g\nsphere: 0 2 0 1 s\nsphere: 0 -2 0 1 m\ncylinder: 1 0 -1 .5 1 1 .2 g\nsphere: 2 0 0 .5 s\n",
         6..=15,
-        |search| matches!(search, Accel::SmallScene(few) if few.uses_object_lanes()),
+        |accel| matches!(accel, Accel::SmallScene(small_scene) if small_scene.uses_object_lanes()),
     );
 }
 
 #[test]
-fn objects_behind_a_filter_over_a_ground() {
-    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6..=15, |search| matches!(search, Accel::FlatFilter(_)));
+fn objects_in_a_flat_filter_above_a_dominant_sphere() {
+    check(&format!("sphere: 0 -101 0 100 s\n{}", board(20)), 6..=15, |accel| matches!(accel, Accel::FlatFilter(_)));
 }
 
 #[test]
-fn objects_in_a_tree_over_a_ground() {
-    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12..=15, |search| matches!(search, Accel::Bvh(_)));
+fn objects_in_a_bvh_above_a_dominant_sphere() {
+    check(&format!("sphere: 0 -101 0 100 m\n{}", board(132)), 12..=15, |accel| matches!(accel, Accel::Bvh(_)));
 }
 
 #[test]
 #[cfg_attr(miri, ignore = "exact arithmetic takes too long there")]
-fn objects_too_far_apart_for_any_filter() {
-    check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4..=15, |search| {
-        matches!(search, Accel::EveryObject)
+fn objects_of_extreme_magnitude() {
+    check("sphere: 0 0 0 2 s\nsphere: 1e160 0 0 1 m\nsphere: 1 1 0 1 g\n", 4..=15, |accel| {
+        matches!(accel, Accel::EveryObject)
     });
 }

@@ -1,7 +1,7 @@
 //! Which adapter to use: lavapipe, unless the environment names another.
 //!
-//! The default is one certain driver and not the fastest, since results mean something only together with the driver
-//! that gave them. `WGPU_ADAPTER_NAME` takes any part of another name, `WGPU_BACKEND` the interface to look in.
+//! The default is a fixed driver and not the fastest one, since results depend on the driver that gave them. The
+//! variable `WGPU_ADAPTER_NAME` takes any part of another adapter's name, and `WGPU_BACKEND` the interface to search.
 
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
@@ -13,7 +13,7 @@ const LAVAPIPE: &str = "llvmpipe";
 /// The adapter to use.
 ///
 /// # Errors
-/// [`Error::NoAdapter`], with what was there instead.
+/// [`Error::NoAdapter`], with the names of the adapters that there are.
 pub fn choose() -> Result<Adapter, Error> {
     let backends = Backends::from_env().unwrap_or(Backends::VULKAN);
     let instance = Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
@@ -24,7 +24,7 @@ pub fn choose() -> Result<Adapter, Error> {
     Ok(adapters.swap_remove(index))
 }
 
-/// The first of `names` that contains the wanted one, whatever the case of its letters.
+/// The index of the first of `names` that contains `wanted`, or lavapipe's name; upper and lower case are equal.
 fn pick(names: &[String], wanted: Option<&str>) -> Option<usize> {
     let wanted = wanted.unwrap_or(LAVAPIPE).to_lowercase();
     names.iter().position(|name| name.to_lowercase().contains(&wanted))
@@ -53,7 +53,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_in_the_environment_stands() {
+    fn a_name_in_the_environment_replaces_the_default() {
         assert_eq!(pick(&names(), Some("nvidia")), Some(0));
         assert_eq!(pick(&names(), Some("radeon")), None);
     }

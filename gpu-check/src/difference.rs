@@ -1,11 +1,11 @@
-//! Two pictures' linear colours beside each other: how far apart, in how many pixels, and where.
+//! Compares the linear colours of two pictures: how far apart they are, in how many pixels, and where.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use cpu::Size;
 use cpu::Vec3;
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
 use crate::shader_lab::png::encoded;
 use crate::{Error, Float};
@@ -15,15 +15,15 @@ use crate::{Error, Float};
 pub struct Difference {
     /// Pixels compared.
     pub pixels: usize,
-    /// Pixels of which a channel's bits differ, each picture in its own precision.
+    /// Pixels in which a channel has different bits, or different values if the precisions differ.
     pub differing: usize,
-    /// Root of the mean square over all channels.
+    /// Root of the mean square of the differences of all channels.
     pub rmse: f64,
-    /// The largest in any channel.
+    /// The largest difference of any channel.
     pub largest: f64,
 }
 
-/// The difference of two channels: none when neither is a number, all when one is.
+/// The difference of two channels: zero when both are NaN, infinite when one of them is.
 fn distance(one: f64, other: f64) -> f64 {
     match (one.is_nan(), other.is_nan()) {
         (true, true) => 0.0,
@@ -32,10 +32,10 @@ fn distance(one: f64, other: f64) -> f64 {
     }
 }
 
-/// How far apart two pictures of one size are.
+/// How far apart two pictures of equal size are.
 ///
 /// # Panics
-/// When they have not the same number of pixels.
+/// When the numbers of pixels differ.
 #[must_use]
 pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Difference {
     assert_eq!(one.len(), other.len(), "pictures of one size are compared");
@@ -55,7 +55,8 @@ pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Dif
     result
 }
 
-/// A picture of three parts below each other: `one`, `other` and their difference twentyfold.
+/// Returns three pictures in one, each below the one before: the picture `one`, the picture `other`, and the magnitude
+/// of their difference, multiplied by 20.
 #[must_use]
 pub fn three_parts<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Vec<[u8; 3]> {
     const ENLARGED: f64 = 20.0;
@@ -71,10 +72,11 @@ pub fn three_parts<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Ve
     pixels
 }
 
-/// Writes the picture of [`three_parts`] into `folder`, which is made if it is not there, and gives its name.
+/// Writes the picture of [`three_parts`] into `folder` and returns its path. A missing folder is created.
 ///
 /// # Errors
-/// [`Error::File`] for the folder, [`Error::Scene`] for the picture.
+/// [`Error::File`] for the folder, or a picture too large for a PNG; [`Error::Output`] when the picture cannot be
+/// written.
 pub fn write_png<A: Float, B: Float>(
     folder: &Path,
     name: &str,
@@ -115,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_of_it_is_written() {
+    fn a_picture_of_the_difference_is_written() {
         let folder = std::env::temp_dir().join(format!("gpu-check-difference-{}", std::process::id()));
         let size = Size::new(2, 1).expect("two pixels are few");
         let one = [Vec3::ONE, Vec3::ZERO];

@@ -1,4 +1,4 @@
-//! The intersections in WGSL as implementations that `stability` holds against exact arithmetic.
+//! The intersections in WGSL as methods, which `stability` compares with exact arithmetic.
 
 use std::marker::PhantomData;
 use std::rc::Rc;
@@ -15,13 +15,13 @@ use crate::kernels::{CYLINDER, PROJECTED_CYLINDER, PROJECTED_SPHERE, SPHERE};
 use crate::{Error, Float, Gpu, Kernel, Pipeline, check};
 
 /// The name of the plain formulas in f64.
-pub const TEXTBOOK: &str = "WGSL textbook f64";
+pub const PLAIN: &str = "WGSL plain f64";
 /// The name of the plain formulas in f32.
-pub const TEXTBOOK_SINGLE: &str = "WGSL textbook f32";
+pub const PLAIN_SINGLE: &str = "WGSL plain f32";
 /// The name of the projected form in f32.
 pub const PROJECTED: &str = "WGSL projected f32";
 
-/// All that `gpu` can calculate, in the order of the table's rows: without f64 in shaders, f32 alone.
+/// All methods that `gpu` can run, in the order of the table's rows. Without f64 in shaders these are the f32 methods.
 ///
 /// # Errors
 /// As [`Pipeline::new`].
@@ -29,14 +29,14 @@ pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
     let gpu = Rc::new(gpu);
     let mut methods: Vec<Box<dyn Method>> = Vec::new();
     if gpu.has_f64() {
-        methods.push(Box::new(Wgsl::<f64>::new(TEXTBOOK, &gpu, [SPHERE, CYLINDER])?));
+        methods.push(Box::new(Wgsl::<f64>::new(PLAIN, &gpu, [SPHERE, CYLINDER])?));
     }
-    methods.push(Box::new(Wgsl::<f32>::new(TEXTBOOK_SINGLE, &gpu, [SPHERE, CYLINDER])?));
+    methods.push(Box::new(Wgsl::<f32>::new(PLAIN_SINGLE, &gpu, [SPHERE, CYLINDER])?));
     methods.push(Box::new(Wgsl::<f32>::new(PROJECTED, &gpu, [PROJECTED_SPHERE, PROJECTED_CYLINDER])?));
     Ok(methods)
 }
 
-/// Kernels of spheres and of cylinders, ready to run.
+/// A method: the kernels of spheres and of cylinders, compiled for one precision.
 struct Wgsl<T> {
     name: &'static str,
     gpu: Rc<Gpu>,
@@ -51,7 +51,7 @@ impl<T: Float> Wgsl<T> {
         Ok(Self { name, gpu: Rc::clone(gpu), kernels, precision: PhantomData })
     }
 
-    /// The kernel that takes these cases.
+    /// The kernel for these cases, which are all spheres or all cylinders.
     fn kernel(&self, cases: &[Case]) -> &(Kernel, Pipeline) {
         let cylinders = matches!(cases.first(), Some(Case { shape: Shape::Cylinder(_), .. }));
         &self.kernels[usize::from(cylinders)]
@@ -76,7 +76,7 @@ impl<T: Float> Method for Wgsl<T> {
         Ok(reports.chunks(kernel.outputs.len()).map(answer).collect())
     }
 
-    /// The device's time: unlike in the renderer, objects' records are computed on the way and all cores take part.
+    /// The device's time. Unlike in the renderer, it includes computing the objects' records, and all cores work.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
         let ((kernel, pipeline), rows) = (self.kernel(cases), rows::<T>(cases));
         Ok(Box::new(move || Ok(check::timed_results(&self.gpu, pipeline, kernel, &rows)?.1)))
@@ -105,7 +105,7 @@ fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
     rows
 }
 
-/// A row of a kernel's output, a `HitReport`.
+/// The answer in one row of a kernel's output, which is a `HitReport`.
 fn answer<T: Float>(report: &[T]) -> Option<Answer> {
     let mut report = Reader(report);
     let some = report.number().wide() == 1.0;

@@ -1,4 +1,4 @@
-//! What a picture is made from, ready for a device: the buffers of `shaders/wgsl/picture.wgsl`.
+//! A scene prepared for a device: the contents of the buffers of `shaders/wgsl/picture.wgsl`.
 
 use cpu::internals::Camera;
 use cpu::internals::geometry::cylinder::CylinderRecord;
@@ -12,14 +12,14 @@ use shaders::Features;
 
 use crate::Error;
 
-/// A material, as WGSL has it.
+/// A material in the form that `material.wgsl` has.
 #[derive(Clone, Copy, Debug)]
 pub struct PackedMaterial<T> {
     /// What the colour of the scattered ray is multiplied by.
     pub reflectance: Vec3<T>,
-    /// Of a refractive material; zero elsewhere.
+    /// The refractive index; zero for other materials.
     pub index: T,
-    /// Which variant of [`Material`].
+    /// The variant of [`Material`].
     pub kind: Kind,
 }
 
@@ -40,9 +40,9 @@ pub enum Kind {
 pub struct Picture<T> {
     /// Columns and rows.
     pub size: Size,
-    /// Where primary rays come from. Its window is computed in f64, as the tangent has to be.
+    /// The camera. Its window is computed in f64, because that takes a tangent, and then rounded.
     pub camera: Camera<T>,
-    /// What rays see that meet nothing.
+    /// The colours of rays that hit no object.
     pub background: Background<T>,
     /// The spheres in the order of the file.
     pub spheres: Vec<Placed<SphereRecord<T>>>,
@@ -50,12 +50,12 @@ pub struct Picture<T> {
     pub cylinders: Vec<Placed<CylinderRecord<T>>>,
     /// All materials.
     pub materials: Vec<PackedMaterial<T>>,
-    /// Most surfaces that a ray may meet.
+    /// Most surfaces that a path may hit.
     pub max_depth: u32,
 }
 
 impl<T: Real> Picture<T> {
-    /// The picture of `scene` that `config` asks for, every number rounded once to the precision.
+    /// The picture of `scene` with `config`. Every number is rounded once to the precision `T`.
     ///
     /// # Errors
     /// [`Error::Scene`] when the configuration makes no picture.
@@ -83,7 +83,7 @@ impl<T: Real> Picture<T> {
     }
 }
 
-/// A list of surfaces that no device could hold is refused here already.
+/// The maximum depth. One beyond 32 bits is refused, since no device could hold the list of a path's surfaces.
 fn depth(config: &Config) -> Result<u32, Error> {
     u32::try_from(config.max_depth).map_err(|_| Error::TooLarge {
         what: "the materials that attenuate each path",
@@ -101,7 +101,7 @@ fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
     PackedMaterial { reflectance: material.reflectance().map(T::of), index: T::of(index), kind }
 }
 
-/// What `scene` needs of a pipeline; materials that no object is of do not count.
+/// The features that a pipeline for `scene` needs. Materials that no object has do not count.
 ///
 /// # Errors
 /// [`Error::TooLarge`] for a depth that no device can follow.
@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn features_are_those_of_the_objects_there_are() {
+    fn only_materials_of_objects_count_as_features() {
         let text = "matte: a 1 1 1\nmetal: unused 1 1 1 0\nrefractive: b 1.5\nsphere: 0 0 0 1 a\nsphere: 0 0 0 2 b\n";
         let scene = Scene::parse(text.as_bytes()).expect("it is valid");
         let features = features_of(&Config::default(), &scene).expect("five is not deep");

@@ -1,4 +1,4 @@
-//! Whole pictures on a device, in deterministic mode.
+//! Renders whole pictures on a device, in deterministic mode.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -12,18 +12,19 @@ use crate::packed::{Packed, buffer};
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
-/// Pixels in one run, unless the limit on a binding asks for fewer.
+/// Most pixels in one run. The limit on a binding may allow fewer.
 pub(crate) const BATCH: u64 = 1 << 18;
 
-/// Most tests of a ray with an object in one run, as far as they can be foretold: seconds on a CPU that plays a GPU. So
-/// a large scene is many runs, each within the time that a run may take, and progress can be told between them.
+/// Most tests of a ray against an object in one run, if every path has the maximum depth. They take seconds on a CPU
+/// that acts as a GPU. So a large scene is rendered in many runs, each within its time limit, and progress can be
+/// reported between them.
 const TESTS: u64 = 1 << 28;
 
-/// Fewer pixels in a run would leave most of a device idle.
+/// Fewest pixels in one run, unless a limit forces fewer. With less, most of a device would be idle.
 const LEAST_BATCH: u64 = 1 << 10;
 
-/// Most iterations that all loops of an invocation may have together. Beyond 65,535 lavapipe leaves them without a
-/// word, and rays lose their way.
+/// Most iterations of all loops of an invocation together. After 65,535 iterations lavapipe leaves a loop without an
+/// error, and the colours are wrong.
 pub(crate) const MAX_ITERATIONS: u64 = 65_535;
 
 /// A pipeline that renders, for one precision and one set of features.
@@ -32,7 +33,7 @@ pub struct Renderer<'a, T> {
     gpu: &'a Gpu,
     pipeline: Pipeline,
     features: Features,
-    /// Surfaces in one run, when not as many as its loops allow.
+    /// Most surfaces that paths hit in one run; `None` for as many as the loops allow.
     step: Option<u32>,
     precision: PhantomData<T>,
 }
@@ -42,14 +43,14 @@ pub struct Renderer<'a, T> {
 pub struct Rendering<T> {
     /// Columns and rows.
     pub size: Size,
-    /// Row by row from the top left.
+    /// The colours, row by row from the top left.
     pub pixels: Vec<Vec3<T>>,
-    /// What the device took, without the transfers.
+    /// The time that the device took, without the transfers.
     pub time: Duration,
 }
 
 impl<'a, T: Float> Renderer<'a, T> {
-    /// Compiles the picture's kernel from `library`, any of whose modules may be replaced, with these features.
+    /// Compiles `kernels/image` from `library`, specialised to `features`.
     ///
     /// # Errors
     /// As [`Pipeline::new`].
@@ -57,7 +58,7 @@ impl<'a, T: Float> Renderer<'a, T> {
         Self::with_constants(gpu, library, features, &[])
     }
 
-    /// The same, with values for constants that a replaced module declares itself.
+    /// Compiles as [`Self::new`] does. `own` are the values of constants that a replaced module declares.
     ///
     /// # Errors
     /// As [`Pipeline::with_constants`].
@@ -73,17 +74,18 @@ impl<'a, T: Float> Renderer<'a, T> {
         Ok(Self { gpu, pipeline, features: *features, step: None, precision: PhantomData })
     }
 
-    /// The same, with `surfaces` in each run and not as many as its loops allow: results must not depend on it.
+    /// The renderer with at most `surfaces` hits of a path in each run. Tests use it to show that results do not depend
+    /// on the number of runs.
     ///
     /// # Panics
-    /// Without any.
+    /// When `surfaces` is zero.
     #[must_use]
     pub fn in_steps_of(self, surfaces: u32) -> Self {
-        assert!(surfaces > 0, "a run meets one surface at least");
+        assert!(surfaces > 0, "a run needs at least one surface");
         Self { step: Some(surfaces), ..self }
     }
 
-    /// Renders `picture` to the depth of the features.
+    /// Renders `picture` with the maximum depth of the features.
     ///
     /// # Errors
     /// As [`Pipeline::run`].
@@ -91,7 +93,8 @@ impl<'a, T: Float> Renderer<'a, T> {
         self.render_telling(picture, |_, _| ())
     }
 
-    /// The same, and calls `tell` after each run with the pixels that are done and all that there are.
+    /// Renders as [`Self::render`] does, and calls `tell` after each run with the number of pixels that are done and
+    /// the number of all pixels.
     ///
     /// # Errors
     /// As [`Pipeline::run`].
@@ -101,7 +104,7 @@ impl<'a, T: Float> Renderer<'a, T> {
         let count = picture.size.pixels() as u64;
         let color = size_of::<Vec3<T>>() as u64;
         let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
-        // At least one pixel: a path too long for a binding is then an error that says so.
+        // At least one pixel. If the path of one pixel is too long for a binding, the run returns the error.
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
         let tests = (objects * u64::from(self.features.max_depth)).max(1);
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
@@ -130,14 +133,15 @@ impl<'a, T: Float> Renderer<'a, T> {
         Ok(rendering)
     }
 
-    /// The depth in steps, each of which one run can loop through.
+    /// The depths from 0 to the maximum depth, divided into ranges. One run can loop through each of them.
     fn depths(&self, picture: &Picture<T>) -> Result<Vec<Range<u32>>, Error> {
         let depth = self.features.max_depth;
         if let Some(step) = self.step {
             return Ok(steps(depth, step));
         }
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        // At each surface: a loop over the objects, and one over the materials of a path where a neighbour's path ends.
+        // For each surface there is a loop over the objects. In addition the loop over a path's materials is counted,
+        // since the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
         let iterations = objects + u64::from(depth) + 1;
         let step = MAX_ITERATIONS / iterations;
         if step == 0 {
@@ -147,17 +151,17 @@ impl<'a, T: Float> Renderer<'a, T> {
     }
 }
 
-/// `0..depth` in pieces of `step`, at least one.
+/// Divides `0..depth` into ranges of `step`; at least one range, even if it is empty.
 fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
     (0..depth.max(1)).step_by(step as usize).map(|first| first..first.saturating_add(step).min(depth)).collect()
 }
 
-/// The structure `Picture` of `picture.wgsl`, for `pixels` pixels from `first`.
+/// The bytes of the structure `Picture` of `picture.wgsl`, for a run of `pixels` pixels from `first` at these `depths`.
 pub(crate) fn head<T: Float>(picture: &Picture<T>, first: u32, pixels: u32, depths: &Range<u32>) -> Vec<u8> {
     let mut bytes = Vec::new();
     picture.camera.pack(&mut bytes);
     picture.background.pack(&mut bytes);
-    // Deterministic mode: the middle of the pixel, and a null scatter vector.
+    // Deterministic mode: two offsets and the three components of the scatter vector are zero.
     [T::of(0.0); 5][..].pack(&mut bytes);
     let counts = [picture.spheres.len() as u32, picture.cylinders.len() as u32];
     let numbers = [picture.size.width() as u32, first, pixels, counts[0], counts[1], depths.start, depths.end, 0];

@@ -1,19 +1,19 @@
-//! How far f32 may be from the exact result: running error analysis.
+//! Bounds how far f32 may be from the exact result, by running error analysis (N. Higham, Accuracy and Stability of
+//! Numerical Algorithms, section 3.3).
 //!
-//! [`Running`] is a number that carries, beside its value, a bound on the distance between the value and what f32 gives
-//! for the same formula. Every operation of IEEE 754 is the exact one on its operands, rounded: the result is off by at
-//! most half a unit in the last place, which is `u = 2^-24` of it (or `2^-150` below the normal numbers). So, with `x`
-//! and `y` off by at most `e` and `f`,
+//! A [`Running`] is a value together with a bound on the distance between this value and the result of the formula in
+//! f32. An operation of IEEE 754 returns the exact result of its operands, rounded. The rounding error is at most half
+//! a unit in the last place: `u = 2^-24` times the result, or `2^-150` below the normal numbers. If the errors of `x`
+//! and `y` are at most `e` and `f`, the errors are at most
 //!
-//! - `x + y` is off by `e + f`, and `u |x + y|` of the result in f32;
-//! - `x y` by `|x| f + |y| e + e f`, and the rounding;
-//! - `x / y` by `(e + |x / y| f) / (|y| - f)`, and the rounding; anything when `f >= |y|`;
-//! - `sqrt x` by `e / (sqrt x + sqrt(x - e))`, and the rounding; anything when `e >= x`;
+//! - for `x + y`: `e + f`, plus the rounding error;
+//! - for `x y`: `|x| f + |y| e + e f`, plus the rounding error;
+//! - for `x / y`: `(e + |x / y| f) / (|y| - f)`, plus the rounding error; without a bound when `f >= |y|`;
+//! - for `sqrt x`: `e / (sqrt x + sqrt(x - e))`, plus the rounding error; without a bound when `e >= x`.
 //!
-//! (N. Higham, Accuracy and Stability of Numerical Algorithms, section 3.3). The formulas of `cpu` are generic, so the
-//! bound is derived from the very text that it is for. A comparison whose operands are closer than their bounds may
-//! fall either way in f32: it is noted, and what depends on it is left out. The value itself is f64, whose own rounding
-//! (`2^-53`) disappears in the factor `SLACK`.
+//! The formulas of `cpu` are generic, so the bound is computed by the code of the formula itself. A comparison whose
+//! operands are closer than their bounds may have another result in f32. It is recorded, and the case is not compared.
+//! The value is computed in f64, whose rounding errors of `2^-53` the factor `SLACK` covers.
 
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -22,18 +22,20 @@ use cpu::internals::math::real::Real;
 
 /// Half a unit in the last place of f32, relative.
 const U: f64 = 1.0 / 16_777_216.0;
-/// Half of the smallest f32: what rounding adds below the normal numbers.
+/// Half of the smallest positive f32, `2^-150`: the largest rounding error below the normal numbers.
 const ETA: f64 = f64::from_bits((1023 - 150) << 52);
-/// Covers that the bound itself and the value are calculated in f64: a thousand of its units.
+/// Covers the rounding errors of the bound and the value, which are computed in f64. It is about 4,500 times the
+/// epsilon of f64.
 const SLACK: f64 = 1.0 + 1e-12;
-/// The largest f32: beyond it f32 says infinity.
+/// The largest f32. Larger results overflow to infinity.
 const LARGEST: f64 = f32::MAX as f64;
 
 thread_local! {
+    /// Whether a comparison may have another result in f32.
     static UNDECIDED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// A value, and how far f32 may be from it.
+/// A value, and a bound on how far f32 may be from it.
 #[derive(Clone, Copy, Debug)]
 pub struct Running {
     /// The value in f64.
@@ -43,22 +45,22 @@ pub struct Running {
 }
 
 impl Running {
-    /// An input that both precisions have exactly.
+    /// An input that is exact in f32 and in f64.
     #[must_use]
     pub const fn exact(value: f64) -> Self {
         Self { value, bound: 0.0 }
     }
 
-    /// A result whose operands' errors make up `carried`, after the rounding of f32.
+    /// A result in which the errors of the operands cause an error of `carried`, to which the rounding error is added.
     fn rounded(value: f64, carried: f64) -> Self {
         let largest = value.abs() + carried;
         let bound = (carried + U * largest + ETA) * SLACK;
-        // Overflow in f32, or not a number: nothing is known. The comparison is false for what is not a number.
+        // Without a bound if f32 may overflow, or if a number is NaN: then the comparison is false.
         let known = largest + bound < LARGEST;
         Self { value, bound: if known { bound } else { f64::INFINITY } }
     }
 
-    /// Notes when f32 may answer a comparison of the two otherwise.
+    /// Records whether a comparison of the two may have another result in f32.
     fn compare(self, other: Self) {
         let distance = (self.value - other.value).abs();
         let decided = distance > (self.bound + other.bound) * SLACK || self.is_exact() && other.is_exact();
@@ -72,7 +74,7 @@ impl Running {
     }
 }
 
-/// Does `work` and tells whether f32 is certain to take the same decisions in it.
+/// Does `work`. The second result tells whether all its comparisons certainly have these results in f32 too.
 pub fn observe<R>(work: impl FnOnce() -> R) -> (R, bool) {
     UNDECIDED.set(false);
     let result = work();
@@ -178,7 +180,7 @@ mod tests {
             compared += usize::from(bounded.bound.is_finite());
         }
         assert!(compared > 99_000, "{compared} bounds are finite");
-        assert!(closest > 0.1, "the bound is not idle: the largest error is {closest} of it");
+        assert!(closest > 0.1, "the bound is not too large: the largest error is {closest} of it");
     }
 
     #[test]
@@ -186,12 +188,12 @@ mod tests {
         let third = Running::of(1.0 / 3.0);
         assert_eq!(observe(|| third.less(Running::of(0.5))), (true, true));
         assert!(!observe(|| third.less(Running::of(1.0 / 3.0 + 1e-9))).1);
-        assert!(!observe(|| (third - third).sqrt().less(third)).1, "a root of noise may be anything");
+        assert!(!observe(|| (third - third).sqrt().less(third)).1, "a root of a rounding error has no bound");
         assert!(!observe(|| Running::of(f64::NAN).less(third)).1);
     }
 
     #[test]
-    fn what_overflows_in_f32_is_unknown() {
+    fn a_result_that_overflows_in_f32_has_no_bound() {
         let large = Running::exact(1e30);
         assert!((large * large).bound.is_infinite() && (large + large).bound.is_finite());
         assert!((large / Running::exact(0.0)).bound.is_infinite());

@@ -1,17 +1,18 @@
-//! The folder that drivers expect a session to have.
+//! The folder of the session, which Mesa's drivers look for.
 
-/// Starts the program again, in its own place, with `XDG_RUNTIME_DIR` set where it is not: without it Mesa writes a
-/// complaint to standard error before every run. The variable of a running process cannot be set safely.
+/// If `XDG_RUNTIME_DIR` is not set, replaces this process by a new start of the program with the variable set. Without
+/// it Mesa writes a warning to standard error before every run. Setting the variable in a running process is unsafe.
 pub fn ensure_folder() {
     #[cfg(unix)]
     {
         use std::os::unix::process::CommandExt;
         use std::path::Path;
 
-        use cpu::internals::output::{Options, Output};
+        use output::{Options, Output};
 
         const NAME: &str = "XDG_RUNTIME_DIR";
-        // A new start would hide that standard output is closed: the standard library opens /dev/null in its place.
+        // If standard output is closed, a new start would hide that, because the standard library then opens /dev/null
+        // in its place.
         if Output::open(Path::new("/dev/stdout"), Options::default()).is_err() {
             return;
         }
@@ -20,7 +21,7 @@ pub fn ensure_folder() {
         }
         if let Ok(program) = std::env::current_exe() {
             let mut command = std::process::Command::new(program);
-            // It comes back only where it fails; then the complaint is all that is lost.
+            // `exec` returns only when it fails. Then the program goes on, and Mesa writes its warning.
             let _ = command.args(std::env::args_os().skip(1)).env(NAME, std::env::temp_dir()).exec();
         }
     }

@@ -1,34 +1,33 @@
-//! What the programs of this package say on standard output and standard error.
+//! Writes the messages of this package's programs to standard output and standard error.
 //!
-//! The macros of the standard library panic where a stream takes no more, and lose what is written to a closed one.
+//! The macros of the standard library panic when a stream cannot be written, and report no error for a closed stream.
 
 use std::io::{self, Write};
 use std::path::Path;
 
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
 /// Writes `text` to standard output, with all control characters but its line ends escaped.
 ///
-/// A reader that has gone, as `head` does after ten lines, is no error.
+/// It is no error if the reader has closed the pipe, as `head` does after ten lines.
 ///
 /// # Errors
-/// [`cpu::internals::input::error::Error::Write`]: standard output is closed, full or not writable.
-pub fn print(text: &str) -> Result<(), cpu::Error> {
+/// Standard output is closed, full or not writable.
+pub fn print(text: &str) -> Result<(), output::Error> {
     let output = Output::open(Path::new("/dev/stdout"), Options::default());
     match output.and_then(|output| output.fill(|file| file.write_all(escaped(text).as_bytes()))) {
-        Err(cpu::internals::input::error::Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => {
-            Ok(())
-        }
+        Err(output::Error { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }
 }
 
-/// Writes `text` and a line end to standard error, escaped in the same way. An error there cannot be told to anyone.
+/// Writes `text` and a line end to standard error, with control characters escaped. An error is ignored, since there is
+/// no other stream to report it to.
 pub fn note(text: &str) {
     let _ = io::stderr().write_all(format!("{}\n", escaped(text)).as_bytes());
 }
 
-/// Text of several lines without characters that a terminal would obey.
+/// The text with all control characters escaped but its line ends, so that it cannot command the terminal.
 fn escaped(text: &str) -> String {
     text.split('\n').map(|line| cpu::internals::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
 }

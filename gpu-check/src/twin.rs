@@ -1,26 +1,27 @@
-//! The renderer of `shaders/wgsl/trace.wgsl`, once more in Rust over any number: its f32 twin gives the bits that the
-//! f32 port must give, and over [`crate::running::Running`] it tells how far f32 may be from f64 in each pixel.
+//! The renderer of `shaders/wgsl/trace.wgsl` in Rust, for any number type. With f32 it gives the bits that the f32 port
+//! must give. With [`crate::running::Running`] it tells how far f32 may be from f64 in each pixel.
 //!
-//! The formulas are those of `cpu`; `cpu::reference`, which has its own, is what f64 is held against.
+//! It uses the formulas of `cpu`. The f64 port is compared with `cpu::reference` instead, which has its own formulas.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::layout::Placed;
-use cpu::internals::materials::scatter;
+use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
+use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::{Ray, Vec3};
 
 use crate::Picture;
 use crate::picture::Kind;
 
-/// The closest surface so far. Of two at the same lambda, the later object of the file counts.
+/// The closest hit so far. Of two hits at the same lambda, the one on the later object of the file counts.
 struct ClosestHit<T> {
     lambda: T,
     order: u32,
     surface: Surface,
 }
 
-/// The surface that a ray meets first.
+/// The surface that a ray hits first.
 pub(crate) struct SurfaceHit<T> {
     pub(crate) hit: Hit<T>,
     pub(crate) material: u32,
@@ -63,17 +64,17 @@ impl<T: Real<Mask = bool>> Picture<T> {
         let material = self.materials[surface.material as usize];
         let (hit, vector) = (surface.hit, Vec3::splat(T::of(0.0)));
         let direction = match material.kind {
-            Kind::Matte => scatter::matte(hit.normal, vector),
-            Kind::Metal => scatter::metal(ray.direction, hit.normal, vector),
+            Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
+            Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
             Kind::Refractive => {
                 let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
-                scatter::refract(ray.direction, hit.normal, ratio)
+                refraction::refract(ray.direction, hit.normal, ratio)
             }
         };
         Ray { origin: hit.point, direction }
     }
 
-    /// Where the ray first meets an object, and of what material.
+    /// The closest hit of the ray, by a loop over all objects.
     pub(crate) fn closest_hit(&self, ray: &Ray<T>) -> Option<SurfaceHit<T>> {
         let mut closest = None;
         for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {

@@ -1,7 +1,8 @@
-//! A server of one page, to this machine only: `web/` and the data that it asks for.
+//! Serves one page to browsers on this machine: the files of `web/`, and the data that the page fetches.
 //!
-//! A page from a file may not fetch, and WebGPU wants a trusted origin, which the loopback address is. A request is
-//! answered and its connection closed; nothing here is for the open network. [`request`] reads requests within limits.
+//! A page that is opened from a file may not fetch data, and WebGPU needs a trusted origin, which the loopback address
+//! is. The server answers a request and closes its connection. It is not made for the open network. [`request`] reads
+//! requests within limits.
 
 pub mod data;
 pub mod request;
@@ -16,10 +17,16 @@ use std::time::Duration;
 
 use request::{Refusal, Request};
 
-/// The page's files.
-const FILES: [(&str, &str, &str); 7] = [
+/// The page's icon.
+const ICON: &str = include_str!("../web/icon.svg");
+
+/// The page's files: path, content type and text.
+const FILES: [(&str, &str, &str); 9] = [
     ("/", "text/html", include_str!("../web/index.html")),
     ("/?drive", "text/html", include_str!("../web/index.html")),
+    ("/icon.svg", "image/svg+xml", ICON),
+    // Browsers request it before they have read which icon the page names.
+    ("/favicon.ico", "image/svg+xml", ICON),
     ("/lab.css", "text/css", include_str!("../web/lab.css")),
     ("/page.js", "text/javascript", include_str!("../web/page.js")),
     ("/lab.js", "text/javascript", include_str!("../web/lab.js")),
@@ -27,16 +34,16 @@ const FILES: [(&str, &str, &str); 7] = [
     ("/drive.js", "text/javascript", include_str!("../web/drive.js")),
 ];
 
-/// Most connections at a time. A browser opens six to one address.
+/// Most connections at a time. A browser opens six to one server.
 pub const MAX_CONNECTIONS: usize = 32;
 
-/// How long the client may take for an answer's next bytes.
+/// How long the client may take to accept the next bytes of an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// How long the server waits for a resource, such as a free file descriptor, before it accepts again.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The server, ready to be asked.
+/// The server, bound to its port.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
@@ -45,24 +52,24 @@ pub struct Server {
     connections: AtomicUsize,
     /// Bytes of all bodies that are being received.
     bodies: AtomicUsize,
-    /// How long a client may take for its whole request, and for an answer's next bytes.
+    /// How long a client may take for its whole request, and to accept the next bytes of an answer.
     patience: [Duration; 2],
 }
 
-/// What the page sent under `results/`.
+/// A result that the page sent by `POST` to `results/`.
 #[derive(Clone, Debug)]
 pub struct Posted {
-    /// The rest of the address.
+    /// The part of the path after `results/`.
     pub name: String,
-    /// Its content.
+    /// The bytes of the result.
     pub body: Vec<u8>,
 }
 
-/// A share of a counter, given back when it is dropped.
+/// An amount that is added to a counter, and subtracted when it is dropped.
 struct Share<'a>(&'a AtomicUsize, usize);
 
 impl<'a> Share<'a> {
-    /// `amount` of what `counter` counts, unless there would be more than `most` in all.
+    /// Adds `amount` to `counter`, unless the sum would exceed `most`.
     fn take(counter: &'a AtomicUsize, amount: usize, most: usize) -> Option<Self> {
         let add = |taken: usize| taken.checked_add(amount).filter(|&sum| sum <= most);
         counter.fetch_update(Ordering::SeqCst, Ordering::SeqCst, add).ok().map(|_| Self(counter, amount))
@@ -76,29 +83,30 @@ impl Drop for Share<'_> {
 }
 
 impl Server {
-    /// A server of `data`, by what stands after `data/` in the address, at `port`, or at any that is free for zero.
+    /// A server at `port`, or at any free port if `port` is zero. The keys of `data` are the parts of the path after
+    /// `data/`.
     ///
     /// # Errors
-    /// When the port is taken.
+    /// When the port is in use.
     pub fn new(port: u16, data: BTreeMap<String, Vec<u8>>) -> io::Result<Self> {
         let listener = TcpListener::bind(("127.0.0.1", port))?;
         let (connections, bodies) = (AtomicUsize::new(0), AtomicUsize::new(0));
         Ok(Self { listener, data, connections, bodies, patience: [request::MAX_TIME, PATIENCE] })
     }
 
-    /// Where it listens.
+    /// The address at which the server listens.
     ///
     /// # Errors
-    /// As the system reports.
+    /// The error of the system.
     pub fn address(&self) -> io::Result<SocketAddr> {
         self.listener.local_addr()
     }
 
     /// Answers every client, each in a thread of its own, since browsers open connections that they may use later.
-    /// `take` is given what the page sends.
+    /// `take` is called with each result that the page sends.
     ///
     /// # Errors
-    /// When the system takes no more connections, for another reason than a lack that may pass.
+    /// When accepting connections fails for good, and not only for a while as when file descriptors are short.
     pub fn serve(self, take: impl Fn(Posted) + Send + Sync + 'static) -> io::Result<Infallible> {
         let shared = Arc::new((self, take));
         loop {
@@ -111,7 +119,7 @@ impl Server {
                 Err(error) => return Err(error),
             };
             if shared.0.connections.fetch_add(1, Ordering::SeqCst) >= MAX_CONNECTIONS {
-                // So short an answer fits the system's buffer, and the server does not wait for the client.
+                // This answer is so short that it fits the system's buffer, so the server does not wait for the client.
                 drop(respond(&stream, "503 Service Unavailable", "text/plain", b"too many connections"));
                 shared.0.connections.fetch_sub(1, Ordering::SeqCst);
                 continue;
@@ -120,17 +128,18 @@ impl Server {
             let talk = move || {
                 let (server, take) = &*connection;
                 let _share = Share(&server.connections, 1);
-                // A client that breaks off has no use for an error.
+                // An error means that the client has closed the connection, so it cannot be reported to it.
                 drop(server.talk(&stream, take));
             };
             if std::thread::Builder::new().name("connection".to_owned()).spawn(talk).is_err() {
-                // The connection is closed, and the client may try again.
+                // Without a thread the connection is closed, and the client may try again.
                 shared.0.connections.fetch_sub(1, Ordering::SeqCst);
             }
         }
     }
 
-    /// Answers one request. What it brought is taken before the answer, so that what follows cannot overtake it.
+    /// Answers one request. A posted result is handed to `take` before the answer, so that the page's results arrive in
+    /// order.
     fn talk(&self, stream: &TcpStream, take: impl Fn(Posted)) -> io::Result<()> {
         let mut share = None;
         let reserve = |length| {
@@ -162,7 +171,8 @@ impl Server {
     }
 }
 
-/// Whether accepting may work again later: a client broke off, or file descriptors or memory are short.
+/// Whether accepting connections may work again later: a client closed its connection, or file descriptors or memory
+/// are short.
 fn may_pass(error: &io::Error) -> bool {
     #[cfg(unix)]
     {
@@ -188,7 +198,8 @@ fn respond(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8]) -> io:
     stream.write_all(body)
 }
 
-/// Reads what a refused client still sends, for a moment: closing at once could take the answer from it.
+/// Reads what a refused client still sends, for a moment. If the connection were closed at once, the client might lose
+/// the answer.
 fn drain(mut stream: &TcpStream) -> io::Result<()> {
     stream.shutdown(Shutdown::Write)?;
     stream.set_read_timeout(Some(PAUSE))?;

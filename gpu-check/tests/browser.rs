@@ -1,8 +1,8 @@
-//! The f32 shader by a second compiler: headless Chromium's Tint on SwiftShader, against lavapipe and Rust.
+//! Compares the f32 shader by a second compiler, headless Chromium's Tint on SwiftShader, with lavapipe and Rust.
 //!
-//! The page is driven by `web/drive.js`, which does what a person would and hands each result to the server here.
-//! `tests/run --browser` installs Chromium; without it the test is shown as ignored. With a file's name, from the
-//! project's folder, in `SCREENSHOT` the test leaves a picture of the page there.
+//! The page is driven by `web/drive.js`, which does what a user would do and posts each result to the server here.
+//! `tests/run --browser` installs Chromium. Without Chromium the test is shown as ignored. If the variable `SCREENSHOT`
+//! has the name of a file, relative to the project's folder, the test writes a picture of the page there.
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
@@ -19,6 +19,7 @@ use gpu_check::web::{Posted, Server, data};
 use gpu_check::{Float, Gpu, check};
 use libtest_mimic::{Arguments, Failed, Trial};
 use shaders::Library;
+use test_support::folder::Folder;
 
 /// How long the page may take for its next result.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -38,7 +39,7 @@ fn main() -> ExitCode {
     libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
 }
 
-/// The browser: what `CHROMIUM` says, or the first of its usual names in the path.
+/// The browser: the file that `CHROMIUM` names, or the first file in the path with one of the usual names.
 fn chromium() -> Option<PathBuf> {
     if let Some(path) = std::env::var_os("CHROMIUM") {
         return Some(path.into());
@@ -48,7 +49,7 @@ fn chromium() -> Option<PathBuf> {
     names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|path| path.is_file())
 }
 
-/// A browser that ends with its guard.
+/// A browser, which is killed when the value is dropped.
 struct Browser(Child);
 
 impl Drop for Browser {
@@ -64,18 +65,18 @@ fn open(chromium: &Path, profile: &Path, more: &[String], url: &str) -> std::io:
     command.args(["--headless", "--enable-unsafe-webgpu", "--no-sandbox", "--disable-quic", "--no-first-run"]);
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
     command.arg(format!("--user-data-dir={}", profile.display()));
-    // Without an output of its own it writes into the test's.
+    // Its messages must not appear among the test's.
     let child = command.arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn()?;
     Ok(Browser(child))
 }
 
-/// Everything that the page hands in, by name, until it is done.
+/// All results that the page posts until it is done, by name.
 fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
-    let profile = tempfile::tempdir()?;
+    let profile = Folder::new();
     let address = server.address()?;
     let browser = open(chromium, profile.path(), &[], &format!("http://{address}/?drive"))?;
     let (sender, receiver) = mpsc::channel();
-    // Ends with the process; what comes after the last result has nobody to wait for it.
+    // The thread ends with the process. Results after the last one are dropped.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
     let mut results = BTreeMap::new();
     loop {
@@ -94,16 +95,17 @@ fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>,
     Ok(results)
 }
 
-/// Writes a picture of the page after it was driven once more. A browser takes it when all is loaded, which the page is
-/// before it has calculated anything: so it stands in a frame beside an image that comes when `posted` says it is done.
+/// Drives the page once more and writes a picture of it. The browser takes the picture when everything is loaded, but
+/// the page is loaded before it has calculated anything. So the page is put in a frame beside an image. This test sends
+/// the image only when `posted` says that the page is done.
 fn photograph(chromium: &Path, address: SocketAddr, posted: &Receiver<Posted>, picture: &str) -> Result<(), Failed> {
     let frame = format!(
         "<!doctype html><style>body{{margin:0}}iframe{{border:0;width:100vw;height:100vh}}img{{display:none}}</style>\
          <iframe src=\"http://{address}/?drive\"></iframe><img src=\"done\">"
     );
     let listener = TcpListener::bind("127.0.0.1:0")?;
-    let profile = tempfile::tempdir()?;
-    let file = profile.path().join("page.png");
+    let profile = Folder::new();
+    let file = profile.file("page.png");
     let look = ["--window-size=1010,620", "--hide-scrollbars"].map(str::to_owned);
     let options = [&look[..], &[format!("--screenshot={}", file.display())]].concat();
     let mut browser = open(chromium, profile.path(), &options, &format!("http://{}/", listener.local_addr()?))?;
@@ -130,7 +132,7 @@ fn drive(chromium: &Path) -> Result<(), Failed> {
     println!("native: {gpu}");
     let (config, scene) = match std::env::var_os("SCREENSHOT") {
         None => (Config { image_width: 64, ..Config::default() }, Scene::parse(SCENE.as_bytes())?),
-        // Something to look at.
+        // A scene that is worth a picture.
         Some(_) => {
             let config = Config::read(&repository("scenes/materials/config.txt"))?;
             (Config { image_width: 300, ..config }, Scene::read(&repository("scenes/materials/scene.txt"))?)
@@ -151,8 +153,8 @@ fn floats(bytes: &[u8]) -> Result<Vec<f32>, Failed> {
     Ok(bytemuck::pod_collect_to_vec(bytes))
 }
 
-/// Tint's results of every kernel: those of Rust's f32 and of lavapipe, or else, as WGSL allows, those of f32 without
-/// subnormal numbers; whole rows of one or of the other.
+/// Checks Tint's results of every kernel. Each row must be as in Rust's f32 and on lavapipe, or else as in f32 without
+/// subnormal numbers, which WGSL allows.
 fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
     let (mut compared, mut flushed) = (0, 0);
     let mut faults = Vec::new();
@@ -201,7 +203,8 @@ fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
 }
 
-/// The page shows the native picture's bits, follows an edit, and keeps the last good picture beside an error.
+/// Checks that the page shows the native picture's bits, follows an edit, and keeps the last good picture beside an
+/// error.
 fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
     let differing = |name: &str| -> Result<usize, Failed> {
         let here = floats(&results[name])?;
@@ -215,7 +218,7 @@ fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Faile
     assert!(results["shown"].chunks(4).any(|pixel| pixel[..3] != [0; 3]), "the canvas shows something");
     let error = String::from_utf8_lossy(&results["error"]);
     println!("{error}");
-    // The table of the page: formula, cases, as f32, flushed, otherwise.
+    // The columns of the page's table: formula, cases, cases as in f32, cases as in flushed f32, other cases.
     let table = String::from_utf8_lossy(&results["table"]);
     let rows: Vec<Vec<String>> = table
         .trim_matches(['[', ']', '"'])
@@ -232,7 +235,7 @@ fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Faile
     let (needed, shown) = width.split_once(' ').ok_or("two widths are posted")?;
     println!("the page is {needed} pixels wide in a window of {shown}");
     assert!(needed.parse::<u32>()? <= shown.parse::<u32>()?, "a phone shows all of its width");
-    assert!(shown.parse::<u32>()? <= 390, "a phone is meant");
+    assert!(shown.parse::<u32>()? <= 390, "the window is as narrow as a phone");
     let icon = String::from_utf8_lossy(&results["icon"]);
     println!("the icon is {icon} pixels wide");
     assert!(icon.parse::<u32>()? > 0, "the page has an icon");

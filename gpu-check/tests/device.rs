@@ -1,5 +1,4 @@
-//! The device itself: found or missed in one clear line, its faults reported as errors, and what its driver does to
-//! formulas.
+//! The device: the message when there is none, its faults as errors, and how its driver rewrites formulas.
 
 mod common;
 
@@ -14,7 +13,7 @@ fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
     (kernel, check::compile::<f64>(gpu, &Library::standard(), kernel).unwrap_or_else(|error| panic!("{error}")))
 }
 
-/// What the test of this name in this file prints when it runs with these variables.
+/// Runs the test of this name in this file with these environment variables. Returns whether it passes, and its output.
 fn test_with(name: &str, variables: &[(&str, &str)]) -> (bool, String) {
     let program = std::env::current_exe().expect("a test knows its own name");
     let output = Command::new(program)
@@ -43,7 +42,7 @@ fn without_a_driver_the_suite_fails_with_the_line_that_says_what_to_install() {
 }
 
 #[test]
-fn another_adapter_can_be_asked_for_and_is_missed_by_name() {
+fn another_adapter_can_be_asked_for_and_the_message_names_a_missing_one() {
     let name = "the_device_has_f64_and_names_its_driver";
     let (passed, output) = test_with(name, &[("WGPU_ADAPTER_NAME", "no such adapter")]);
     assert!(!passed && output.contains("no GPU adapter has [no such adapter] in its name"), "{output}");
@@ -80,7 +79,7 @@ fn a_buffer_beyond_the_limit_is_an_error_that_says_so() {
 }
 
 #[test]
-fn what_a_kernel_does_not_write_is_noticed() {
+fn numbers_that_a_kernel_does_not_write_are_noticed() {
     let gpu = common::gpu();
     let (kernel, pipeline) = sphere_pipeline(&gpu);
     let case = kernel.random_cases::<f64>(1, 1);
@@ -107,14 +106,14 @@ fn keeps_the_barrier<T: Float>(gpu: &Gpu) {
     println!("{}: {rewrites}", T::PRECISION);
     rewrites::require_barrier::<T>(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
 
-    // The self-test's own control: without the barrier, a driver that cancels terms does not pass.
+    // A check of the self-test: without the barrier, a driver that cancels terms must fail it.
     let mut without = Library::standard();
     let source = without.source("exact").expect("it exists").replace("a * one + b", "a + b");
     without.replace("exact", "without barrier", source).expect("it exists");
     let passes = rewrites::require_barrier::<T>(gpu, &without).is_ok();
     assert_eq!(passes, !rewrites.cancels_terms, "{rewrites}");
     if gpu.is_lavapipe() {
-        // Pinned: when a new version of Mesa or naga stops rewriting, docs/gpu.md has to say so.
+        // When a new version of Mesa or naga stops rewriting, this fails, and docs/gpu.md must be changed.
         let expected = rewrites::Rewrites {
             cancels_terms: true,
             factors_out: true,

@@ -8,17 +8,18 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use gpu_check::scenes::repository;
+use test_support::folder::Folder;
 
 /// How long the program may take on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A server that ends with its test, and its address.
+/// A server, which is killed when the value is dropped, and its address.
 struct Server(Child, String);
 
 impl Server {
     fn start() -> Self {
-        let folder = tempfile::tempdir().expect("there is room");
-        let config = folder.path().join("config.txt");
+        let folder = Folder::new();
+        let config = folder.file("config.txt");
         fs::write(&config, "image_width: 8\nmax_depth: 2\n").expect("the folder is writable");
         let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
         command.args(["--serve", "0", "--config"]).arg(config).arg("--scene");
@@ -31,7 +32,7 @@ impl Server {
         Self(child, address)
     }
 
-    /// File descriptors that the process has open.
+    /// Number of file descriptors that the process has open.
     fn descriptors(&self) -> usize {
         fs::read_dir(format!("/proc/{}/fd", self.0.id())).expect("it runs").count()
     }
@@ -66,7 +67,7 @@ fn answer(mut stream: TcpStream) -> String {
 fn a_server_without_a_free_descriptor_answers_once_there_is_one() {
     let mut server = Server::start();
     assert!(answer(server.ask()).starts_with("HTTP/1.1 200"));
-    // Less than the connections that the server takes at a time.
+    // Fewer free descriptors than the connections that the server accepts at a time.
     let most = server.descriptors() + 5;
     let process = server.0.id().to_string();
     let limited = Command::new("prlimit").args(["--pid", &process, &format!("--nofile={most}")]).status();
@@ -79,7 +80,7 @@ fn a_server_without_a_free_descriptor_answers_once_there_is_one() {
         std::thread::sleep(Duration::from_millis(5));
     }
     let waiting = server.ask();
-    // Long enough for several attempts to accept it.
+    // Long enough for the server to try several times to accept the connection.
     std::thread::sleep(Duration::from_millis(300));
     assert_eq!(server.0.try_wait().expect("it can be asked"), None, "it goes on");
     waiting.set_nonblocking(true).expect("it is open");

@@ -1,5 +1,5 @@
-//! Whole pictures in deterministic mode, in WGSL and in Rust: every scene of the repository, random ones, and the ones
-//! made to tell twins apart.
+//! Compares whole pictures in deterministic mode, in WGSL and in Rust: every scene of the repository, random scenes,
+//! and edge cases.
 
 mod common;
 
@@ -13,10 +13,10 @@ use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
 const RANDOM_SCENES: u64 = 60;
-/// Most pixels times objects of one picture.
+/// Limit on the pixels times the objects of one picture; see [`Case::within`].
 const TESTS: usize = 15_000_000;
 
-/// Every case, and how many come from the repository.
+/// All cases, and how many of them come from the repository.
 fn cases() -> (Vec<Case>, usize) {
     let mut cases = Vec::new();
     for folder in ["tests/cases", "scenes"] {
@@ -46,7 +46,7 @@ fn by_reference(case: &Case) -> Vec<Vec3> {
     means
 }
 
-/// Shows both pictures and their difference where they should agree and do not.
+/// Writes both pictures and their difference to a file, and returns a message that names it.
 fn show<A: Float, B: Float>(case: &Case, rendering: &Rendering<A>, other: &[Vec3<B>]) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("differences");
     let name = format!("{} {}", case.name, A::PRECISION);
@@ -104,7 +104,7 @@ fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
     assert!(all.overall.rmse < 0.02, "the pictures are alike: {all}");
 }
 
-/// As [`on_device`], with so many surfaces in each run.
+/// Renders as [`on_device`] does, with at most `surfaces` hits of a path in each run.
 fn in_steps_of(surfaces: u32, gpu: &Gpu, case: &Case) -> Result<Rendering<f64>, gpu_check::Error> {
     let features = features_of(&case.config, &case.scene)?;
     let renderer = Renderer::<f64>::new(gpu, &Library::standard(), &features)?.in_steps_of(surfaces);
@@ -112,7 +112,7 @@ fn in_steps_of(surfaces: u32, gpu: &Gpu, case: &Case) -> Result<Rendering<f64>, 
 }
 
 #[test]
-fn a_long_way_in_several_runs_is_the_same_to_the_bit() {
+fn a_long_path_in_several_runs_gives_the_reference_to_the_bit() {
     let gpu = common::gpu();
     let mut pixels = 0;
     for case in scenes::edges().into_iter().chain((0..10).map(scenes::random)) {
@@ -158,10 +158,10 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
     );
 
     if gpu.is_lavapipe() {
-        // Pinned: when a new version of Mesa follows loops to their end, docs/gpu.md has to say so.
+        // When a new version of Mesa runs loops to their end, this fails, and docs/gpu.md must be changed.
         let lost = in_steps_of(1, &gpu, &case).unwrap_or_else(|error| panic!("{error}"));
         let found = difference(&lost.pixels, &by_reference(&case));
-        assert!(found.differing > 0, "lavapipe passes the last of 66,001 objects: {found}");
+        assert!(found.differing > 0, "lavapipe renders the last of 66,001 objects: {found}");
     }
 }
 
@@ -169,14 +169,14 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
 #[derive(Default)]
 struct Reasons {
     overall: Difference,
-    /// Equal, or no farther away than the rounding of f32 explains along the very path of the ray.
+    /// Pixels whose difference is zero, or within the bound on the rounding errors along the path.
     rounding: usize,
-    /// The ray passes so near an edge, a tangent, a critical angle or its own origin that f32 may decide otherwise,
-    /// or an error has grown beyond all bounds from bounce to bounce.
+    /// Pixels for which there is no bound. The ray may pass so near an edge, a tangent, a critical angle or its own
+    /// origin that f32 may decide otherwise. Or the error has grown without bound from bounce to bounce.
     undecided: usize,
-    /// Neither: a fault.
+    /// Pixels whose difference exceeds the bound: a fault.
     unexplained: usize,
-    /// The largest difference among pixels that only rounding explains.
+    /// The largest difference of the pixels that have a bound.
     largest: f64,
     /// Pixels that are more than a step of a byte apart.
     visible: usize,

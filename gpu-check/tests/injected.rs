@@ -1,8 +1,8 @@
-//! System calls of `shader-lab` on the way of its pictures fail once, and a signal meets it in them.
+//! While `shader-lab` writes its pictures, a system call fails, or a signal arrives in it.
 //!
-//! The driver starts slowly. So of each kind of call about the pictures two are disturbed, and no calls of the driver.
-//! With `RENDER_INJECTIONS=all` every call about the pictures is.
-//! Where `strace` cannot run, these tests are shown as ignored.
+//! The driver starts slowly. So only two calls of each kind that concern the pictures are disturbed, and no calls of
+//! the driver. With `RENDER_INJECTIONS=all` every call that concerns the pictures is disturbed. If `strace` cannot run,
+//! these tests are shown as ignored.
 
 #[cfg(target_os = "linux")]
 #[path = "injected/linux.rs"]
@@ -10,5 +10,5 @@ mod linux;
 
 fn main() {
     #[cfg(target_os = "linux")]
-    linux::run();
+    test_support::injection::run(linux::trials());
 }

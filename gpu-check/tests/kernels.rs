@@ -1,4 +1,4 @@
-//! Every formula in WGSL against its twin in `cpu`: a million random cases and the edges, bit by bit.
+//! Compares every formula in WGSL with its twin in `cpu`, bit by bit, on a million random cases and the edge cases.
 
 mod common;
 
@@ -11,7 +11,7 @@ use shaders::Library;
 const RANDOM_CASES: usize = 1 << 20;
 const FEWEST_EDGES: usize = 400;
 
-/// Compares both kinds of cases and gives the number of numbers compared.
+/// Compares the results of edge cases and random cases, and returns how many numbers were compared.
 fn gives_the_bits_of_cpu<T: Float>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, Error> {
     let pipeline = compile::<T>(gpu, &Library::standard(), kernel)?;
     let (edges, random) = (kernel.edge_cases::<T>(), kernel.random_cases::<T>(RANDOM_CASES, 42));
@@ -48,7 +48,7 @@ fn f32_gives_the_bits_of_its_twin() {
 }
 
 #[test]
-fn random_rays_meet_every_part_of_a_cylinder_from_both_sides() {
+fn random_rays_hit_every_part_of_a_cylinder_from_both_sides() {
     let cylinder = KERNELS.iter().find(|kernel| kernel.module == "kernels/cylinder").expect("it is listed");
     let (some, part, front) = (0, 2, 3);
     let mut counts = [[0; 2]; 3];
@@ -75,9 +75,9 @@ fn f32_is_within_its_bound_of_f64() {
         println!("{} {found}", kernel.module);
         assert_eq!(found.beyond, 0, "{} {found}", kernel.module);
         assert!(found.decided > RANDOM_CASES / 2, "too few: {} {found}", kernel.module);
-        assert!(found.compared > found.decided && found.closest > 0.1, "an idle bound: {} {found}", kernel.module);
+        assert!(found.compared > found.decided && found.closest > 0.1, "too large a bound: {} {found}", kernel.module);
 
-        // The bound's own control: results that are a little too large are beyond it.
+        // A check of the bound: results that are a little too large must be beyond it.
         let wrong: Vec<_> = results.iter().map(|number| number * 1.001 + 0.001).collect();
         let noticed = spread(kernel, &cases, &wrong).beyond;
         assert!(noticed > RANDOM_CASES / 2, "{} notices {noticed}", kernel.module);

@@ -1,5 +1,5 @@
-//! Runs `shader-lab` with more and more address space. Where it is too little, the program must end with a message and
-//! status 2, and not by a panic or a signal.
+//! Runs `shader-lab` with more and more address space. While that is too little, the program must end with a message
+//! and status 2, and not by a panic or a signal.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -7,17 +7,18 @@ use std::process::Command;
 
 use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
+use test_support::folder::Folder;
 
-/// From here on the loader of the system can start the program at all.
+/// Least address space with which the system's loader can start the program, in kB as the other constants.
 const LEAST: usize = 40_000;
 const STEP: usize = 25_000;
 const MOST: usize = 4_000_000;
 
 #[test]
 fn with_too_little_memory_the_program_says_so_and_never_dies() {
-    let folder = tempfile::tempdir().expect("there is room");
-    fs::write(folder.path().join("config"), "image_width: 8\nmax_depth: 1\n").expect("the folder is writable");
-    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let folder = Folder::new();
+    fs::write(folder.file("config"), "image_width: 8\nmax_depth: 1\n").expect("the folder is writable");
+    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
     for (refused, kilobytes) in (LEAST..MOST).step_by(STEP).enumerate() {
         let mut shell = Command::new("bash");
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", env!("CARGO_BIN_EXE_shader-lab")]);
@@ -27,12 +28,12 @@ fn with_too_little_memory_the_program_says_so_and_never_dies() {
         if output.status.success() {
             println!("refused {refused} times up to {kilobytes} kB");
             assert!(refused >= 10, "only {refused} steps");
-            assert!(folder.path().join("out.png").is_file());
+            assert!(folder.file("out.png").is_file());
             return;
         }
         let stderr = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(2) && stderr.contains("Error: "), "at {kilobytes} kB: {output:?}");
-        assert!(!stderr.contains("panicked") && !folder.path().join("out.png").exists(), "at {kilobytes} kB: {stderr}");
+        assert!(!stderr.contains("panicked") && !folder.file("out.png").exists(), "at {kilobytes} kB: {stderr}");
     }
     panic!("{MOST} kB are not enough");
 }

@@ -1,4 +1,4 @@
-//! The program `shader-lab`, as a person runs it.
+//! Runs the program `shader-lab` as a user does.
 
 mod common;
 #[path = "shader_lab/documentation.rs"]
@@ -17,6 +17,7 @@ use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
 use shaders::Library;
 use shaders::module::MODULES;
+use test_support::folder::Folder;
 
 fn command(folder: &Path, arguments: &str) -> Command {
     let config = folder.join("config.txt");
@@ -50,15 +51,11 @@ fn standard(name: &str) -> String {
     Library::standard().source(name).expect("it exists").to_owned()
 }
 
-fn folder() -> tempfile::TempDir {
-    tempfile::tempdir().expect("there is room")
-}
-
 #[test]
 fn an_unchanged_module_differs_in_no_bit_and_a_changed_one_does() {
     common::gpu();
-    let folder = folder();
-    let path = folder.path().join("background.wgsl");
+    let folder = Folder::new();
+    let path = folder.file("background.wgsl");
     fs::write(&path, standard("background")).expect("the folder is writable");
     for precision in ["f64", "f32"] {
         let text = report(folder.path(), &format!("background.wgsl --{precision}"));
@@ -68,65 +65,65 @@ fn an_unchanged_module_differs_in_no_bit_and_a_changed_one_does() {
     fs::write(&path, standard("background").replace("direction.y", "direction.x")).expect("the folder is writable");
     let text = report(folder.path(), "background.wgsl");
     assert!(text.contains("of 1296 pixels differ") && !text.contains(": 0 of 1296"), "{text}");
-    assert!(folder.path().join("out-difference.png").is_file());
+    assert!(folder.file("out-difference.png").is_file());
 }
 
 #[test]
 fn the_template_gives_a_picture_of_normals_and_is_never_written_over() {
-    let folder = folder();
+    let folder = Folder::new();
     let written = Command::new(env!("CARGO_BIN_EXE_shader-lab"))
         .current_dir(&folder)
         .args(["--template", "my.wgsl"])
         .output()
         .expect("the program starts");
     assert!(written.status.success());
-    assert_eq!(fs::read_to_string(folder.path().join("my.wgsl")).expect("it was written"), TEMPLATE);
+    assert_eq!(fs::read_to_string(folder.file("my.wgsl")).expect("it was written"), TEMPLATE);
     assert!(report(folder.path(), "my.wgsl").contains("my.wgsl stands in for [kernels/image]"));
     let again = fault(folder.path(), "--template my.wgsl");
     assert!(again.starts_with("Error: my.wgsl: "), "{again}");
 }
 
 #[test]
-fn a_fault_is_shown_in_the_persons_file_with_a_caret() {
-    let folder = folder();
-    fs::write(folder.path().join("my.wgsl"), TEMPLATE.replace("my_color(vec3", "my_colr(vec3")).expect("writable");
+fn a_fault_is_shown_in_the_users_file_with_a_caret() {
+    let folder = Folder::new();
+    fs::write(folder.file("my.wgsl"), TEMPLATE.replace("my_color(vec3", "my_colr(vec3")).expect("writable");
     let message = fault(folder.path(), "my.wgsl");
     let line = 1 + TEMPLATE.lines().position(|line| line.contains("my_color(vec3_unit")).expect("it is there");
     assert!(message.starts_with(&format!("Error: my.wgsl:{line}:35: ")), "{message}");
     assert!(message.trim_end().ends_with("^^^^^^^"), "{message}");
-    assert!(!folder.path().join("out.png").exists());
+    assert!(!folder.file("out.png").exists());
 }
 
 #[test]
-fn a_module_that_there_is_not_is_named_with_its_place_and_all_that_there_are() {
-    let folder = folder();
-    fs::write(folder.path().join("my.wgsl"), "// module: kernels/imgae\nfn f() {}\n").expect("the folder is writable");
+fn an_unknown_module_is_shown_with_its_place_and_all_known_ones() {
+    let folder = Folder::new();
+    fs::write(folder.file("my.wgsl"), "// module: kernels/imgae\nfn f() {}\n").expect("the folder is writable");
     let message = fault(folder.path(), "my.wgsl");
     assert!(message.starts_with("Error: my.wgsl:1:12: no module is called [kernels/imgae]; there are: "), "{message}");
     let shown = "\n1 | // module: kernels/imgae\n               ^^^^^^^^^^^^^\n";
     assert!(message.ends_with(shown), "{message}");
     assert!(MODULES.iter().all(|module| message.contains(module.name)), "{message}");
 
-    // No line says the name of a file.
-    fs::write(folder.path().join("torus.wgsl"), "fn f() {}\n").expect("the folder is writable");
+    // If the unknown name is the file's, there is no line to show.
+    fs::write(folder.file("torus.wgsl"), "fn f() {}\n").expect("the folder is writable");
     let message = fault(folder.path(), "torus.wgsl");
     assert!(message.starts_with("Error: torus.wgsl: no module is called [torus], as the file is; "), "{message}");
     assert!(MODULES.iter().all(|module| message.contains(module.name)), "{message}");
 }
 
 #[test]
-fn a_name_missed_elsewhere_still_names_the_persons_file() {
-    let folder = folder();
-    fs::write(folder.path().join("sphere.wgsl"), "fn nothing() {}\n").expect("the folder is writable");
+fn a_name_that_another_module_lacks_still_gives_the_users_file() {
+    let folder = Folder::new();
+    fs::write(folder.file("sphere.wgsl"), "fn nothing() {}\n").expect("the folder is writable");
     let message = fault(folder.path(), "sphere.wgsl");
     assert!(message.contains("\nsphere.wgsl:1: stands in for [sphere], and may lack a name"), "{message}");
 }
 
 #[test]
-fn constants_are_set_own_ones_too_and_unknown_ones_refused() {
-    let folder = folder();
+fn constants_of_the_crate_and_of_the_user_are_set_and_unknown_ones_refused() {
+    let folder = Folder::new();
     let own = TEMPLATE.replace("return n * real(0.5)", "return n * real(gain)");
-    fs::write(folder.path().join("my.wgsl"), format!("{own}override gain: f32 = 0.5;\n")).expect("writable");
+    fs::write(folder.file("my.wgsl"), format!("{own}override gain: f32 = 0.5;\n")).expect("writable");
     let plain = report(folder.path(), "my.wgsl");
     let set = report(folder.path(), "my.wgsl --set gain=0.1 --set has_cylinders=false");
     let line = |text: &str| text.lines().find(|line| line.starts_with("from the CPU")).map(str::to_owned);
@@ -137,13 +134,13 @@ fn constants_are_set_own_ones_too_and_unknown_ones_refused() {
 
 #[test]
 fn views_of_both_sides_agree_and_show_where_a_module_does_not() {
-    let folder = folder();
-    let path = folder.path().join("sphere.wgsl");
+    let folder = Folder::new();
+    let path = folder.file("sphere.wgsl");
     fs::write(&path, standard("sphere")).expect("the folder is writable");
     for view in ["lambda", "normal", "object", "side", "steps"] {
         let text = report(folder.path(), &format!("sphere.wgsl --show {view}"));
         assert!(text.contains("0 of 1296 pixels have another bit on their way"), "{text}");
-        assert!(folder.path().join(format!("out-{view}.png")).is_file());
+        assert!(folder.file(format!("out-{view}.png")).is_file());
     }
     let changed = standard("sphere").replace("(h - root) / a", "(h - root) * (real(1.0) / a)");
     fs::write(&path, changed).expect("the folder is writable");
@@ -156,7 +153,7 @@ fn views_of_both_sides_agree_and_show_where_a_module_does_not() {
 
 #[test]
 fn an_option_that_is_not_understood_takes_one_line() {
-    let folder = folder();
+    let folder = Folder::new();
     let message = fault(folder.path(), "my.wgsl --wacht");
     assert_eq!(message, "Error: there is no option [--wacht]; did you mean [--watch]?; see --help\n");
     let output = Command::new(env!("CARGO_BIN_EXE_shader-lab")).arg("--help").output().expect("the program starts");
@@ -165,9 +162,9 @@ fn an_option_that_is_not_understood_takes_one_line() {
 }
 
 #[test]
-fn a_difference_has_a_status_of_its_own_where_it_is_asked_for() {
-    let folder = folder();
-    let path = folder.path().join("background.wgsl");
+fn a_difference_has_exit_status_1_with_the_option_check() {
+    let folder = Folder::new();
+    let path = folder.file("background.wgsl");
     fs::write(&path, standard("background")).expect("the folder is writable");
     assert_eq!(run(folder.path(), "background.wgsl --check").status.code(), Some(0));
     fs::write(&path, standard("background").replace("direction.y", "direction.x")).expect("the folder is writable");
@@ -177,8 +174,8 @@ fn a_difference_has_a_status_of_its_own_where_it_is_asked_for() {
 
 #[test]
 fn the_difference_alone_is_one_file() {
-    let folder = folder();
-    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let folder = Folder::new();
+    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
     let text = report(folder.path(), "my.wgsl --show difference");
     assert!(text.contains("wrote out.png (the difference of the colours)\n"), "{text}");
     let mut names: Vec<_> = fs::read_dir(&folder).expect("it is readable").flatten().map(|e| e.file_name()).collect();
@@ -188,15 +185,15 @@ fn the_difference_alone_is_one_file() {
 
 #[test]
 fn a_dash_is_standard_input_and_output() {
-    let folder = folder();
-    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let folder = Folder::new();
+    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
     report(folder.path(), "my.wgsl");
     let piped = command(folder.path(), "-");
     let arguments: Vec<_> = piped.get_args().map(ToOwned::to_owned).collect();
-    // The last is OUT.
+    // The last argument is OUT.
     let (out, arguments) = arguments.split_last().expect("there are some");
     assert_eq!(out, "out.png");
-    let module = fs::File::open(folder.path().join("my.wgsl")).expect("it was written");
+    let module = fs::File::open(folder.file("my.wgsl")).expect("it was written");
     let output = Command::new(piped.get_program())
         .current_dir(&folder)
         .args(arguments)
@@ -210,9 +207,9 @@ fn a_dash_is_standard_input_and_output() {
 }
 
 #[test]
-fn a_pixel_is_told_in_words_and_whole_numbers() {
-    let folder = folder();
-    fs::write(folder.path().join("sphere.wgsl"), standard("sphere")).expect("the folder is writable");
+fn a_pixel_is_printed_in_words_and_whole_numbers() {
+    let folder = Folder::new();
+    fs::write(folder.file("sphere.wgsl"), standard("sphere")).expect("the folder is writable");
     let text = report(folder.path(), "sphere.wgsl --pixel 24 20");
     assert!(!text.contains("Vec3") && text.contains("\ncolour\n  red  "), "{text}");
     let object = text.lines().find(|line| line.starts_with("  object ")).expect("the ground is met");
@@ -221,12 +218,12 @@ fn a_pixel_is_told_in_words_and_whole_numbers() {
 
 #[test]
 fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
-    let folder = folder();
-    fs::write(folder.path().join("background.wgsl"), standard("background")).expect("the folder is writable");
+    let folder = Folder::new();
+    fs::write(folder.file("background.wgsl"), standard("background")).expect("the folder is writable");
     let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-    // As the picture of scenes/ten-thousand, whose every run is as long as here, with fewer pixels.
+    // The scene of scenes/ten-thousand with fewer pixels. Each run is as long as one of the whole picture.
     fs::write(
-        folder.path().join("few"),
+        folder.file("few"),
         fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("there") + "image_width: 64\n",
     )
     .expect("the folder is writable");
@@ -239,8 +236,8 @@ fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
 
 #[test]
 fn a_pixel_outside_is_refused() {
-    let folder = folder();
-    fs::write(folder.path().join("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let folder = Folder::new();
+    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
     let message = fault(folder.path(), "my.wgsl --pixel 48 0");
     assert!(message.contains("--pixel: the picture has 48 x 27 pixels"), "{message}");
 }

@@ -1,8 +1,8 @@
-//! The intersections in WGSL against exact arithmetic, at a smaller size than the binary `stress` runs them.
+//! Compares the intersections in WGSL with exact arithmetic, with fewer rays than the program `stress`.
 
 mod common;
 
-use gpu_check::methods::{self, PROJECTED, TEXTBOOK, TEXTBOOK_SINGLE};
+use gpu_check::methods::{self, PLAIN, PLAIN_SINGLE, PROJECTED};
 use stability::case::Case;
 use stability::measure::{Judged, Row};
 use stability::methods::{Answer, Method};
@@ -11,7 +11,7 @@ use stability::run;
 
 const SEED: u64 = 5;
 const RAYS: usize = 20_000;
-/// Regimes in which no ray starts on the sphere that it is tried on, or within the least lambda of it.
+/// Regimes in which no ray starts on its sphere, or so near that lambda may be too small to be in range.
 const OFF_THE_SURFACE: [&str; 5] =
     ["ordinary", "far and small", "grazing", "tangent to the last bit", "direction lengths"];
 
@@ -29,7 +29,7 @@ fn regimes() -> impl Iterator<Item = &'static Regime> {
 }
 
 #[test]
-fn what_wgsl_says_of_hard_rays_has_the_bits_of_rust() {
+fn answers_of_wgsl_to_hard_rays_have_the_bits_of_rust() {
     let in_wgsl = methods::all(common::gpu()).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(in_wgsl.len(), 3, "lavapipe has f64");
     for method in in_wgsl {
@@ -41,7 +41,7 @@ fn what_wgsl_says_of_hard_rays_has_the_bits_of_rust() {
             let cases = regime.cases(SEED, RAYS);
             let (wgsl, rust) = (answers(method.as_ref(), &cases), answers(twin.as_ref(), &cases));
             assert_eq!(wgsl.len(), RAYS);
-            // Numbers of one value have the same bits but for the sign of zero, which tests/kernels.rs looks at.
+            // Equal numbers have equal bits, except zeros of different sign, which tests/kernels.rs compares.
             let parted = wgsl.iter().zip(&rust).filter(|(wgsl, rust)| wgsl != rust).count();
             assert_eq!(parted, 0, "{name}, {}", regime.name);
             hits += wgsl.iter().flatten().count();
@@ -52,13 +52,13 @@ fn what_wgsl_says_of_hard_rays_has_the_bits_of_rust() {
 }
 
 #[test]
-fn f32_in_wgsl_is_wrong_only_within_its_noise_off_the_surface() {
+fn f32_in_wgsl_is_wrong_only_within_its_rounding_errors_off_the_surface() {
     let in_wgsl = methods::all(common::gpu()).unwrap_or_else(|error| panic!("{error}"));
     let measure = |judged: &Judged, name: &str| -> Row {
         let method = in_wgsl.iter().find(|method| method.name() == name).expect("it is listed");
         judged.measure(method.as_ref()).unwrap_or_else(|error| panic!("{error}"))
     };
-    let (mut wrong, mut textbook_beyond) = (0, 0);
+    let (mut wrong, mut plain_beyond) = (0, 0);
     for name in OFF_THE_SURFACE {
         let regime = SPHERES.iter().find(|regime| regime.name == name).expect("it is listed");
         let judged = Judged::new(regime.name, regime.cases(SEED + 1, RAYS / 4));
@@ -66,11 +66,11 @@ fn f32_in_wgsl_is_wrong_only_within_its_noise_off_the_surface() {
         println!("{name}: {} of {} wrong", row.wrong, row.cases);
         assert_eq!(row.wrong_beyond_noise, Some(0), "{name}");
         wrong += row.wrong;
-        textbook_beyond += measure(&judged, TEXTBOOK_SINGLE).wrong_beyond_noise.unwrap_or(0);
+        plain_beyond += measure(&judged, PLAIN_SINGLE).wrong_beyond_noise.unwrap_or(0);
         if name == "ordinary" {
-            assert_eq!(measure(&judged, TEXTBOOK).wrong, 0, "f64 decides ordinary rays rightly");
+            assert_eq!(measure(&judged, PLAIN).wrong, 0, "f64 decides ordinary rays rightly");
         }
     }
     assert!(wrong > RAYS / 20, "few rays were near the noise: {wrong}");
-    assert!(textbook_beyond > RAYS / 100, "the textbook's form is no longer worse: {textbook_beyond}");
+    assert!(plain_beyond > RAYS / 100, "the plain formula's form is no longer worse: {plain_beyond}");
 }

@@ -1,4 +1,4 @@
-//! The program `stress`, as a person runs it: what it says of itself, and that it writes where it was told to alone.
+//! Runs the program `stress` as a user does: its help, and that it writes only into the given folder.
 
 mod common;
 
@@ -7,6 +7,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use gpu_check::scenes::repository;
+use test_support::folder::Folder;
 
 fn stress(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stress")).args(arguments).output().expect("the program starts")
@@ -31,8 +32,8 @@ fn help_has_examples_and_a_folder_is_asked_for() {
 
 #[test]
 fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
-    let folder = tempfile::tempdir().expect("there is room");
-    let document = folder.path().join("tables.md");
+    let folder = Folder::new();
+    let document = folder.file("tables.md");
     fs::copy(repository("docs/accuracy/tables.md"), &document).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--case", "case-2", "c", "s"]);
     assert_eq!(output.status.code(), Some(2));
@@ -47,12 +48,12 @@ fn rows_of_pictures_that_are_not_rendered_are_not_thrown_away() {
 #[test]
 fn tables_and_plots_are_written_into_the_folder_alone() {
     common::gpu();
-    let folder = tempfile::tempdir().expect("there is room");
+    let folder = Folder::new();
     let before = fs::read(repository("docs/accuracy/tables.md")).expect("it is committed");
     let output = stress(&["--out", in_text(folder.path()), "--rays", "1000"]);
     let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
-    let text = fs::read_to_string(folder.path().join("tables.md")).expect("it was written");
+    let text = fs::read_to_string(folder.file("tables.md")).expect("it was written");
     assert!(text.contains("--rays 1000 --seed 1") && text.contains("| **ordinary** ("), "{text}");
     let files = fs::read_dir(folder.path()).expect("it is there").count();
     assert_eq!(files, 2 + 5, "the tables twice, and five plots");

@@ -1,7 +1,7 @@
 //! The command line: every command with its options, in one place.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use cpu::internals::output::Options;
+use output::Options;
 
 use crate::Failure;
 use crate::commands::{bench, compare, completions, generate, help, inspect, render, report};
@@ -14,9 +14,22 @@ Exit status:
   2    an error, or a command line that is not understood
   130  interrupted; no file was written or changed";
 
+/// First commands to try, shown with the help of the whole program.
+const EXAMPLES: &str = "\
+Examples:
+  render-lab render scenes/materials/config.txt scenes/materials/scene.txt materials.png
+  render-lab compare materials.png docs/materials.png --heatmap difference.png
+  render-lab help render";
+
 /// Renders spheres and cylinders, compares pictures, and measures how long it all takes.
 #[derive(Debug, Parser)]
-#[command(name = "render-lab", version, disable_help_subcommand = true, after_help = EXIT_STATUS, max_term_width = 120)]
+#[command(
+    name = "render-lab",
+    version,
+    disable_help_subcommand = true,
+    after_help = [EXAMPLES, EXIT_STATUS].join("\n\n"),
+    max_term_width = 120
+)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -83,7 +96,7 @@ impl Command {
 mod tests {
     use super::*;
 
-    /// Every command with those below it.
+    /// Adds `command` and all commands below it to `into`.
     fn all(command: &clap::Command, into: &mut Vec<clap::Command>) {
         into.push(command.clone());
         for child in command.get_subcommands().filter(|child| child.get_name() != "help") {

@@ -1,4 +1,4 @@
-//! Which renderer is meant: the literal one, or the real one in a layout with an instruction set.
+//! The implementations that can be chosen: the reference, or the real renderer with a layout and an instruction set.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -22,7 +22,7 @@ pub enum LayoutName {
 }
 
 impl LayoutName {
-    /// Its name on the command line and in data.
+    /// Returns the layout's name on the command line and in data.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -57,41 +57,41 @@ impl From<ScatterName> for Scatter {
 /// An implementation to render with. In text: `reference`, or layout and instruction set as in `soa-avx2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Engine {
-    /// By the definition, object after object.
+    /// The reference, which tests every ray against every object.
     Reference,
     /// The real renderer.
     Real(LayoutName, InstructionSet),
-    /// The real renderer in arrays of structures, with the best instruction set, but without a search: rays ask every
-    /// object. Only to be timed.
+    /// The real renderer with arrays of structures and the best instruction set, but without an acceleration structure:
+    /// every ray is intersected with every object. Used for measurements alone.
     PlainSearch,
 }
 
-/// Names of the instruction sets that results may have, the plainest first: those of today, and `sse2`, which the
+/// Names of the instruction sets that results may have, the slowest first: those of today, and `sse2`, which the
 /// renderer had until November 2026.
 pub const MEASURED_SETS: [&str; 5] = ["portable", "sse2", "avx2", "avx512", "avx512-throughout"];
 
 impl Engine {
-    /// Every implementation that this machine can run.
+    /// Returns every implementation that this machine can run, without [`Engine::PlainSearch`].
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let sets = InstructionSet::ALL.into_iter().filter(|set| set.is_available());
+        let sets = InstructionSet::available();
         let real = sets.flat_map(|set| [LayoutName::Aos, LayoutName::Soa].map(|layout| Self::Real(layout, set)));
         std::iter::once(Self::Reference).chain(real).collect()
     }
 
-    /// The literal renderer, and both layouts with the best instruction set.
+    /// Returns the reference, and the real renderer in both layouts with the best instruction set.
     #[must_use]
     pub fn main() -> Vec<Self> {
         let best = InstructionSet::best();
         vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]
     }
 
-    /// The real renderer with one thing switched off at a time: lanes, layout, search, and all of it. The
-    /// first is the one with nothing switched off.
+    /// Returns the real renderer with nothing switched off, then with one thing switched off or changed at a time:
+    /// instruction set, layout, acceleration structure. The last is the reference, which has no optimisation.
     #[must_use]
     pub fn changed() -> Vec<Self> {
         let best = InstructionSet::best();
-        let slower = InstructionSet::ALL.into_iter().rev().filter(|set| set.is_available() && *set != best);
+        let slower = InstructionSet::available().rev().filter(|set| *set != best);
         let mut engines = vec![Self::Real(LayoutName::Aos, best)];
         engines.extend(slower.map(|set| Self::Real(LayoutName::Aos, set)));
         engines.push(Self::Real(LayoutName::Soa, best));
@@ -99,11 +99,11 @@ impl Engine {
         engines
     }
 
-    /// The PPM file in memory, from checked values to bytes: all that the programs do but reading and storing files,
-    /// and what is measured.
+    /// Renders a picture into the bytes of a PPM file. Measurements time this call: it does all that the evaluated
+    /// programs do, without reading and writing files.
     ///
     /// # Errors
-    /// What the renderer says.
+    /// An error of the renderer.
     pub fn ppm(self, config: &Config, scene: &Scene) -> Result<Vec<u8>, Error> {
         match self {
             Self::Reference => {
@@ -112,7 +112,7 @@ impl Engine {
             Self::Real(LayoutName::Aos, set) => rendered(&prepared::<Aos>(config, scene)?, set),
             Self::Real(LayoutName::Soa, set) => rendered(&prepared::<Soa>(config, scene)?, set),
             Self::PlainSearch => {
-                let prepared = Prepared { search: Accel::EveryObject, ..prepared::<Aos>(config, scene)? };
+                let prepared = Prepared { accel: Accel::EveryObject, ..prepared::<Aos>(config, scene)? };
                 rendered(&prepared, InstructionSet::best())
             }
         }
@@ -129,15 +129,15 @@ fn rendered<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Ve
 
 fn bytes(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();
-    // Writing to memory does not fail.
+    // Writing to a `Vec` does not fail.
     let _ = cpu::internals::image::ppm::write_ppm(image, &mut bytes);
     bytes
 }
 
-/// The pixels' means before they become bytes, in linear light.
+/// Returns the means of all pixels in linear light, before they are quantised.
 ///
 /// # Errors
-/// What the renderer says.
+/// An error of the renderer.
 pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     let prepared = Prepared::<Aos>::new(config, scene, Scatter::Statement)?;
     let mut means = vec![Vec3::ZERO; prepared.size.pixels()];
@@ -145,11 +145,11 @@ pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     Ok(means)
 }
 
-/// Renders with the real renderer and calls `after_row` as [`cpu::internals::render_into`] does; `None` when it broke
-/// off before `rows` rows were done.
+/// Renders the first `rows` rows with the real renderer and calls `after_row` after each row, as
+/// [`cpu::internals::render_into`] does. Returns `None` if `after_row` stopped the rendering before.
 ///
 /// # Errors
-/// What the renderer says.
+/// An error of the renderer.
 pub fn render_rows<L: Layout>(
     prepared: &Prepared<L>,
     rows: usize,

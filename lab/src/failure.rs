@@ -1,26 +1,26 @@
-//! Why a command ended early, and the exit status that says so.
+//! The reasons for which a command ends early, with their messages and exit statuses.
 
-/// The end of a command that did not simply succeed.
+/// The reason for which a command ended early.
 #[derive(Debug)]
 pub enum Failure {
     /// Two pictures differ more than the course accepts.
     Rejected,
-    /// The renderer, or a file of it, says no.
+    /// An error of the renderer or of its input files.
     Renderer(cpu::Error),
-    /// Anything else that went wrong, in words.
+    /// Another error, in words.
     Other(String),
-    /// Someone stopped it.
+    /// A signal stopped the command, and nothing was kept.
     Interrupted,
-    /// Someone stopped it, and what was done is kept: how to go on.
+    /// A signal stopped the command, and finished work was kept. The text says how to go on.
     Paused(String),
-    /// A command line that is not understood; a message has been written.
+    /// The command line is not understood. Its message has been written already.
     CommandLine,
-    /// Help was asked for and written: the end, and no failure.
+    /// The help was printed. This is a success, with exit status 0.
     Help,
 }
 
 impl Failure {
-    /// The exit status, as `diff` and shells have them: 1 for a difference, 2 for trouble, 130 for an interruption.
+    /// Returns the exit status, as of `diff` and shells: 1 for a difference, 2 for an error, 130 for an interruption.
     #[must_use]
     pub const fn status(&self) -> u8 {
         match self {
@@ -31,7 +31,7 @@ impl Failure {
         }
     }
 
-    /// What to say about it; nothing where the output has said it already. Control characters are escaped.
+    /// Returns the message to print, with control characters escaped; `None` if the output has said it already.
     #[must_use]
     pub fn message(&self) -> Option<String> {
         match self {
@@ -46,6 +46,13 @@ impl Failure {
 impl From<cpu::Error> for Failure {
     fn from(error: cpu::Error) -> Self {
         Self::Renderer(error)
+    }
+}
+
+impl From<output::Error> for Failure {
+    fn from(error: output::Error) -> Self {
+        let message = error.message(|text| cpu::internals::input::text::escape(text).into_bytes());
+        Self::Other(String::from_utf8_lossy(&message).into_owned())
     }
 }
 

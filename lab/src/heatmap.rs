@@ -1,4 +1,4 @@
-//! A picture of where two pictures differ, with the scale of its colours below it.
+//! Draws where two pictures differ, with the scale of the colours below.
 
 use annotate::Canvas;
 use colorous::{Gradient, INFERNO, RED_BLUE};
@@ -6,27 +6,28 @@ use colorous::{Gradient, INFERNO, RED_BLUE};
 use crate::difference::of_pixels;
 use crate::picture::{Picture, with_room};
 
-/// How differences become colours.
+/// The mapping from differences to colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The difference that has the last colour, in levels from 0 to 255; larger ones have it too.
+    /// The difference that gets the last colour, in levels from 0 to 255. Larger differences get the last colour too.
     pub most: f64,
     /// Whether the sign is shown: red where the second picture is brighter, blue where it is darker.
     pub is_signed: bool,
 }
 
-/// Height of the bar of colours and what is written around it, in pixels.
+/// Height of the bar of colours with its caption and numbers, in pixels.
 const LEGEND: usize = 60;
-/// Narrowest canvas that the legend's words fit on.
+/// Width of the narrowest canvas on which the words of the legend fit, in pixels.
 const LEAST_WIDTH: usize = 370;
-/// What the legend says of a scale without the sign, and of one with it.
+/// Captions of the legend: of a scale without signs, and of a scale with signs.
 const CAPTIONS: [&str; 2] =
     ["difference, mean over channels, in levels", "second minus first, mean over channels, in levels"];
 const BAR: usize = 12;
 const MARGIN: usize = 10;
 
 impl Scale {
-    /// The scale on which the largest difference has the last colour; for equal pictures, one level has it.
+    /// Returns the scale on which the largest difference gets the last colour. For equal pictures, a difference of one
+    /// level gets it.
     #[must_use]
     pub fn automatic(first: &Picture, second: &Picture, is_signed: bool) -> Self {
         let distance = |(a, b): (&[u8; 3], &[u8; 3])| if is_signed { signed(*a, *b).abs() } else { of_pixels(*a, *b) };
@@ -34,41 +35,41 @@ impl Scale {
         Self { most: if most > 0.0 { most } else { 1.0 }, is_signed }
     }
 
-    /// The colour of the difference of two pixels. Perceptual maps of matplotlib and ColorBrewer: dark to light, or
-    /// blue and red from white.
+    /// Returns the colour of the difference of two pixels. The colours are perceptual maps: Inferno of matplotlib from
+    /// dark to light, or with signs, red and blue of ColorBrewer with white between them.
     fn color(&self, first: [u8; 3], second: [u8; 3]) -> [u8; 3] {
         if self.is_signed {
-            at(RED_BLUE, 0.5 - signed(first, second) / self.most / 2.0)
+            color_at(RED_BLUE, 0.5 - signed(first, second) / self.most / 2.0)
         } else {
-            at(INFERNO, of_pixels(first, second) / self.most)
+            color_at(INFERNO, of_pixels(first, second) / self.most)
         }
     }
 
-    /// The colour at `share` of the bar, and the number that belongs there.
+    /// Returns the colour at `share` of the bar, from 0 to 1, and the difference that has this colour.
     fn bar(&self, share: f64) -> ([u8; 3], f64) {
         if self.is_signed {
-            (at(RED_BLUE, 1.0 - share), self.most * (2.0 * share - 1.0))
+            (color_at(RED_BLUE, 1.0 - share), self.most * (2.0 * share - 1.0))
         } else {
-            (at(INFERNO, share), self.most * share)
+            (color_at(INFERNO, share), self.most * share)
         }
     }
 }
 
-/// How much brighter the second pixel is: the mean of its channels' differences, with their signs.
+/// Returns how much brighter the second pixel is: the mean of its channels' differences, with their signs.
 fn signed(first: [u8; 3], second: [u8; 3]) -> f64 {
     let sum = |pixel: [u8; 3]| pixel.iter().map(|&channel| i32::from(channel)).sum::<i32>();
     f64::from(sum(second) - sum(first)) / 3.0
 }
 
-fn at(map: Gradient, position: f64) -> [u8; 3] {
+fn color_at(map: Gradient, position: f64) -> [u8; 3] {
     let color = map.eval_continuous(position.clamp(0.0, 1.0));
     [color.r, color.g, color.b]
 }
 
-/// The differences of two pictures of one size as colours, and below them a legend with numbers.
+/// Returns a picture of the differences between two pictures of one size, with a legend below.
 ///
 /// # Errors
-/// There is too little memory for it.
+/// There is too little memory for the picture.
 pub fn heatmap(first: &Picture, second: &Picture, scale: Scale) -> Result<Picture, String> {
     let pairs = first.pixels.iter().zip(&second.pixels);
     let mut colors = with_room(first.pixels.len())?;
@@ -79,7 +80,7 @@ pub fn heatmap(first: &Picture, second: &Picture, scale: Scale) -> Result<Pictur
     canvas.write((MARGIN, first.height + 4), CAPTIONS[usize::from(scale.is_signed)]);
     let place = (MARGIN, first.height + 4 + annotate::LINE);
     let size = (canvas.width - 2 * MARGIN, BAR);
-    // Two digits more than the largest number has, so that no two numbers are the same.
+    // The numbers below the bar have as many decimals as give the largest one two significant digits.
     let digits = (1.0 - scale.most.log10().floor()).clamp(0.0, 9.0) as usize;
     let number = |share: f64| format!("{:.digits$}", scale.bar(share).1);
     annotate::color_bar(&mut canvas, place, size, |share| scale.bar(share).0, number);
@@ -129,9 +130,9 @@ mod tests {
         let scale = Scale::automatic(&first, &second, false);
         let map = heatmap(&first, &second, scale).expect("it is small");
         assert_eq!((map.width, map.height), (LEAST_WIDTH, 1 + LEGEND));
-        assert_eq!((map.pixels[0], map.pixels[1]), (at(INFERNO, 0.0), at(INFERNO, 1.0)));
+        assert_eq!((map.pixels[0], map.pixels[1]), (color_at(INFERNO, 0.0), color_at(INFERNO, 1.0)));
         assert!(CAPTIONS.iter().all(|caption| annotate::width_of(caption) + 2 * MARGIN <= LEAST_WIDTH));
         let below = &map.pixels[map.width..];
-        assert!(below.contains(&annotate::INK) && below.contains(&at(INFERNO, 1.0)));
+        assert!(below.contains(&annotate::INK) && below.contains(&color_at(INFERNO, 1.0)));
     }
 }

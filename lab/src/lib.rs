@@ -1,10 +1,10 @@
-//! The everyday and measuring tool around the renderer.
+//! `render-lab`: renders with progress, compares pictures, inspects scenes, and measures the renderer.
 //!
-//! Each command has a module of its own in [`commands`]; what they share lies beside it: pictures from files
-//! ([`picture`]), how two of them differ ([`difference`]), which renderer is meant ([`engine`]), what a process has
-//! used ([`usage`]). Measuring lives in [`mod@bench`], and [`report`] turns its data into charts and pages.
+//! Each command has its module in [`commands`]. Modules beside it hold what several commands use: [`picture`] reads
+//! and writes pictures, [`difference`] compares two of them, [`engine`] names the renderers, [`usage`] reads user time
+//! and memory. [`mod@bench`] measures, and [`report`] turns the data into charts and pages.
 //!
-//! Rendering is `cpu`'s alone, on one thread: this crate adds eyes and clocks.
+//! `cpu` does all rendering, on one thread.
 
 pub mod bench;
 pub mod cli;
@@ -35,15 +35,16 @@ const STACK_BYTES: usize = 8 << 20;
 /// Runs the command on this process' arguments; an error goes to standard error.
 #[must_use]
 pub fn main() -> ExitCode {
-    // From here on a signal that ends the process leaves no temporary file.
-    cpu::internals::output::stop::remove_temporary_when_stopped();
-    // The limit on the main thread's stack may be smaller than rendering needs, which is some 300 kB in a debug build.
+    // From here on, a signal that ends the process first removes the temporary files.
+    output::stop::remove_temporary_when_stopped();
+    // A debug build needs some 300 kB of stack. The limit on the main thread's stack may be smaller, so another thread
+    // does all work.
     let thread = std::thread::Builder::new().name("main".to_owned()).stack_size(STACK_BYTES);
     match thread.spawn(run).map(std::thread::JoinHandle::join) {
         Ok(Ok(status)) => status,
-        // A panic has said what it had to say.
+        // The thread panicked, and the panic has printed its message.
         Ok(Err(_)) => ExitCode::from(2),
-        // There is too little memory for another stack.
+        // There is too little memory for another stack, so the main thread does the work.
         Err(_) => run(),
     }
 }
@@ -60,7 +61,7 @@ fn run() -> ExitCode {
     }
 }
 
-/// What this process was asked for.
+/// Parses the command line. An error or the help is printed here.
 fn command_line() -> Result<cli::Cli, Failure> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     cli::Cli::try_parse_from(&arguments).map_err(|error| {
@@ -72,7 +73,7 @@ fn command_line() -> Result<cli::Cli, Failure> {
             return Failure::CommandLine;
         }
         if error.use_stderr() {
-            // It repeats what was typed, which could command the terminal.
+            // The message repeats the arguments, whose control characters must not reach the terminal.
             terminal::note(&error.render().to_string());
             return Failure::CommandLine;
         }

@@ -1,8 +1,8 @@
-//! From measured data to charts and words: one HTML page that needs nothing else, and the files that `docs/report`
-//! is built from.
+//! Turns measured data into charts and sentences: one HTML page that needs no other file, and the files from which
+//! `docs/report` is built.
 //!
-//! [`charts`] chooses what is shown and [`chart`] draws it; [`findings`] puts figures into sentences, so that no
-//! sentence can disagree with the data; [`html`] makes the page.
+//! [`charts`] chooses the data of each chart and [`chart`] draws it; [`findings`] computes sentences from the data, so
+//! that no sentence can disagree with the data; [`html`] writes the page.
 
 pub mod axis;
 pub mod chart;
@@ -15,21 +15,21 @@ pub mod thumbnails;
 use std::collections::HashSet;
 use std::path::Path;
 
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
 use crate::bench::results::Results;
 use crate::{Failure, terminal};
 use chart::Chart;
 
-/// What is written beside the charts.
+/// Names of the files that are written beside the charts.
 pub const FILES: [&str; 2] = ["index.html", "findings.json"];
 
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`.
 ///
 /// # Errors
-/// A file cannot be written, or there is nothing to draw.
+/// A file cannot be written, or a chart cannot be drawn.
 pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), Failure> {
-    // Before anything is written.
+    // Everything that can fail is computed before the first file is written.
     let pictures = thumbnails::of(results, &test_support::project_root().join("scenes"))?;
     let charts = charts::all(results);
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
@@ -48,9 +48,9 @@ fn put(path: &Path, text: &str, options: Options) -> Result<(), Failure> {
     Ok(Output::open(path, options)?.fill(|file| file.write_all(text.as_bytes()))?)
 }
 
-/// Names for the charts' files, without an ending, all different. A chart's own name may hold the name of a scene,
-/// which comes from the data: only letters, digits, `-` and `_` of it are kept, so that no file lies outside the
-/// folder.
+/// Returns a different file name for each chart, without an ending. A chart's name may contain the name of a scene,
+/// which comes from the data. Characters other than letters, digits and `_` become `-`, so that no file lies outside
+/// the folder.
 fn file_names(charts: &[Chart]) -> Vec<String> {
     const LONGEST: usize = 100;
 

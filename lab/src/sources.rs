@@ -1,4 +1,4 @@
-//! The two files of a rendering, with values of the configuration replaced on the command line.
+//! Reads the two input files of a rendering, and replaces values of the configuration by those of `--set`.
 
 pub mod located;
 pub mod recorder;
@@ -16,13 +16,13 @@ use crate::{Failure, terminal};
 use located::Kind;
 use recorder::Recorder;
 
-/// Reads the configuration at `path` and then `settings`, each `key=value` as in `gamma=1` or
-/// `camera_position=0 0 -5`. The last of a repeated key counts, so a setting is one more line.
+/// Reads the configuration at `path` and then `settings`, each `key=value` as in `gamma=1` or `camera_position=0 0 -5`.
+/// Each setting is read like one more line of the file; of a repeated key the last line counts.
 ///
 /// # Errors
 /// What [`Config::parse`] says about the file, with the place in it, or about a setting, with its option.
 pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
-    // The file alone first, so that its own errors are told before those of a setting.
+    // The file is read first, so that its errors are reported before those of a setting.
     let mut config = read(path, Kind::Config, |input| Config::parse(input))?;
     for setting in settings {
         let Some((key, value)) = setting.split_once('=') else {
@@ -37,7 +37,8 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
         if let Err(error) = config.set(line.as_bytes()) {
             let place = Path::new("--set");
             let message = located::message(&error, Kind::Config, place, (1, line.as_bytes()), &[]);
-            // Its first line has the place, which an option has not; the option itself stands for it.
+            // The message begins with a file name and a place, which an option does not have. The text of the option
+            // replaces them.
             let words = message.as_deref().and_then(|message| message.split_once(": ")).map(|(_, words)| words);
             let words = words.map_or_else(|| error.to_string(), in_one_line);
             return Err(format!("--set {setting}: {words}").into());
@@ -46,7 +47,7 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
     Ok(config)
 }
 
-/// The scene at `path`.
+/// Reads the scene at `path`.
 ///
 /// # Errors
 /// What [`Scene::parse`] says about it, with the place in the file.
@@ -54,25 +55,26 @@ pub fn scene(path: &Path) -> Result<Scene, Failure> {
     read(path, Kind::Scene, |input| Scene::parse(input))
 }
 
-/// Names standard input, as elsewhere: `-`.
+/// Returns the path to read from: `/dev/stdin` for `-`, else `path`.
 #[must_use]
 pub fn input(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdin") } else { path.to_owned() }
 }
 
-/// Names standard output, as elsewhere: `-`.
+/// Returns the path to write to: `/dev/stdout` for `-`, else `path`.
 #[must_use]
 pub fn output(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdout") } else { path.to_owned() }
 }
 
-/// The name of an output for a message.
+/// Returns the name of an output for a message.
 #[must_use]
 pub fn output_name(path: &Path) -> String {
     if path == Path::new("-") { "standard output".to_owned() } else { terminal::name(path) }
 }
 
-/// That a picture cannot be made: the settings are named where one of them has a say in it, else the file.
+/// Returns the failure for an error in the picture's values. It names the `--set` options that may have caused the
+/// error, or the file `path` if there is none.
 #[must_use]
 pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure {
     let Error::Picture(cause) = error else { return error.in_file(path).into() };
@@ -82,16 +84,16 @@ pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure 
         Picture::NorthParallel => &["camera_position", "camera_target", "camera_north"],
         _ => &["camera_position", "camera_target", "camera_north", "field_of_view", "image_width", "aspect_ratio"],
     };
-    let has_a_say = |setting: &&String| setting.split_once('=').is_some_and(|(key, _)| keys.contains(&bare(key)));
-    let guilty: Vec<_> = settings.iter().filter(has_a_say).map(|setting| format!("--set {setting}")).collect();
-    if guilty.is_empty() {
+    let is_involved = |setting: &&String| setting.split_once('=').is_some_and(|(key, _)| keys.contains(&bare(key)));
+    let involved: Vec<_> = settings.iter().filter(is_involved).map(|setting| format!("--set {setting}")).collect();
+    if involved.is_empty() {
         Error::Picture(cause).in_file(path).into()
     } else {
-        format!("{}: {cause}", guilty.join(" ")).into()
+        format!("{}: {cause}", involved.join(" ")).into()
     }
 }
 
-/// Reads a file line by line; an error about a line has its place.
+/// Reads a file line by line. An error in a line gets the file name, line and column.
 fn read<T>(
     path: &Path,
     kind: Kind,
@@ -112,7 +114,7 @@ fn bare(key: &str) -> &str {
     key.trim().trim_end_matches(':')
 }
 
-/// A value that `key` may have: its default.
+/// Returns a valid value of `key` as an example: its default.
 fn example(key: &str) -> &'static str {
     crate::format::CONFIG
         .iter()
@@ -120,14 +122,16 @@ fn example(key: &str) -> &'static str {
         .map_or("VALUE", |line| line.default)
 }
 
-/// A message without the line that it shows: what is wrong, and what to do.
+/// Joins the first and the last line of a message: what is wrong, and what to do. The lines between them show the
+/// input.
 fn in_one_line(message: &str) -> String {
     let mut lines = message.lines();
     let (first, last) = (lines.next().unwrap_or_default(), lines.next_back().unwrap_or_default());
     format!("{first}; {last}")
 }
 
-/// A setting as a line of a configuration file. One line: a line end inside it would smuggle in another.
+/// Returns a setting as one line of a configuration file. Line ends become spaces, because they would begin another
+/// line.
 fn line(setting: &str) -> String {
     let setting = setting.replace(['\n', '\r'], " ");
     match setting.split_once('=') {
@@ -138,8 +142,11 @@ fn line(setting: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use std::fs;
+
+    use test_support::folder::Folder;
+
+    use super::*;
 
     #[test]
     fn settings_become_lines() {
@@ -151,9 +158,9 @@ mod tests {
 
     #[test]
     fn settings_replace_what_the_file_says() {
-        let folder = tempfile::tempdir().expect("the temporary folder is writable");
-        let path = folder.path().join("config.txt");
-        // Without a line end, where an appended line could run into the last.
+        let folder = Folder::new();
+        let path = folder.file("config.txt");
+        // The file has no line end. If settings were appended to its text, the first would join the last line.
         fs::write(&path, "image_width: 8\ngamma: 2").expect("the folder is writable");
         let settings = ["gamma=1".to_owned(), "camera_north=1 0 0".to_owned()];
         let config = config(&path, &settings).expect("all is valid");
@@ -173,8 +180,8 @@ mod tests {
     }
 
     fn about(file: &str, kind: Kind) -> String {
-        let folder = tempfile::tempdir().expect("the temporary folder is writable");
-        let path = folder.path().join("file");
+        let folder = Folder::new();
+        let path = folder.file("file");
         fs::write(&path, file).expect("the folder is writable");
         let result = match kind {
             Kind::Config => config(&path, &[]).map(drop),
@@ -221,7 +228,7 @@ mod tests {
         assert!(scene("cylinder: 0 0 0 1 0 0 0 grey").starts_with("F:2:19: cylinder: the axis must have a length"));
         assert!(scene("refractive: g 1 2").starts_with("F:2:17: refractive: there is more than its 2 values\n"));
         assert!(scene("image_width: 3").ends_with("it comes before the scene: CONFIG SCENE"));
-        // A long line is cut, and what a terminal would obey is not printed.
+        // A long line is cut, and control characters are not printed.
         let long = scene(&format!("sphere: 0{}\u{1b}x", " ".repeat(500)));
         assert!(long.lines().all(|line| line.chars().count() < 200) && !long.contains('\u{1b}'), "{long}");
     }

@@ -1,17 +1,18 @@
-//! What the person sees: standard output, standard error, and names as they are shown there.
+//! Writes to standard output and standard error, and escapes names for them.
 //!
-//! The macros of the standard library panic where a stream takes no more, and lose what is written to a closed one.
+//! `print!` of the standard library is not used: it panics if the stream cannot be written, and it reports no error if
+//! the stream is closed.
 
 use std::io::{self, Write};
 use std::path::Path;
 
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
 use crate::Failure;
 
 /// Writes `text` and a line end to standard output.
 ///
-/// A reader that has gone, as `head` does after ten lines, is no failure.
+/// A broken pipe is no failure: programs such as `head` stop reading before the end.
 ///
 /// # Errors
 /// Standard output is closed, full or not writable.
@@ -27,25 +28,23 @@ pub fn write(bytes: &[u8]) -> Result<(), Failure> {
     let written =
         Output::open(Path::new("/dev/stdout"), Options::default()).and_then(|out| out.fill(|out| out.write_all(bytes)));
     match written {
-        Err(cpu::internals::input::error::Error::Write { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => {
-            Ok(())
-        }
+        Err(output::Error { cause, .. }) if cause.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other?),
     }
 }
 
-/// Writes `text` and a line end to standard error. Where that takes no more there is nobody left to tell.
+/// Writes `text` and a line end to standard error. An error is ignored, because there is no other place to report it.
 pub fn note(text: &str) {
     let _ = io::stderr().write_all(format!("{}\n", escape_lines(text)).as_bytes());
 }
 
-/// The name of a file, with control characters escaped, line ends among them.
+/// Returns the name of a file with all control characters escaped, including line ends.
 #[must_use]
 pub fn name(path: &Path) -> String {
     cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
 }
 
-/// A message of one or more lines, with all control characters but its line ends escaped.
+/// Returns a message of one or more lines with all control characters escaped, except its line ends.
 #[must_use]
 pub fn escape_lines(text: &str) -> String {
     text.split('\n').map(|line| cpu::internals::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")

@@ -1,7 +1,7 @@
-//! System calls of `render-lab` on the way of its files fail once, and a signal meets it in them.
+//! Lets one system call of `render-lab` fail in each run, or sends a signal during the call, and checks the files.
 //!
-//! Of each name of a call a few are disturbed, spread evenly over the run; with `RENDER_INJECTIONS=all` every one is.
-//! Where `strace` cannot run, these tests are shown as ignored.
+//! Of the calls with one name a few are disturbed, spread evenly over the run; with `RENDER_INJECTIONS=all` all are. If
+//! `strace` cannot run, these tests are shown as ignored.
 
 #[cfg(target_os = "linux")]
 #[path = "injected/linux.rs"]
@@ -9,5 +9,5 @@ mod linux;
 
 fn main() {
     #[cfg(target_os = "linux")]
-    linux::run();
+    test_support::injection::run(linux::trials());
 }

@@ -1,10 +1,11 @@
-//! `compare` on the second published image: two figures that are known from elsewhere. Shown as ignored where the
-//! reference folder is not there.
+//! Compares our pictures of case 2 with the second published image, for which the figures are known. Shown as ignored
+//! if the reference folder does not exist.
 
 use std::path::Path;
 use std::process::{Command, Output};
 
 use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::folder::Folder;
 
 fn main() {
     let folder = test_support::golden::reference_folder();
@@ -26,8 +27,8 @@ fn main() {
 }
 
 fn compares_as_known(folder: &Path, convention: &str, expected: &[&str]) -> Result<(), Failed> {
-    let place = tempfile::tempdir()?;
-    let out = place.path().join("out.ppm");
+    let place = Folder::new();
+    let out = place.file("out.ppm");
     let [config, scene, published] = ["config2.txt", "scene2.txt", "published2.ppm"].map(|name| folder.join(name));
     succeed(lab().arg("render").args([&config, &scene, &out]).args(["--scatter", convention]))?;
     let output = succeed(lab().arg("compare").args([&out, &published]))?;

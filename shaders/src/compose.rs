@@ -1,7 +1,7 @@
-//! A module and all that it needs, in one text.
+//! Composes a module and all modules that it needs into one text.
 //!
-//! WGSL has no imports, and names here are unique over all modules, so plain concatenation is enough: a module follows
-//! what it needs, each of them once. The composition remembers which lines came from which file.
+//! WGSL has no imports, and names here are unique over all modules, so plain concatenation is enough. Each module
+//! stands once, after all modules that it needs. The composition remembers which lines came from which file.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,13 +9,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::module::{self, MODULES, Module};
 use crate::{Error, Precision, Validated};
 
-/// The modules to compose from: the crate's own, any of them replaced.
+/// The modules to compose from: the crate's own modules, some of which may be replaced by other texts.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
 }
 
-/// A module's other text.
+/// The text that replaces a module's own.
 #[derive(Clone, Debug)]
 struct Replacement {
     path: String,
@@ -29,7 +29,7 @@ impl Library {
         Self::default()
     }
 
-    /// Puts `source` in the place of the module `name`; messages call it `path`.
+    /// Replaces the text of the module `name` by `source`. Messages give `path` as its file.
     ///
     /// # Errors
     /// [`Error::UnknownModule`].
@@ -39,7 +39,7 @@ impl Library {
         Ok(())
     }
 
-    /// The text of the module `name` as it stands in this library.
+    /// The text of the module `name` in this library, replaced or not.
     ///
     /// # Errors
     /// [`Error::UnknownModule`].
@@ -47,14 +47,14 @@ impl Library {
         Ok(self.text(find(name)?).1)
     }
 
-    /// The module `root` and all that it needs, over `precision`.
+    /// Composes the module `root` and all modules that it needs, with `precision` as the type `real`.
     ///
     /// # Errors
     /// [`Error::UnknownModule`].
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
         let mut needed = BTreeSet::new();
-        need(root, &mut needed);
+        add_needed(root, &mut needed);
         let real = find(precision.module())?;
         let modules = std::iter::once(real).chain(MODULES.iter().filter(|module| needed.contains(module.name)));
         let (mut source, mut parts, mut line) = (String::new(), Vec::new(), 1);
@@ -84,11 +84,11 @@ fn find(name: &str) -> Result<&'static Module, Error> {
     module::find(name).ok_or_else(|| Error::UnknownModule { name: name.to_owned() })
 }
 
-/// Adds `module` and all that it needs to `needed`.
-fn need(module: &Module, needed: &mut BTreeSet<&'static str>) {
+/// Adds `module` and all modules that it needs to `needed`.
+fn add_needed(module: &Module, needed: &mut BTreeSet<&'static str>) {
     if needed.insert(module.name) {
         for name in module.needs {
-            need(module::find(name).expect("a test holds the list of needs complete"), needed);
+            add_needed(module::find(name).expect("a test checks that every needed module is listed"), needed);
         }
     }
 }
@@ -107,12 +107,12 @@ pub struct Composition {
 struct Part {
     path: String,
     first_line: usize,
-    /// Whether it is another text than the crate's own: where a fault most likely is.
+    /// Whether the text replaces the crate's own. A fault is most likely in such a text.
     is_replaced: bool,
 }
 
 impl Composition {
-    /// A text that was composed elsewhere, as one file.
+    /// A composition of one file: a text that another process composed.
     #[must_use]
     pub fn of_text(source: String, precision: Precision) -> Self {
         let part = Part { path: "standard input".to_owned(), first_line: 1, is_replaced: true };
@@ -125,7 +125,7 @@ impl Composition {
         &self.source
     }
 
-    /// Path and text of each file, in order: the texts after each other are the whole.
+    /// Path and text of each file, in order. Joined, the texts give [`Self::source`].
     pub fn parts(&self) -> impl Iterator<Item = (&str, String)> {
         let ends = self.parts.iter().skip(1).map(|part| part.first_line).chain([usize::MAX]);
         self.parts.iter().zip(ends).map(|(part, end)| {
@@ -140,7 +140,7 @@ impl Composition {
         self.precision
     }
 
-    /// The module that was asked for.
+    /// The name of the module that was composed.
     #[must_use]
     pub const fn root(&self) -> &'static str {
         self.root
@@ -164,7 +164,7 @@ impl Composition {
         (1..).zip(self.source.lines()).filter(|(line, _)| self.is_replaced(*line))
     }
 
-    /// Has naga read and check the text.
+    /// Has naga parse and validate the text.
     ///
     /// # Errors
     /// [`Error::Invalid`], with the place in the module's own file.
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn its_parts_are_the_whole() {
+    fn the_parts_joined_are_the_source() {
         let composition = Library::standard().compose("kernels/image", Precision::F32).expect("it exists");
         let parts: Vec<_> = composition.parts().collect();
         assert!(parts.len() > 10);

@@ -1,4 +1,4 @@
-//! A fault in a shader, with its place in the file that the reader knows.
+//! A fault in a shader, with its place in the module's own file.
 
 use std::error::Error as _;
 use std::fmt;
@@ -17,9 +17,9 @@ const SHOWN: usize = 160;
 /// What naga found wrong, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// naga's words, from the outermost cause to the innermost.
+    /// naga's messages, from the outermost cause to the innermost.
     pub message: String,
-    /// Where, when naga knows.
+    /// Where it is, if a place is known.
     pub place: Option<Place>,
 }
 
@@ -32,7 +32,7 @@ pub struct Place {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Characters that are meant, on this line.
+    /// Number of characters at fault, on this line.
     pub length: usize,
     /// The line itself.
     pub text: String,
@@ -67,10 +67,11 @@ impl Diagnostic {
             cause = inner.source();
         }
         // The first span is the outermost, usually a whole function; the last is the expression at fault, or a type
-        // that it has, which may be defined in another file. What a person wrote comes first.
+        // that it has, which may be defined in another file. A span in a replaced module is preferred to all others,
+        // since the fault most likely is there.
         let spans: Vec<_> = error.spans().map(|(span, _)| span.location(composition.source())).collect();
-        let is_theirs = |span: &&SourceLocation| composition.is_replaced(span.line_number as usize);
-        let span = spans.iter().rev().find(is_theirs).copied();
+        let in_replaced = |span: &&SourceLocation| composition.is_replaced(span.line_number as usize);
+        let span = spans.iter().rev().find(in_replaced).copied();
         let place = Place::new(span, composition)
             .or_else(|| Place::of_function(&message, composition))
             .or_else(|| Place::new(spans.last().copied(), composition))
@@ -79,7 +80,7 @@ impl Diagnostic {
     }
 }
 
-/// naga's words without its own numbers for things, and with types as WGSL writes them.
+/// naga's message without the indices into naga's own lists, and with types as WGSL writes them.
 fn plain(message: &str) -> String {
     let scalars = [
         ("Float", 8, "f64"),
@@ -98,7 +99,8 @@ fn plain(message: &str) -> String {
             text = text.replace(&vector, &format!("vec{count}<{name}>"));
         }
     }
-    // naga says which entries of its lists do not match, or None where nothing is returned.
+    // Of a wrong return, naga gives two indices into its lists, or None where the function returns nothing. Both are
+    // replaced by words.
     let returns = "The `return` expression ";
     if let Some(start) = text.find(returns).filter(|_| text.contains("does not match the declared return type")) {
         let is_missing = text[start + returns.len()..].starts_with("None");
@@ -112,7 +114,7 @@ fn plain(message: &str) -> String {
     without_handles(&text)
 }
 
-/// The text without ` [12]`, which is a place in naga's own lists.
+/// The text without indices into naga's own lists, such as ` [12]`.
 fn without_handles(text: &str) -> String {
     let mut result = String::new();
     let mut rest = text;
@@ -132,7 +134,7 @@ fn without_handles(text: &str) -> String {
 }
 
 impl Place {
-    /// The first line of the first replaced module: all that is known where naga says no place.
+    /// The first line of the first replaced module, for a fault of which naga gives no place.
     fn first(composition: &Composition) -> Option<Self> {
         let (line, text) = composition.replaced_lines().next()?;
         Some(Self::of_line(line, text, composition))
@@ -177,7 +179,7 @@ impl fmt::Display for Diagnostic {
         let Some(place) = &self.place else { return f.write_str(&self.message) };
         writeln!(f, "{}:{}:{}: {}", place.file, place.line, place.column, self.message)?;
         let margin = format!("{} | ", place.line);
-        // Of a long line, the part about the fault.
+        // Of a long line, only the part around the fault is shown.
         let skipped = (place.column - 1).saturating_sub(SHOWN / 2);
         let text: String = place.text.chars().skip(skipped).take(SHOWN).collect();
         writeln!(f, "{margin}{text}")?;

@@ -1,7 +1,7 @@
-//! A valid shader in the languages of other systems.
+//! Translates a valid shader into the languages of Vulkan, Metal, Direct3D and OpenGL.
 //!
-//! Which of them can calculate in f64 is decided here and not left to naga: its Metal writer panics on f64, and its
-//! HLSL writer gives code whose `sqrt` silently rounds to f32.
+//! This module decides which languages can calculate in f64. It cannot leave that to naga, whose Metal writer panics on
+//! f64 and whose HLSL writer gives code whose `sqrt` silently rounds to f32.
 
 mod text;
 
@@ -27,7 +27,7 @@ pub enum Target {
     GlslEs310,
 }
 
-/// What a shader becomes.
+/// A shader in the language of a target.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Translation {
     /// Words of SPIR-V.
@@ -40,7 +40,7 @@ impl Target {
     /// All targets.
     pub const ALL: [Self; 5] = [Self::SpirV, Self::Msl, Self::Hlsl, Self::Glsl430, Self::GlslEs310];
 
-    /// Why the target cannot calculate in `precision`; nothing when it can.
+    /// Why the target cannot calculate in `precision`; `None` when it can.
     #[must_use]
     pub const fn obstacle(self, precision: Precision) -> Option<&'static str> {
         match (self, precision) {
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn the_others_take_f64() {
+    fn spir_v_and_desktop_opengl_take_f64() {
         let shader = image(Precision::F64);
         for target in [Target::SpirV, Target::Glsl430] {
             translate(&shader, target, &Features::all(5)).unwrap_or_else(|error| panic!("{error}"));
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_feature_that_is_off_leaves_no_trace() {
+    fn the_value_of_a_feature_changes_the_translation() {
         let shader = image(Precision::F32);
         let text = |features| match translate(&shader, Target::Glsl430, &features).expect("it is f32") {
             Translation::Text(text) => text,

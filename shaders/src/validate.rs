@@ -1,4 +1,4 @@
-//! naga's opinion of a composition.
+//! Has naga parse and validate a composition.
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, Type};
@@ -28,9 +28,9 @@ pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
 /// A composition that naga has read and found valid.
 #[derive(Clone, Debug)]
 pub struct Validated {
-    /// naga's form of it.
+    /// The module as naga represents it.
     pub module: Module,
-    /// What the validator found out about it.
+    /// The validator's analysis of the module, which naga's writers need.
     pub info: ModuleInfo,
     /// What `real` stands for.
     pub precision: Precision,
@@ -46,7 +46,7 @@ impl Validated {
     fn by_naga(composition: &Composition) -> Result<Self, Error> {
         let module = naga::front::wgsl::parse_str(composition.source())
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
-        // No more than what a device offers: f64 only where it was asked for.
+        // f64 is allowed in an f64 composition only, so that an f32 composition runs on devices without f64.
         let capabilities = match composition.precision() {
             Precision::F32 => Capabilities::empty(),
             Precision::F64 => Capabilities::FLOAT64,
@@ -62,7 +62,7 @@ impl Validated {
         bindings(&self.module)
     }
 
-    /// Bytes that the structure of this name takes in a buffer, with what separates it from the next of its kind.
+    /// Size in bytes of the structure of this name, with its padding at the end; `None` if there is no such structure.
     #[must_use]
     pub fn size_of(&self, structure: &str) -> Option<u32> {
         let is_it = |inner: &Type| inner.name.as_deref() == Some(structure);
@@ -80,7 +80,7 @@ impl Validated {
     }
 }
 
-/// Runs `work` on a thread of [`limits::STACK_BYTES`], for the caller's stack may be of any size.
+/// Runs `work` on a thread with a stack of [`limits::STACK_BYTES`], since the caller's stack may be too small for naga.
 fn on_a_large_stack<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, Error> {
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().name("naga".to_owned()).stack_size(limits::STACK_BYTES);
@@ -114,8 +114,9 @@ mod tests {
     }
 
     #[test]
-    fn a_need_that_is_not_listed_is_noticed() {
-        // What keeps the list honest: a module composed without one of its needs names something unknown.
+    fn a_needed_module_that_is_not_listed_is_noticed() {
+        // A module that is composed without one of the modules it needs uses an unknown name, and naga refuses it. So
+        // the list of needs cannot miss a module.
         let mut library = Library::standard();
         library.replace("vec3", "empty.wgsl", "").expect("it exists");
         assert!(library.compose("ray", Precision::F32).expect("it exists").validate().is_err());
@@ -146,7 +147,7 @@ mod tests {
 
     #[test]
     fn the_f32_composition_uses_no_f64() {
-        // The validator has no FLOAT64 capability for it: a literal of the wrong kind would be an error.
+        // For f32 the validator has no FLOAT64 capability, so it refuses a literal of type f64.
         let mut library = Library::standard();
         library.replace("vec3", "mine.wgsl", "const wide = 0.1lf;").expect("it exists");
         assert!(library.compose("vec3", Precision::F32).expect("it exists").validate().is_err());

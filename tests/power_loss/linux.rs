@@ -1,4 +1,4 @@
-//! Recording by `strace`, and what must hold after each call.
+//! Records system calls by `strace`, and checks which contents are possible after each call.
 
 #[path = "model.rs"]
 mod model;
@@ -7,17 +7,18 @@ use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 use std::process::Command;
 
-use cpu::internals::output::{Options, Output};
 use libtest_mimic::{Failed, Trial};
+use output::{Options, Output};
+use test_support::folder::Folder;
 use test_support::injection::{Disturbance, unavailable};
 
 use model::{Event, outcomes};
 
-/// In the environment of the process that writes: the file, and whether it is to be synced.
+/// Environment variables of the process that writes: the file's path, and if it is set, that the file is synced.
 const FILE: &str = "RENDER_POWER_LOSS_FILE";
 const SYNC: &str = "RENDER_POWER_LOSS_SYNC";
 
-/// What is written, in these pieces.
+/// The pieces in which the file is written.
 const PIECES: [&[u8]; 3] = [b"the first piece, ", b"the second, ", b"and the last"];
 
 pub fn trials() -> Vec<Trial> {
@@ -32,7 +33,7 @@ pub fn trials() -> Vec<Trial> {
     ]
 }
 
-/// Where another test has started this process to write a file, writes it and ends.
+/// If a test has started this process to write a file, writes it and ends the process.
 pub fn write_if_asked() {
     let Some(path) = std::env::var_os(FILE) else { return };
     let sync = std::env::var_os(SYNC).is_some();
@@ -41,7 +42,7 @@ pub fn write_if_asked() {
     std::process::exit(i32::from(written.is_err()));
 }
 
-/// With a temporary name and without, in the place of an old file and of none.
+/// The cases: whether the new file has a temporary name, and the content of the old file if there is one.
 const CASES: [(bool, Option<&[u8]>); 4] = [(false, None), (false, Some(b"old")), (true, None), (true, Some(b"old"))];
 
 fn synced() -> Result<(), Failed> {
@@ -58,7 +59,8 @@ fn synced() -> Result<(), Failed> {
     Ok(())
 }
 
-/// What the evaluated programs risk, since syncing takes longer than all their writing.
+/// Without syncing, an empty file may remain. The evaluated programs accept this risk, because syncing takes longer
+/// than writing.
 fn not_synced() -> Result<(), Failed> {
     for (named, old) in CASES {
         let events = record(named, old, false)?;
@@ -70,10 +72,10 @@ fn not_synced() -> Result<(), Failed> {
     Ok(())
 }
 
-/// What a process does to the folder that writes the file `out` there.
+/// Runs a process that writes the file `out` in a folder, and returns what it does to the folder.
 fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Failed> {
-    let folder = tempfile::tempdir()?;
-    let out = folder.path().join("out");
+    let folder = Folder::new();
+    let out = folder.file("out");
     if let Some(old) = old {
         std::fs::write(&out, old)?;
     }
@@ -92,7 +94,7 @@ fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Fai
     if !named {
         return events(&text, folder.path());
     }
-    // As on a file system that makes no files without a name.
+    // The call that creates a file without a name fails, as on a file system that does not support such files.
     let opened = text.lines().filter(|line| line.contains(" openat("));
     let number = 1 + opened.take_while(|line| !line.contains("O_TMPFILE")).count();
     if old.is_some() {
@@ -105,7 +107,7 @@ fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Fai
     events(&text, folder.path())
 }
 
-/// The events in what strace wrote.
+/// Returns the events in the output of strace.
 fn events(text: &str, folder: &Path) -> Result<Vec<Event>, Failed> {
     const FOLDER: usize = 0;
     let mut open: HashMap<String, usize> = HashMap::new();

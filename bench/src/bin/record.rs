@@ -22,7 +22,7 @@ new / old with the last record of this machine, or of another machine where ther
 Example:
   cargo run --release -p bench --bin record -- --rounds 9";
 
-/// A scene to measure, prepared.
+/// The name of a scene, and the scene prepared for rendering.
 type Measured = (String, Prepared<Aos>);
 
 fn main() -> ExitCode {
@@ -77,7 +77,7 @@ fn run(arguments: &[String]) -> io::Result<()> {
     Ok(())
 }
 
-/// The scenes, at sizes that take a tenth of a second or so each.
+/// The scenes to measure, with sizes at which each picture takes about a tenth of a second.
 fn scenes() -> io::Result<Vec<Measured>> {
     let mut measured = Vec::new();
     let folder = golden::reference_folder();
@@ -105,9 +105,10 @@ fn prepare(config: &Config, scene: &Scene) -> io::Result<Prepared<Aos>> {
     Prepared::new(config, scene, Scatter::Statement).map_err(io::Error::other)
 }
 
-/// The times of all scenes with all instruction sets. In each round every one runs once, after the yardstick.
+/// The times of all scenes with all instruction sets. In each round every scene is rendered once with every instruction
+/// set, and the yardstick once before each scene.
 fn measure(scenes: &[Measured], rounds: usize) -> io::Result<BTreeMap<String, BTreeMap<String, Time>>> {
-    let sets: Vec<_> = InstructionSet::ALL.into_iter().filter(|set| set.is_available()).collect();
+    let sets: Vec<_> = InstructionSet::available().collect();
     let yardstick = yardstick()?;
     let mut seconds = vec![Vec::new(); scenes.len() * sets.len()];
     let mut relative = seconds.clone();
@@ -137,7 +138,7 @@ fn measure(scenes: &[Measured], rounds: usize) -> io::Result<BTreeMap<String, BT
     Ok(times)
 }
 
-/// What renders the yardstick's picture by the definition, and returns the seconds that it takes.
+/// Returns a function that renders the yardstick's picture by the reference, and returns the seconds that it takes.
 fn yardstick() -> io::Result<impl Fn() -> f64> {
     let golden = golden::cases().swap_remove(0);
     let config = Config::parse(&fs::read(&golden.config)?[..]).map_err(io::Error::other)?;
@@ -149,7 +150,7 @@ fn yardstick() -> io::Result<impl Fn() -> f64> {
     Ok(move || seconds_of(&render))
 }
 
-/// The first line that a command prints.
+/// The standard output of a command, without blanks at its ends.
 fn output_of(program: &str, arguments: &[&str]) -> io::Result<String> {
     let output = Command::new(program).args(arguments).current_dir(project_root()).output()?;
     let text = String::from_utf8_lossy(&output.stdout).trim().to_owned();

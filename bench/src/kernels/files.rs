@@ -1,4 +1,4 @@
-//! Text in, hierarchy, text out.
+//! Kernels of files: parsing the two texts, building the acceleration structure, and writing the picture.
 
 use std::hint::black_box;
 use std::io;
@@ -15,8 +15,8 @@ use super::{Kernel, Work, plain};
 pub const KERNELS: &[Kernel] = &[
     Kernel { name: "parse-config", new: parse_config },
     Kernel { name: "parse-scene", new: parse_scene },
-    Kernel { name: "build-filter", new: || build(100) },
-    Kernel { name: "build-tree", new: || build(5000) },
+    Kernel { name: "build-flat-filter", new: || build(100) },
+    Kernel { name: "build-bvh", new: || build(5000) },
     Kernel { name: "write-ppm", new: write_ppm },
 ];
 
@@ -37,7 +37,7 @@ fn parse_scene() -> Box<dyn Work> {
 fn build(objects: usize) -> Box<dyn Work> {
     let scene = generator::scene(&Options { objects, ..Options::default() });
     let objects = AosObjects::build(&scene).expect("it fits");
-    let extent = Extent { reach: 100.0, moderate: true };
+    let extent = Extent { max_coordinate: 100.0, moderate: true };
     plain(objects.sphere_count() + objects.cylinder_count(), move || {
         black_box(Accel::new(black_box(&objects), &extent).expect("it fits"));
     })

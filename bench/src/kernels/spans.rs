@@ -1,22 +1,89 @@
-//! The stages of a span: 32 pixels of a row, 32 samples each.
+//! Kernels of rendering: the stages of one span of 32 pixels with 32 samples each.
 
-use cpu::internals::render::stages::Stages;
+use cpu::internals::render::camera_rays::TraceCameraRays;
+use cpu::internals::render::span::{Span, Spans};
+use cpu::internals::render::span_state::SpanState;
+use cpu::internals::render::specular_chains::TraceSpecularChains;
+use cpu::internals::render::stages::{ColorPaths, DrawSamples, FindBytes};
+use cpu::internals::render::trace_paths::TracePaths;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
 use super::{Kernel, Work};
 
+/// A span of a picture, whose stages are run one by one.
+pub struct Stages {
+    state: SpanState<'static, Aos>,
+    set: InstructionSet,
+    span: Span,
+}
+
+impl Stages {
+    /// The span of `row` that begins in or after `column`.
+    fn new(prepared: &'static Prepared<Aos>, row: usize, column: usize) -> Self {
+        let mut spans = Spans::of_row(prepared.size.width(), prepared.samples);
+        let span = spans.find(|span| span.first >= column).expect("the row is longer");
+        let mut state = SpanState::new(prepared).expect("it fits");
+        state.row = row;
+        let mut stages = Self { state, set: InstructionSet::chosen(), span };
+        stages.cull();
+        stages
+    }
+
+    fn cull(&mut self) {
+        let (prepared, row) = (self.state.prepared, self.state.row);
+        self.state.candidates.begin_row(prepared, row);
+        self.state.candidates.begin_span(prepared, row, &self.span);
+    }
+
+    /// Finds the bytes of the span's pixels without rays, as if no object reached it; returns how many are known.
+    fn background_pixels(&mut self) -> usize {
+        let (mut done, mut known) = (0, 0);
+        while done < self.span.width() {
+            let to = self.set.run(FindBytes { state: &mut self.state, span: &self.span, done });
+            known += to - done;
+            done = to + 1;
+        }
+        known
+    }
+
+    fn draw(&mut self) {
+        self.set.run(DrawSamples(&mut self.state, &self.span));
+    }
+
+    fn camera_rays(&mut self) {
+        self.set.run(TraceCameraRays(&mut self.state));
+    }
+
+    fn specular_chains(&mut self) {
+        self.set.run(TraceSpecularChains(&mut self.state));
+    }
+
+    fn paths(&mut self) {
+        self.set.run(TracePaths(&mut self.state));
+    }
+
+    fn path_ends(&mut self) {
+        self.set.run(ColorPaths(&mut self.state));
+    }
+
+    /// Number of samples in the specular queue, and in the path queue.
+    fn queued(&self) -> (usize, usize) {
+        (self.state.batch.specular.count, self.state.tracer.queue.count)
+    }
+}
+
 /// A stage, and those that must come before it.
 struct Stage {
-    stages: Stages<'static>,
-    before: fn(&mut Stages<'static>),
-    turn: fn(&mut Stages<'static>),
+    stages: Stages,
+    before: fn(&mut Stages),
+    turn: fn(&mut Stages),
 }
 
 impl Work for Stage {
     fn units(&self) -> u64 {
-        self.stages.samples() as u64
+        self.stages.span.count as u64
     }
     fn prepare(&mut self) {
         (self.before)(&mut self.stages);
@@ -27,73 +94,76 @@ impl Work for Stage {
 }
 
 pub const KERNELS: &[Kernel] = &[
-    Kernel { name: "sky", new: || stage("", |_| (), |stages| assert_eq!(stages.sky(), 32, "all is known")) },
-    Kernel { name: "cull-tree", new: || on_board(1000, |_| (), Stages::cull) },
-    Kernel { name: "sample-places", new: || stage("", |_| (), Stages::draw) },
-    Kernel { name: "primary-nothing", new: || stage("", Stages::draw, Stages::primary) },
-    Kernel { name: "primary-sphere", new: || stage("sphere: 0 0 0 6 m\n", Stages::draw, Stages::primary) },
-    Kernel { name: "primary-cylinder", new: || stage("cylinder: 0 0 0 6 1 12 0 m\n", Stages::draw, Stages::primary) },
-    Kernel { name: "glass", new: || stage("sphere: 0 0 0 6 g\nsphere: 0 0 0 3 g\n", in_glass, Stages::glass) },
-    Kernel { name: "walk-few", new: || on_board(6, waiting_again, Stages::walk) },
-    Kernel { name: "walk-filter", new: || on_board(60, waiting_again, Stages::walk) },
-    Kernel { name: "walk-tree", new: || on_board(1000, waiting_again, Stages::walk) },
-    Kernel { name: "walk-large-tree", new: || on_board(30_000, waiting_again, Stages::walk) },
-    Kernel { name: "ends", new: || on_board(60, ended, Stages::ends) },
+    Kernel {
+        name: "background-pixels",
+        new: || stage("", |_| (), |stages| assert_eq!(stages.background_pixels(), 32)),
+    },
+    Kernel { name: "cull-bvh", new: || on_grid(1000, |_| (), Stages::cull) },
+    Kernel { name: "draw-samples", new: || stage("", |_| (), Stages::draw) },
+    Kernel { name: "camera-rays-nothing", new: || stage("", Stages::draw, Stages::camera_rays) },
+    Kernel { name: "camera-rays-sphere", new: || stage("sphere: 0 0 0 6 m\n", Stages::draw, Stages::camera_rays) },
+    Kernel {
+        name: "camera-rays-cylinder",
+        new: || stage("cylinder: 0 0 0 6 1 12 0 m\n", Stages::draw, Stages::camera_rays),
+    },
+    Kernel { name: "specular-chains", new: || stage(TWO_SPHERES, specular, Stages::specular_chains) },
+    Kernel { name: "paths-small-scene", new: || on_grid(6, queued_again, Stages::paths) },
+    Kernel { name: "paths-flat-filter", new: || on_grid(60, queued_again, Stages::paths) },
+    Kernel { name: "paths-bvh", new: || on_grid(1000, queued_again, Stages::paths) },
+    Kernel { name: "paths-large-bvh", new: || on_grid(30_000, queued_again, Stages::paths) },
+    Kernel { name: "path-ends", new: || on_grid(60, traced, Stages::path_ends) },
 ];
 
-/// To where all samples are in glass.
-fn in_glass(stages: &mut Stages<'static>) {
+/// Two refractive spheres, one in the other.
+const TWO_SPHERES: &str = "sphere: 0 0 0 6 g\nsphere: 0 0 0 3 g\n";
+
+/// Runs the stages until all samples are in the specular queue.
+fn specular(stages: &mut Stages) {
     stages.draw();
-    stages.primary();
-    assert_eq!(stages.waiting().0, stages.samples());
+    stages.camera_rays();
+    assert_eq!(stages.queued().0, stages.span.count);
 }
 
-/// To where most samples wait for the walk.
-fn waiting(stages: &mut Stages<'static>) {
+/// Runs the stages until most samples are in the path queue.
+fn queued(stages: &mut Stages) {
     stages.draw();
-    stages.primary();
-    stages.glass();
-    assert!(stages.waiting().1 > stages.samples() / 2, "{:?}", stages.waiting());
+    stages.camera_rays();
+    stages.specular_chains();
+    assert!(stages.queued().1 > stages.span.count / 2, "{:?}", stages.queued());
 }
 
-/// The same, when nothing is left of the walk before.
-fn waiting_again(stages: &mut Stages<'static>) {
-    stages.ends();
-    waiting(stages);
+/// Ends the paths of the last turn. Then runs the stages until most samples are in the path queue.
+fn queued_again(stages: &mut Stages) {
+    stages.path_ends();
+    queued(stages);
 }
 
-/// To where all paths have ended.
-fn ended(stages: &mut Stages<'static>) {
-    waiting(stages);
-    stages.walk();
+/// Runs the stages until all paths have ended.
+fn traced(stages: &mut Stages) {
+    queued(stages);
+    stages.paths();
 }
 
-/// A stage on a picture of these objects, of matte `m` or glass `g`, that fill it if there are any.
-fn stage(objects: &str, before: fn(&mut Stages<'static>), turn: fn(&mut Stages<'static>)) -> Box<dyn Work> {
+/// A stage on a picture that these objects fill, if there are any. Their materials are matte `m` or refractive `g`.
+fn stage(objects: &str, before: fn(&mut Stages), turn: fn(&mut Stages)) -> Box<dyn Work> {
     let config = "field_of_view: 40\nbackground_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
     let text = format!("matte: m .5 .6 .7\nrefractive: g 1.5\n{objects}");
     let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
-    on(&config, &scene, 1100, before, turn)
+    make(&config, &scene, 1100, before, turn)
 }
 
-/// A stage on a board of matte, metal and refractive objects, seen from among them.
-fn on_board(objects: usize, before: fn(&mut Stages<'static>), turn: fn(&mut Stages<'static>)) -> Box<dyn Work> {
+/// A stage on a grid of matte, metal and refractive objects, seen from among them.
+fn on_grid(objects: usize, before: fn(&mut Stages), turn: fn(&mut Stages)) -> Box<dyn Work> {
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };
-    on(&generator::view(&options), &generator::scene(&options), 400, before, turn)
+    make(&generator::view(&options), &generator::scene(&options), 400, before, turn)
 }
 
-fn on(
-    config: &Config,
-    scene: &Scene,
-    width: u64,
-    before: fn(&mut Stages<'static>),
-    turn: fn(&mut Stages<'static>),
-) -> Box<dyn Work> {
+fn make(config: &Config, scene: &Scene, width: u64, before: fn(&mut Stages), turn: fn(&mut Stages)) -> Box<dyn Work> {
     let config = Config { image_width: width, samples_per_pixel: 32, ..config.clone() };
     let prepared = Prepared::<Aos>::new(&config, scene, Scatter::Statement).expect("it can be rendered");
     let (row, column) = (prepared.size.height() * 5 / 8, prepared.size.width() / 2);
     // The process ends with the benchmark.
-    let stages = Stages::new(Box::leak(Box::new(prepared)), InstructionSet::chosen(), row, column);
+    let stages = Stages::new(Box::leak(Box::new(prepared)), row, column);
     Box::new(Stage { stages, before, turn })
 }

@@ -1,4 +1,4 @@
-//! Input that is no ordinary file. Whatever it is, little memory is enough to say what is wrong with it.
+//! Inputs that are not ordinary files. The programs need little memory to refuse them with a message.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
@@ -8,10 +8,10 @@ use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused};
 
 const SMALL: &str = "image_width: 8\nsamples_per_pixel: 1\n";
 
-/// Address space that is enough for any refusal, in kilobytes.
+/// Address space in kilobytes that is enough to refuse any input.
 const LITTLE: u64 = 64_000;
 
-/// Each program refuses each of its two inputs under this name, in little memory.
+/// Checks that both programs refuse the file `name` as configuration and as scene, with little memory.
 fn refuses(workshop: &Workshop, name: &str, reason: &str) {
     for program in PROGRAMS {
         for names in [[name, "scene.txt", "d/out.ppm"], ["config.txt", name, "d/out.ppm"]] {
@@ -26,7 +26,7 @@ fn refuses(workshop: &Workshop, name: &str, reason: &str) {
 fn endless_input_is_refused() {
     let workshop = Workshop::new(SMALL, "");
     refuses(&workshop, "/dev/zero", "line 1 is longer than 1048576 bytes");
-    symlink("/dev/zero", workshop.path("link")).expect("links are allowed");
+    symlink("/dev/zero", workshop.file("link")).expect("links are allowed");
     refuses(&workshop, "link", "line 1 is longer than 1048576 bytes");
 }
 
@@ -34,7 +34,7 @@ fn endless_input_is_refused() {
 fn a_sparse_file_of_four_gigabytes_is_refused() {
     let workshop = Workshop::new(SMALL, "");
     for (name, start, line) in [("holes", "", 1), ("text-and-holes", "\n\n", 3)] {
-        let mut file = File::create(workshop.path(name)).expect("the folder is writable");
+        let mut file = File::create(workshop.file(name)).expect("the folder is writable");
         file.write_all(start.as_bytes()).expect("the folder is writable");
         file.set_len(4 << 30).expect("holes take no place");
         refuses(&workshop, name, &format!("line {line} is longer than 1048576 bytes"));
@@ -45,15 +45,15 @@ fn a_sparse_file_of_four_gigabytes_is_refused() {
 fn links_are_followed_and_loops_refused() {
     let workshop = Workshop::new(SMALL, "");
     let expected = workshop.render();
-    symlink("config.txt", workshop.path("first")).expect("links are allowed");
-    symlink("first", workshop.path("second")).expect("links are allowed");
+    symlink("config.txt", workshop.file("first")).expect("links are allowed");
+    symlink("first", workshop.file("second")).expect("links are allowed");
     for program in PROGRAMS {
         let output = workshop.command_with(program, ["second", "scene.txt", "d/out.ppm"]).output();
         assert!(output.expect("the program runs").status.success());
-        assert!(fs::read(workshop.path("d/out.ppm")).expect("it was written") == expected);
-        fs::remove_file(workshop.path("d/out.ppm")).expect("it is ours");
+        assert!(fs::read(workshop.file("d/out.ppm")).expect("it was written") == expected);
+        fs::remove_file(workshop.file("d/out.ppm")).expect("it is ours");
     }
-    symlink("loop", workshop.path("loop")).expect("links are allowed");
+    symlink("loop", workshop.file("loop")).expect("links are allowed");
     refuses(&workshop, "loop", "Too many levels of symbolic links");
 }
 
@@ -61,24 +61,24 @@ fn links_are_followed_and_loops_refused() {
 fn a_fifo_is_read_to_its_end() {
     let workshop = Workshop::new(SMALL, "");
     let expected = workshop.render();
-    nix::unistd::mkfifo(&workshop.path("fifo"), nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
+    nix::unistd::mkfifo(&workshop.file("fifo"), nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
         let mut child = Running::start(&mut workshop.command_with(program, ["fifo", "scene.txt", "d/out.ppm"]));
-        // In two pieces, the first of which ends within a line.
-        let mut fifo = OpenOptions::new().write(true).open(workshop.path("fifo")).expect("the program reads");
+        // Written in two pieces, the first of which ends within a line.
+        let mut fifo = OpenOptions::new().write(true).open(workshop.file("fifo")).expect("the program reads");
         fifo.write_all(&SMALL.as_bytes()[..5]).expect("the program reads");
         std::thread::sleep(std::time::Duration::from_millis(20));
         fifo.write_all(&SMALL.as_bytes()[5..]).expect("the program reads");
         drop(fifo);
         assert!(child.wait().expect("it ends").success());
-        assert!(fs::read(workshop.path("d/out.ppm")).expect("it was written") == expected);
+        assert!(fs::read(workshop.file("d/out.ppm")).expect("it was written") == expected);
     }
 }
 
 #[test]
-fn what_the_system_cannot_read_is_named() {
+fn a_file_that_the_system_cannot_read_is_named() {
     let workshop = Workshop::new(SMALL, "");
-    // The first page of its own memory, which no process has.
+    // The program would read the first page of its own memory, which no process has.
     refuses(&workshop, "/proc/self/mem", "");
     refuses(&workshop, "config.txt/below", "Not a directory");
     let long = "x".repeat(300);

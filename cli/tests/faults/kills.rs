@@ -1,4 +1,4 @@
-//! Processes ended from outside at random moments.
+//! Ends the programs by signals at random moments.
 
 use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
@@ -10,28 +10,29 @@ use nix::sys::signal::Signal;
 
 use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of, wait_until};
 
-/// A picture of nothing but background, of which the writing takes a good part of the time.
+/// A picture of the background alone. Writing it takes a large part of the time.
 const CONFIG: &str = "image_width: 500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
-/// Kills that each program must survive, of each of the two signals.
+/// How often each program is ended by each of the two signals while it runs.
 const KILLS: u32 = 100;
 
-/// Kills a program until [`KILLS`] have met it alive; gives how often the old and the new picture stood, and how many
-/// temporary files were left.
+/// Sends the signal to runs of a program at random moments, until it has ended [`KILLS`] runs. Returns how often the
+/// old and the new picture was there afterwards, and how many temporary files were left.
 fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
     let workshop = Workshop::new(CONFIG, "");
     let new = workshop.render();
-    let out = workshop.path("d/out.ppm");
+    let out = workshop.file("d/out.ppm");
     let mut moments = Uniform::new(seed);
     let (mut kills, mut tries) = (0, 0);
     let [mut old_stood, mut new_stood, mut left] = [0; 3];
-    // As long as one takes undisturbed: the later ones hit the writing, the renaming and the end.
+    // The moments are spread over the time of an undisturbed run. The later ones hit the writing, the renaming and the
+    // end.
     let start = Instant::now();
     assert!(workshop.command(program).status().expect("the program runs").success());
     let whole = start.elapsed();
     while kills < KILLS {
         tries += 1;
-        assert!(tries < 100 * KILLS, "only {kills} of {tries} met it alive");
+        assert!(tries < 100 * KILLS, "the signal ended only {kills} of {tries} runs");
         fs::write(&out, "old").expect("the folder is writable");
         let mut child = Running::start(workshop.command(program).stdout(Stdio::null()));
         std::thread::sleep(whole.mul_f64(moments.canonical()));
@@ -41,11 +42,11 @@ fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
             Some(ended_by) => assert_eq!(ended_by, signal),
             None => assert!(status.success(), "{status}"),
         }
-        let met = signal_of(status).is_some();
-        kills += u32::from(met);
+        let was_killed = signal_of(status).is_some();
+        kills += u32::from(was_killed);
         let picture = fs::read(&out).expect("a picture stands");
         if picture == b"old" {
-            assert!(met, "it ended well and wrote nothing");
+            assert!(was_killed, "it ended well and wrote nothing");
             old_stood += 1;
         } else {
             assert!(picture == new, "{} bytes that are neither the old picture nor the new", picture.len());
@@ -54,7 +55,7 @@ fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
         for name in workshop.outputs() {
             if name != "out.ppm" {
                 assert!(name.starts_with(".render-") && name.ends_with(".tmp"), "{name}");
-                fs::remove_file(workshop.path("d").join(name)).expect("it is ours");
+                fs::remove_file(workshop.file("d").join(name)).expect("it is ours");
                 left += 1;
             }
         }
@@ -84,8 +85,8 @@ fn after_a_request_to_stop_nothing_else_is_left() {
 fn every_request_to_stop_in_the_middle_of_writing_removes_the_half_picture() {
     let config = "image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
     let workshop = Workshop::new(config, "");
-    let out = workshop.path("d/out.ppm");
-    let mut met = 0;
+    let out = workshop.file("d/out.ppm");
+    let mut killed_runs = 0;
     let requests = [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT, Signal::SIGXCPU, Signal::SIGABRT];
     let others = [Signal::SIGALRM, Signal::SIGUSR1, Signal::SIGUSR2, Signal::SIGVTALRM, Signal::SIGPROF];
     #[cfg(target_os = "linux")]
@@ -102,20 +103,20 @@ fn every_request_to_stop_in_the_middle_of_writing_removes_the_half_picture() {
             assert_eq!(workshop.outputs(), ["out.ppm"], "{signal}");
             if signal_of(status) == Some(signal) {
                 assert_eq!(fs::read(&out).expect("it stands"), b"old");
-                met += 1;
+                killed_runs += 1;
             }
         }
     }
-    assert!(met > 0, "no request came in the middle of writing");
+    assert!(killed_runs > 0, "no request came in the middle of writing");
 }
 
 #[test]
 fn a_signal_that_is_ignored_stays_ignored() {
     let workshop = Workshop::new("image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n", "");
     let mut shell = std::process::Command::new("bash");
-    // As under nohup.
+    // The shell ignores SIGHUP and the program inherits that, as under nohup.
     shell.args(["-c", "trap '' HUP; exec \"$@\"", "ignoring", PROGRAMS[0], "config.txt", "scene.txt", "d/out.ppm"]);
-    let mut child = Running::start(shell.current_dir(workshop.path("")));
+    let mut child = Running::start(shell.current_dir(workshop.file("")));
     wait_until("a half picture", || workshop.half(&child).is_some());
     send(&child, Signal::SIGHUP);
     assert!(child.wait().expect("it ends").success());
@@ -125,7 +126,7 @@ fn a_signal_that_is_ignored_stays_ignored() {
 #[test]
 fn a_private_picture_is_private_while_it_is_written() {
     let workshop = Workshop::new("image_width: 2500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n", "");
-    let out = workshop.path("d/out.ppm");
+    let out = workshop.file("d/out.ppm");
     for program in PROGRAMS {
         fs::write(&out, "old").expect("the folder is writable");
         fs::set_permissions(&out, Permissions::from_mode(0o600)).expect("it is ours");
@@ -145,12 +146,12 @@ fn a_private_picture_is_private_while_it_is_written() {
 #[test]
 fn a_program_that_waits_for_its_input_can_be_stopped() {
     let workshop = Workshop::new("", "");
-    let fifo = workshop.path("never");
+    let fifo = workshop.file("never");
     nix::unistd::mkfifo(&fifo, nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
         let mut child = Running::start(&mut workshop.command_with(program, ["never", "scene.txt", "d/out.ppm"]));
         std::thread::sleep(Duration::from_millis(50));
-        assert!(child.try_wait().expect("it is ours").is_none(), "nobody wrote and it ended");
+        assert!(child.try_wait().expect("it is ours").is_none(), "it ended without an input");
         send(&child, Signal::SIGTERM);
         assert_eq!(signal_of(child.wait().expect("it ends")), Some(Signal::SIGTERM));
         assert!(workshop.outputs().is_empty());

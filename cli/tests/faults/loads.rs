@@ -1,4 +1,4 @@
-//! Very much of everything.
+//! Very large inputs, depths, numbers of samples and pictures.
 
 use std::fmt::Write;
 use std::fs;
@@ -9,7 +9,7 @@ use nix::sys::signal::Signal;
 
 use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused, send, signal_of};
 
-/// `count` spheres in a cube, and their material.
+/// A scene of `count` spheres in a cube.
 fn spheres(count: usize) -> String {
     let mut scene = String::from("matte: m .5 .5 .5\n");
     for index in 0..count {
@@ -19,7 +19,7 @@ fn spheres(count: usize) -> String {
     scene
 }
 
-/// The most memory that a process has had, in kilobytes.
+/// The largest memory that a process has used so far, in kilobytes.
 fn peak(child: &Child) -> u64 {
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).expect("it has memory");
@@ -54,28 +54,28 @@ fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
              camera_position: 0 0 -1\n"
         );
         let workshop = Workshop::new(config, scene);
-        fs::write(workshop.path("d/out.ppm"), "old").expect("the folder is writable");
+        fs::write(workshop.file("d/out.ppm"), "old").expect("the folder is writable");
         for program in PROGRAMS {
             let mut child = Running::start(&mut workshop.command(program));
             std::thread::sleep(Duration::from_millis(300));
             let ended = child.try_wait().expect("it is ours");
             assert!(ended.is_none(), "{samples} samples, depth {depth}: {ended:?}");
-            // What the path has met so far is kept, 8 bytes a surface, and some millions of them fit into the time
-            // waited; what it may meet is not asked for ahead.
+            // The program keeps 8 bytes for each surface that the path has hit. In the time waited it hits some
+            // millions. It reserves no memory for the surfaces that the path may hit later.
             let peak = peak(&child);
             assert!(peak < 300_000, "{peak} kB for one pixel");
-            // What a shell starts in the background may ignore SIGINT.
+            // SIGTERM, because a program that a shell starts in the background may ignore SIGINT.
             send(&child, Signal::SIGTERM);
             assert_eq!(signal_of(child.wait().expect("it ends")), Some(Signal::SIGTERM));
             assert_eq!(workshop.outputs(), ["out.ppm"]);
-            assert_eq!(fs::read(workshop.path("d/out.ppm")).expect("it stands"), b"old");
+            assert_eq!(fs::read(workshop.file("d/out.ppm")).expect("it stands"), b"old");
         }
     }
 }
 
 #[test]
 fn a_picture_one_pixel_too_large_is_refused_before_any_memory_is_taken() {
-    // 2^30 pixels are allowed; what is beyond is refused whatever the machine has.
+    // 2^30 pixels are allowed. More are refused, however much memory the machine has.
     let workshop = Workshop::new("image_width: 32769\naspect_ratio: 32769 32768\n", "");
     for program in PROGRAMS {
         let names = ["config.txt", "scene.txt", "d/out.ppm"];
@@ -84,7 +84,7 @@ fn a_picture_one_pixel_too_large_is_refused_before_any_memory_is_taken() {
     }
 }
 
-/// Renders within so much address space and gives the time and the picture's length.
+/// Renders with both programs within so much address space, and returns the length of the picture's file.
 fn renders_within(kilobytes: u64, config: &str, scene: &str) -> u64 {
     let workshop = Workshop::new(config, scene);
     let mut length = 0;
@@ -94,7 +94,7 @@ fn renders_within(kilobytes: u64, config: &str, scene: &str) -> u64 {
         let output = workshop.limited(kilobytes, program, names).output().expect("the program runs");
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         println!("{program}: {:?} within {kilobytes} kB", start.elapsed());
-        length = fs::metadata(workshop.path("d/out.ppm")).expect("it was written").len();
+        length = fs::metadata(workshop.file("d/out.ppm")).expect("it was written").len();
     }
     length
 }

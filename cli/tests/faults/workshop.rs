@@ -1,46 +1,44 @@
-//! A folder with the files of a call, and processes that are watched.
+//! A folder with the input files of a run, and processes that tests can send signals to.
 
 use std::fs;
 use std::ops::{Deref, DerefMut};
 use std::os::unix::process::ExitStatusExt;
-use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
+use test_support::folder::Folder;
 
 /// The two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
-/// `config.txt` and `scene.txt` in a folder, and a folder `d` for the picture alone.
-pub struct Workshop(tempfile::TempDir);
+/// A folder with `config.txt`, `scene.txt`, and an empty folder `d` for the picture.
+pub struct Workshop(Folder);
+
+impl Deref for Workshop {
+    type Target = Folder;
+
+    fn deref(&self) -> &Folder {
+        &self.0
+    }
+}
 
 impl Workshop {
     pub fn new(config: impl AsRef<[u8]>, scene: impl AsRef<[u8]>) -> Self {
-        let workshop = Self(tempfile::tempdir().expect("the temporary folder is writable"));
-        fs::write(workshop.path("config.txt"), config).expect("the folder is writable");
-        fs::write(workshop.path("scene.txt"), scene).expect("the folder is writable");
-        fs::create_dir(workshop.path("d")).expect("the folder is writable");
-        workshop
-    }
-
-    pub fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
+        let folder = Folder::with_scene(config, scene);
+        fs::create_dir(folder.file("d")).expect("the folder is writable");
+        Self(folder)
     }
 
     /// The names in the picture's folder.
     pub fn outputs(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.path("d")).expect("the folder is readable");
-        let name = |entry: std::io::Result<fs::DirEntry>| entry.expect("it is readable").file_name();
-        let mut names: Vec<_> = entries.map(|entry| name(entry).to_string_lossy().into_owned()).collect();
-        names.sort();
-        names
+        self.names_in("d")
     }
 
-    /// The picture that a process is writing, which need not have a name: an open file of the picture's folder.
+    /// The file that a process is writing, found as an open file of the picture's folder, since it may have no name.
     pub fn half(&self, child: &Child) -> Option<fs::Metadata> {
-        let folder = fs::canonicalize(self.path("d")).expect("it is there");
+        let folder = fs::canonicalize(self.file("d")).expect("it is there");
         let descriptors = fs::read_dir(format!("/proc/{}/fd", child.id())).ok()?;
         let links = descriptors.filter_map(|entry| Some(entry.ok()?.path()));
         let mut files = links.filter(|link| fs::read_link(link).is_ok_and(|file| file.parent() == Some(&*folder)));
@@ -54,29 +52,29 @@ impl Workshop {
 
     pub fn command_with(&self, program: &str, names: [&str; 3]) -> Command {
         let mut command = Command::new(program);
-        command.current_dir(self.0.path()).args(names).stdout(Stdio::piped()).stderr(Stdio::piped());
+        command.current_dir(self.path()).args(names).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }
 
-    /// The same after a shell has limited itself to so much address space.
+    /// `program` with these arguments, limited to `kilobytes` of address space.
     pub fn limited(&self, kilobytes: u64, program: &str, names: [&str; 3]) -> Command {
         let mut shell = Command::new("bash");
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", program]).args(names);
-        shell.current_dir(self.0.path());
+        shell.current_dir(self.path());
         shell
     }
 
-    /// The picture, made undisturbed.
+    /// Renders the picture, removes its file and returns its bytes.
     pub fn render(&self) -> Vec<u8> {
         let output = self.command(PROGRAMS[0]).output().expect("the program runs");
         assert!(output.status.success(), "{output:?}");
-        let picture = fs::read(self.path("d/out.ppm")).expect("it was written");
-        fs::remove_file(self.path("d/out.ppm")).expect("it is ours");
+        let picture = fs::read(self.file("d/out.ppm")).expect("it was written");
+        fs::remove_file(self.file("d/out.ppm")).expect("it is ours");
         picture
     }
 }
 
-/// A process that does not outlive its test, however that ends.
+/// A process that is killed when this is dropped.
 pub struct Running(Child);
 
 impl Running {
@@ -101,24 +99,24 @@ impl DerefMut for Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // One that has ended already does not mind.
+        // Fails if the process has ended already.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
-/// Sends a signal to a process; one that has ended already does not mind.
+/// Sends a signal to a process. It may have ended already.
 pub fn send(child: &Child, signal: Signal) {
     let id = i32::try_from(child.id()).expect("it is a process");
     kill(Pid::from_raw(id), signal).expect("it is ours, and not yet waited for");
 }
 
-/// The signal that a process ended by.
+/// The signal by which a process ended; `None` if it exited.
 pub fn signal_of(status: ExitStatus) -> Option<Signal> {
     status.signal().map(|number| Signal::try_from(number).expect("it is a signal"))
 }
 
-/// Waits until `holds`, and fails where it takes for ever.
+/// Waits until `holds` returns true, for at most two minutes.
 pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
     let start = Instant::now();
     while !holds() {

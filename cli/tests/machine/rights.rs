@@ -1,4 +1,5 @@
-//! Places that only a user with rights can make: each is refused before rendering, or kept as it was.
+//! Places that only root or a user with special rights can create. The programs refuse them before rendering, or keep
+//! their owner and permissions.
 
 use std::ffi::OsStr;
 
@@ -6,7 +7,7 @@ use std::os::unix::fs::chown;
 
 use super::*;
 
-/// A picture that takes for ever: what refuses it does so before rendering.
+/// A picture that takes much longer than the minute allowed. So the output must be refused before rendering.
 const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 
 pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
@@ -26,7 +27,7 @@ pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
     ]
 }
 
-/// Runs a program for at most a minute, as nobody where that is asked.
+/// Runs a program for at most a minute, as the user nobody if `as_nobody`.
 fn promptly(command: &Command, as_nobody: bool) -> std::io::Result<Output> {
     let mut limited = Command::new("timeout");
     limited.arg("60").arg(command.get_program()).args(command.get_args());
@@ -37,9 +38,9 @@ fn set_mode(path: &Path, mode: u32) -> std::io::Result<()> {
     fs::set_permissions(path, Permissions::from_mode(mode))
 }
 
-/// Checks that the programs, as nobody, refuse `out` before rendering.
+/// Checks that the programs refuse `out` before rendering, run by the user nobody if `as_nobody`.
 fn refuse_at_once(place: &Place, out: &Path, reason: &str, as_nobody: bool) -> Result<(), Failed> {
-    fs::write(place.path("config.txt"), ENDLESS)?;
+    fs::write(place.file("config.txt"), ENDLESS)?;
     for program in PROGRAMS {
         check_refusal(&promptly(&place.render(program, out), as_nobody)?, out, reason)?;
     }
@@ -48,11 +49,11 @@ fn refuse_at_once(place: &Place, out: &Path, reason: &str, as_nobody: bool) -> R
 
 fn sticky() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.path("d"))?;
-    set_mode(&place.path("d"), 0o1777)?;
-    let out = place.path("d/out.ppm");
+    fs::create_dir(place.file("d"))?;
+    set_mode(&place.file("d"), 0o1777)?;
+    let out = place.file("d/out.ppm");
     fs::write(&out, "old")?;
-    // Anyone may write to it, and only its owner may replace it.
+    // All users may write to the file, but in this folder only its owner may replace it.
     set_mode(&out, 0o666)?;
     refuse_at_once(&place, &out, "Operation not permitted", true)?;
     check_old(&out)
@@ -60,11 +61,11 @@ fn sticky() -> Result<(), Failed> {
 
 fn mounted() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.path("d"))?;
-    let out = place.path("d/out.ppm");
-    // On the same file system, and from another one.
-    let disk = Disk::mount(place.path("disk"))?;
-    for source in [place.path("source"), disk.0.join("source")] {
+    fs::create_dir(place.file("d"))?;
+    let out = place.file("d/out.ppm");
+    // A file of this file system and a file of another one are mounted over the output.
+    let disk = Disk::mount(place.file("disk"))?;
+    for source in [place.file("source"), disk.0.join("source")] {
         fs::write(&source, "old")?;
         fs::write(&out, "")?;
         let bound = Mount::bind(&source, &out)?;
@@ -77,8 +78,8 @@ fn mounted() -> Result<(), Failed> {
 
 fn device() -> Result<(), Failed> {
     let place = Place::new()?;
-    // `/dev/null` under another name, which nobody but root may write to.
-    let out = place.path("null");
+    // `/dev/null` under another name, to which only root may write.
+    let out = place.file("null");
     run("mknod", [out.as_os_str(), "c".as_ref(), "1".as_ref(), "3".as_ref()])?;
     set_mode(&out, 0o600)?;
     refuse_at_once(&place, &out, "Permission denied", true)
@@ -86,28 +87,28 @@ fn device() -> Result<(), Failed> {
 
 fn pipe() -> Result<(), Failed> {
     let place = Place::new()?;
-    let out = place.path("pipe");
+    let out = place.file("pipe");
     run("mkfifo", [&out])?;
     set_mode(&out, 0o600)?;
     refuse_at_once(&place, &out, "Permission denied", true)
 }
 
-/// A folder for appends only takes a new file. No file in it can be replaced, renamed or removed.
+/// In an append-only folder a new file can be created, but no file can be replaced, renamed or removed.
 fn appends() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.path("d"))?;
+    fs::create_dir(place.file("d"))?;
     for program in PROGRAMS {
-        let out = place.path("d/out.ppm");
+        let out = place.file("d/out.ppm");
         {
-            let _appends = AppendOnly::new(place.path("d"))?;
+            let _appends = AppendOnly::new(place.file("d"))?;
             let output = place.render(program, &out).output()?;
             if !output.status.success() {
                 return Err(format!("{output:?}").into());
             }
-            check_names(&place.path("d"), &["out.ppm"])?;
+            check_names(&place.file("d"), &["out.ppm"])?;
             let output = promptly(&place.render(program, &out), false)?;
             check_refusal(&output, &out, "Operation not permitted")?;
-            check_names(&place.path("d"), &["out.ppm"])?;
+            check_names(&place.file("d"), &["out.ppm"])?;
         }
         fs::remove_file(&out)?;
     }
@@ -116,16 +117,17 @@ fn appends() -> Result<(), Failed> {
 
 fn set_user_id() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.path("d"))?;
-    set_mode(&place.path("d"), 0o777)?;
-    let out = place.path("d/out.ppm");
+    fs::create_dir(place.file("d"))?;
+    set_mode(&place.file("d"), 0o777)?;
+    let out = place.file("d/out.ppm");
     for program in PROGRAMS {
         let _ = fs::remove_file(&out);
         fs::write(&out, "old")?;
         set_mode(&out, 0o6757)?;
         let output = without_rights(place.render(program, &out), true).output()?;
         let metadata = fs::metadata(&out)?;
-        // The owner is another, and so is the group, which may now do what all may do.
+        // The new file has another owner and another group. So it has no set-user-ID bit, and its group has only the
+        // permissions that all users have.
         if !output.status.success() || metadata.uid() != NOBODY || metadata.mode() & 0o7777 != 0o757 {
             return Err(format!("{output:?}, mode {:o}", metadata.mode()).into());
         }
@@ -135,7 +137,7 @@ fn set_user_id() -> Result<(), Failed> {
 
 fn owner() -> Result<(), Failed> {
     let place = Place::new()?;
-    let out = place.path("out.ppm");
+    let out = place.file("out.ppm");
     for program in PROGRAMS {
         fs::write(&out, "old")?;
         chown(&out, Some(NOBODY), Some(NOBODY))?;
@@ -151,7 +153,7 @@ fn owner() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Runs a command of the system that must succeed.
+/// Runs a command of the system. It must succeed.
 fn run<S: AsRef<OsStr>>(program: &str, arguments: impl IntoIterator<Item = S>) -> Result<(), Failed> {
     let output = Command::new(program).args(arguments).output()?;
     if output.status.success() { Ok(()) } else { Err(format!("{program}: {output:?}").into()) }
@@ -169,12 +171,12 @@ impl<'a> Mount<'a> {
 
 impl Drop for Mount<'_> {
     fn drop(&mut self) {
-        // One that stays mounted shows as a temporary folder that cannot be removed.
+        // If this fails, the test's temporary folder cannot be removed.
         let _ = run("umount", [self.0]);
     }
 }
 
-/// A folder that takes appends only until this is dropped.
+/// A folder that is append-only until this is dropped.
 struct AppendOnly(PathBuf);
 
 impl AppendOnly {
@@ -186,12 +188,12 @@ impl AppendOnly {
 
 impl Drop for AppendOnly {
     fn drop(&mut self) {
-        // One that stays so shows as a temporary folder that cannot be removed.
+        // If this fails, the test's temporary folder cannot be removed.
         let _ = run("chattr", [OsStr::new("-a"), self.0.as_os_str()]);
     }
 }
 
-/// Whether the file system of the temporary folder knows such folders.
+/// Whether the file system of the temporary folder supports append-only folders.
 fn append_only_is_known() -> bool {
-    tempfile::tempdir().is_ok_and(|folder| AppendOnly::new(folder.path().to_owned()).is_ok())
+    AppendOnly::new(Folder::new().path().to_owned()).is_ok()
 }

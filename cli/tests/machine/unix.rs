@@ -1,12 +1,14 @@
-//! The tests themselves, for systems with users, permissions and mounts.
+//! The tests of `machine.rs` for systems with users, permissions and mounts.
 
 use std::fs::{self, Permissions};
+use std::ops::Deref;
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use libtest_mimic::{Failed, Trial};
+use test_support::folder::Folder;
 
 mod rights;
 
@@ -15,7 +17,7 @@ const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_E
 /// A picture of 40,000 pixels takes more than 64 kB.
 const CONFIG: &str = "image_width: 200\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
-/// A user without rights, the same on every system.
+/// The number of the user and the group without rights.
 const NOBODY: u32 = 65_534;
 
 pub fn trials() -> Vec<Trial> {
@@ -34,24 +36,26 @@ pub fn trials() -> Vec<Trial> {
     trials
 }
 
-/// A folder that everyone can enter, with a configuration, an empty scene, and the programs themselves, which may lie
-/// where [`NOBODY`] cannot go.
-struct Place(tempfile::TempDir);
+/// A folder that all users can enter, with a configuration, an empty scene, and copies of the programs. The programs
+/// themselves may lie in a folder that [`NOBODY`] cannot enter.
+struct Place(Folder);
+
+impl Deref for Place {
+    type Target = Folder;
+
+    fn deref(&self) -> &Folder {
+        &self.0
+    }
+}
 
 impl Place {
     fn new() -> Result<Self, Failed> {
-        let place = Self(tempfile::tempdir()?);
-        fs::set_permissions(place.0.path(), Permissions::from_mode(0o755))?;
-        fs::write(place.path("config.txt"), CONFIG)?;
-        fs::write(place.path("scene.txt"), "")?;
+        let place = Self(Folder::with_scene(CONFIG, ""));
+        fs::set_permissions(place.path(), Permissions::from_mode(0o755))?;
         for program in PROGRAMS {
-            fs::copy(program, place.path(Self::name(program)))?;
+            fs::copy(program, place.file(Self::name(program)))?;
         }
         Ok(place)
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
     }
 
     fn name(program: &str) -> &str {
@@ -60,8 +64,8 @@ impl Place {
 
     /// The command that renders into `out`.
     fn render(&self, program: &str, out: &Path) -> Command {
-        let mut command = Command::new(self.path(Self::name(program)));
-        command.args([self.path("config.txt"), self.path("scene.txt"), out.to_owned()]);
+        let mut command = Command::new(self.file(Self::name(program)));
+        command.args([self.file("config.txt"), self.file("scene.txt"), out.to_owned()]);
         command
     }
 }
@@ -83,20 +87,20 @@ fn check_names(folder: &Path, names: &[&str]) -> Result<(), Failed> {
     if found == names { Ok(()) } else { Err(format!("{found:?} instead of {names:?}").into()) }
 }
 
-/// Checks that `out` still has its old content, alone in its folder.
+/// Checks that `out` still has its old content, and that its folder has no other file.
 fn check_old(out: &Path) -> Result<(), Failed> {
     check_names(out.parent().ok_or("it lies in a folder")?, &["out.ppm"])?;
     if fs::read(out)? == b"old" { Ok(()) } else { Err("the old content is gone".into()) }
 }
 
-/// Stands for a full disk where no disk can be filled: writing fails when the file is half there.
+/// A test like that of a full disk, which needs no right to mount one: writing fails in the middle of the file.
 fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
     let place = Place::new()?;
-    fs::create_dir(place.path("d"))?;
-    let out = place.path("d/out.ppm");
+    fs::create_dir(place.file("d"))?;
+    let out = place.file("d/out.ppm");
     fs::write(&out, "old")?;
     for program in PROGRAMS {
-        // Of 16 blocks; with the limit's signal ignored the write fails as on a full disk.
+        // The limit is 16 blocks. Since its signal is ignored, the write returns an error as on a full disk.
         let output = limited("trap '' XFSZ; ulimit -f 16", &place.render(program, &out))?;
         check_refusal(&output, &out, "File too large")?;
         check_old(&out)?;
@@ -106,9 +110,9 @@ fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
 
 fn too_little_memory_is_an_error() -> Result<(), Failed> {
     let place = Place::new()?;
-    // Allowed, and 1.2 GB large, where a process may have a fifth of that.
-    fs::write(place.path("config.txt"), "image_width: 20000\naspect_ratio: 1 1\n")?;
-    let out = place.path("out.ppm");
+    // This picture is allowed and takes 1.2 GB. The process may have a fifth of that.
+    fs::write(place.file("config.txt"), "image_width: 20000\naspect_ratio: 1 1\n")?;
+    let out = place.file("out.ppm");
     for program in PROGRAMS {
         let output = limited("ulimit -v 250000", &place.render(program, &out))?;
         let stderr = String::from_utf8_lossy(&output.stderr);
@@ -119,7 +123,7 @@ fn too_little_memory_is_an_error() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Runs a command after a shell has limited itself.
+/// Runs a command from a shell that first runs `limits`.
 fn limited(limits: &str, command: &Command) -> std::io::Result<Output> {
     let mut shell = Command::new("bash");
     shell.args(["-c", &format!("{limits}; exec \"$@\""), "limited"]);
@@ -128,7 +132,7 @@ fn limited(limits: &str, command: &Command) -> std::io::Result<Output> {
 
 fn a_full_disk_leaves_the_old_file() -> Result<(), Failed> {
     let place = Place::new()?;
-    let disk = Disk::mount(place.path("disk"))?;
+    let disk = Disk::mount(place.file("disk"))?;
     let out = disk.0.join("out.ppm");
     fs::write(&out, "old")?;
     for program in PROGRAMS {
@@ -141,7 +145,7 @@ fn a_full_disk_leaves_the_old_file() -> Result<(), Failed> {
 
 fn a_read_only_folder_takes_no_file(is_root: bool) -> Result<(), Failed> {
     let place = Place::new()?;
-    let folder = place.path("closed");
+    let folder = place.file("closed");
     fs::create_dir(&folder)?;
     fs::set_permissions(&folder, Permissions::from_mode(0o555))?;
     let out = folder.join("out.ppm");
@@ -155,7 +159,7 @@ fn a_read_only_folder_takes_no_file(is_root: bool) -> Result<(), Failed> {
 
 fn a_read_only_file_is_not_replaced(is_root: bool) -> Result<(), Failed> {
     let place = Place::new()?;
-    let folder = place.path("open");
+    let folder = place.file("open");
     fs::create_dir(&folder)?;
     fs::set_permissions(&folder, Permissions::from_mode(0o777))?;
     let out = folder.join("out.ppm");
@@ -169,7 +173,7 @@ fn a_read_only_file_is_not_replaced(is_root: bool) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Permissions do not stop root, so root lets nobody do it.
+/// If the user is root, changes the command so that the user nobody runs it, because permissions do not restrict root.
 fn without_rights(mut command: Command, is_root: bool) -> Command {
     if is_root {
         command.uid(NOBODY).gid(NOBODY);
@@ -177,9 +181,9 @@ fn without_rights(mut command: Command, is_root: bool) -> Command {
     command
 }
 
-/// Whether mounting works here: root in a container may still not mount.
+/// Whether this process can mount. Root in a container may lack that right.
 fn mounts() -> bool {
-    tempfile::tempdir().is_ok_and(|folder| Disk::mount(folder.path().join("disk")).is_ok())
+    Disk::mount(Folder::new().file("disk")).is_ok()
 }
 
 /// A disk of 64 kB, unmounted when it is dropped.
@@ -195,7 +199,7 @@ impl Disk {
 
 impl Drop for Disk {
     fn drop(&mut self) {
-        // A disk that stays mounted shows as a temporary folder that cannot be removed.
+        // If this fails, the test's temporary folder cannot be removed.
         let _ = Command::new("umount").arg(&self.0).status();
     }
 }

@@ -1,4 +1,4 @@
-//! How many arguments there are.
+//! The number of arguments, and the names that they may be.
 
 use std::process::Command;
 
@@ -11,7 +11,7 @@ fn any_other_number_of_arguments_than_three_is_refused() {
     for program in PROGRAMS {
         for count in [0, 1, 2, 4, 5] {
             let output = Command::new(program)
-                .current_dir(bench.path(""))
+                .current_dir(bench.file(""))
                 .args(&arguments[..count])
                 .output()
                 .expect("the program runs");
@@ -43,7 +43,7 @@ fn names_need_not_be_utf8() {
     let name = OsStr::from_bytes(b"\xff.txt");
     for program in PROGRAMS {
         let output = Command::new(program)
-            .current_dir(bench.path(""))
+            .current_dir(bench.file(""))
             .args([name, OsStr::new("scene.txt"), OsStr::new("out.ppm")])
             .output()
             .expect("the program runs");

@@ -1,64 +1,63 @@
-//! A folder with the three files of a call, and what every call must keep to.
+//! A folder with the three files of a run, and checks that every run must pass.
 
 use std::fs;
-use std::path::PathBuf;
+use std::ops::Deref;
 use std::process::{Command, Output};
+
+use test_support::folder::Folder;
 
 /// The two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
-/// A configuration that is rendered in no time.
+/// A configuration of 8 x 4 pixels, which is rendered quickly.
 pub const SMALL: &str = "image_width: 8\naspect_ratio: 2 1\nsamples_per_pixel: 2\n";
 
-/// `config.txt`, `scene.txt` and `out.ppm` in a folder of their own, removed at the end.
-pub struct Bench(tempfile::TempDir);
+/// A folder for `config.txt`, `scene.txt` and `out.ppm`, which is removed when this is dropped.
+pub struct Bench(Folder);
+
+impl Deref for Bench {
+    type Target = Folder;
+
+    fn deref(&self) -> &Folder {
+        &self.0
+    }
+}
 
 impl Bench {
-    /// Files with this content.
+    /// A folder with these contents of `config.txt` and `scene.txt`.
     pub fn new(config: impl AsRef<[u8]>, scene: impl AsRef<[u8]>) -> Self {
-        let bench = Self(tempfile::tempdir().expect("the temporary folder is writable"));
-        fs::write(bench.path("config.txt"), config).expect("the folder is writable");
-        fs::write(bench.path("scene.txt"), scene).expect("the folder is writable");
-        bench
-    }
-
-    /// The name of a file in the folder.
-    pub fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
+        Self(Folder::with_scene(config, scene))
     }
 
     /// The names of all files in the folder but the input files.
     pub fn outputs(&self) -> Vec<String> {
-        let entries = fs::read_dir(self.0.path()).expect("the folder is readable");
-        let mut names: Vec<_> =
-            entries.map(|entry| entry.expect("it is readable").file_name().to_string_lossy().into_owned()).collect();
+        let mut names = self.names();
         names.retain(|name| name != "config.txt" && name != "scene.txt");
-        names.sort();
         names
     }
 
     /// `program config.txt scene.txt OUT`, run in the folder, so that messages show short names.
     pub fn command(&self, program: &str, out: &str) -> Command {
         let mut command = Command::new(program);
-        command.current_dir(self.0.path()).args(["config.txt", "scene.txt", out]);
+        command.current_dir(self.path()).args(["config.txt", "scene.txt", out]);
         command
     }
 
-    /// The picture that both programs make of the files, which must be the same.
+    /// Renders the files with both programs, checks that the pictures are equal, and returns one.
     pub fn render(&self) -> Vec<u8> {
         let [first, second] = PROGRAMS.map(|program| {
             let output = self.command(program, "out.ppm").output().expect("the program runs");
             assert_succeeded(&output);
             assert_eq!(self.outputs(), ["out.ppm"]);
-            let picture = fs::read(self.path("out.ppm")).expect("it was written");
-            fs::remove_file(self.path("out.ppm")).expect("it is ours");
+            let picture = fs::read(self.file("out.ppm")).expect("it was written");
+            fs::remove_file(self.file("out.ppm")).expect("it is ours");
             picture
         });
         assert!(first == second, "the two programs make different pictures");
         first
     }
 
-    /// What both programs say on standard error when they refuse the files, which must be the same.
+    /// Runs both programs on files that they must refuse, checks that the messages are equal, and returns one.
     pub fn message(&self) -> String {
         let [first, second] = PROGRAMS.map(|program| {
             let output = self.command(program, "out.ppm").output().expect("the program runs");
@@ -69,14 +68,14 @@ impl Bench {
         first
     }
 
-    /// Checks that both programs refuse the files with `Error: ` and this message, and that the output stays as it
-    /// was: absent where it was absent, old where it was old.
+    /// Checks that both programs refuse the files with `Error: ` and this message, and do not change the output: no
+    /// file is created, and an old file keeps its content.
     pub fn refuses(&self, message: &[u8]) {
         let stderr = [b"Error: ", message, b"\n"].concat();
         for program in PROGRAMS {
             for old in [None, Some("old")] {
                 if let Some(content) = old {
-                    fs::write(self.path("out.ppm"), content).expect("the folder is writable");
+                    fs::write(self.file("out.ppm"), content).expect("the folder is writable");
                 }
                 let output = self.command(program, "out.ppm").output().expect("the program runs");
                 assert_failed(&output);
@@ -88,21 +87,21 @@ impl Bench {
                 assert_eq!(output.stderr, stderr);
                 assert_eq!(self.outputs().len(), usize::from(old.is_some()));
                 if let Some(content) = old {
-                    assert_eq!(fs::read(self.path("out.ppm")).expect("it is still there"), content.as_bytes());
-                    fs::remove_file(self.path("out.ppm")).expect("it is ours");
+                    assert_eq!(fs::read(self.file("out.ppm")).expect("it is still there"), content.as_bytes());
+                    fs::remove_file(self.file("out.ppm")).expect("it is ours");
                 }
             }
         }
     }
 }
 
-/// Checks that a program ended well and said nothing.
+/// Checks that a program succeeded and wrote nothing to standard output and standard error.
 #[track_caller]
 pub fn assert_succeeded(output: &Output) {
     assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty(), "{output:?}");
 }
 
-/// Checks that a program failed as all failures should: status 1, an error on standard error, nothing elsewhere.
+/// Checks that a program failed as it should: with status 1, a message on standard error, and an empty standard output.
 #[track_caller]
 pub fn assert_failed(output: &Output) {
     assert_eq!(output.status.code(), Some(1), "{output:?}");

@@ -2,7 +2,7 @@
 
 use crate::bench::Bench;
 
-/// Checks that the last line of a configuration is refused with this message, whatever stands before it.
+/// Checks that the last line of a configuration is refused with this message, after various lines before it.
 fn refuses(line: &str, message: &str) {
     for before in ["", "\n \t\ngamma: 1.8\n", "image_width: 4\r\n\r\n"] {
         Bench::new(format!("{before}{line}"), "").refuses(message.as_bytes());
@@ -60,7 +60,7 @@ fn values_that_are_missing_unreadable_or_out_of_range() {
 }
 
 #[test]
-fn the_line_is_shown_as_it_stands_without_its_line_end() {
+fn the_line_is_shown_byte_for_byte_without_its_line_end() {
     refuses(" \taspect_ratio:  16 \t\r\n", "Invalid value for key: [aspect_ratio:]\nLine: \" \taspect_ratio:  16 \t\"");
 }
 
@@ -107,7 +107,7 @@ fn pictures_that_cannot_be_made_name_the_file_and_the_values_to_change() {
         let message = bench.message();
         assert!(message.starts_with("Error: Invalid configuration [config.txt]: "), "{message}");
         assert!(message.contains(part), "{message} lacks {part}");
-        // The same message again, with the output looked at.
+        // Checks also that the output is not changed.
         bench.refuses(message["Error: ".len()..].trim_end_matches('\n').as_bytes());
     }
 }

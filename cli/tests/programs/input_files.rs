@@ -1,4 +1,4 @@
-//! Input that is no proper text, or no file at all.
+//! Inputs that are unusual text, no text, or not files.
 
 use std::fs;
 
@@ -14,7 +14,7 @@ fn crlf_blank_lines_tabs_and_a_missing_last_line_end_change_nothing() {
 }
 
 #[test]
-fn nul_and_invalid_utf8_are_shown_as_they_stand() {
+fn nul_and_invalid_utf8_are_shown_byte_for_byte() {
     Bench::new(b"\xff\0: 1", "").refuses(b"Unknown configuration key: [\xff\0:]");
     Bench::new(b"gamma: 2\0", "").refuses(b"Invalid value for key: [gamma:]\nLine: \"gamma: 2\0\"");
     Bench::new(SMALL, b"\0\xfe").refuses(b"Unknown scene entity: \0\xfe");
@@ -22,7 +22,7 @@ fn nul_and_invalid_utf8_are_shown_as_they_stand() {
     Bench::new(SMALL, line).refuses(&[b"Material not found: [\xc3\x28]\nLine: \"".as_slice(), line, b"\""].concat());
 }
 
-/// Only a terminal obeys control characters; whoever reads the message through a pipe gets the bytes.
+/// Control characters are escaped only for a terminal, which would obey them. A pipe gets the bytes unchanged.
 #[cfg(unix)]
 #[test]
 fn control_characters_are_escaped_on_a_terminal() {
@@ -36,11 +36,11 @@ fn control_characters_are_escaped_on_a_terminal() {
         let terminal = nix::pty::openpty(None, None).expect("the system has terminals");
         let mut command = bench.command(program, "out\x1b.ppm");
         let mut child = command.stderr(Stdio::from(terminal.slave)).spawn().expect("the program runs");
-        // Holds the terminal's other end.
+        // The command holds the terminal's other end open.
         drop(command);
         assert_eq!(child.wait().expect("it ends").code(), Some(1));
         let mut shown = Vec::new();
-        // The end of a terminal is an error.
+        // Reading a terminal ends with an error when its other end is closed.
         let _ = fs::File::from(terminal.master).read_to_end(&mut shown);
         let expected = "Error: Invalid value for key: [gamma:]\r\nLine: \"gamma: \\u{1b}[31m\\r2\"\r\n";
         assert_eq!(String::from_utf8_lossy(&shown), expected);
@@ -73,7 +73,7 @@ fn a_line_without_end_is_refused_without_filling_the_memory() {
 fn a_missing_file_is_named() {
     for name in ["config.txt", "scene.txt"] {
         let bench = Bench::new(SMALL, "");
-        fs::remove_file(bench.path(name)).expect("it is ours");
+        fs::remove_file(bench.file(name)).expect("it is ours");
         let message = bench.message();
         assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
         assert!(bench.outputs().is_empty());
@@ -84,8 +84,8 @@ fn a_missing_file_is_named() {
 fn a_folder_is_not_a_file() {
     for name in ["config.txt", "scene.txt"] {
         let bench = Bench::new(SMALL, "");
-        fs::remove_file(bench.path(name)).expect("it is ours");
-        fs::create_dir(bench.path(name)).expect("the folder is writable");
+        fs::remove_file(bench.file(name)).expect("it is ours");
+        fs::create_dir(bench.file(name)).expect("the folder is writable");
         let message = bench.message();
         assert!(message.starts_with(&format!("Error: Cannot read file [{name}]: ")), "{message}");
         assert!(bench.outputs().is_empty());
@@ -102,7 +102,7 @@ fn input_may_come_through_a_pipe() {
     let expected = Bench::new(SMALL, "").render();
     for program in PROGRAMS {
         let mut child = Command::new(program)
-            .current_dir(bench.path(""))
+            .current_dir(bench.file(""))
             .args(["/dev/stdin", "scene.txt", "out.ppm"])
             .stdin(Stdio::piped())
             .spawn()
@@ -111,12 +111,12 @@ fn input_may_come_through_a_pipe() {
         input.write_all(SMALL.as_bytes()).expect("the program reads");
         drop(input);
         assert!(child.wait().expect("it ends").success());
-        assert!(fs::read(bench.path("out.ppm")).expect("it was written") == expected);
+        assert!(fs::read(bench.file("out.ppm")).expect("it was written") == expected);
     }
 }
 
 #[test]
-fn the_configuration_is_complained_about_first() {
+fn faults_of_the_configuration_are_reported_first() {
     let bench = Bench::new("width", "triangle");
     bench.refuses(b"Unknown configuration key: [width:]");
     for program in PROGRAMS {

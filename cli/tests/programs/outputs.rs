@@ -1,24 +1,24 @@
-//! Where the picture goes, and that it goes there whole or not at all.
+//! Where the picture is written, and that it is written whole or not at all.
 
 use std::fs::{self, File};
 use std::process::{Command, Output, Stdio};
 
 use crate::bench::{Bench, PROGRAMS, SMALL, assert_failed, assert_succeeded};
 
-/// A picture of 22,500 pixels takes more than a pipe holds.
+/// A picture of 22,500 pixels, whose file is larger than the buffer of a pipe.
 const LARGE: &str = "image_width: 150\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
 fn run(bench: &Bench, program: &str, out: &str) -> Output {
     bench.command(program, out).output().expect("the program runs")
 }
 
-/// A picture that takes for ever: what refuses it does so before rendering.
+/// A picture that takes much longer than the minute allowed. So the output must be refused before rendering.
 const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 
-/// The same, ended after a minute.
+/// Runs a program by way of bash, with a redirection, for at most a minute.
 fn run_promptly(bench: &Bench, program: &str, out: &str, redirection: &str) -> Output {
     let script = format!("exec timeout 60 \"$0\" config.txt scene.txt {out} {redirection}");
-    let output = Command::new("bash").current_dir(bench.path("")).args(["-c", &script, program]).output();
+    let output = Command::new("bash").current_dir(bench.file("")).args(["-c", &script, program]).output();
     output.expect("the program runs")
 }
 
@@ -34,9 +34,9 @@ fn an_old_picture_is_replaced_whole() {
     let bench = Bench::new(SMALL, "");
     let expected = bench.render();
     for program in PROGRAMS {
-        fs::write(bench.path("out.ppm"), vec![b'x'; 2 * expected.len()]).expect("the folder is writable");
+        fs::write(bench.file("out.ppm"), vec![b'x'; 2 * expected.len()]).expect("the folder is writable");
         assert_succeeded(&run(&bench, program, "out.ppm"));
-        assert!(fs::read(bench.path("out.ppm")).expect("it was written") == expected);
+        assert!(fs::read(bench.file("out.ppm")).expect("it was written") == expected);
         assert_eq!(bench.outputs(), ["out.ppm"]);
     }
 }
@@ -53,7 +53,7 @@ fn a_missing_folder_is_refused() {
 #[test]
 fn a_folder_is_not_replaced() {
     let bench = Bench::new(SMALL, "");
-    fs::create_dir(bench.path("folder")).expect("the folder is writable");
+    fs::create_dir(bench.file("folder")).expect("the folder is writable");
     for program in PROGRAMS {
         assert_cannot_write(&run(&bench, program, "folder"), "folder", "is a directory");
         assert_cannot_write(&run(&bench, program, ""), "", "");
@@ -68,18 +68,18 @@ fn a_link_stays_a_link_to_the_new_picture() {
 
     let bench = Bench::new(SMALL, "");
     let expected = bench.render();
-    fs::create_dir(bench.path("folder")).expect("the folder is writable");
-    symlink("folder/out.ppm", bench.path("link.ppm")).expect("links are allowed");
+    fs::create_dir(bench.file("folder")).expect("the folder is writable");
+    symlink("folder/out.ppm", bench.file("link.ppm")).expect("links are allowed");
     for program in PROGRAMS {
-        // First dangling, then to an old picture.
+        // The link is first dangling, and then leads to an old picture.
         for old in [None, Some("old")] {
             match old {
-                None => drop(fs::remove_file(bench.path("folder/out.ppm"))),
-                Some(old) => fs::write(bench.path("folder/out.ppm"), old).expect("the folder is writable"),
+                None => drop(fs::remove_file(bench.file("folder/out.ppm"))),
+                Some(old) => fs::write(bench.file("folder/out.ppm"), old).expect("the folder is writable"),
             }
             assert_succeeded(&run(&bench, program, "link.ppm"));
-            assert!(bench.path("link.ppm").is_symlink());
-            assert!(fs::read(bench.path("folder/out.ppm")).expect("it was written") == expected);
+            assert!(bench.file("link.ppm").is_symlink());
+            assert!(fs::read(bench.file("folder/out.ppm")).expect("it was written") == expected);
             assert_eq!(bench.outputs(), ["folder", "link.ppm"]);
         }
     }
@@ -93,14 +93,14 @@ fn a_dangling_chain_of_links_leads_to_the_new_picture() {
     let bench = Bench::new(SMALL, "");
     let expected = bench.render();
     for program in PROGRAMS {
-        symlink("l2", bench.path("l1")).expect("links are allowed");
-        symlink("t", bench.path("l2")).expect("links are allowed");
+        symlink("l2", bench.file("l1")).expect("links are allowed");
+        symlink("t", bench.file("l2")).expect("links are allowed");
         assert_succeeded(&run(&bench, program, "l1"));
-        assert!(bench.path("l1").is_symlink() && bench.path("l2").is_symlink() && !bench.path("t").is_symlink());
-        assert!(fs::read(bench.path("t")).expect("it was written") == expected);
+        assert!(bench.file("l1").is_symlink() && bench.file("l2").is_symlink() && !bench.file("t").is_symlink());
+        assert!(fs::read(bench.file("t")).expect("it was written") == expected);
         assert_eq!(bench.outputs(), ["l1", "l2", "t"]);
         for name in ["l1", "l2", "t"] {
-            fs::remove_file(bench.path(name)).expect("it is ours");
+            fs::remove_file(bench.file(name)).expect("it is ours");
         }
     }
 }
@@ -110,17 +110,17 @@ fn a_dangling_chain_of_links_leads_to_the_new_picture() {
 fn an_output_that_is_an_input_is_refused_before_it_is_read() {
     use std::os::unix::fs::symlink;
 
-    // Neither is text that could be read: the refusal comes first.
+    // Both inputs have faults, but the output must be refused before they are read.
     let bench = Bench::new("no key", "no entity");
-    symlink("scene.txt", bench.path("link")).expect("links are allowed");
-    fs::hard_link(bench.path("config.txt"), bench.path("hard")).expect("links are allowed");
+    symlink("scene.txt", bench.file("link")).expect("links are allowed");
+    fs::hard_link(bench.file("config.txt"), bench.file("hard")).expect("links are allowed");
     for program in PROGRAMS {
         for (out, input) in [("scene.txt", "scene.txt"), ("link", "scene.txt"), ("hard", "config.txt")] {
             let reason = format!("it is the same file as the input [{input}]; choose another file for the output\n");
             assert_cannot_write(&run(&bench, program, out), out, &reason);
         }
-        assert_eq!(fs::read(bench.path("config.txt")).expect("it stands"), b"no key");
-        assert_eq!(fs::read(bench.path("scene.txt")).expect("it stands"), b"no entity");
+        assert_eq!(fs::read(bench.file("config.txt")).expect("it stands"), b"no key");
+        assert_eq!(fs::read(bench.file("scene.txt")).expect("it stands"), b"no entity");
         assert_eq!(bench.outputs(), ["hard", "link"]);
     }
 }
@@ -131,7 +131,7 @@ fn a_device_may_be_input_and_output() {
     let bench = Bench::new(SMALL, "");
     for program in PROGRAMS {
         let output =
-            Command::new(program).current_dir(bench.path("")).args(["config.txt", "/dev/null", "/dev/null"]).output();
+            Command::new(program).current_dir(bench.file("")).args(["config.txt", "/dev/null", "/dev/null"]).output();
         assert_succeeded(&output.expect("the program runs"));
     }
 }
@@ -140,7 +140,7 @@ fn a_device_may_be_input_and_output() {
 #[test]
 fn a_socket_is_refused_at_once() {
     let bench = Bench::new(ENDLESS, "");
-    let _socket = std::os::unix::net::UnixListener::bind(bench.path("socket")).expect("the folder is writable");
+    let _socket = std::os::unix::net::UnixListener::bind(bench.file("socket")).expect("the folder is writable");
     for program in PROGRAMS {
         assert_cannot_write(&run_promptly(&bench, program, "socket", ""), "socket", "it is a socket");
         assert_eq!(bench.outputs(), ["socket"]);
@@ -149,9 +149,9 @@ fn a_socket_is_refused_at_once() {
 
 #[cfg(unix)]
 #[test]
-fn a_standard_output_that_takes_nothing_is_refused_at_once() {
+fn a_standard_output_that_cannot_be_written_is_refused_at_once() {
     let bench = Bench::new(ENDLESS, "");
-    std::os::unix::fs::symlink("/dev/stdout", bench.path("link")).expect("links are allowed");
+    std::os::unix::fs::symlink("/dev/stdout", bench.file("link")).expect("links are allowed");
     for program in PROGRAMS {
         for (redirection, reason) in
             [(">&-", "standard output is closed"), ("1</dev/null", "standard output is open for")]
@@ -169,11 +169,11 @@ fn a_standard_output_that_appends_is_appended_to() {
     let bench = Bench::new(SMALL, "");
     let expected = [b"before\n", &bench.render()[..]].concat();
     for program in PROGRAMS {
-        fs::write(bench.path("redirected"), "before\n").expect("the folder is writable");
-        let file = File::options().append(true).open(bench.path("redirected")).expect("it is ours");
+        fs::write(bench.file("redirected"), "before\n").expect("the folder is writable");
+        let file = File::options().append(true).open(bench.file("redirected")).expect("it is ours");
         let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
         assert!(status.success());
-        assert!(fs::read(bench.path("redirected")).expect("it was written") == expected);
+        assert!(fs::read(bench.file("redirected")).expect("it was written") == expected);
     }
 }
 
@@ -199,10 +199,10 @@ fn standard_output_takes_the_picture_through_a_pipe_and_into_a_file() {
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         assert!(output.stdout == expected);
 
-        let file = File::create(bench.path("redirected")).expect("the folder is writable");
+        let file = File::create(bench.file("redirected")).expect("the folder is writable");
         let status = bench.command(program, "/dev/stdout").stdout(file).status().expect("the program runs");
         assert!(status.success());
-        assert!(fs::read(bench.path("redirected")).expect("it was written") == expected);
+        assert!(fs::read(bench.file("redirected")).expect("it was written") == expected);
         assert_eq!(bench.outputs(), ["redirected"]);
     }
 }

@@ -1,7 +1,6 @@
 //! Boxes around objects, with room for rounding.
 
-use crate::accel::extent::Extent;
-use crate::accel::object::{ObjectId, ObjectRef};
+use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
@@ -15,11 +14,10 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Around nothing: every other box's union with it is that box.
+    /// An empty box: its union with another box is that box.
     pub const EMPTY: Self = Self { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
     /// The box around both.
-    #[must_use]
     pub fn union(mut self, other: &Self) -> Self {
         for axis in 0..3 {
             self.low[axis] = self.low[axis].min(other.low[axis]);
@@ -28,22 +26,19 @@ impl Bounds {
         self
     }
 
-    /// Half the surface, the measure of how many random lines meet a convex body; 0 for nothing.
-    #[must_use]
+    /// Half the surface area, which is proportional to the share of random lines that hit the box; 0 for an empty box.
     pub fn half_area(&self) -> f32 {
         let [x, y, z] = std::array::from_fn(|axis| (self.high[axis] - self.low[axis]).max(0.0));
         x * y + y * z + z * x
     }
 
     /// The axis along which it is longest.
-    #[must_use]
     pub fn longest_axis(&self) -> usize {
         let length = |axis: usize| self.high[axis] - self.low[axis];
         (0..3).max_by(|&left, &right| length(left).total_cmp(&length(right))).unwrap_or(0)
     }
 
-    /// The box with more room on every side.
-    #[must_use]
+    /// The box enlarged by this much on every side.
     pub fn enlarged(mut self, by: f32) -> Self {
         for axis in 0..3 {
             self.low[axis] = (self.low[axis] - by).next_down();
@@ -53,13 +48,11 @@ impl Bounds {
     }
 
     /// Whether the boxes have a point in common.
-    #[must_use]
     pub fn overlaps(&self, other: &Self) -> bool {
         (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
     }
 
-    /// How far the box is from a point; 0 from one inside.
-    #[must_use]
+    /// The distance of the box from a point; 0 if the point is inside.
     pub fn distance(&self, point: Vec3) -> f64 {
         let point = point.to_array();
         let outside = |axis: usize| {
@@ -70,19 +63,17 @@ impl Bounds {
     }
 
     /// Twice the middle of the box along an axis.
-    #[must_use]
     pub fn twice_middle(&self, axis: usize) -> f32 {
         self.low[axis] + self.high[axis]
     }
 
     /// The box of the object at `id`, a sphere or a cylinder.
     ///
-    /// It holds every point that the exact formulas may report: the surface itself, and what their rounding adds. A
+    /// It holds every point that the exact formulas may report: the surface, and what their rounding adds. A
     /// discriminant is off by at most some units in the last place of the squared distance between ray origin and
     /// centre, which acts like a larger radius.
-    #[must_use]
     pub fn of_object<O: Objects>(objects: &O, id: ObjectId, extent: &Extent) -> Self {
-        let distance_squared = 12.0 * extent.reach * extent.reach;
+        let distance_squared = 12.0 * extent.max_coordinate * extent.max_coordinate;
         let slack = |radius: f64| (radius * radius + 64.0 * f64::EPSILON * distance_squared).sqrt() - radius;
         match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => {
@@ -91,21 +82,21 @@ impl Bounds {
             }
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index).record;
-                let reach = cylinder.axis.map(|along| {
+                let half_size = cylinder.axis.map(|along| {
                     cylinder.half_height * along.abs() + cylinder.radius * (1.0 - along * along).max(0.0).sqrt()
                 });
-                Self::around(cylinder.center, reach.map(|reach| reach + slack(cylinder.radius)))
+                Self::around(cylinder.center, half_size.map(|half| half + slack(cylinder.radius)))
             }
         }
     }
 
-    fn around(center: Vec3, reach: Vec3) -> Self {
-        // A relative millionth pays for the rounding of reach, center and their sum to single precision.
-        let reach = [reach.x, reach.y, reach.z].map(|reach| reach * (1.0 + 1e-6));
+    fn around(center: Vec3, half_size: Vec3) -> Self {
+        // A relative millionth covers the rounding of both and of their sum to single precision.
+        let half_size = (half_size * (1.0 + 1e-6)).to_array();
         let center = center.to_array();
         Self {
-            low: std::array::from_fn(|axis| ((center[axis] - reach[axis]) as f32).next_down()),
-            high: std::array::from_fn(|axis| ((center[axis] + reach[axis]) as f32).next_up()),
+            low: std::array::from_fn(|axis| ((center[axis] - half_size[axis]) as f32).next_down()),
+            high: std::array::from_fn(|axis| ((center[axis] + half_size[axis]) as f32).next_up()),
         }
     }
 }
@@ -119,7 +110,7 @@ mod tests {
     fn bounds(line: &str) -> Bounds {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{line} m\n").as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("one object fits");
-        Bounds::of_object(&objects, 0, &Extent { reach: 10.0, moderate: true })
+        Bounds::of_object(&objects, 0, &Extent { max_coordinate: 10.0, moderate: true })
     }
 
     fn assert_tight(actual: Bounds, low: [f32; 3], high: [f32; 3]) {
@@ -134,8 +125,8 @@ mod tests {
         assert_tight(bounds("sphere: 1 2 3 .5"), [0.5, 1.5, 2.5], [1.5, 2.5, 3.5]);
         assert_tight(bounds("cylinder: 1 2 3 .5 0 4 0"), [0.5, 0.0, 2.5], [1.5, 4.0, 3.5]);
         let diagonal = bounds("cylinder: 0 0 0 1 2 2 0");
-        let reach = 1.0 + 0.5_f32.sqrt();
-        assert_tight(diagonal, [-reach, -reach, -1.0], [reach, reach, 1.0]);
+        let half = 1.0 + 0.5_f32.sqrt();
+        assert_tight(diagonal, [-half, -half, -1.0], [half, half, 1.0]);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! A tree of boxes, 16 children a node, for scenes of many objects.
+//! The structure for many objects: a tree of boxes with 16 children in each node.
 
 mod build;
 pub(crate) mod collapsed_root;
@@ -6,31 +6,23 @@ pub(crate) mod node;
 pub mod slab_ray;
 pub mod stack;
 
-use crate::accel::bounds::Bounds;
-use crate::accel::bvh::build::build;
-use crate::accel::bvh::collapsed_root::CollapsedRoot;
-use crate::accel::bvh::node::{Child, Node, WIDTH};
-use crate::accel::bvh::slab_ray::{SlabRay, Steps, is_in_scale};
-use crate::accel::bvh::stack::{Stack, wait};
-use crate::accel::closest_hit::ClosestHit;
-use crate::accel::conservative::ConservativeRay;
-use crate::accel::dominant_sphere::DominantSphere;
-use crate::accel::every_object::plain;
-use crate::accel::extent::Extent;
-use crate::accel::find::{Accelerator, Origin};
-use crate::accel::isolated::{Isolated, roomy_bounds};
-use crate::accel::object;
-use crate::accel::object::{NOWHERE, ObjectId};
+use crate::accel::{
+    bounds::Bounds, bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::node::Child, bvh::node::Node,
+    bvh::node::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::Steps, bvh::slab_ray::is_in_scale, bvh::stack::Stack,
+    closest_hit::ClosestHit, conservative::ConservativeRay, dominant_sphere::DominantSphere,
+    every_object::intersect_every_object, extent::Extent, find::Accelerator, find::Origin, isolated::Isolated,
+    isolated::enlarged_bounds, object::NO_OBJECT, object::ObjectId, object::count,
+};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Objects;
 use crate::simd::{Simd, SimdF32};
 
-/// Most objects for which isolation is computed: it takes as long as building the tree.
-const MOST_ASKED_WHETHER_ALONE: usize = 1 << 17;
+/// Most objects for which isolation is computed, which takes as long as building the tree.
+const MOST_FOR_ISOLATION: usize = 1 << 17;
 
-/// Most nodes visited for such an answer, so that no scene makes it long.
+/// Most nodes visited to tell whether an object is isolated, so that no scene takes long.
 const MOST_VISITS: usize = 64;
 
 /// The tree over all objects of a scene.
@@ -38,14 +30,14 @@ const MOST_VISITS: usize = 64;
 pub struct Bvh {
     nodes: Vec<Node>,
     /// The two highest levels in one row.
-    top: CollapsedRoot,
-    /// How far its planes are moved.
+    collapsed_root: CollapsedRoot,
+    /// How far the planes of the boxes are moved.
     steps: Steps,
-    /// It is not in the tree.
-    ground: DominantSphere,
-    alone: Isolated,
-    /// The margin with which the object that a ray starts on is tested.
-    reach: f64,
+    /// The dominant sphere is not in the tree.
+    dominant: DominantSphere,
+    isolated: Isolated,
+    /// A bound of the scene's coordinates for the conservative test of the origin object.
+    max_coordinate: f64,
 }
 
 impl Bvh {
@@ -54,48 +46,47 @@ impl Bvh {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let count = object::count(objects);
+        let count = count(objects);
         if count >= Child::OBJECT as usize {
             return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
         }
-        let ground = DominantSphere::of(objects);
-        let inside = (0..count as ObjectId).filter(|&id| !ground.is(id));
-        let mut nodes = build(count, inside.map(|id| (Bounds::of_object(objects, id, extent), id)))?;
-        let top = CollapsedRoot::new(&mut nodes)?;
-        let all = nodes.first().into_iter().flat_map(Node::children).fold(Bounds::EMPTY, |all, (it, _)| all.union(&it));
-        let steps = Steps::new(&all);
-        let mut tree = Self { nodes, top, steps, ground, alone: Isolated::none(), reach: 2.0 * extent.reach };
-        if count <= MOST_ASKED_WHETHER_ALONE {
-            let alone = Isolated::new(count, |id| {
-                ground.is(id) || tree.overlaps_another(id, &roomy_bounds(objects, id, extent))
+        let dominant = DominantSphere::of(objects);
+        let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
+        let mut nodes = build(count, others.map(|id| (Bounds::of_object(objects, id, extent), id)))?;
+        let collapsed_root = CollapsedRoot::new(&mut nodes)?;
+        let root = nodes.first().into_iter().flat_map(Node::children);
+        let steps = Steps::new(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
+        let (isolated, max_coordinate) = (Isolated::none(), 2.0 * extent.max_coordinate);
+        let mut bvh = Self { nodes, collapsed_root, steps, dominant, isolated, max_coordinate };
+        if count <= MOST_FOR_ISOLATION {
+            bvh.isolated = Isolated::new(count, |id| {
+                dominant.is(id) || bvh.overlaps_another(id, &enlarged_bounds(objects, id, extent))
             })?;
-            tree.alone = alone;
         }
-        Ok(tree)
+        Ok(bvh)
     }
 
-    /// Whether an object of the tree other than `id` has a box that overlaps this one; true when it takes long to say.
+    /// Whether an object of the tree other than `id` has a box that overlaps this one; true if
+    /// [`MOST_VISITS`] nodes do not decide it.
     fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
-        let mut pending = [0; MOST_VISITS];
-        let mut waiting = usize::from(!self.nodes.is_empty());
+        let (mut pending, mut count) = ([0; MOST_VISITS], 1);
         for _ in 0..MOST_VISITS {
-            if waiting == 0 {
+            if count == 0 {
                 return false;
             }
-            waiting -= 1;
-            let node = &self.nodes[pending[waiting] as usize];
-            let mut bits = node.overlaps(bounds);
-            while bits != 0 {
-                let child = node.child(bits.trailing_zeros() as usize);
-                bits &= bits - 1;
+            count -= 1;
+            let node = &self.nodes[pending[count] as usize];
+            let mut lanes = node.overlaps(bounds);
+            while lanes != 0 {
+                let child = node.child(lanes.trailing_zeros() as usize);
+                lanes &= lanes - 1;
                 match child.as_object() {
                     Some(other) if other == id => {}
-                    Some(_) => return true,
-                    None if waiting == MOST_VISITS => return true,
-                    None => {
-                        pending[waiting] = child.as_node();
-                        waiting += 1;
+                    None if count < MOST_VISITS => {
+                        pending[count] = child.index();
+                        count += 1;
                     }
+                    _ => return true,
                 }
             }
         }
@@ -104,61 +95,57 @@ impl Bvh {
 
     /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
     pub fn without_isolation(&mut self) {
-        self.alone = Isolated::none();
+        self.isolated = Isolated::none();
     }
 
-    /// Takes the objects below a node into account, but for the one that the ray leaves.
+    /// Intersects the objects below a node, but for the object on which the ray starts.
     #[inline(always)]
     fn traverse<'tree, S: Simd, O: Objects>(
         &'tree self,
         mut node: &'tree Node,
         query: &Query<O, S::F32>,
-        found: &mut ClosestHit,
-        Stack(stack): &mut Stack,
+        closest: &mut ClosestHit,
+        stack: &mut Stack,
     ) {
-        let &Query { objects, ray, from, ref box_ray } = query;
-        let mut waiting = 0;
+        let &Query { objects, ray, from, ref slab_ray } = query;
+        let mut depth = 0;
         loop {
-            let farthest = farthest(found);
+            let farthest = farthest(closest);
             add(Counter::NodeVisits, 1);
             let mut distances = [0.0; WIDTH];
             let mut bits = 0;
             for at in (0..WIDTH).step_by(S::F32::LANES) {
-                let (near, met) = box_ray.meets(node, at, S::F32::splat(farthest));
+                let (near, hit) = slab_ray.intersect(node, at, S::F32::splat(farthest));
                 near.store(&mut distances[at..]);
-                bits |= (met & !node.lanes_of::<S::F32>(from, at)) << at;
+                bits |= (hit & !node.lanes_of::<S::F32>(from, at)) << at;
             }
-            let mut asked = bits & node.objects;
-            let mut entered = bits & !node.objects;
-            while asked != 0 {
-                let lane = asked.trailing_zeros() as usize % WIDTH;
-                asked &= asked - 1;
-                found.intersect(objects, node.child(lane).as_id(), ray);
+            let (mut hit_objects, mut nodes) = (bits & node.objects, bits & !node.objects);
+            while hit_objects != 0 {
+                let lane = hit_objects.trailing_zeros() as usize % WIDTH;
+                hit_objects &= hit_objects - 1;
+                closest.intersect(objects, node.child(lane).index(), ray);
             }
-            if entered == 0 && waiting == 0 {
+            if nodes == 0 && depth == 0 {
                 return;
             }
-            if entered.is_power_of_two() {
-                // The only one goes past the stack.
-                let only = node.child(entered.trailing_zeros() as usize % WIDTH);
-                node = &self.nodes[only.as_node() as usize];
+            if nodes.is_power_of_two() {
+                // A single child is visited without the stack.
+                let only = node.child(nodes.trailing_zeros() as usize % WIDTH);
+                node = &self.nodes[only.index() as usize];
                 continue;
             }
-            let first = waiting;
-            while entered != 0 {
-                let lane = entered.trailing_zeros() as usize % WIDTH;
-                entered &= entered - 1;
-                // Kept in order, the nearest last, so that it is taken first.
-                let entry = (node.child(lane).as_node(), distances[lane]);
-                wait(stack, &mut waiting, first, entry);
+            let first = depth;
+            while nodes != 0 {
+                let lane = nodes.trailing_zeros() as usize % WIDTH;
+                nodes &= nodes - 1;
+                stack.push_sorted(&mut depth, first, (node.child(lane).index(), distances[lane]));
             }
             loop {
-                if waiting == 0 {
+                if depth == 0 {
                     return;
                 }
-                waiting -= 1;
-                let (next, distance) = stack[waiting % stack.len()];
-                if distance <= self::farthest(found) {
+                let (next, distance) = stack.pop(&mut depth);
+                if distance <= self::farthest(closest) {
                     node = &self.nodes[next as usize];
                     break;
                 }
@@ -166,22 +153,22 @@ impl Bvh {
         }
     }
 
-    /// Calls `visit` with the dominant sphere, and every object whose box, or that of a node above it, `reaches` does
-    /// not rule out.
-    pub fn visit(&self, mut reaches: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
-        let mut pending = Vec::with_capacity(stack::MOST);
+    /// Calls `visit` with the dominant sphere, and with every object whose box, and those of all nodes above it,
+    /// `may_reach` accepts.
+    pub fn visit(&self, mut may_reach: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
+        let mut pending = Vec::with_capacity(stack::CAPACITY);
         if !self.nodes.is_empty() {
             pending.push(0);
         }
-        if let Some(id) = self.ground.id() {
+        if let Some(id) = self.dominant.id() {
             visit(id);
         }
         while let Some(index) = pending.pop() {
             for (bounds, child) in self.nodes[index as usize].children() {
-                if reaches(&bounds) {
+                if may_reach(&bounds) {
                     match child.as_object() {
                         Some(id) => visit(id),
-                        None => pending.push(child.as_node()),
+                        None => pending.push(child.index()),
                     }
                 }
             }
@@ -189,19 +176,19 @@ impl Bvh {
     }
 }
 
-/// What a traversal looks for.
+/// What is constant in a traversal.
 struct Query<'a, O, F> {
     objects: &'a O,
     ray: &'a Ray,
-    /// The object that the ray leaves.
+    /// The object on which the ray starts.
     from: ObjectId,
-    box_ray: SlabRay<F>,
+    slab_ray: SlabRay<F>,
 }
 
-/// The nearest hit so far, rounded up; infinite at first.
+/// The distance of the closest hit so far, rounded up; infinite at first.
 #[inline(always)]
-fn farthest(found: &ClosestHit) -> f32 {
-    found.lambda as f32 * (1.0 + f32::EPSILON)
+fn farthest(closest: &ClosestHit) -> f32 {
+    closest.lambda as f32 * (1.0 + f32::EPSILON)
 }
 
 impl Accelerator for Bvh {
@@ -213,39 +200,40 @@ impl Accelerator for Bvh {
         Origin { object: from, .. }: Origin,
         stack: &mut Stack,
     ) -> ClosestHit {
-        let mut found = ClosestHit::NOTHING;
-        let touch = ConservativeRay::new(*ray);
-        // A ray starts at the camera or on a surface, so within the scene's reach.
-        if !is_in_scale(touch.length_squared) {
-            return plain(objects, ray);
+        let mut closest = ClosestHit::NOTHING;
+        let conservative = ConservativeRay::new(*ray);
+        if !is_in_scale(conservative.length_squared) {
+            return intersect_every_object(objects, *ray);
         }
-        self.ground.intersect_closely::<S, O>(&mut found, objects, &touch);
+        if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
+            closest.intersect_dominant_sphere(objects, index, ray);
+        }
         if self.nodes.is_empty() {
-            return found;
+            return closest;
         }
-        if from != NOWHERE && !self.ground.is(from) {
+        if from != NO_OBJECT && !self.dominant.is(from) {
             let mut again = ClosestHit::NOTHING;
-            if touch.object_at(objects, from, self.reach) {
+            if conservative.may_hit(objects, from, self.max_coordinate) {
                 again.intersect(objects, from, ray);
             }
             if again.is_hit() {
-                found.update(again.lambda, again.object, again.order, again.part);
-                if self.alone.is(from) {
-                    return found;
+                closest.update(again.lambda, again.object, again.order, again.part);
+                if self.isolated.is(from) {
+                    return closest;
                 }
             }
         }
-        let query = Query { objects, ray, from, box_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
+        let query = Query { objects, ray, from, slab_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
         if S::F32::LANES < WIDTH {
-            self.traverse::<S, O>(&self.nodes[0], &query, &mut found, stack);
-            return found;
+            self.traverse::<S, O>(&self.nodes[0], &query, &mut closest, stack);
+            return closest;
         }
-        let mut met = self.top.met(&query.box_ray, farthest(&found));
-        let backwards = self.top.is_passed_backwards(ray.direction);
-        while met != 0 {
-            let place = self.top.take(&mut met, backwards);
-            self.traverse::<S, O>(&self.nodes[place], &query, &mut found, stack);
+        let mut boxes = self.collapsed_root.intersect(&query.slab_ray, farthest(&closest));
+        let backwards = self.collapsed_root.is_passed_backwards(ray.direction);
+        while boxes != 0 {
+            let index = self.collapsed_root.take_nearest(&mut boxes, backwards);
+            self.traverse::<S, O>(&self.nodes[index], &query, &mut closest, stack);
         }
-        found
+        closest
     }
 }

@@ -1,23 +1,25 @@
-//! Which acceleration structure a scene gets.
+//! The rule that chooses the acceleration structure of a scene: [`Accel::new`].
+//!
+//! The first of these that fits is taken:
+//! 1. [`EveryObject`] for extreme magnitudes: coordinates, diffusion or window beyond 1e9, radii or half heights below
+//!    1e-6, pixels below 1e-12 ([`Extent`]);
+//! 2. [`SmallScene`] for up to 8 objects;
+//! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7;
+//! 4. [`Bvh`] for all others.
+//!
+//! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 
-use crate::accel::bvh::Bvh;
-use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::ClosestHit;
-use crate::accel::every_object::EveryObject;
-use crate::accel::extent::Extent;
-use crate::accel::find::Accelerator;
-use crate::accel::flat_filter;
-use crate::accel::flat_filter::FlatFilter;
-use crate::accel::object::ObjectId;
-use crate::accel::small_scene;
-use crate::accel::small_scene::SmallScene;
+use crate::accel::{
+    bvh::Bvh, bvh::stack::Stack, closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator,
+    flat_filter, flat_filter::FlatFilter, object::ObjectId, object::count, object_lanes, small_scene::SmallScene,
+};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Objects;
 use crate::simd::Simd;
 
-/// How the nearest object is found; chosen once for a scene.
+/// The acceleration structure of a scene.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Accel {
@@ -37,20 +39,19 @@ impl Accel {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let count = objects.sphere_count().max(objects.cylinder_count());
+        let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         Ok(if !extent.moderate {
             Self::EveryObject
-        } else if small_scene::suits(objects) {
+        } else if count(objects) <= object_lanes::CAPACITY {
             Self::SmallScene(SmallScene::new(objects, extent)?)
-        } else if count <= flat_filter::CAPACITY && extent.reach <= flat_filter::LARGEST_REACH {
+        } else if most_of_a_kind <= flat_filter::CAPACITY && extent.max_coordinate <= flat_filter::MAX_COORDINATE {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else {
             Self::Bvh(Bvh::new(objects, extent)?)
         })
     }
 
-    /// Forgets which objects are isolated, so that rays inside them are traced like all others: for measuring what it
-    /// gains to know.
+    /// Disables the shortcut for isolated objects, to measure what it gains.
     pub fn without_isolation(&mut self) {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}
@@ -59,7 +60,7 @@ impl Accel {
         }
     }
 
-    /// The nearest object that a ray from the surface of `from` meets.
+    /// The closest hit of a ray from the surface of `from`.
     #[inline(always)]
     pub fn closest_hit<S: Simd, O: Objects>(
         &self,
@@ -74,7 +75,7 @@ impl Accel {
                 $accel.closest_hit_from::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
             };
         }
-        add(Counter::WalkRays, 1);
+        add(Counter::PathRays, 1);
         match self {
             Self::EveryObject => closest_hit!(EveryObject),
             Self::SmallScene(accel) => closest_hit!(accel),

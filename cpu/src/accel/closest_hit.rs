@@ -1,47 +1,43 @@
-//! The nearest hit so far.
+//! The closest hit so far of one ray. Several rays at once have theirs in `render/hit_lanes.rs`.
 
-use crate::accel::object::{NOWHERE, ObjectId, ObjectRef};
+use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
-use crate::exact;
-use crate::exact::error_bound::Decision;
-use crate::geometry::cylinder::CylinderPart;
-use crate::geometry::ray::Ray;
+use crate::exact::{self, error_bound::Decision};
+use crate::geometry::{cylinder::CylinderPart, ray::Ray, tie::is_closer};
 use crate::layout::Objects;
-use crate::simd::Simd;
 
 /// The closest hit among the objects intersected so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosestHit {
-    /// Where on the ray; infinite when there is none.
+    /// Lambda of the hit; infinite if there is no hit.
     pub lambda: f64,
-    /// What is met, or [`NOWHERE`].
+    /// The object that is hit, or [`NO_OBJECT`].
     pub object: ObjectId,
-    /// The object's place in the file: of two hits at the same lambda the later object counts.
+    /// The object's place in the file, which decides between two hits at the same lambda.
     pub order: u32,
     /// The part of a cylinder; the side for a sphere.
     pub part: CylinderPart,
 }
 
 impl ClosestHit {
-    /// Nothing yet.
-    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NOWHERE, order: 0, part: CylinderPart::Side };
+    /// No hit. Any hit is closer, even one at infinity.
+    pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NO_OBJECT, order: 0, part: CylinderPart::Side };
 
-    /// Whether anything is met.
+    /// Whether any object is hit.
     #[inline(always)]
-    #[must_use]
     pub const fn is_hit(&self) -> bool {
-        self.object != NOWHERE
+        self.object != NO_OBJECT
     }
 
-    /// Takes a hit into account.
+    /// Replaces the hit by this one if it is closer.
     #[inline(always)]
     pub fn update(&mut self, lambda: f64, object: ObjectId, order: u32, part: CylinderPart) {
-        if lambda < self.lambda || (lambda == self.lambda && (order > self.order || !self.is_hit())) {
+        if is_closer((lambda, order), (self.lambda, self.order)) {
             *self = Self { lambda, object, order, part };
         }
     }
 
-    /// Takes the object at `id` into account.
+    /// Intersects the object at `id`.
     #[inline(always)]
     pub fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
         match ObjectRef::of(objects, id) {
@@ -50,29 +46,24 @@ impl ClosestHit {
         }
     }
 
-    /// Takes the sphere at `index` into account.
+    /// Intersects the sphere at `index`.
     #[inline(always)]
     pub fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        let verdict = exact::sphere::filtered(&objects.sphere(index).record, ray);
-        self.take_sphere(objects, index, ray, verdict);
+        let decision = exact::sphere::filtered(&objects.sphere(index).record, ray);
+        self.update_by_sphere(objects, index, ray, decision);
     }
 
     /// Intersects the dominant sphere, with the compensated formula inline: rays near it are often uncertain.
     #[inline(always)]
-    pub fn intersect_dominant_sphere<S: Simd, O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        let record = objects.sphere(index).record;
-        let verdict = if S::FUSES {
-            exact::sphere::filtered_or_compensated(&record, ray)
-        } else {
-            exact::sphere::filtered(&record, ray)
-        };
-        self.take_sphere(objects, index, ray, verdict);
+    pub fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
+        let decision = exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray);
+        self.update_by_sphere(objects, index, ray, decision);
     }
 
     #[inline(always)]
-    fn take_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, verdict: Decision<Option<f64>>) {
-        add(Counter::SphereAsks, 1);
-        let lambda = match verdict {
+    fn update_by_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray, decision: Decision<Option<f64>>) {
+        add(Counter::SphereTests, 1);
+        let lambda = match decision {
             Decision::Certain(lambda) => lambda,
             Decision::Uncertain => precise_sphere(objects, index, *ray),
         };
@@ -81,23 +72,23 @@ impl ClosestHit {
         }
     }
 
-    /// Takes the cylinder at `index` among the cylinders into account.
+    /// Intersects the cylinder at `index` among the cylinders.
     #[inline(always)]
     pub fn intersect_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
-        add(Counter::CylinderAsks, 1);
+        add(Counter::CylinderTests, 1);
         let cylinder = objects.cylinder(index);
-        let met = match exact::cylinder::filtered(&cylinder.record, ray) {
-            Decision::Certain(met) => met,
+        let hit = match exact::cylinder::filtered(&cylinder.record, ray) {
+            Decision::Certain(hit) => hit,
             Decision::Uncertain => precise_cylinder(objects, index, *ray),
         };
-        if let Some((lambda, part)) = met {
+        if let Some((lambda, part)) = hit {
             self.update(lambda, (objects.sphere_count() + index) as ObjectId, cylinder.order, part);
         }
     }
 }
 
-/// The precise answer. It fetches the object again and takes the ray by value, so that neither has to be in memory for
-/// rays that do not need it.
+/// The hit by the precise formulas. The function fetches the object again and takes the ray by value, so that neither
+/// has to be in memory for rays that do not need it.
 #[cold]
 #[inline(never)]
 fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64> {
@@ -116,23 +107,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearest_counts_and_of_equals_the_later_in_the_file() {
-        let mut found = ClosestHit::NOTHING;
-        assert!(!found.is_hit());
-        found.update(2.0, 7, 3, CylinderPart::Side);
-        found.update(2.0, 8, 1, CylinderPart::Side);
-        assert_eq!(found.object, 7);
-        found.update(2.0, 9, 4, CylinderPart::Top);
-        assert_eq!((found.object, found.part), (9, CylinderPart::Top));
-        found.update(1.0, 1, 0, CylinderPart::Side);
-        found.update(1.5, 2, 9, CylinderPart::Side);
-        assert_eq!((found.object, found.lambda), (1, 1.0));
+    fn the_closest_hit_counts_and_of_two_at_the_same_lambda_the_later() {
+        let mut closest = ClosestHit::NOTHING;
+        assert!(!closest.is_hit());
+        closest.update(2.0, 7, 3, CylinderPart::Side);
+        closest.update(2.0, 8, 1, CylinderPart::Side);
+        assert_eq!(closest.object, 7);
+        closest.update(2.0, 9, 4, CylinderPart::Top);
+        assert_eq!((closest.object, closest.part), (9, CylinderPart::Top));
+        closest.update(1.0, 1, 0, CylinderPart::Side);
+        closest.update(1.5, 2, 9, CylinderPart::Side);
+        assert_eq!((closest.object, closest.lambda), (1, 1.0));
     }
 
     #[test]
     fn even_a_hit_at_infinity_is_a_hit() {
-        let mut found = ClosestHit::NOTHING;
-        found.update(f64::INFINITY, 5, 0, CylinderPart::Side);
-        assert_eq!(found.object, 5);
+        let mut closest = ClosestHit::NOTHING;
+        closest.update(f64::INFINITY, 5, 0, CylinderPart::Side);
+        assert_eq!(closest.object, 5);
     }
 }

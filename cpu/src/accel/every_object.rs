@@ -1,35 +1,33 @@
-//! The plain search: every object is asked.
+//! The plainest structure: every object is intersected.
 
-use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::ClosestHit;
-use crate::accel::find::{Accelerator, Origin};
-use crate::accel::object::count;
+use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, find::Accelerator, find::Origin, object::count};
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
 use crate::simd::Simd;
 
-/// Every object is asked.
+/// Intersects every object.
 #[derive(Debug)]
 pub struct EveryObject;
 
 impl Accelerator for EveryObject {
     #[inline(always)]
     fn closest_hit_from<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
-        plain(objects, ray)
+        intersect_every_object(objects, *ray)
     }
 }
 
-/// The nearest object, by asking every one.
+/// The closest hit among all objects. It takes the ray by value, because a reference would keep the rays of other
+/// structures, which seldom call this, in memory.
 #[inline(never)]
-pub fn plain<O: Objects>(objects: &O, ray: &Ray) -> ClosestHit {
-    add(Counter::PlainAsks, count(objects) as u64);
-    let mut found = ClosestHit::NOTHING;
+pub fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
+    add(Counter::UnfilteredTests, count(objects) as u64);
+    let mut closest = ClosestHit::NOTHING;
     for index in 0..objects.sphere_count() {
-        found.intersect_sphere(objects, index, ray);
+        closest.intersect_sphere(objects, index, &ray);
     }
     for index in 0..objects.cylinder_count() {
-        found.intersect_cylinder(objects, index, ray);
+        closest.intersect_cylinder(objects, index, &ray);
     }
-    found
+    closest
 }

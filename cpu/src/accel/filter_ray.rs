@@ -1,60 +1,61 @@
 //! A ray against bounding spheres and infinite cylinders, several at once, in single precision.
 //!
-//! With the ray `O + lambda d` and a ball of radius `R` around `C`, the quadratic is `a lambda^2 - 2 h lambda + c`,
-//! `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`: multiplied out, so that little is left to do for each
-//! object. For a cylinder within that ball, of radius `r` around the axis `n`, everything is taken across the axis:
-//! `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`, `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half
-//! the height, squared.
+//! With the ray `O + lambda d` and a bounding sphere of radius `R` around `C`, the quadratic is
+//! `a lambda^2 - 2 h lambda + c`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`: multiplied out, so that
+//! little is left to do for each object. For a cylinder within that sphere, of radius `r` around the axis `n`,
+//! everything is taken across the axis: `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`,
+//! `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half the height, squared.
 //!
-//! What multiplying out loses to cancellation is covered by the margins (docs/margins.md).
+//! The margins cover what multiplying out loses to cancellation (docs/margins.md).
 //!
 //! Each test returns a number that is positive if the ray certainly misses the object. The maximum of two tests is
 //! positive if one of them is, and saves a comparison. A NaN is not positive, so [`misses`] keeps its object.
 //!
-//! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). Glass, for
+//! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). Refraction, for
 //! example, turns the side's normal of a cylinder, which is as long as the cylinder's radius, into a direction about
 //! the square of the radius times the index long. With a long direction a product may overflow, and the test may report
-//! a miss. The miss is right, for this reason. Let `L` be the scene's [reach](crate::accel::extent::Extent::reach).
-//! Points of the ray and of objects are at most `3.5 L` apart, so a ray with `|d| > 3500 L` is past all objects at the
-//! smallest lambda in range, 10^-3. For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product
-//! exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene that is filtered ([`LARGEST_REACH`]), and single
-//! precision holds `3.4 10^38`.
+//! a miss. The miss is right, for this reason. Let `L` be the
+//! [largest coordinate](crate::accel::extent::Extent::max_coordinate) of the scene. Points of the ray and of objects
+//! are at most `3.5 L` apart, so a ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3.
+//! For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is
+//! `2.2 10^38` for the largest scene that is filtered ([`MAX_COORDINATE`]), and single precision holds `3.4 10^38`.
 
+use crate::accel::target::Target;
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::math::vec3::Vec3;
 use crate::simd::SimdF32;
 
-/// The largest reach of a scene that is filtered; see the module's head.
-pub const LARGEST_REACH: f64 = 2e7;
+/// The largest coordinate of a scene that is filtered; see the module's head.
+pub const MAX_COORDINATE: f64 = 2e7;
 
-/// Objects side by side; every instruction set's lanes divide it.
+/// Objects in a block; every instruction set's lanes divide it.
 pub const BLOCK: usize = 16;
 
 /// Half a unit in the last place of 1: the relative error of one rounding to single precision.
 const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-/// Margin of a ball's `c`, in roundings of its terms.
-const BALL_MARGIN: f64 = 128.0 * ROUNDING;
-/// Margin of a tube's discriminant, whose terms have passed through one more cancellation.
-const TUBE_MARGIN: f64 = 384.0 * ROUNDING;
+/// Margin of a bounding sphere's `c`, in roundings of its terms.
+const SPHERE_MARGIN: f64 = 128.0 * ROUNDING;
+/// Margin of an infinite cylinder's discriminant, whose terms have passed through one more cancellation.
+const CYLINDER_MARGIN: f64 = 384.0 * ROUNDING;
 
-/// A number of each object.
+/// A number for each object of a block.
 type Row = [f32; BLOCK];
 
 /// Bounding spheres, relative to the scene's middle.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub struct Balls {
+pub struct BoundingSpheres {
     /// `-2 C`, by axis.
     minus_two_center: [Row; 3],
     /// `|C|^2 - R^2`, less the margin's part that grows with both.
     constant: Row,
 }
 
-/// Infinite cylinders; their balls are beside them. Axes are longer by `sqrt(2)`, which makes twice a square of their
-/// products with a ray, as everything else here is doubled.
+/// Infinite cylinders, whose bounding spheres are stored separately. Axes are longer by `sqrt(2)`, which doubles the
+/// squares of their products with a ray, because all other terms are doubled too.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub struct Tubes {
+pub struct InfiniteCylinders {
     /// `sqrt(2) n`, by axis.
     axis: [Row; 3],
     /// `-sqrt(2) C.n`.
@@ -65,38 +66,38 @@ pub struct Tubes {
     size: Row,
 }
 
-impl Balls {
-    /// Nothing there. Lanes without an object may be kept: the filter masks them out.
+impl BoundingSpheres {
+    /// No objects. The filter masks lanes without an object out.
     pub const EMPTY: Self = Self { minus_two_center: [[0.0; BLOCK]; 3], constant: [f32::INFINITY; BLOCK] };
 
-    /// Puts a ball into a lane.
+    /// Sets the sphere in a lane.
     pub fn set(&mut self, lane: usize, center: Vec3, radius_squared: f64) {
         for (row, component) in self.minus_two_center.iter_mut().zip(center.to_array()) {
             row[lane] = (-2.0 * component) as f32;
         }
-        let constant = center.dot(center) * (1.0 - BALL_MARGIN) - radius_squared * (1.0 + BALL_MARGIN);
+        let constant = center.dot(center) * (1.0 - SPHERE_MARGIN) - radius_squared * (1.0 + SPHERE_MARGIN);
         self.constant[lane] = constant as f32;
     }
 }
 
-impl Tubes {
-    /// Nothing there.
+impl InfiniteCylinders {
+    /// No objects.
     pub const EMPTY: Self =
         Self { axis: [[0.0; BLOCK]; 3], minus_along: [0.0; BLOCK], squares: [0.0; BLOCK], size: [0.0; BLOCK] };
 
-    /// Puts a tube into a lane: the radius and half the height are squared.
-    pub fn set(&mut self, lane: usize, center: Vec3, axis: Vec3, (radius, half_height): (f64, f64)) {
-        let axis = axis * std::f64::consts::SQRT_2;
+    /// Sets the cylinder in a lane; `center` is relative to the scene's middle.
+    pub fn set(&mut self, lane: usize, center: Vec3, target: &Target) {
+        let axis = target.axis * std::f64::consts::SQRT_2;
         for (row, component) in self.axis.iter_mut().zip(axis.to_array()) {
             row[lane] = component as f32;
         }
         self.minus_along[lane] = -center.dot(axis) as f32;
-        self.squares[lane] = (2.0 * half_height) as f32;
-        self.size[lane] = (center.dot(center) + radius + half_height) as f32;
+        self.squares[lane] = (2.0 * target.half_height * target.half_height) as f32;
+        self.size[lane] = (center.dot(center) + target.bounding_radius_squared) as f32;
     }
 }
 
-/// A ray, the same in all lanes; relative to the scene's middle.
+/// A ray, the same in all lanes, relative to the scene's middle.
 pub struct FilterRay<F> {
     origin: [F; 3],
     direction: [F; 3],
@@ -104,20 +105,21 @@ pub struct FilterRay<F> {
     four_a: F,
     /// `2 d.O`.
     two_d_o: F,
-    /// `|O|^2`, less its part of the balls' margin.
+    /// `|O|^2`, less its part of the spheres' margin.
     constant: F,
-    /// `a t^2`, for the smallest lambda that counts, `t`.
+    /// `a t^2`, where `t` is the smallest lambda in range.
     a_t_t: F,
-    /// The tubes' margin by their size, four times as the discriminant is, and the origin's part of it.
+    /// The factor of the cylinders' margin for their size, four times as large as the discriminant is.
     margin: F,
-    origins_margin: F,
+    /// The origin's part of that margin.
+    origin_margin: F,
 }
 
-/// What the ball gives.
-pub struct Ball<F> {
+/// The result for bounding spheres.
+pub struct SphereTest<F> {
     minus_two_h: F,
     c: F,
-    /// Positive where the ray certainly does not enter the ball at a lambda that counts; see [`misses`].
+    /// Positive where the ray certainly has no point in the sphere at a lambda in range; see [`misses`].
     pub miss: F,
 }
 
@@ -125,55 +127,55 @@ impl<F: SimdF32> FilterRay<F> {
     /// The ray, in a scene around `middle`.
     #[inline(always)]
     pub fn new(ray: &Ray, middle: Vec3) -> Self {
-        let (origin, direction) = (everywhere(ray.origin - middle), everywhere(ray.direction));
+        let (origin, direction) = (in_all_lanes(ray.origin - middle), in_all_lanes(ray.direction));
         let a: F = number(ray.direction.dot(ray.direction));
         let (distance_squared, d_o, two_a) = (dot(origin, origin), dot(direction, origin), a + a);
-        let margin = a * number(4.0 * TUBE_MARGIN);
+        let margin = a * number(4.0 * CYLINDER_MARGIN);
         Self {
             origin,
             direction,
             two_a,
             four_a: two_a + two_a,
             two_d_o: d_o + d_o,
-            constant: distance_squared * number(1.0 - BALL_MARGIN),
+            constant: distance_squared * number(1.0 - SPHERE_MARGIN),
             a_t_t: a * number(LAMBDA_MIN * LAMBDA_MIN),
             margin,
-            origins_margin: margin * distance_squared,
+            origin_margin: margin * distance_squared,
         }
     }
 
-    /// The ray against the balls from `at` on.
+    /// Tests the spheres from `at` on.
     #[inline(always)]
-    pub fn ball(&self, balls: &Balls, at: usize) -> Ball<F> {
-        let minus_two_center = load(&balls.minus_two_center, at);
+    pub fn spheres(&self, spheres: &BoundingSpheres, at: usize) -> SphereTest<F> {
+        let minus_two_center = load(&spheres.minus_two_center, at);
         let minus_two_h = plus_dot(self.two_d_o, self.direction, minus_two_center);
-        let c = plus_dot(F::load(&balls.constant[at..]) + self.constant, self.origin, minus_two_center);
+        let c = plus_dot(F::load(&spheres.constant[at..]) + self.constant, self.origin, minus_two_center);
         let minus_discriminant = minus_two_h.negative_mul_add(minus_two_h, self.four_a * c);
         // A ray misses if its line does, or if the centre is behind it and its first point in range is outside the
-        // ball. If `minus_two_h` is NaN, `at_first` is NaN too; `min` and `max` return their second operand where one
+        // sphere. If `minus_two_h` is NaN, `at_first` is NaN too; `min` and `max` return their second operand where one
         // is NaN.
         let at_first = minus_two_h.mul_add(number(LAMBDA_MIN), self.a_t_t) + c;
-        Ball { minus_two_h, c, miss: minus_discriminant.max(minus_two_h.min(at_first)) }
+        SphereTest { minus_two_h, c, miss: minus_discriminant.max(minus_two_h.min(at_first)) }
     }
 
-    /// The ray against the tubes from `at` on, whose balls it has been held against: positive where it certainly
-    /// misses; see [`misses`].
+    /// Tests the infinite cylinders from `at` on, given the test of their bounding spheres: positive where the ray
+    /// certainly misses; see [`misses`].
     #[inline(always)]
-    pub fn tube(&self, ball: &Ball<F>, tubes: &Tubes, at: usize) -> F {
-        let axis = load(&tubes.axis, at);
+    pub fn cylinders(&self, spheres: &SphereTest<F>, cylinders: &InfiniteCylinders, at: usize) -> F {
+        let axis = load(&cylinders.axis, at);
         let slope = dot(self.direction, axis);
-        let minus_along = plus_dot(F::load(&tubes.minus_along[at..]), self.origin, axis);
+        let minus_along = plus_dot(F::load(&cylinders.minus_along[at..]), self.origin, axis);
         let two_a = slope.negative_mul_add(slope, self.two_a);
-        let minus_two_h = slope.negative_mul_add(minus_along, ball.minus_two_h);
-        let two_c = ball.c.mul_add(number(2.0), F::load(&tubes.squares[at..]));
+        let minus_two_h = slope.negative_mul_add(minus_along, spheres.minus_two_h);
+        let two_c = spheres.c.mul_add(number(2.0), F::load(&cylinders.squares[at..]));
         let two_c = minus_along.negative_mul_add(minus_along, two_c);
-        let margin = F::load(&tubes.size[at..]).mul_add(self.margin, self.origins_margin);
+        let margin = F::load(&cylinders.size[at..]).mul_add(self.margin, self.origin_margin);
         minus_two_h.negative_mul_add(minus_two_h, two_a * two_c) - margin
     }
 }
 
-/// The objects that the ray certainly misses, a bit a lane: those where `miss` is positive. Lanes offer `<=` only, so
-/// `miss` is compared with the smallest positive number.
+/// The objects that the ray certainly misses, a bit for each lane: those where `miss` is positive. Lanes offer `<=`
+/// only, so `miss` is compared with the smallest positive number.
 #[inline(always)]
 pub fn misses<F: SimdF32>(miss: F) -> u32 {
     const LEAST_POSITIVE: f32 = f32::from_bits(1);
@@ -186,13 +188,13 @@ fn number<F: SimdF32>(value: f64) -> F {
     F::splat(value as f32)
 }
 
-/// The vector in every lane.
+/// `vector` in every lane.
 #[inline(always)]
-fn everywhere<F: SimdF32>(vector: Vec3) -> [F; 3] {
+fn in_all_lanes<F: SimdF32>(vector: Vec3) -> [F; 3] {
     [number(vector.x), number(vector.y), number(vector.z)]
 }
 
-/// The vectors from `at` on, a lane each.
+/// The vectors from `at` on, one in each lane.
 #[inline(always)]
 fn load<F: SimdF32>([x, y, z]: &[Row; 3], at: usize) -> [F; 3] {
     [F::load(&x[at..]), F::load(&y[at..]), F::load(&z[at..])]

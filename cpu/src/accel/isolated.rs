@@ -1,54 +1,50 @@
-//! Objects into which no other reaches.
+//! Objects that no other object overlaps.
 //!
-//! Spheres and cylinders are convex: a ray that starts on one and meets it again is inside in between. Where no other
-//! object reaches inside, none can be nearer, and none is asked. Half of what rough metal scatters goes inward, and all
-//! that glass lets through.
+//! Spheres and cylinders are convex: a ray that starts on one and hits it again is inside it in between. If no other
+//! object overlaps it, no hit can be closer, and no other object is intersected. Half of the rays that rough metal
+//! scatters go inward, and so do all rays that are refracted into an object.
 //!
-//! Boxes are compared once a scene, with coordinates of up to 10^9 in single precision. A box that is not made of
-//! numbers overlaps nothing, but moderate scenes have none.
+//! Boxes are compared once for a scene, with coordinates of up to 10^9 in single precision. A box with NaN overlaps no
+//! other, but moderate scenes have none.
 
-use crate::accel::bounds::Bounds;
-use crate::accel::extent::Extent;
-use crate::accel::object::{ObjectId, room};
+use crate::accel::{bounds::Bounds, extent::Extent, object::ObjectId};
 use crate::input::error::Error;
-use crate::layout::Objects;
+use crate::layout::{Objects, with_room};
 
 /// Which objects are isolated, a bit each.
 #[derive(Clone, Debug)]
 pub struct Isolated(Vec<u64>);
 
 impl Isolated {
-    /// The objects whose box no other's overlaps, as `overlapped` says, but for one that is asked apart anyway.
+    /// The objects of `count` for which `is_overlapped` is false. The dominant sphere does not count as overlapping:
+    /// every ray is tested against it.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new(count: usize, mut overlapped: impl FnMut(ObjectId) -> bool) -> Result<Self, Error> {
-        let mut words = room(count.div_ceil(64))?;
+    pub fn new(count: usize, mut is_overlapped: impl FnMut(ObjectId) -> bool) -> Result<Self, Error> {
+        let mut words = with_room(count.div_ceil(64))?;
         words.resize(count.div_ceil(64), 0);
         for id in 0..count {
-            words[id / 64] |= u64::from(!overlapped(id as ObjectId)) << (id % 64);
+            words[id / 64] |= u64::from(!is_overlapped(id as ObjectId)) << (id % 64);
         }
         Ok(Self(words))
     }
 
-    /// Nothing is known to be alone.
+    /// No object is known to be isolated.
     pub const fn none() -> Self {
         Self(Vec::new())
     }
 
-    /// Whether a ray that starts on `id` and meets it again certainly meets nothing before that but what is asked
-    /// apart.
+    /// Whether the object at `id` is isolated.
     #[inline(always)]
-    #[must_use]
     pub fn is(&self, id: ObjectId) -> bool {
         self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
     }
 }
 
-/// The box of an object, with room for how far rounding may move the points of its surface.
-#[must_use]
-pub fn roomy_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
-    Bounds::of_object(objects, id, extent).enlarged((1e-9 * extent.reach) as f32)
+/// The box of an object, enlarged by how far rounding may move the points of its surface.
+pub fn enlarged_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
+    Bounds::of_object(objects, id, extent).enlarged((1e-9 * extent.max_coordinate) as f32)
 }
 
 #[cfg(test)]
@@ -56,18 +52,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_no_other_overlaps_is_alone() {
-        let alone = Isolated::new(3, |id| id == 1).expect("it fits");
-        assert_eq!([0, 1, 2].map(|id| alone.is(id)), [true, false, true]);
-        assert!(!alone.is(crate::accel::object::NOWHERE));
+    fn an_object_that_no_other_overlaps_is_isolated() {
+        let isolated = Isolated::new(3, |id| id == 1).expect("it fits");
+        assert_eq!([0, 1, 2].map(|id| isolated.is(id)), [true, false, true]);
+        assert!(!isolated.is(crate::accel::object::NO_OBJECT));
         assert!(!Isolated::none().is(0));
     }
 
     #[test]
     fn a_hundred_answers_keep_their_places() {
-        let alone = Isolated::new(100, |id| id % 3 == 0).expect("it fits");
+        let isolated = Isolated::new(100, |id| id % 3 == 0).expect("it fits");
         for id in 0..128 {
-            assert_eq!(alone.is(id), id < 100 && id % 3 != 0, "{id}");
+            assert_eq!(isolated.is(id), id < 100 && id % 3 != 0, "{id}");
         }
     }
 }

@@ -1,145 +1,126 @@
-//! A search for scenes of a handful of objects: every object is filtered in double precision, by several rays at once
-//! or, for one ray, several objects at once.
+//! The structure for up to eight objects: all of them are tested in double precision, for several rays at once or, for
+//! one ray, several objects at once.
 //!
-//! The [filter](crate::accel::conservative) says which objects a ray may meet, and so which rays certainly leave the
-//! scene; the exact formulas are for the others.
+//! The [conservative tests](crate::accel::conservative) decide which objects a ray may hit; the exact formulas
+//! intersect these. A ray that may hit no object certainly escapes.
 
-use crate::accel::bvh::stack::Stack;
-use crate::accel::closest_hit::ClosestHit;
-use crate::accel::conservative::{ConservativeRay, is_too_short};
-use crate::accel::extent::Extent;
-use crate::accel::find::{Accelerator, Origin};
-use crate::accel::object::{ObjectId, count, in_order};
-use crate::accel::side_by_side::{MayHitLanes, ObjectLanes, PLACES};
+use crate::accel::{
+    bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
+    extent::Extent, find::Accelerator, find::Origin, object::ObjectId, object::in_order, object_lanes::MayHitLanes,
+    object_lanes::ObjectLanes,
+};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Objects;
 use crate::simd::{Simd, SimdF64};
 
-/// Fewest objects of which those that one ray may meet are found side by side: fewer fill too few lanes.
-const FEWEST_SIDE_BY_SIDE: usize = 4;
+/// Fewest objects that are tested in the lanes of one ray: fewer fill too few lanes.
+const FEWEST_IN_LANES: usize = 4;
 
-/// A search over a handful of objects.
+/// The structure over up to eight objects.
 #[derive(Clone, Debug)]
 pub struct SmallScene {
     in_order: Vec<ObjectId>,
-    side_by_side: ObjectLanes,
-    reach: f64,
+    object_lanes: ObjectLanes,
+    /// See [`Extent::max_coordinate`].
+    pub(super) max_coordinate: f64,
 }
 
 impl SmallScene {
-    /// The search over `objects`.
+    /// The structure over `objects`.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
-    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let side_by_side = ObjectLanes::new(objects, extent.reach);
-        Ok(Self { in_order: in_order(objects)?, side_by_side, reach: extent.reach })
+    pub fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Result<Self, Error> {
+        let object_lanes = ObjectLanes::new(objects, max_coordinate);
+        Ok(Self { in_order: in_order(objects)?, object_lanes, max_coordinate })
     }
 
     /// The objects in the order of the file.
-    #[must_use]
     pub fn in_order(&self) -> &[ObjectId] {
         &self.in_order
     }
 
-    /// How far the scene reaches.
-    #[inline(always)]
-    pub(super) const fn reach(&self) -> f64 {
-        self.reach
-    }
-
     /// Whether lanes hold several objects for one ray; otherwise they hold several rays for one object.
     #[inline(always)]
-    #[must_use]
     pub fn uses_object_lanes(&self) -> bool {
-        self.in_order.len() >= FEWEST_SIDE_BY_SIDE
+        self.in_order.len() >= FEWEST_IN_LANES
     }
 
-    /// The nearest object that a ray, which starts within the scene's reach, meets.
+    /// The closest hit of a ray, which starts within the scene's extent.
     #[inline(always)]
     pub fn closest_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> ClosestHit {
-        let (touched, mut found) = (self.objects_may_hit::<V, O>(objects, ray), ClosestHit::NOTHING);
-        // Where there are several of a kind, mostly none of them is touched.
-        if touched & ((1 << objects.sphere_count()) - 1) != 0 {
-            intersect_spheres(&mut found, objects, ray, touched);
+        let (may_hit, mut closest) = (self.objects_may_hit::<V, O>(objects, ray), ClosestHit::NOTHING);
+        // With several objects of a kind, mostly none of that kind may be hit.
+        if may_hit & ((1 << objects.sphere_count()) - 1) != 0 {
+            intersect_spheres(&mut closest, objects, ray, may_hit);
         }
-        if touched >> objects.sphere_count() != 0 {
-            intersect_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
+        if may_hit >> objects.sphere_count() != 0 {
+            intersect_cylinders(&mut closest, objects, ray, may_hit >> objects.sphere_count());
         }
-        found
+        closest
     }
 
-    /// The objects that one ray, which starts within the scene's reach, may meet: a bit each, by [id](ObjectId).
+    /// The objects that one ray, which starts within the scene's extent, may hit: a bit for each, by [id](ObjectId).
     #[inline(always)]
     pub fn objects_may_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
         if self.uses_object_lanes() {
-            return self.side_by_side.objects_may_hit::<V>(ray);
+            return self.object_lanes.objects_may_hit::<V>(ray);
         }
-        let touch = ConservativeRay::new(*ray);
-        if is_too_short(touch.length_squared) {
+        let conservative = ConservativeRay::new(*ray);
+        if is_too_short(conservative.length_squared) {
             return (1 << self.in_order.len()) - 1;
         }
-        let mut touched = 0;
-        for index in 0..objects.sphere_count() {
-            touched |= u32::from(touch.sphere_at(objects, index)) << index;
+        let mut may_hit = 0;
+        for id in 0..(objects.sphere_count() + objects.cylinder_count()) as ObjectId {
+            may_hit |= u32::from(conservative.may_hit(objects, id, self.max_coordinate)) << id;
         }
-        for index in 0..objects.cylinder_count() {
-            let id = objects.sphere_count() + index;
-            touched |= u32::from(touch.cylinder_at(objects, index, self.reach)) << id;
-        }
-        touched
+        may_hit
     }
 
-    /// Whether each of several rays, which start within the scene's reach, may meet an object. Of no meaning for
-    /// directions that are [too short](is_too_short).
+    /// Whether each of several rays, which start within the scene's extent, may hit an object. The result has no
+    /// meaning for directions that are [too short](is_too_short).
     #[inline(always)]
-    pub fn touches<V: SimdF64>(&self, id: ObjectId, touch: &ConservativeRay<V>) -> V::Mask {
-        self.side_by_side.touches(id as usize, touch)
+    pub fn may_hit<V: SimdF64>(&self, id: ObjectId, conservative: &ConservativeRay<V>) -> V::Mask {
+        self.object_lanes.may_hit(id as usize, conservative)
     }
 
-    /// The objects that each of several rays, which start within the scene's reach, may meet. `too_short` holds the
-    /// lanes whose directions are [too short](is_too_short), as bits, or more lanes.
+    /// The objects that each of several rays, which start within the scene's extent, may hit. `too_short` holds, as
+    /// bits, at least the lanes whose directions are [too short](is_too_short). These may hit all objects.
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
-        self.side_by_side.objects_may_hit_lanes(ray, too_short)
+        self.object_lanes.objects_may_hit_lanes(ray, too_short)
     }
 }
 
-/// Of the objects that this ray may meet, a bit each, the nearest that it meets.
+/// The closest hit among the objects that this ray may hit, a bit for each.
 #[inline(always)]
-pub fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, touched: u32) -> ClosestHit {
-    let mut found = ClosestHit::NOTHING;
-    intersect_spheres(&mut found, objects, ray, touched);
-    intersect_cylinders(&mut found, objects, ray, touched >> objects.sphere_count());
-    found
+pub fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, may_hit: u32) -> ClosestHit {
+    let mut closest = ClosestHit::NOTHING;
+    intersect_spheres(&mut closest, objects, ray, may_hit);
+    intersect_cylinders(&mut closest, objects, ray, may_hit >> objects.sphere_count());
+    closest
 }
 
-/// Takes the spheres of `touched` into account: one after the other, so that the processor can guess which it will be
-/// before it knows the bits.
+/// Intersects the spheres of `may_hit`. A loop over all spheres lets the processor predict each branch before it knows
+/// the bits.
 #[inline(always)]
-fn intersect_spheres<O: Objects>(found: &mut ClosestHit, objects: &O, ray: &Ray, touched: u32) {
+fn intersect_spheres<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &Ray, may_hit: u32) {
     for index in 0..objects.sphere_count() {
-        if touched >> index & 1 == 1 {
-            found.intersect_sphere(objects, index, ray);
+        if may_hit >> index & 1 == 1 {
+            closest.intersect_sphere(objects, index, ray);
         }
     }
 }
 
-/// The same with cylinders.
+/// Intersects the cylinders of `may_hit`; see [`intersect_spheres`].
 #[inline(always)]
-fn intersect_cylinders<O: Objects>(found: &mut ClosestHit, objects: &O, ray: &Ray, touched: u32) {
+fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &Ray, may_hit: u32) {
     for index in 0..objects.cylinder_count() {
-        if touched >> index & 1 == 1 {
-            found.intersect_cylinder(objects, index, ray);
+        if may_hit >> index & 1 == 1 {
+            closest.intersect_cylinder(objects, index, ray);
         }
     }
-}
-
-/// Whether a scene of this many objects is searched like this.
-#[must_use]
-pub fn suits(objects: &impl Objects) -> bool {
-    count(objects) <= PLACES
 }
 
 impl Accelerator for SmallScene {
@@ -163,39 +144,40 @@ mod tests {
 
     const SCENE: &str = "matte: m 1 1 1\nsphere: 0 -101 0 100 m\nsphere: 1 0 0 1 m\nsphere: -1 0.5 2 .25 m\n\
                          cylinder: 0 0 -2 .5 1 2 .5 m\ncylinder: 3 1 1 .1 0 0 4 m\n";
-    const REACH: f64 = 201.0;
+    const EXTENT: f64 = 201.0;
 
-    /// Which objects the first lane's ray, the same in all lanes, may meet, and which it meets first.
-    struct Touched<'a> {
-        few: &'a SmallScene,
+    /// Which objects the first lane's ray, the same in all lanes, may hit, and which it hits first.
+    struct MayHit<'a> {
+        small_scene: &'a SmallScene,
         objects: &'a AosObjects,
         ray: Ray,
     }
 
-    impl Kernel for Touched<'_> {
+    impl Kernel for MayHit<'_> {
         type Output = (u32, ClosestHit);
 
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> (u32, ClosestHit) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
-            let each = self.few.objects_may_hit_lanes(&ray, 0);
-            let touched = each.by(0);
-            assert_eq!(each.any(), if touched == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
-            assert!((1..S::F64::LANES).all(|lane| each.by(lane) == touched), "{each:?}");
-            assert_eq!(self.few.objects_may_hit::<S::F64, _>(self.objects, &self.ray), touched);
-            (touched, self.few.closest_hit::<S::F64, _>(self.objects, &self.ray))
+            let each = self.small_scene.objects_may_hit_lanes(&ray, 0);
+            let may_hit = each.of_lane(0);
+            assert_eq!(each.any(), if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
+            assert!((1..S::F64::LANES).all(|lane| each.of_lane(lane) == may_hit), "{each:?}");
+            assert_eq!(self.small_scene.objects_may_hit::<S::F64, _>(self.objects, &self.ray), may_hit);
+            (may_hit, self.small_scene.closest_hit::<S::F64, _>(self.objects, &self.ray))
         }
     }
 
     #[test]
-    fn what_a_ray_meets_it_touches_and_most_of_what_it_touches_it_meets() {
+    fn every_object_that_a_ray_hits_passes_and_few_others_do() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         let objects = AosObjects::build(&scene).expect("it fits");
-        let few = SmallScene::new(&objects, &Extent { reach: REACH, moderate: true }).expect("it fits");
-        // As few as make it ask one object after the other, of all.
-        let one_by_one = SmallScene { in_order: few.in_order[..1].to_vec(), ..few.clone() };
+        let small_scene =
+            SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true }).expect("it fits");
+        // A list shorter than [`FEWEST_IN_LANES`], so that it tests all objects one after the other.
+        let one_by_one = SmallScene { in_order: small_scene.in_order[..1].to_vec(), ..small_scene.clone() };
         let mut draws = Uniform::new(5);
-        let (mut touched_in_all, mut met_in_all) = (0, 0);
+        let (mut tests_passed, mut hits) = (0, 0);
         for number in 0..4000 {
             let mut place = || Vec3::from([(); 3].map(|()| draws.draw(-3.0, 3.0)));
             let (mut origin, mut direction) = (place(), place());
@@ -209,27 +191,27 @@ mod tests {
                 }
             }
             let ray = Ray { origin, direction };
-            let mut met = 0;
+            let mut hit = 0;
             for index in 0..objects.sphere_count() {
                 let record = objects.sphere(index).record;
                 let any = [Plain::sphere(&record, &ray), Exact::sphere(&record, &ray)];
-                met |= u32::from(any.iter().any(Option::is_some)) << index;
+                hit |= u32::from(any.iter().any(Option::is_some)) << index;
             }
             for index in 0..objects.cylinder_count() {
                 let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
                 let any = [Plain::cylinder(&record, &axis, &ray), Exact::cylinder(&record, &axis, &ray)];
-                met |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
+                hit |= u32::from(any.iter().any(Option::is_some)) << (objects.sphere_count() + index);
             }
-            for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-                let (touched, nearest) = set.run(Touched { few: &few, objects: &objects, ray });
-                assert_eq!(met & !touched, 0, "{}, {ray:?}: met {met:b}, touched {touched:b}", set.name());
-                let alone = set.run(Touched { few: &one_by_one, objects: &objects, ray });
-                assert_eq!((touched, nearest), alone, "{}, {ray:?}", set.name());
-                assert_eq!(nearest, closest_hit_among(&objects, &ray, met), "{}, {ray:?}", set.name());
-                touched_in_all += touched.count_ones();
-                met_in_all += met.count_ones();
+            for set in InstructionSet::available() {
+                let (may_hit, closest) = set.run(MayHit { small_scene: &small_scene, objects: &objects, ray });
+                assert_eq!(hit & !may_hit, 0, "{}, {ray:?}: hit {hit:b}, may hit {may_hit:b}", set.name());
+                let by_one = set.run(MayHit { small_scene: &one_by_one, objects: &objects, ray });
+                assert_eq!((may_hit, closest), by_one, "{}, {ray:?}", set.name());
+                assert_eq!(closest, closest_hit_among(&objects, &ray, hit), "{}, {ray:?}", set.name());
+                tests_passed += may_hit.count_ones();
+                hits += hit.count_ones();
             }
         }
-        assert!(met_in_all > 10_000 && touched_in_all < met_in_all * 3 / 2, "{touched_in_all} for {met_in_all}");
+        assert!(hits > 10_000 && tests_passed < hits * 3 / 2, "{tests_passed} for {hits}");
     }
 }

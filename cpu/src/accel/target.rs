@@ -1,63 +1,51 @@
-//! Spheres and cylinders as the [filter](crate::accel::conservative) in double precision sees them: one, several in
-//! lanes, or rows of them.
+//! Spheres and cylinders as the [conservative tests](crate::accel::conservative) need them.
 
-use crate::geometry::cylinder::CylinderRecord;
-use crate::geometry::sphere::SphereRecord;
+use crate::accel::object::{ObjectId, ObjectRef};
+use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
+use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
-/// By its part of the scene's reach, how far rounding may move a point of the scene, many times over.
+/// How far rounding may move a point of the scene, relative to the scene's largest coordinate: thousands of roundings.
 pub const SLACK: f64 = 8192.0 * f64::EPSILON;
 
-/// What the filter knows of a sphere; a number, lanes, or an array of each.
+/// A sphere or a cylinder; `T` is a number, lanes, or an array. A test of a sphere uses only centre and radius.
 #[derive(Clone, Copy, Debug)]
-pub struct ConservativeSphere<T = f64> {
-    /// Its centre.
-    pub center: Vec3<T>,
-    /// The square of its radius.
-    pub radius_squared: T,
-}
-
-/// What the filter knows of a cylinder.
-#[derive(Clone, Copy, Debug)]
-pub struct ConservativeCylinder<T = f64> {
+pub struct Target<T = f64> {
     /// Its centre.
     pub center: Vec3<T>,
     /// Of length one; null for a sphere.
     pub axis: Vec3<T>,
     /// The square of its radius.
     pub radius_squared: T,
-    /// The squares of its radius and of half its height: no point of it is farther from the centre than their root.
-    pub squares: T,
-    /// Half the distance of its bases, rounding included.
+    /// The square of the radius of the sphere around it.
+    pub bounding_radius_squared: T,
+    /// Half its height, enlarged by how far rounding may move points of the caps; infinite for a sphere.
     pub half_height: T,
 }
 
-impl ConservativeSphere {
-    /// The sphere.
+impl Target {
+    /// The object at `id`, in a scene with this [largest coordinate](crate::accel::extent::Extent::max_coordinate).
     #[inline(always)]
-    pub fn new(record: &SphereRecord) -> Self {
-        Self { center: record.center, radius_squared: record.radius_squared }
-    }
-
-    /// The same to the filter: a cylinder without an axis, and of any height.
-    pub fn as_cylinder(self) -> ConservativeCylinder {
-        let Self { center, radius_squared } = self;
-        ConservativeCylinder {
-            center,
-            axis: Vec3::ZERO,
-            radius_squared,
-            squares: radius_squared,
-            half_height: f64::INFINITY,
+    pub fn of<O: Objects>(objects: &O, id: ObjectId, max_coordinate: f64) -> Self {
+        match ObjectRef::of(objects, id) {
+            ObjectRef::Sphere(index) => Self::sphere(&objects.sphere(index).record),
+            ObjectRef::Cylinder(index) => Self::cylinder(&objects.cylinder(index).record, max_coordinate),
         }
     }
-}
 
-impl ConservativeCylinder {
-    /// The cylinder, in a scene of this [reach](crate::accel::extent::Extent::reach).
+    /// The sphere: for the tests of cylinders it is one without an axis, and of any height.
     #[inline(always)]
-    pub fn new(record: &CylinderRecord, reach: f64) -> Self {
+    pub fn sphere(&SphereRecord { center, radius_squared, .. }: &SphereRecord) -> Self {
+        let (axis, half_height) = (Vec3::ZERO, f64::INFINITY);
+        Self { center, axis, radius_squared, bounding_radius_squared: radius_squared, half_height }
+    }
+
+    /// The cylinder, in a scene with this largest coordinate.
+    #[inline(always)]
+    pub fn cylinder(record: &CylinderRecord, max_coordinate: f64) -> Self {
         let CylinderRecord { center, axis, radius_squared, half_height, .. } = *record;
-        let squares = radius_squared + half_height * half_height;
-        Self { center, axis, radius_squared, squares, half_height: half_height + reach * SLACK }
+        let bounding_radius_squared = radius_squared + half_height * half_height;
+        let half_height = half_height + max_coordinate * SLACK;
+        Self { center, axis, radius_squared, bounding_radius_squared, half_height }
     }
 }

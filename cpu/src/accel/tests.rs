@@ -1,12 +1,12 @@
-//! What each search finds, held against asking every object.
+//! Compares each acceleration structure with intersecting every object.
 
 use crate::accel::bvh::stack::Stack;
 use crate::accel::choice::Accel;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
-use crate::accel::every_object::plain;
+use crate::accel::every_object::intersect_every_object;
 use crate::accel::extent::Extent;
-use crate::accel::object::{NOWHERE, ObjectId, in_order};
+use crate::accel::object::{NO_OBJECT, ObjectId, in_order};
 use crate::geometry::ray::Ray;
 use crate::input::scene::Scene;
 use crate::layout::Objects;
@@ -35,31 +35,31 @@ fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
     AosObjects::build(&scene).expect("it fits")
 }
 
-/// Asks a search with one ray.
-struct Ask<'a> {
-    search: &'a Accel,
+/// Intersects one ray with a structure.
+struct Intersect<'a> {
+    accel: &'a Accel,
     objects: &'a AosObjects,
     ray: Ray,
     from: ObjectId,
     stack: &'a mut Stack,
 }
 
-impl Kernel for Ask<'_> {
+impl Kernel for Intersect<'_> {
     type Output = ClosestHit;
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) -> ClosestHit {
-        let Self { search, objects, ray, from, stack } = self;
-        search.closest_hit::<S, _>(objects, &ray, from, stack)
+        let Self { accel, objects, ray, from, stack } = self;
+        accel.closest_hit::<S, _>(objects, &ray, from, stack)
     }
 }
 
-/// Compares a search with the plain one, on rays from anywhere and on from where these hit, many of them grazing.
-fn agrees_with_plain(search: &Accel, objects: &AosObjects, rays: usize) {
+/// Compares a structure with intersecting every object, for random rays, and for rays from their hits. Many graze.
+fn agrees_with_plain(accel: &Accel, objects: &AosObjects, rays: usize) {
     let mut draws = Uniform::new(99);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
-    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+    for set in InstructionSet::available() {
         for number in 0..rays {
             let mut ray = Ray {
                 origin: [(); 3].map(|()| draws.draw(-15.0, 15.0)).into(),
@@ -73,56 +73,56 @@ fn agrees_with_plain(search: &Accel, objects: &AosObjects, rays: usize) {
                 let share = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-15.0, -3.0));
                 ray.direction = to_center + aside * share;
             }
-            let mut from = NOWHERE;
+            let mut from = NO_OBJECT;
             for _ in 0..3 {
-                let found = plain(objects, &ray);
-                let intersect = Ask { search, objects, ray, from, stack: &mut stack };
-                assert_eq!(set.run(intersect), found, "{}, {ray:?}", set.name());
-                if !found.is_hit() {
+                let closest = intersect_every_object(objects, ray);
+                let intersect = Intersect { accel, objects, ray, from, stack: &mut stack };
+                assert_eq!(set.run(intersect), closest, "{}, {ray:?}", set.name());
+                if !closest.is_hit() {
                     misses += 1;
                     break;
                 }
                 hits += 1;
-                from = found.object;
+                from = closest.object;
                 let direction = Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
-                ray = Ray { origin: ray.at(found.lambda), direction };
+                ray = Ray { origin: ray.at(closest.lambda), direction };
             }
         }
     }
     assert!(hits > rays / 4 && misses > rays / 4, "{hits} hits, {misses} misses");
 }
 
-fn search(objects: &AosObjects) -> Accel {
-    Accel::new(objects, &Extent { reach: 240.0, moderate: true }).expect("it fits")
+fn accel(objects: &AosObjects) -> Accel {
+    Accel::new(objects, &Extent { max_coordinate: 240.0, moderate: true }).expect("it fits")
 }
 
 #[test]
-fn a_handful_of_objects_is_searched_at_once() {
+fn up_to_eight_objects_get_a_small_scene() {
     let objects = objects(7, 3.0, 1);
-    let search = search(&objects);
-    assert!(matches!(search, Accel::SmallScene(_)));
-    agrees_with_plain(&search, &objects, 2000);
+    let accel = accel(&objects);
+    assert!(matches!(accel, Accel::SmallScene(_)));
+    agrees_with_plain(&accel, &objects, 2000);
 }
 
 #[test]
-fn some_tens_of_objects_are_filtered() {
+fn some_tens_of_objects_get_a_flat_filter() {
     let objects = objects(90, 2.0, 2);
-    let search = search(&objects);
-    assert!(matches!(search, Accel::FlatFilter(_)));
-    agrees_with_plain(&search, &objects, 1000);
+    let accel = accel(&objects);
+    assert!(matches!(accel, Accel::FlatFilter(_)));
+    agrees_with_plain(&accel, &objects, 1000);
 }
 
 #[test]
-fn many_objects_are_searched_in_a_tree() {
+fn many_objects_get_a_bvh() {
     let objects = objects(1000, 1.0, 3);
-    let search = search(&objects);
-    assert!(matches!(search, Accel::Bvh(_)));
-    agrees_with_plain(&search, &objects, 300);
+    let accel = accel(&objects);
+    assert!(matches!(accel, Accel::Bvh(_)));
+    agrees_with_plain(&accel, &objects, 300);
 }
 
-/// Spheres and cylinders above y = 0, where a ground of radius 60 ends, by `above` at least, but for the first
-/// `overlapping` of them; so far from each other that all are alone.
-fn above_a_ground(count: usize, above: f64, overlapping: usize) -> AosObjects {
+/// Spheres and cylinders at least `above` over y = 0, where a dominant sphere of radius 60 ends, but for the first
+/// `overlapping` of them. They are so far from each other that all are isolated.
+fn above_a_dominant_sphere(count: usize, above: f64, overlapping: usize) -> AosObjects {
     let mut draws = Uniform::new(8);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
     for index in 0..count {
@@ -142,28 +142,28 @@ fn above_a_ground(count: usize, above: f64, overlapping: usize) -> AosObjects {
 }
 
 #[test]
-fn rays_inside_an_object_or_the_ground_meet_what_reaches_into_it() {
-    let extent = Extent { reach: 120.0, moderate: true };
+fn rays_inside_an_object_hit_what_overlaps_it() {
+    let extent = Extent { max_coordinate: 120.0, moderate: true };
     for (above, overlapping, known) in [(1e-3, 0, Some(0)), (1e-3, 3, Some(3)), (1e-3, 9, None), (-0.5, 0, None)] {
-        let objects = above_a_ground(30, above, overlapping);
+        let objects = above_a_dominant_sphere(30, above, overlapping);
         assert_eq!(
             DominantSphere::of(&objects).overlapping(&objects, &extent).map(|overlapping| overlapping.len()),
             known
         );
-        agrees_with_plain(&search(&objects), &objects, 600);
+        agrees_with_plain(&accel(&objects), &objects, 600);
     }
     for count in [30, 100] {
-        let objects = above_a_ground(count, 1e-3, 9);
-        let mut search = search(&objects);
-        agrees_with_plain(&search, &objects, 300);
-        search.without_isolation();
-        agrees_with_plain(&search, &objects, 300);
+        let objects = above_a_dominant_sphere(count, 1e-3, 9);
+        let mut accel = accel(&objects);
+        agrees_with_plain(&accel, &objects, 300);
+        accel.without_isolation();
+        agrees_with_plain(&accel, &objects, 300);
     }
 }
 
 #[test]
-fn a_scene_of_extreme_magnitudes_is_searched_plainly() {
-    let extent = Extent { reach: 1e12, moderate: false };
+fn a_scene_of_extreme_magnitudes_intersects_every_object() {
+    let extent = Extent { max_coordinate: 1e12, moderate: false };
     let plain = Accel::new(&objects(7, 3.0, 1), &extent).expect("it fits");
     assert!(matches!(plain, Accel::EveryObject));
 }
@@ -171,13 +171,13 @@ fn a_scene_of_extreme_magnitudes_is_searched_plainly() {
 #[test]
 fn the_order_of_the_file_is_kept() {
     let objects = objects(4, 1.0, 4);
-    // The ground, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
-    assert_eq!(in_order(&objects).expect("five are few"), [0, 1, 3, 2, 4]);
+    // The dominant sphere, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
+    assert_eq!(in_order(&objects).expect("it fits"), [0, 1, 3, 2, 4]);
 }
 
-/// Compares a search with asking every object, for directions of any length, from `10^-300` to `10^300`, null, infinite
-/// and not a number, of rays that start on the objects or between them; `far` is how far that is.
-fn agrees_for_directions_of_any_length(search: &Accel, objects: &AosObjects, far: f64) {
+/// Compares a structure with intersecting every object, for directions of any length, from `10^-300` to `10^300`, null,
+/// infinite and not a number, of rays that start on the objects or between them; `far` is how far that is.
+fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far: f64) {
     let mut draws = Uniform::new(17);
     let mut stack = Stack::EMPTY;
     let (mut hits, mut misses) = (0, 0);
@@ -203,25 +203,25 @@ fn agrees_for_directions_of_any_length(search: &Accel, objects: &AosObjects, far
             _ => direction * 10.0_f64.powf(exponent),
         };
         let ray = Ray { origin: start, direction };
-        let expected = plain(objects, &ray);
+        let expected = intersect_every_object(objects, ray);
         *(if expected.is_hit() { &mut hits } else { &mut misses }) += 1;
-        for from in [NOWHERE, if is_on_surface { from as ObjectId } else { NOWHERE }] {
-            for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-                let found = set.run(Ask { search, objects, ray, from, stack: &mut stack });
-                assert_eq!(found, expected, "{}, {ray:?}", set.name());
+        for from in [NO_OBJECT, if is_on_surface { from as ObjectId } else { NO_OBJECT }] {
+            for set in InstructionSet::available() {
+                let closest = set.run(Intersect { accel, objects, ray, from, stack: &mut stack });
+                assert_eq!(closest, expected, "{}, {ray:?}", set.name());
             }
-            let found = search.closest_hit::<PositiveNan, _>(objects, &ray, from, &mut stack);
-            assert_eq!(found, expected, "with positive NaNs, {ray:?}");
+            let closest = accel.closest_hit::<PositiveNan, _>(objects, &ray, from, &mut stack);
+            assert_eq!(closest, expected, "with positive NaNs, {ray:?}");
         }
     }
     assert!(hits > 600 && misses > 300, "{hits} hits, {misses} misses");
 }
 
 #[test]
-fn directions_of_any_length_find_what_asking_every_object_finds() {
+fn directions_of_any_length_give_the_closest_hit() {
     for (count, size) in [(2, 3.0), (7, 3.0), (40, 2.0), (90, 2.0), (300, 1.0)] {
         let objects = objects(count, size, 5);
-        agrees_for_directions_of_any_length(&search(&objects), &objects, 10.0);
+        agrees_for_directions_of_any_length(&accel(&objects), &objects, 10.0);
     }
 }
 
@@ -244,18 +244,18 @@ fn ring(count: usize, scale: f64) -> AosObjects {
 }
 
 #[test]
-fn scenes_of_every_size_find_what_asking_every_object_finds() {
+fn scenes_of_every_size_give_the_closest_hits() {
     for count in [3, 9, 60, 100] {
         for scale in [1e-4, 1.0, 1e5, 3.9e6, 1e7, 1.6e8] {
             let objects = ring(count, scale);
-            let search = Accel::new(&objects, &Extent { reach: 6.0 * scale, moderate: true }).expect("it fits");
-            let is_filter = matches!(search, Accel::FlatFilter(_));
+            let accel = Accel::new(&objects, &Extent { max_coordinate: 6.0 * scale, moderate: true }).expect("it fits");
+            let is_filter = matches!(accel, Accel::FlatFilter(_));
             assert_eq!(
                 is_filter,
-                (9..100).contains(&count) && 6.0 * scale <= crate::accel::filter_ray::LARGEST_REACH,
+                (9..100).contains(&count) && 6.0 * scale <= crate::accel::filter_ray::MAX_COORDINATE,
                 "{count}, {scale}"
             );
-            agrees_for_directions_of_any_length(&search, &objects, 5.0 * scale);
+            agrees_for_directions_of_any_length(&accel, &objects, 5.0 * scale);
         }
     }
 }

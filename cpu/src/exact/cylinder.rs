@@ -1,27 +1,22 @@
-//! Ray against closed cylinder, certified; see [`crate::geometry::cylinder`] for the formulas.
+//! Ray against closed cylinder, exact; see [`crate::geometry::cylinder`] for the formulas.
 //!
 //! Besides the quadratic's error bound there are margins for what the plain formula decides afterwards: whether a point
 //! of the side is between the caps, whether a point of a cap's plane is on the disc, whether a plane is hit at all, and
 //! which of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points,
 //! which have the size of the cylinder's coordinates.
 
-use crate::exact::cylinder_surfaces::{Plane, Side};
-use crate::exact::double_double::DoubleDouble;
-use crate::exact::error_bound::{Decision, in_scale};
-use crate::exact::sphere_exact::NotFinite;
-use crate::exact::{cylinder_exact, cylinder_lanes};
-use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
-use crate::geometry::ray::Ray;
-use crate::math::real::Real;
-use crate::math::rounding::Rounding;
-use crate::math::vec3::Vec3;
-use crate::simd::instruction_set::InstructionSet;
-use crate::simd::{Kernel, Simd};
+use crate::counters::{Counter, add};
+pub use crate::exact::cylinder_lanes::{CylinderHits, SideLanes};
+use crate::exact::{
+    cap, cylinder_exact, cylinder_side::Side, double_double::DoubleDouble, error_bound::Decision,
+    error_bound::in_scale, sphere_exact::NotFinite,
+};
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
+use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
+use crate::simd::fused::run_fused;
 
-pub use cylinder_lanes::{CylinderHits, SideLanes};
-
-/// Where the ray meets the cylinder: the contract of [`CylinderRecord::intersect`], and right. `axis` is the file's,
-/// as long as the cylinder is high, and `record` was made from it.
+/// Where the ray hits the cylinder, as [`CylinderRecord::intersect`], but with decisions that rounding does not change.
+/// `axis` is that of the scene file, as long as the cylinder is high, and `record` was made from it.
 ///
 /// ```
 /// use cpu::intersect::{self, CylinderPart, CylinderRecord};
@@ -29,7 +24,7 @@ pub use cylinder_lanes::{CylinderHits, SideLanes};
 ///
 /// let axis = Vec3::new(0.0, 4.0, 0.0);
 /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
-/// // To the last bit through the rim: side and base are equally near, and the later counts.
+/// // Exactly through the rim: side and cap are equally near, and the cap counts, because it is later.
 /// let ray = Ray { origin: Vec3::new(0.0, 4.0, -3.0), direction: Vec3::new(0.0, -1.0, 1.0) };
 /// assert_eq!(intersect::cylinder(&cylinder, &axis, &ray), Some((2.0, CylinderPart::Top)));
 /// ```
@@ -37,19 +32,18 @@ pub use cylinder_lanes::{CylinderHits, SideLanes};
 #[must_use]
 pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     match filtered(record, ray) {
-        Decision::Certain(answer) => answer,
+        Decision::Certain(hit) => hit,
         Decision::Uncertain => precise(record, axis, ray),
     }
 }
 
 /// Returns the result of the plain formula in the arithmetic `T`, or that rounding may have changed it.
 ///
-/// The cylinder is convex: the line meets its surface where it enters and where it leaves, and nowhere else. So no base
-/// is nearer than the side where that is entered, none but the base that faces the ray is nearer than where the side is
-/// left, and the other base counts only where nothing else does. From within, and from the surface inward, the side
-/// where it is left mostly decides alone.
+/// The cylinder is convex: the line crosses its surface where it enters and where it leaves, and nowhere else. So no
+/// cap is nearer than an entry through the side. Only the cap that faces the ray can be nearer than an exit through the
+/// side, and the other cap counts only if nothing else is hit. For rays that start inside, or go inward from the
+/// surface, an exit through the side mostly decides alone.
 #[inline(always)]
-#[must_use]
 pub fn filtered<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
     ray: &Ray<T>,
@@ -80,81 +74,49 @@ pub fn filtered<T: Rounding<Mask = bool>>(
     if entry.passes_by(&exit) {
         return Decision::Certain(None);
     }
-    // Which base faces the ray cannot be guessed, so its centre is computed, by the formula of `record.top` and
-    // `record.bottom`: a selection would become a branch.
+    // A branch on which cap faces the ray would be mispredicted, and a selection would become a branch. So its centre
+    // is computed, by the formula of `record.top` and `record.bottom`.
     let slope = ray.direction.dot(record.axis);
     let along = record.axis * record.half_height.flipped_by(slope);
     let (facing, other) = (record.center - along, record.center + along);
     let part = |is_top: bool| if is_top { CylinderPart::Top } else { CylinderPart::Bottom };
     let down = slope.less(T::of(0.0));
-    match cap(record, ray, facing, part(down)) {
+    match cap::filtered(record, ray, facing, part(down)) {
         Decision::Certain(None) if exit.hits => Decision::Certain(Some((exit.lambda, CylinderPart::Side))),
-        Decision::Certain(None) => cap(record, ray, other, part(!down)),
+        Decision::Certain(None) => cap::filtered(record, ray, other, part(!down)),
         decision => decision,
     }
 }
 
-/// The intersection with one cap, the `part` around `center`.
-#[inline(always)]
-fn cap<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-    center: Vec3<T>,
-    part: CylinderPart,
-) -> Decision<Option<(T, CylinderPart)>> {
-    let plane = Plane::new(record, ray, center);
-    if plane.fails {
-        return Decision::Certain(None);
-    }
-    let disc = plane.disc(record, ray);
-    match (disc.hits, disc.fails) {
-        (true, _) => Decision::Certain(Some((disc.lambda, part))),
-        (_, true) => Decision::Certain(None),
-        _ => Decision::Uncertain,
-    }
-}
-
-/// The answer of a ray that is in doubt, at the price of some thousand operations.
+/// Intersects a ray for which [`filtered`] is uncertain. This takes some thousand operations, and few rays need it.
 #[cold]
 #[inline(never)]
-#[must_use]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-    crate::counters::add(crate::counters::Counter::Fallbacks, 1);
-    match InstructionSet::fused().run(Precisely { record, axis, ray }) {
-        Decision::Certain(answer) => answer.map(|(lambda, part)| (lambda.high, part)),
-        Decision::Uncertain => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
-            .unwrap_or_else(|NotFinite| record.intersect(ray)),
-    }
-}
-
-/// [`filtered`] in double-double arithmetic.
-struct Precisely<'a> {
-    record: &'a CylinderRecord,
-    axis: &'a Vec3,
-    ray: &'a Ray,
-}
-
-impl Kernel for Precisely<'_> {
-    type Output = Decision<Option<(DoubleDouble, CylinderPart)>>;
-
-    #[inline(always)]
-    fn call<S: Simd>(self, _: S) -> Self::Output {
-        let Self { record, axis, ray } = self;
+    add(Counter::Fallbacks, 1);
+    let decision = run_fused!(|record: &CylinderRecord,
+                               axis: &Vec3,
+                               ray: &Ray|
+     -> Decision<Option<(DoubleDouble, CylinderPart)>> {
         let of = DoubleDouble::of;
         filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
+    });
+    match decision {
+        Decision::Certain(hit) => hit.map(|(lambda, part)| (lambda.high, part)),
+        Decision::Uncertain => cylinder_exact::intersect(record.center, record.radius, *axis, ray)
+            .unwrap_or_else(|NotFinite| record.intersect(ray)),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::cylinder::PARALLEL;
+    use crate::geometry::cap::PARALLEL;
 
     fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
         Ray { origin: origin.into(), direction: direction.into() }
     }
 
-    fn meets(axis: [f64; 3], ray: &Ray) -> Option<(f64, CylinderPart)> {
+    fn hit(axis: [f64; 3], ray: &Ray) -> Option<(f64, CylinderPart)> {
         let axis = axis.into();
         intersect(&CylinderRecord::new(Vec3::ZERO, 1.0, axis), &axis, ray)
     }
@@ -162,7 +124,7 @@ mod tests {
     const UPRIGHT: [f64; 3] = [0.0, 4.0, 0.0];
 
     #[test]
-    fn plain_rays_are_certain_and_the_textbooks() {
+    fn ordinary_rays_are_certain_and_have_the_plain_formulas_hits() {
         let record = CylinderRecord::new(Vec3::ZERO, 1.0, UPRIGHT.into());
         for (ray, expected) in [
             (ray([0.1, 0.0, -3.0], [0.0, 0.1, 1.0]), Some(CylinderPart::Side)),
@@ -170,7 +132,7 @@ mod tests {
             (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(CylinderPart::Top)),
             (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(CylinderPart::Bottom)),
             (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(CylinderPart::Top)),
-            // In the endless cylinder: above the base it is met first, and within it the side.
+            // From inside the infinite cylinder: the cap first, or the side.
             (ray([0.0, 3.0, 0.0], [1.0, -1.5, 0.0]), Some(CylinderPart::Top)),
             (ray([0.0, -3.0, 0.0], [1.0, 1.5, 0.0]), Some(CylinderPart::Bottom)),
             (ray([0.0, 1.9, 0.0], [1.0, -1.5, 0.0]), Some(CylinderPart::Side)),
@@ -186,54 +148,50 @@ mod tests {
     }
 
     #[test]
-    fn through_the_rim_the_base_counts() {
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Top)));
-        assert_eq!(meets(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Bottom)));
+    fn through_the_rim_the_cap_counts() {
+        assert_eq!(hit(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Top)));
+        assert_eq!(hit(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Bottom)));
         // Out of it: the far root is on the rim.
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Top)));
+        assert_eq!(hit(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Top)));
     }
 
     #[test]
-    fn along_the_axis_only_bases_are_met() {
+    fn along_the_axis_only_caps_are_hit() {
         for axis in [UPRIGHT, [1.0, 2.0, -0.3]] {
             let direction = axis.map(|component| component * 0.25);
-            let hit = meets(axis, &ray([0.0; 3], direction));
-            assert_eq!(hit, Some((2.0, CylinderPart::Top)), "{axis:?}");
+            let actual = hit(axis, &ray([0.0; 3], direction));
+            assert_eq!(actual, Some((2.0, CylinderPart::Top)), "{axis:?}");
         }
-        assert_eq!(
-            meets(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])),
-            Some((1.5, CylinderPart::Top)),
-            "on the rim"
-        );
-        assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 5.0, 0.0], [0.0, -2.0, 0.0])), None);
+        assert_eq!(hit(UPRIGHT, &ray([1.0, 5.0, 0.0], [0.0, -2.0, 0.0])), Some((1.5, CylinderPart::Top)), "on the rim");
+        assert_eq!(hit(UPRIGHT, &ray([1.0_f64.next_up(), 5.0, 0.0], [0.0, -2.0, 0.0])), None);
     }
 
     #[test]
-    fn along_the_bases_only_the_side_is_met() {
+    fn parallel_to_the_caps_only_the_side_is_hit() {
         assert_eq!(
-            meets(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])),
+            hit(UPRIGHT, &ray([0.0, 2.0, -3.0], [0.0, 0.0, 1.0])),
             Some((2.0, CylinderPart::Side)),
             "in the plane"
         );
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
-        assert_eq!(meets(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, CylinderPart::Side)));
-        assert_eq!(meets(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, CylinderPart::Side)), "tangent");
-        assert_eq!(meets(UPRIGHT, &ray([1.0_f64.next_up(), 0.0, -3.0], [0.0, 0.0, 0.5])), None);
+        assert_eq!(hit(UPRIGHT, &ray([0.0, 2.0_f64.next_up(), -3.0], [0.0, 0.0, 1.0])), None);
+        assert_eq!(hit(UPRIGHT, &ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((4.0, CylinderPart::Side)));
+        assert_eq!(hit(UPRIGHT, &ray([1.0, 0.0, -3.0], [0.0, 0.0, 0.5])), Some((6.0, CylinderPart::Side)), "tangent");
+        assert_eq!(hit(UPRIGHT, &ray([1.0_f64.next_up(), 0.0, -3.0], [0.0, 0.0, 0.5])), None);
     }
 
     #[test]
     fn planes_within_the_limit_of_parallel_are_skipped() {
-        // Slopes around 1e-8: the one just below meets no base, though its line would.
+        // Slopes around 1e-8: the ray with the slope just below hits no cap, though its line would.
         let start = [0.0, 1.0 - 1e-9, 0.0];
         let toward = |slope: f64| ray(start, [0.5, slope, 0.0]);
         let flat = [0.0, 2.0, 0.0];
-        assert_eq!(meets(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(CylinderPart::Top));
-        assert_eq!(meets(flat, &toward(PARALLEL.next_down())), None, "the side is met above the base");
+        assert_eq!(hit(flat, &toward(PARALLEL)).map(|(_, part)| part), Some(CylinderPart::Top));
+        assert_eq!(hit(flat, &toward(PARALLEL.next_down())), None, "the side is hit beyond the cap");
     }
 
     #[test]
-    fn a_null_direction_and_numbers_that_are_none_are_the_textbooks() {
-        assert_eq!(meets(UPRIGHT, &ray([0.0; 3], [0.0; 3])), None);
-        assert_eq!(meets(UPRIGHT, &ray([0.0, f64::NAN, 0.0], [0.0, 1.0, 0.0])), None);
+    fn a_null_direction_and_nan_have_the_plain_formulas_hits() {
+        assert_eq!(hit(UPRIGHT, &ray([0.0; 3], [0.0; 3])), None);
+        assert_eq!(hit(UPRIGHT, &ray([0.0, f64::NAN, 0.0], [0.0, 1.0, 0.0])), None);
     }
 }

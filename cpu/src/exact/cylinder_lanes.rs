@@ -1,13 +1,10 @@
 //! Several rays or cylinders at once, without a branch; see [`crate::exact::cylinder`] for one.
 
-use crate::exact::cylinder_surfaces::{Crossing, Plane, Side};
-use crate::geometry::cylinder::{CylinderRecord, CylinderView};
-use crate::geometry::ray::Ray;
-use crate::math::real::Real;
-use crate::math::rounding::Rounding;
-use crate::math::vec3::Vec3;
+use crate::exact::{cap::Plane, cylinder_side::Crossing, cylinder_side::Side};
+use crate::geometry::{cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
+use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// The answers of several rays or cylinders at once.
+/// The hits of several rays or cylinders at once.
 #[derive(Clone, Copy, Debug)]
 pub struct CylinderHits<T: Real> {
     /// The result of the plain formula; infinite where it finds no hit. Undefined in a lane that is not certain.
@@ -16,11 +13,11 @@ pub struct CylinderHits<T: Real> {
     pub top: T::Mask,
     /// Lanes whose hit, if there is one, is on the bottom cap.
     pub bottom: T::Mask,
-    /// Lanes whose answer is right. The others need [`precise`](crate::exact::cylinder::precise).
+    /// Lanes whose result is right. The others need [`precise`](crate::exact::cylinder::precise).
     pub certain: T::Mask,
 }
 
-/// What the side alone decides.
+/// The decisions that need only the side.
 pub struct SideLanes<T: Real> {
     entry: Crossing<T>,
     exit: Crossing<T>,
@@ -28,14 +25,13 @@ pub struct SideLanes<T: Real> {
     nothing: T::Mask,
     /// Lanes that certainly hit the side from inside.
     through: T::Mask,
-    /// Lanes whose answer needs the caps.
+    /// Lanes whose result needs the caps.
     pub open: T::Mask,
 }
 
 impl<T: Rounding> SideLanes<T> {
-    /// Decides what the side alone can decide.
+    /// Intersects the side, and leaves the other lanes [open](Self::open).
     #[inline(always)]
-    #[must_use]
     pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>) -> Self {
         let side = Side::new(record, view, ray.direction);
         let root = side.discriminant.sqrt();
@@ -46,10 +42,9 @@ impl<T: Rounding> SideLanes<T> {
         Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
     }
 
-    /// The answer where no lane is [open](Self::open).
+    /// The hits if no lane is [open](Self::open).
     #[inline(always)]
-    #[must_use]
-    pub fn without_bases(&self) -> CylinderHits<T> {
+    pub fn without_caps(&self) -> CylinderHits<T> {
         let none = T::of(1.0).less(T::of(0.0));
         let lambda = T::select(self.through, self.exit.lambda, self.entry.lambda);
         CylinderHits {
@@ -60,10 +55,9 @@ impl<T: Rounding> SideLanes<T> {
         }
     }
 
-    /// The answer with the bases.
+    /// The hits with the caps.
     #[inline(always)]
-    #[must_use]
-    pub fn with_bases(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
+    pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, open } = *self;
         let down = ray.direction.dot(record.axis).less(T::of(0.0));
         let facing = Plane::new(record, ray, Vec3::select(down, record.top, record.bottom)).disc(record, ray);
@@ -75,12 +69,12 @@ impl<T: Rounding> SideLanes<T> {
         lambda = T::select(by_exit, exit.lambda, lambda);
         lambda = T::select(by_facing, facing.lambda, lambda);
         lambda = T::select(entry.hits & !nothing, entry.lambda, lambda);
-        let past_facing = facing.fails & (exit.hits | other.hits | other.fails);
+        let facing_fails = facing.fails & (exit.hits | other.hits | other.fails);
         CylinderHits {
             lambda,
             top: (by_facing & down) | (by_other & !down),
             bottom: (by_facing & !down) | (by_other & down),
-            certain: !open | (entry.fails() & (exit.hits | exit.fails()) & (facing.hits | past_facing)),
+            certain: !open | (entry.fails() & (exit.hits | exit.fails()) & (facing.hits | facing_fails)),
         }
     }
 }

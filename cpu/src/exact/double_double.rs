@@ -12,9 +12,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::math::error_free::{two_product, two_sum};
-use crate::math::real::Real;
-use crate::math::rounding::Rounding;
+use crate::math::{error_free::two_product, error_free::two_sum, real::Real, rounding::Rounding};
 
 /// The number `high + low`. Comparisons need `low` to be at most half a unit in the last place of `high`, which all
 /// operations here see to.
@@ -22,7 +20,7 @@ use crate::math::rounding::Rounding;
 pub struct DoubleDouble {
     /// The f64 nearest to the number.
     pub high: f64,
-    /// What is missing.
+    /// The number minus `high`.
     pub low: f64,
 }
 
@@ -37,10 +35,10 @@ impl Add for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let (high, high_rest) = two_sum(self.high, other.high);
-        let (low, low_rest) = two_sum(self.low, other.low);
-        let sum = fast_two_sum(high, high_rest + low);
-        fast_two_sum(sum.high, sum.low + low_rest)
+        let (high, high_error) = two_sum(self.high, other.high);
+        let (low, low_error) = two_sum(self.low, other.low);
+        let sum = fast_two_sum(high, high_error + low);
+        fast_two_sum(sum.high, sum.low + low_error)
     }
 }
 
@@ -64,10 +62,10 @@ impl Mul for DoubleDouble {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let (product, rest) = two_product(self.high, other.high);
+        let (product, error) = two_product(self.high, other.high);
         let low = self.high.mul_add(other.low, self.low * other.low);
         let low = self.low.mul_add(other.high, low);
-        fast_two_sum(product, rest + low)
+        fast_two_sum(product, error + low)
     }
 }
 
@@ -76,8 +74,8 @@ impl Div for DoubleDouble {
     #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         let high = self.high / divisor.high;
-        let (product, rest) = two_product(divisor.high, high);
-        let product = fast_two_sum(product, divisor.low.mul_add(high, rest));
+        let (product, error) = two_product(divisor.high, high);
+        let product = fast_two_sum(product, divisor.low.mul_add(high, error));
         let remainder = (self.high - product.high) + (self.low - product.low);
         fast_two_sum(high, remainder / divisor.high)
     }

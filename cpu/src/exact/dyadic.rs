@@ -1,15 +1,13 @@
-//! Exact arithmetic on the numbers that f64 can hold, and on what sums and products make of them.
+//! Exact arithmetic on the finite numbers of f64, and on their sums and products.
 //!
 //! A number is an integer of any size times a power of two. Nothing is rounded, nothing overflows; each operation
-//! allocates, so this is for the few rays that nothing else can decide.
+//! allocates, so this is for the rare rays that no other step can decide.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::exact::double_double::DoubleDouble;
-use crate::exact::limbs;
-use crate::math::error_free::two_sum;
-use crate::math::real::Real;
+use crate::exact::{double_double::DoubleDouble, limbs};
+use crate::math::{error_free::two_sum, real::Real};
 
 /// The number `(-1)^negative magnitude 2^exponent`.
 #[derive(Clone, Debug)]
@@ -22,7 +20,6 @@ pub struct Dyadic {
 
 impl Dyadic {
     /// Exactly `value`; none when it is infinite or not a number.
-    #[must_use]
     pub fn new(value: f64) -> Option<Self> {
         const FRACTION: u64 = (1 << 52) - 1;
         if !value.is_finite() {
@@ -37,13 +34,11 @@ impl Dyadic {
     }
 
     /// One.
-    #[must_use]
     pub fn one() -> Self {
         Self { negative: false, magnitude: vec![1], exponent: 0 }
     }
 
     /// How the number compares with zero.
-    #[must_use]
     pub fn sign(&self) -> Ordering {
         match (self.magnitude.is_empty(), self.negative) {
             (true, _) => Ordering::Equal,
@@ -53,34 +48,29 @@ impl Dyadic {
     }
 
     /// The number's square.
-    #[must_use]
     pub fn squared(&self) -> Self {
         self * self
     }
 
     /// The number times `2^power`.
-    #[must_use]
     pub fn scaled(&self, power: i64) -> Self {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
     /// The least `e` with `|self| < 2^e`; `None` for zero, which is below every power of two. The stored exponent of a
     /// zero has no meaning: it is left over from the numbers that cancelled.
-    #[must_use]
     pub fn order(&self) -> Option<i64> {
         (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
     }
 
     /// The number as `part 2^power`, so that magnitudes beyond the exponents of f64 survive. The part is truncated to
     /// 106 bits, with `0.5 <= |part| < 1`; zero gives `(0, 0)`.
-    #[must_use]
     pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
         let power = self.order().unwrap_or(0);
         (self.scaled(-power).to_double_double(), power)
     }
 
-    /// The number to 106 bits, the rest cut off.
-    #[must_use]
+    /// The number, truncated to 106 bits.
     pub fn to_double_double(&self) -> DoubleDouble {
         let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
         let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped);
@@ -121,7 +111,6 @@ pub fn power_of_two(mut value: f64, power: i64) -> f64 {
 }
 
 /// The sign of `x + y sqrt(d)`, for `d >= 0`.
-#[must_use]
 pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
     let y_sign = if d.sign() == Ordering::Equal { Ordering::Equal } else { y.sign() };
     match (x.sign(), y_sign) {

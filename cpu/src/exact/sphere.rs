@@ -1,26 +1,21 @@
-//! Ray against sphere, certified; one step after the other: the plain formula where its
-//! [bound](crate::exact::sphere_filter) allows, the [compensated](sphere_compensated) one, double-double, exact
-//! arithmetic.
+//! Ray against sphere, exact. The steps are the plain formula with its [error bound](crate::exact::sphere_filter), the
+//! [compensated](sphere_compensated) formula, double-double, and arithmetic without rounding. Each is used where the
+//! step before it is uncertain.
 
 use crate::counters::{Counter, add};
-use crate::exact::double_double::DoubleDouble;
-use crate::exact::error_bound::Decision;
-use crate::exact::sphere_compensated;
-use crate::exact::sphere_exact;
 pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from};
-use crate::geometry::ray::Ray;
-use crate::geometry::sphere::SphereRecord;
+use crate::exact::{double_double::DoubleDouble, error_bound::Decision, sphere_compensated, sphere_exact};
+use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::real::Real;
-use crate::simd::instruction_set::InstructionSet;
-use crate::simd::{Kernel, Simd};
+use crate::simd::fused::run_fused;
 
-/// Where the ray meets the sphere: the contract of [`SphereRecord::intersect`], and right.
+/// Where the ray hits the sphere, as [`SphereRecord::intersect`], but with decisions that rounding does not change.
 ///
 /// ```
 /// use cpu::intersect::{self, SphereRecord};
 /// use cpu::{Ray, Vec3};
 ///
-/// // A grain of sand, 10 km away, touched at its rim; the textbook's discriminant is rounding noise there.
+/// // A grain of sand, 10 km away, hit at its rim. The discriminant of the plain formula is only rounding error there.
 /// let sand = SphereRecord::new(Vec3::new(1e-4, 0.0, 1e4), 1e-4);
 /// let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(0.0, 0.0, 1.0) };
 /// assert_eq!(intersect::sphere(&sand, &ray), Some(1e4));
@@ -29,15 +24,14 @@ use crate::simd::{Kernel, Simd};
 #[must_use]
 pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     match filtered(record, ray) {
-        Decision::Certain(answer) => answer,
+        Decision::Certain(hit) => hit,
         Decision::Uncertain => compensated_or_precise(record, ray),
     }
 }
 
-/// [`filtered`], and where that is in doubt [`sphere_compensated::compensated`], without the call that
-/// [`compensated_or_precise`] is: for a large sphere, near which most rays are in doubt.
+/// The result of [`filtered`] or, where that is uncertain, of [`sphere_compensated::compensated`]. Both are inlined,
+/// unlike [`compensated_or_precise`]: for a large sphere, near which most rays are uncertain.
 #[inline(always)]
-#[must_use]
 pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     let decision = filtered(record, ray);
     if decision != Decision::Uncertain {
@@ -51,12 +45,13 @@ pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Opt
     Decision::Certain(Some(lanes.lambda))
 }
 
-/// The answer of a ray that is in doubt.
+/// The hit of a ray for which [`filtered`] is uncertain.
 #[cold]
 #[inline(never)]
-#[must_use]
 pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
-    let lanes = InstructionSet::fused().run(Compensated { record, ray });
+    let lanes = run_fused!(|record: &SphereRecord, ray: &Ray| -> SphereHits<f64> {
+        sphere_compensated::compensated(record, ray)
+    });
     if lanes.certain {
         add(Counter::Compensated, 1);
         return Some(lanes.lambda);
@@ -64,47 +59,17 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     precise(record, ray)
 }
 
-/// The answer in double-double or exact arithmetic, at the price of some hundred operations.
+/// The hit in double-double arithmetic or without rounding, in some hundred operations.
 #[cold]
 #[inline(never)]
-#[must_use]
 pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     add(Counter::Fallbacks, 1);
-    match InstructionSet::fused().run(Precisely { record, ray }) {
-        Decision::Certain(answer) => answer.map(|lambda| lambda.high),
+    let decision = run_fused!(|record: &SphereRecord, ray: &Ray| -> Decision<Option<DoubleDouble>> {
+        filtered(&SphereRecord::new(record.center.map(DoubleDouble::of), DoubleDouble::of(record.radius)), &ray.lanes())
+    });
+    match decision {
+        Decision::Certain(hit) => hit.map(|lambda| lambda.high),
         Decision::Uncertain => sphere_exact::intersect(record, ray).unwrap_or_else(|_| record.intersect(ray)),
-    }
-}
-
-/// [`sphere_compensated::compensated`].
-struct Compensated<'a> {
-    record: &'a SphereRecord,
-    ray: &'a Ray,
-}
-
-impl Kernel for Compensated<'_> {
-    type Output = SphereHits<f64>;
-
-    #[inline(always)]
-    fn call<S: Simd>(self, _: S) -> SphereHits<f64> {
-        sphere_compensated::compensated(self.record, self.ray)
-    }
-}
-
-/// [`filtered`] in double-double arithmetic.
-struct Precisely<'a> {
-    record: &'a SphereRecord,
-    ray: &'a Ray,
-}
-
-impl Kernel for Precisely<'_> {
-    type Output = Decision<Option<DoubleDouble>>;
-
-    #[inline(always)]
-    fn call<S: Simd>(self, _: S) -> Self::Output {
-        let Self { record, ray } = self;
-        let of = DoubleDouble::of;
-        filtered(&SphereRecord::new(record.center.map(of), of(record.radius)), &ray.lanes())
     }
 }
 

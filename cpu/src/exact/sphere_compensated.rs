@@ -1,27 +1,25 @@
-//! Ray against sphere where the textbook's root is the small difference of two large numbers: a ray that starts near a
-//! sphere much larger than its distance from it, as most rays do above a ground.
+//! Ray against sphere where the root of the plain formula is the small difference of two large numbers. Such a ray
+//! starts near a sphere that is much larger than its distance, as most rays do above a dominant sphere.
 //!
 //! That root, `(h - sqrt(D)) / a` where `h > 0`, equals `c / (h + sqrt(D))`, in which the sum loses nothing. What still
 //! cancels is `c = |C - O|^2 - r^2`, whose products and sums are taken with their rounding errors (Ogita, Rump and
 //! Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
 
-use crate::exact::error_bound::{OVERFLOW, UNDERFLOW, in_scale};
-use crate::exact::sphere_filter::{LIMITS, SphereHits};
-use crate::geometry::ray::Ray;
-use crate::geometry::sphere::SphereRecord;
-use crate::math::error_free::{two_product, two_sum};
-use crate::math::rounding::MulAdd;
-use crate::math::vec3::Vec3;
+use crate::exact::{
+    error_bound::OVERFLOW, error_bound::UNDERFLOW, error_bound::in_scale, sphere_filter::LIMITS,
+    sphere_filter::SphereHits,
+};
+use crate::geometry::{ray::Ray, sphere::SphereRecord};
+use crate::math::{error_free::two_product, error_free::two_sum, rounding::MulAdd, vec3::Vec3};
 
 /// The largest condition number of the root's denominator that is accepted.
-const CONDITION: f64 = 4096.0;
-/// Times `u (|C - O|^2 + r^2)`, what `c` must exceed for its own error to be of no account.
+const CONDITION_LIMIT: f64 = 4096.0;
+/// The smallest magnitude of `c` for which the bound holds, in units of `u (|C - O|^2 + r^2)`.
 const LEAST_C: f64 = 64.0;
 
-/// The lambda of rays that start outside and go inward, or inside and outward, in the lanes where it is certain and in
-/// range; of no meaning in the others.
+/// The hits of rays that start outside and go inward, or start inside and go outward. Lanes with any other ray, or with
+/// a lambda that is uncertain or out of range, are not `certain`, and their lambda has no meaning.
 #[inline(always)]
-#[must_use]
 pub fn compensated<T: MulAdd>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHits<T> {
     let a = ray.direction.dot(ray.direction);
     let (h, discriminant) = record.seen_from(ray.origin).quadratic(ray.direction, a);
@@ -30,30 +28,32 @@ pub fn compensated<T: MulAdd>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereH
     let denominator = h.abs() + root;
     let lambda = c.abs() / denominator;
     let size = a * squares;
-    let accurate = (size + T::of(UNDERFLOW)).less(root * denominator * T::of(CONDITION)) & size.less(T::of(OVERFLOW));
-    let c_counts = (squares * T::of(LEAST_C * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)).less(c.abs());
-    // Of two roots with one sign the smaller; of two with different signs the positive one is the difference.
+    let accurate =
+        (size + T::of(UNDERFLOW)).less(root * denominator * T::of(CONDITION_LIMIT)) & size.less(T::of(OVERFLOW));
+    let c_is_large = (squares * T::of(LEAST_C * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW)).less(c.abs());
+    // Lambda is the smaller root if both are positive, and the positive root if their signs differ.
     let ahead = T::of(0.0).less(h * c);
-    SphereHits { lambda, certain: in_scale(a) & accurate & c_counts & ahead & LIMITS.in_range(lambda) }
+    SphereHits { lambda, certain: in_scale(a) & accurate & c_is_large & ahead & LIMITS.in_range(lambda) }
 }
 
-/// `|C - O|^2 - r^2`, nearly as if rounded once, and the sum of the two.
+/// `|C - O|^2 - r^2`, nearly as if rounded once, and `|C - O|^2 + r^2`.
 #[inline(always)]
 fn difference_of_squares<T: MulAdd>(record: &SphereRecord<T>, origin: Vec3<T>) -> (T, T) {
-    let (x, x_rest) = two_sum(record.center.x, -origin.x);
-    let (y, y_rest) = two_sum(record.center.y, -origin.y);
-    let (z, z_rest) = two_sum(record.center.z, -origin.z);
-    let (xx, xx_rest) = two_product(x, x);
-    let (yy, yy_rest) = two_product(y, y);
-    let (zz, zz_rest) = two_product(z, z);
-    let (rr, rr_rest) = two_product(record.radius, record.radius);
-    let (sum, first_rest) = two_sum(xx, yy);
-    let (sum, second_rest) = two_sum(sum, zz);
-    let (difference, third_rest) = two_sum(sum, -rr);
-    let across = x.mul_add(x_rest, y.mul_add(y_rest, z * z_rest));
-    let rest =
-        (first_rest + second_rest + third_rest) + ((xx_rest + yy_rest) + (zz_rest - rr_rest)) + (across + across);
-    (difference + rest, sum + rr)
+    let (x, x_error) = two_sum(record.center.x, -origin.x);
+    let (y, y_error) = two_sum(record.center.y, -origin.y);
+    let (z, z_error) = two_sum(record.center.z, -origin.z);
+    let (xx, xx_error) = two_product(x, x);
+    let (yy, yy_error) = two_product(y, y);
+    let (zz, zz_error) = two_product(z, z);
+    let (rr, rr_error) = two_product(record.radius, record.radius);
+    let (sum, first_error) = two_sum(xx, yy);
+    let (sum, second_error) = two_sum(sum, zz);
+    let (difference, third_error) = two_sum(sum, -rr);
+    let across = x.mul_add(x_error, y.mul_add(y_error, z * z_error));
+    let error = (first_error + second_error + third_error)
+        + ((xx_error + yy_error) + (zz_error - rr_error))
+        + (across + across);
+    (difference + error, sum + rr)
 }
 
 #[cfg(test)]
@@ -87,42 +87,42 @@ mod tests {
         for (record, ray) in cases(200_000) {
             let lanes = compensated(&record, &ray);
             if lanes.certain {
-                let precise = precise(&record, &ray).expect("the ray meets the sphere");
+                let precise = precise(&record, &ray).expect("the ray hits the sphere");
                 worst = worst.max(((lanes.lambda - precise) / precise).abs());
                 certain += 1;
             }
         }
         assert!(certain > 80_000, "{certain}");
-        // (10.5 k + 4 sqrt(k) + 7) u by proof.
+        // (10.5 k + 4 sqrt(k) + 5) u by proof.
         assert!(worst < 4.9e-12, "{worst:e}");
     }
 
     #[test]
-    fn most_rays_in_doubt_above_a_large_sphere_are_certain() {
-        let (mut doubtful, mut certain) = (0, 0);
+    fn most_uncertain_rays_above_a_large_sphere_become_certain() {
+        let (mut uncertain, mut certain) = (0, 0);
         for (record, ray) in cases(100_000) {
             if sphere::filtered(&record, &ray) == Decision::Uncertain {
-                doubtful += 1;
+                uncertain += 1;
                 certain += u32::from(compensated(&record, &ray).certain);
             }
         }
-        assert!(doubtful > 10_000 && certain * 10 > doubtful * 8, "{certain} of {doubtful}");
+        assert!(uncertain > 10_000 && certain * 10 > uncertain * 8, "{certain} of {uncertain}");
     }
 
     #[test]
-    fn a_direction_out_of_scale_and_numbers_that_are_none_are_in_doubt() {
-        let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
+    fn a_direction_out_of_scale_and_nan_are_uncertain() {
+        let large = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
         let down = |length: f64| Ray { origin: Vec3::new(0.0, 1.0, 0.0), direction: Vec3::new(0.0, -length, 0.0) };
-        assert!(compensated(&ground, &down(1.0)).certain);
+        assert!(compensated(&large, &down(1.0)).certain);
         for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
-            assert!(!compensated(&ground, &down(length)).certain, "{length}");
+            assert!(!compensated(&large, &down(length)).certain, "{length}");
         }
         // Away from the sphere, and from its surface.
-        assert!(!compensated(&ground, &down(-1.0)).certain);
-        assert!(!compensated(&ground, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
+        assert!(!compensated(&large, &down(-1.0)).certain);
+        assert!(!compensated(&large, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
     }
 
-    /// As many of `cases` as there are lanes, compared with each alone.
+    /// As many of `cases` as there are lanes, compared with one at a time.
     struct Together<'a>(&'a [(SphereRecord, Ray)]);
 
     impl Kernel for Together<'_> {
@@ -152,9 +152,9 @@ mod tests {
             let mut lambdas = [0.0; 8];
             lanes.lambda.store(&mut lambdas);
             for (lane, (record, ray)) in cases.iter().enumerate() {
-                let alone = compensated(record, ray);
-                assert_eq!(lanes.certain.bits() >> lane & 1 == 1, alone.certain);
-                assert!(!alone.certain || lambdas[lane].to_bits() == alone.lambda.to_bits());
+                let one = compensated(record, ray);
+                assert_eq!(lanes.certain.bits() >> lane & 1 == 1, one.certain);
+                assert!(!one.certain || lambdas[lane].to_bits() == one.lambda.to_bits());
             }
             S::F64::LANES
         }
@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn lanes_are_as_each_alone_in_every_instruction_set() {
         let cases = cases(4000);
-        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+        for set in InstructionSet::available() {
             let mut at = 0;
             while at + 8 <= cases.len() {
                 at += set.run(Together(&cases[at..]));

@@ -1,16 +1,13 @@
-//! Ray against sphere without rounding, for rays that nothing else can decide.
+//! Ray against sphere without rounding, for rays that no other step can decide.
 //!
 //! The coefficients of the quadratic are sums of products of the inputs, so they, the discriminant and the outcome of
 //! every comparison are exact. Only then are they rounded, to 106 bits each, for the root itself.
 
 use std::cmp::Ordering;
 
-use crate::exact::double_double::DoubleDouble;
-use crate::exact::dyadic::{Dyadic, power_of_two, sign_with_root};
-use crate::geometry::ray::{LAMBDA_MIN, Ray};
-use crate::geometry::sphere::SphereRecord;
-use crate::math::real::Real;
-use crate::math::vec3::Vec3;
+use crate::exact::{double_double::DoubleDouble, dyadic::Dyadic, dyadic::power_of_two, dyadic::sign_with_root};
+use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
+use crate::math::{real::Real, vec3::Vec3};
 
 /// An input is infinite or not a number.
 #[derive(Debug)]
@@ -92,7 +89,7 @@ impl Quadratic {
     }
 }
 
-/// Where the ray meets the sphere.
+/// Where the ray hits the sphere.
 pub fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
     let direction = Exact3::new(ray.direction)?;
     let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);

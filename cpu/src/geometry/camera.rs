@@ -1,27 +1,39 @@
 //! The projection window, and the rays through its pixels (specification, sections 6.1 and 6.2).
 
 use crate::geometry::ray::{Ray, broadcast};
-use crate::input::config::Config;
-use crate::input::error::Picture;
-use crate::input::size::Size;
-use crate::math::real::Real;
-use crate::math::vec3::Vec3;
+use crate::input::{
+    config::Config,
+    error::{Error, Picture},
+    size::Size,
+};
+use crate::math::{real::Real, vec3::Vec3};
 
-/// Everything a primary ray needs, in scene units.
+/// Everything that a camera ray needs, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Camera<T = f64> {
-    /// `P`, where all primary rays start.
+    /// `P`, where all camera rays start.
     pub position: Vec3<T>,
     /// `O`, the middle of the top left pixel in the window.
     pub origin: Vec3<T>,
-    /// One pixel to the right.
+    /// The vector from a pixel to the next one on its right.
     pub delta_x: Vec3<T>,
-    /// One pixel down.
+    /// The vector from a pixel to the next one below it.
     pub delta_y: Vec3<T>,
 }
 
 broadcast!(Camera: position, origin, delta_x, delta_y;);
+
+impl Config {
+    /// Checks that the picture described can be made, as [`render`](crate::render()) does before it renders.
+    ///
+    /// # Errors
+    /// [`Error::Picture`]: the image is too large, or the camera has no window.
+    pub fn check_picture(&self) -> Result<(), Error> {
+        Camera::new(self, self.image_size()?)?;
+        Ok(())
+    }
+}
 
 impl Camera {
     /// The camera of a picture of `size` pixels.
@@ -29,7 +41,7 @@ impl Camera {
     /// # Errors
     /// [`Picture::CameraAtTarget`], [`Picture::NorthParallel`] or [`Picture::CameraOutOfRange`]: there is no window.
     pub fn new(config: &Config, size: Size) -> Result<Self, Picture> {
-        // A cross product of parallel vectors leaves rounding noise: a few units in the last place of its factors.
+        // A cross product of parallel vectors leaves a rounding error: a few units in the last place of its factors.
         const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
         let (position, target, north) = (config.camera_position, config.camera_target, config.camera_north);
@@ -66,7 +78,6 @@ impl<T: Real> Camera<T> {
     /// The ray from the camera through the point `offset` pixels from the middle of pixel (`row`, `column`);
     /// `offset` is to the right, then down, each in `[-1/2, 1/2)`. The direction is not normalised.
     #[inline(always)]
-    #[must_use]
     pub fn ray(&self, row: T, column: T, offset: [T; 2]) -> Ray<T> {
         let [x, y] = offset;
         let target = self.origin + self.delta_x * (column + x) + self.delta_y * (row + y);

@@ -1,7 +1,6 @@
-//! Rays, and what is known of a point where one meets a surface.
+//! Rays, and the point where a ray hits a surface.
 
-use crate::math::real::Real;
-use crate::math::vec3::Vec3;
+use crate::math::{real::Real, vec3::Vec3};
 
 /// Gives a structure of vectors and numbers the method `lanes`.
 macro_rules! broadcast {
@@ -27,7 +26,7 @@ pub const LAMBDA_MIN: f64 = 1e-3;
 pub struct Ray<T = f64> {
     /// Where the ray starts, in scene units.
     pub origin: Vec3<T>,
-    /// Where it goes; lambda counts its lengths.
+    /// Its direction. Its length is the unit of lambda.
     pub direction: Vec3<T>,
 }
 
@@ -42,13 +41,13 @@ impl<T: Real> Ray<T> {
     }
 }
 
-/// Whether a hit at `lambda` counts: at least [`LAMBDA_MIN`]; something that is not a number never does.
+/// Whether a hit at `lambda` counts: at least [`LAMBDA_MIN`]. NaN never counts.
 #[inline(always)]
 pub fn in_range<T: Real>(lambda: T) -> T::Mask {
     T::of(LAMBDA_MIN).less_equal(lambda)
 }
 
-/// A point where a ray meets a surface.
+/// A point where a ray hits a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<T = f64> {
     /// The point, in scene units.
@@ -60,14 +59,21 @@ pub struct Hit<T = f64> {
     pub front: bool,
 }
 
+/// Whether a ray along `direction` comes from outside, and the normal on its side (specification, section 8.3).
+#[inline(always)]
+pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
+    let front = direction.dot(outward).less(T::of(0.0));
+    (front, Vec3::select(front, outward, -outward))
+}
+
 impl<T: Real<Mask = bool>> Hit<T> {
     /// The hit at `point` of a ray along `direction`, given the normal that points `outward` (specification, section
     /// 8.3).
     #[inline(always)]
     #[must_use]
     pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {
-        let front = direction.dot(outward).less(T::of(0.0));
-        Self { point, normal: if front { outward } else { -outward }, front }
+        let (front, normal) = facing(direction, outward);
+        Self { point, normal, front }
     }
 }
 

@@ -6,8 +6,7 @@
 //! is exact short of overflow and underflow.
 
 use crate::geometry::ray::{Ray, broadcast, in_range};
-use crate::math::real::Real;
-use crate::math::vec3::Vec3;
+use crate::math::{real::Real, vec3::Vec3};
 
 /// A sphere with what its rays need computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +20,7 @@ pub struct SphereRecord<T = f64> {
     pub radius_squared: T,
 }
 
-/// What the rays from one point share: they need only their directions.
+/// The terms of the sphere's formula that are constant for all rays from one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereView<T = f64> {
     /// From the origin to the centre.
@@ -35,7 +34,6 @@ pub struct SphereView<T = f64> {
 impl<T: Real> SphereView<T> {
     /// Half of `-b`, and a quarter of the discriminant, of the quadratic; `a` is `direction . direction`.
     #[inline(always)]
-    #[must_use]
     pub fn quadratic(&self, direction: Vec3<T>, a: T) -> (T, T) {
         let h = direction.dot(self.r_c);
         (h, h * h - a * self.c)
@@ -48,14 +46,12 @@ broadcast!(SphereRecord: center; radius, radius_squared);
 impl<T: Real> SphereRecord<T> {
     /// The record of the sphere at `center`.
     #[inline(always)]
-    #[must_use]
     pub fn new(center: Vec3<T>, radius: T) -> Self {
         Self { center, radius, radius_squared: radius * radius }
     }
 
     /// The sphere as rays from `origin` see it.
     #[inline(always)]
-    #[must_use]
     pub fn seen_from(&self, origin: Vec3<T>) -> SphereView<T> {
         let r_c = self.center - origin;
         let distance_squared = r_c.dot(r_c);
@@ -65,14 +61,13 @@ impl<T: Real> SphereRecord<T> {
 
     /// The normal at `point` that leaves the sphere, of length one.
     #[inline(always)]
-    #[must_use]
     pub fn outward(&self, point: Vec3<T>) -> Vec3<T> {
         (point - self.center) / self.radius
     }
 }
 
 impl<T: Real<Mask = bool>> SphereRecord<T> {
-    /// Where the ray meets the sphere: the smaller root that is in range, else the larger; `None` when neither is.
+    /// Where the ray hits the sphere: the smaller root that is in range, else the larger; `None` when neither is.
     ///
     /// ```
     /// use cpu::intersect::SphereRecord;
@@ -83,7 +78,6 @@ impl<T: Real<Mask = bool>> SphereRecord<T> {
     /// assert_eq!(sphere.intersect(&ray), Some(2.0));
     /// ```
     #[inline(always)]
-    #[must_use]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<T> {
         let a = ray.direction.dot(ray.direction);
         let (h, discriminant) = self.seen_from(ray.origin).quadratic(ray.direction, a);
@@ -120,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tangent_touches_and_a_miss_misses() {
+    fn a_tangent_hits_and_a_ray_beside_it_misses() {
         assert_eq!(UNIT.intersect(&ray([1.0, 0.0, -3.0], [0.0, 0.0, 1.0])), Some(3.0));
         assert_eq!(UNIT.intersect(&ray([1.1, 0.0, -3.0], [0.0, 0.0, 1.0])), None);
         assert_eq!(UNIT.intersect(&ray([0.0, 0.0, 3.0], [0.0, 0.0, 1.0])), None, "both roots lie behind");

@@ -1,13 +1,16 @@
-//! A linear channel to a byte: `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for what is not a number.
+//! The rule from a mean to a byte (specification, section 5.2): `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for
+//! NaN.
 //!
-//! The power function is slow, and a byte has only 256 values: [`Quantizer`] keeps the interval of means that give each
-//! byte and finds the right one by its position in a table. Close to a boundary, where the power function's own
-//! rounding decides, it calls the power function, so the two always agree.
+//! [`quantize`] is the definition, which the reference uses too; WGSL has none, since means are compared. The power is
+//! slow, so [`Quantizer`] keeps the interval of means of each of the 256 bytes, and looks a mean up in a table. Close
+//! to a boundary, where the rounding of the power decides, and for means below -1/16 it calls [`quantize`].
+//!
+//! A mean can be negative: where the length of a ray underflows, the weight of the background leaves `[0, 1]`. The
+//! power of a negative mean is NaN, or it is positive if `1 / gamma` is an even number.
 
 use crate::counters::{Counter, add};
 
-/// The byte of a channel by the definition: one power a call.
-#[must_use]
+/// The byte of a channel by the definition. Each call computes a power.
 pub fn quantize(mean: f64, gamma: f64) -> u8 {
     // A float-to-integer cast truncates, saturates at 0 and 255, and turns "not a number" into 0.
     (255.0 * mean.powf(1.0 / gamma)) as u8
@@ -16,12 +19,16 @@ pub fn quantize(mean: f64, gamma: f64) -> u8 {
 /// Cells of the first-guess table over `[0, 1)`.
 const CELLS: usize = 4096;
 
-/// The same bytes as [`quantize`] for one gamma, mostly without a power.
+/// The lowest mean that the table takes. Negative means down to this one give 0 with every gamma: the power is NaN, or
+/// at most `(1 / 16)^2`, and `255 / 256` is truncated.
+const LOWEST: f64 = -1.0 / 16.0;
+
+/// Gives the same bytes as [`quantize`] for one gamma, mostly without computing a power.
 #[derive(Clone, Debug)]
 pub struct Quantizer {
     gamma: f64,
-    /// `bounds[k] = (below, from)`: a mean at most `below` gives less than `k`, one of at least `from` gives `k` or
-    /// more. Every mean is at least 0, and less than 256.
+    /// `bounds[k] = (below, from)`: a mean at least [`LOWEST`] and at most `below` gives a byte less than `k`, and a
+    /// mean of at least `from` gives `k` or more. Every byte is at least 0 and less than 256.
     bounds: Box<[(f64, f64); 257]>,
     /// The byte of the lowest mean of each cell.
     first_guess: Box<[u8; CELLS]>,
@@ -29,10 +36,9 @@ pub struct Quantizer {
 
 impl Quantizer {
     /// The table for a positive `gamma`.
-    #[must_use]
     pub fn new(gamma: f64) -> Self {
         let mut bounds = Box::new([(f64::INFINITY, f64::INFINITY); 257]);
-        bounds[0] = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        bounds[0] = (f64::NEG_INFINITY, LOWEST);
         for (byte, bound) in bounds.iter_mut().enumerate().take(256).skip(1) {
             *bound = bound_of(byte as f64 / 255.0, gamma);
         }
@@ -50,9 +56,8 @@ impl Quantizer {
 
     /// The byte of a channel.
     #[inline]
-    #[must_use]
     pub fn quantize(&self, mean: f64) -> u8 {
-        // Negative means and NaN land in cell 0 and fail the comparisons there.
+        // Negative means and NaN land in cell 0.
         let cell = ((mean * CELLS as f64) as usize).min(CELLS - 1);
         let mut byte = usize::from(self.first_guess[cell]);
         while byte < 255 {
@@ -65,12 +70,11 @@ impl Quantizer {
                 break;
             }
         }
-        byte as u8
+        if mean >= LOWEST { byte as u8 } else { quantize(mean, self.gamma) }
     }
 
     /// The byte of every mean from `low` to `high`, if they certainly have one in common; `guess` is tried first.
     #[inline]
-    #[must_use]
     pub fn quantize_interval(&self, low: f64, high: f64, guess: u8) -> Option<u8> {
         if self.holds(guess, low, high) {
             return Some(guess);
@@ -124,7 +128,7 @@ fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    const GAMMAS: [f64; 12] = [1.0, 2.2, 2.1, 2.6, 2.5, 1.8, 0.45, 0.1, 10.0, 100.0, 1e-3, 3.0];
+    const GAMMAS: [f64; 14] = [1.0, 2.2, 2.1, 2.6, 2.5, 1.8, 0.45, 0.5, 0.25, 0.1, 10.0, 100.0, 1e-3, 3.0];
 
     #[test]
     fn the_definition_truncates_and_clips() {
@@ -160,7 +164,8 @@ mod tests {
                 let mean = draws.canonical();
                 assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
             }
-            for mean in [0.0, -0.0, 1.0, 1.0_f64.next_up(), 2.0, -1e-17, f64::INFINITY, f64::NAN] {
+            let negative = [-1e-17, LOWEST.next_up(), LOWEST, LOWEST.next_down(), -0.1, -0.5, -2.0, f64::NEG_INFINITY];
+            for mean in [0.0, -0.0, 1.0, 1.0_f64.next_up(), 2.0, f64::INFINITY, f64::NAN].into_iter().chain(negative) {
                 assert_eq!(table.quantize(mean), quantize(mean, gamma), "gamma {gamma}, mean {mean:e}");
             }
         }
@@ -173,14 +178,14 @@ mod tests {
         for gamma in GAMMAS {
             let table = Quantizer::new(gamma);
             for _ in 0..5000 {
-                let low = draws.draw(-0.01, 1.01);
+                let low = draws.draw(-0.1, 1.01);
                 let high = low + draws.draw(0.0, 0.01);
                 let guess = (255.0 * draws.canonical()) as u8;
                 if let Some(byte) = table.quantize_interval(low, high, guess) {
                     known += 1;
                     for step in 0..=8 {
                         let mean = low + (high - low) * f64::from(step) / 8.0;
-                        assert_eq!(quantize(mean.max(0.0), gamma), byte, "gamma {gamma}, {low:e} to {high:e}");
+                        assert_eq!(quantize(mean, gamma), byte, "gamma {gamma}, {low:e} to {high:e}");
                     }
                 }
             }
@@ -190,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn a_narrow_interval_hardly_ever_lacks_its_byte_whatever_is_tried_first() {
+    fn a_narrow_interval_has_a_byte_in_99_of_100_cases_for_any_guess() {
         let mut draws = crate::sampling::uniform::Uniform::new(9);
         for gamma in [1.0, 2.2, 0.45] {
             let table = Quantizer::new(gamma);
@@ -207,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_leave_as_much_room_as_rounding_may_need_and_hardly_more() {
+    fn bounds_have_the_width_of_the_rounding_errors_and_little_more() {
         for gamma in [0.45, 1.0, 2.2, 10.0] {
             for root in [0.1, 0.5, 254.0 / 255.0] {
                 let (below, from) = bound_of(root, gamma);
@@ -223,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn where_nothing_is_certain_the_bounds_say_so() {
+    fn bounds_are_infinite_where_nothing_is_certain() {
         // The boundary vanishes, and the room grows beyond the boundary itself.
         for (root, gamma) in [(1.0 / 255.0, 1000.0), (1.0, 1e13)] {
             assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, f64::INFINITY));

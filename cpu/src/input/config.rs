@@ -1,16 +1,14 @@
 //! The configuration file: `key: values` lines to a checked [`Config`] (specification, section 3).
 
-use std::io::{BufRead, BufReader};
+use std::io::BufRead;
 use std::path::Path;
 
 use crate::input::error::{Error, Picture};
-use crate::input::reader::Input;
-use crate::input::size::Size;
-use crate::input::text;
-use crate::input::text::Tokens;
+use crate::input::text::{self, Tokens};
+use crate::input::{reader, size::Size};
 use crate::math::vec3::Vec3;
 
-/// How a picture is to be made. Every value is in its range once it comes out of [`Config::parse`].
+/// The configuration of a picture. Every value is in its range once it comes out of [`Config::parse`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {
     /// Width to height of the picture, two positive integers.
@@ -19,7 +17,7 @@ pub struct Config {
     pub image_width: u64,
     /// Exponent of the gamma correction, positive: a channel is its mean to the power `1 / gamma`.
     pub gamma: f64,
-    /// Where the rays start.
+    /// The origin of the camera rays.
     pub camera_position: Vec3,
     /// The point in the middle of the picture.
     pub camera_target: Vec3,
@@ -27,13 +25,13 @@ pub struct Config {
     pub camera_north: Vec3,
     /// Vertical opening of the view in degrees, between 0 and 180, both excluded.
     pub field_of_view: f64,
-    /// Rays a pixel, positive.
+    /// Samples of a pixel, positive.
     pub samples_per_pixel: u64,
-    /// Most surfaces that a ray may meet, positive; beyond them it is black.
+    /// Most rays of a sample, positive. The sample is black if the last of them hits an object.
     pub max_depth: u64,
     /// Seed of the generator that all materials share, positive.
     pub material_rng_seed: u64,
-    /// Seed of the generator that places the samples in their pixels, positive.
+    /// Seed of the generator of the samples' offsets in their pixels, positive.
     pub ray_rng_seed: u64,
     /// Colour of the background where a ray points straight along +y, channels in `[0, 1]`.
     pub background_dark_color: Vec3,
@@ -86,8 +84,8 @@ const KEYS: [(&str, Read); 13] = [
     ("background_light_color:", |config, tokens| set(&mut config.background_light_color, color(tokens))),
 ];
 
-fn set<T>(place: &mut T, value: Option<T>) -> Option<()> {
-    *place = value?;
+fn set<T>(field: &mut T, value: Option<T>) -> Option<()> {
+    *field = value?;
     Some(())
 }
 
@@ -123,13 +121,10 @@ impl Config {
     /// # Errors
     /// As [`Config::parse`], and [`Error::Read`] with the file's name.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        Input::open(path, text::MAX_FILE_BYTES)
-            .map_err(Error::from)
-            .and_then(|input| Self::parse(BufReader::new(input)))
-            .map_err(|error| error.in_file(path))
+        reader::parse(path, Self::parse)
     }
 
-    /// Changes what one more line of a configuration file says; a blank line changes nothing.
+    /// Sets the value that one line of a configuration file gives. A blank line changes nothing.
     ///
     /// ```
     /// let mut config = cpu::Config::default();
@@ -139,7 +134,7 @@ impl Config {
     /// ```
     ///
     /// # Errors
-    /// As [`Config::parse`], but for reading.
+    /// As [`Config::parse`], except [`Error::Input`].
     pub fn set(&mut self, line: &[u8]) -> Result<(), Error> {
         let mut tokens = Tokens::new(line);
         let Some(key) = tokens.next() else { return Ok(()) };

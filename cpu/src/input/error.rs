@@ -4,15 +4,13 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why the arguments, a configuration, a scene, a picture or an output file was refused.
+/// Why a configuration, a scene or a picture was refused.
 ///
 /// The message is [`Error::message`], without the leading `Error: ` that the programs print. Lines and keys are bytes,
 /// since the input need not be UTF-8 and is shown as it stands.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
-    /// The program was called with this number of arguments instead of three.
-    ArgumentCount(usize),
     /// A configuration key that does not exist, or that lacks its colon.
     UnknownKey {
         /// The first token of the line.
@@ -74,18 +72,11 @@ pub enum Error {
         /// What the system said.
         cause: io::Error,
     },
-    /// A file that cannot be written. It is as it was.
-    Write {
-        /// The file as named by the caller.
-        path: PathBuf,
-        /// What the system said.
-        cause: io::Error,
-    },
     /// Reading text failed before the file's name was known; [`Error::in_file`] adds it.
     Input(io::Error),
     /// The configuration describes a picture that cannot be made.
     Picture(Picture),
-    /// The same, with the configuration file that says so.
+    /// As [`Error::Picture`], with the name of the configuration file.
     PictureIn {
         /// The configuration file.
         path: PathBuf,
@@ -123,23 +114,23 @@ pub enum Picture {
 
 impl fmt::Display for Picture {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooLarge { width, height } => write!(
-                out,
-                "the image is too large to hold: {width} x {height} pixels, at most {} in all; \
-                 choose a smaller image_width or another aspect_ratio",
-                MAX_PIXELS
-            ),
-            Self::CameraAtTarget => {
-                out.write_str("camera_position is the same point as camera_target; move one of them")
+        out.write_str(match self {
+            Self::TooLarge { width, height } => {
+                return write!(
+                    out,
+                    "the image is too large to hold: {width} x {height} pixels, at most {MAX_PIXELS} in all; \
+                     choose a smaller image_width or another aspect_ratio"
+                );
             }
-            Self::NorthParallel => out.write_str(
+            Self::CameraAtTarget => "camera_position is the same point as camera_target; move one of them",
+            Self::NorthParallel => {
                 "camera_north is null or parallel to the view from camera_position to camera_target; \
-                 choose another north",
-            ),
-            Self::CameraOutOfRange => out
-                .write_str("the camera's position, target or field_of_view is out of range: its window is not finite"),
-        }
+                 choose another north"
+            }
+            Self::CameraOutOfRange => {
+                "the camera's position, target or field_of_view is out of range: its window is not finite"
+            }
+        })
     }
 }
 
@@ -166,51 +157,59 @@ impl Error {
         self.message_with(|text| crate::input::text::escape(text).into_bytes())
     }
 
-    /// The message, with what comes from files and names as `show` gives it.
+    /// The message, in which `show` converts the parts that come from files and names.
     fn message_with(&self, show: fn(&[u8]) -> Vec<u8>) -> Vec<u8> {
-        let about_file = |what: &str, path: &Path, cause: &dyn fmt::Display| {
-            let cause = show(cause.to_string().as_bytes());
-            [what.as_bytes(), b" [", &show(path.as_os_str().as_encoded_bytes()), b"]: ", &cause].concat()
+        const LINE: &str = "\nLine: \"{}\"";
+        const EXTRA: &str = "Extra data after configuration value for key: [{}]\nExtra: \"{}\"";
+        let cause = match self {
+            Self::Read { cause, .. } | Self::Input(cause) => cause.to_string(),
+            Self::Picture(cause) | Self::PictureIn { cause, .. } => cause.to_string(),
+            _ => String::new(),
         };
-        let text = match self {
-            Self::UnknownKey { key } => {
-                let colon: &[u8] = if key.ends_with(b":") { b"" } else { b":" };
-                return [b"Unknown configuration key: [", &show(key)[..], colon, b"]"].concat();
-            }
-            Self::InvalidValue { key, line } => {
-                return [b"Invalid value for key: [", key.as_bytes(), b"]\nLine: \"", &show(line), b"\""].concat();
-            }
-            Self::ExtraValue { key, extra } => return extra_data(key, &show(extra)),
-            Self::UnknownEntity { name } => {
-                return [b"Unknown scene entity: ", &show(name.strip_suffix(b":").unwrap_or(name))[..]].concat();
-            }
-            Self::InvalidParameters { entity, line } => {
-                return [b"Invalid ", entity.as_bytes(), b" parameters\nLine: \"", &show(line), b"\""].concat();
-            }
-            Self::ExtraParameters { tag, extra, line } => {
-                return [&extra_data(tag, &show(extra))[..], b"\nLine: \"", &show(line), b"\""].concat();
-            }
-            Self::MaterialExists { name, line } => {
-                let (name, line) = (show(name), show(line));
-                return [b"Material with name [", &name[..], b"] already exists\nLine: \"", &line, b"\""].concat();
-            }
-            Self::MaterialNotFound { name, line } => {
-                return [b"Material not found: [", &show(name)[..], b"]\nLine: \"", &show(line), b"\""].concat();
-            }
-            Self::ArgumentCount(count) => format!("Invalid number of arguments: {count}"),
-            Self::Read { path, cause } => return about_file("Cannot read file", path, cause),
-            Self::Write { path, cause } => return about_file("Cannot write file", path, cause),
-            Self::Input(cause) => format!("Cannot read the input: {cause}"),
-            Self::Picture(cause) => format!("Invalid configuration: {cause}"),
-            Self::PictureIn { path, cause } => return about_file("Invalid configuration", path, cause),
-            Self::OutOfMemory { what } => format!("Not enough memory for {what}"),
+        let cause = cause.as_bytes();
+        let (text, parts): (&[&str], &[&[u8]]) = match self {
+            Self::UnknownKey { key } => (&["Unknown configuration key: [{}:]"], &[without_colon(key)]),
+            Self::InvalidValue { key, line } => (&["Invalid value for key: [{}]", LINE], &[key.as_bytes(), line]),
+            Self::ExtraValue { key, extra } => (&[EXTRA], &[key.as_bytes(), extra]),
+            Self::UnknownEntity { name } => (&["Unknown scene entity: {}"], &[without_colon(name)]),
+            Self::InvalidParameters { entity, line } => (&["Invalid {} parameters", LINE], &[entity.as_bytes(), line]),
+            Self::ExtraParameters { tag, extra, line } => (&[EXTRA, LINE], &[tag.as_bytes(), extra, line]),
+            Self::MaterialExists { name, line } => (&["Material with name [{}] already exists", LINE], &[name, line]),
+            Self::MaterialNotFound { name, line } => (&["Material not found: [{}]", LINE], &[name, line]),
+            Self::Read { path, .. } => (&["Cannot read file [{}]: {}"], &[bytes(path), cause]),
+            Self::Input(_) => (&["Cannot read the input: {}"], &[cause]),
+            Self::Picture(_) => (&["Invalid configuration: {}"], &[cause]),
+            Self::PictureIn { path, .. } => (&["Invalid configuration [{}]: {}"], &[bytes(path), cause]),
+            Self::OutOfMemory { what } => (&["Not enough memory for {}"], &[what.as_bytes()]),
         };
-        text.into_bytes()
+        let text = text.concat();
+        let mut pieces = text.split("{}").map(str::as_bytes);
+        let mut message = pieces.next().unwrap_or_default().to_vec();
+        for (part, piece) in parts.iter().zip(pieces) {
+            message.extend(show(part));
+            message.extend(piece);
+        }
+        message
     }
 }
 
-fn extra_data(key: &str, extra: &[u8]) -> Vec<u8> {
-    [b"Extra data after configuration value for key: [", key.as_bytes(), b"]\nExtra: \"", extra, b"\""].concat()
+fn bytes(path: &Path) -> &[u8] {
+    path.as_os_str().as_encoded_bytes()
+}
+
+/// A key or name without its colon, which the message adds or leaves out.
+fn without_colon(name: &[u8]) -> &[u8] {
+    name.strip_suffix(b":").unwrap_or(name)
+}
+
+/// An empty list with room for `count` items; `what` names them.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, Error> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what })?;
+    Ok(list)
 }
 
 impl fmt::Display for Error {
@@ -222,7 +221,7 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::Read { cause, .. } | Self::Write { cause, .. } | Self::Input(cause) => Some(cause),
+            Self::Read { cause, .. } | Self::Input(cause) => Some(cause),
             _ => None,
         }
     }

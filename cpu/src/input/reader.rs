@@ -4,8 +4,10 @@
 //! keeps its bytes.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, BufReader, Read};
 use std::path::Path;
+
+use crate::input::{error::Error, text::MAX_FILE_BYTES};
 
 /// An open file of which at most a limited number of bytes is read.
 #[derive(Debug)]
@@ -47,6 +49,15 @@ impl Read for Input {
 #[must_use]
 pub fn too_large(limit: u64) -> io::Error {
     io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {limit} bytes"))
+}
+
+/// Parses the file at `path`.
+///
+/// # Errors
+/// Those of `parse`, with the file's name, and [`Error::Read`].
+pub(super) fn parse<T>(path: &Path, parse: impl FnOnce(BufReader<Input>) -> Result<T, Error>) -> Result<T, Error> {
+    let input = Input::open(path, MAX_FILE_BYTES).map_err(Error::from);
+    input.and_then(|input| parse(BufReader::with_capacity(1 << 16, input))).map_err(|error| error.in_file(path))
 }
 
 /// The bytes of the file at `path`, of which there may be at most `limit`.

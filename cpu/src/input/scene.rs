@@ -1,15 +1,12 @@
 //! The scene file: materials and objects, one a line, to a checked [`Scene`] (specification, section 4).
 
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader};
+use std::io::BufRead;
 use std::path::Path;
 
-use crate::input::config::color;
-use crate::input::error::Error;
-use crate::input::material::Material;
-use crate::input::reader::Input;
-use crate::input::text;
-use crate::input::text::Tokens;
+use crate::input::error::{Error, with_room};
+use crate::input::text::{self, Tokens};
+use crate::input::{config::color, material::Material, reader};
 use crate::math::vec3::Vec3;
 
 /// Position of a material in [`Scene::materials`].
@@ -27,7 +24,7 @@ pub struct Sphere {
 /// A closed cylinder as the file describes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
-    /// The point halfway between the centres of its bases.
+    /// The point halfway between the centres of its caps.
     pub center: Vec3,
     /// Its radius, positive.
     pub radius: f64,
@@ -40,7 +37,7 @@ pub struct Cylinder {
 pub enum Shape {
     /// A sphere.
     Sphere(Sphere),
-    /// A cylinder with its two bases.
+    /// A cylinder with its two caps.
     Cylinder(Cylinder),
 }
 
@@ -69,7 +66,7 @@ struct Parser {
     names: HashMap<Vec<u8>, MaterialId>,
 }
 
-/// One kind of line: its tag, its name in messages, and how its parameters are read.
+/// A kind of line: its tag, its name in messages, and the function that reads its parameters.
 struct Entity {
     tag: &'static str,
     name: &'static str,
@@ -144,8 +141,7 @@ impl Parser {
                     .map_err(|_| Error::OutOfMemory { what: "the materials" })?;
                 push(&mut self.scene.materials, material, "the materials")?;
                 self.names.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the materials" })?;
-                let mut owned = Vec::new();
-                owned.try_reserve_exact(name.len()).map_err(|_| Error::OutOfMemory { what: "the materials" })?;
+                let mut owned = with_room(name.len(), "the materials")?;
                 owned.extend_from_slice(name);
                 self.names.insert(owned, id);
                 Ok(())
@@ -163,11 +159,7 @@ impl Entity {
     fn read_named<'a>(&self, tokens: &mut Tokens<'a>) -> Option<(&'a [u8], Item)> {
         let first = if self.name.ends_with("material") { Some(tokens.next()?) } else { None };
         let item = (self.read)(tokens)?;
-        let name = match first {
-            Some(name) => name,
-            None => tokens.next()?,
-        };
-        Some((name, item))
+        Some((first.or_else(|| tokens.next())?, item))
     }
 }
 
@@ -183,14 +175,12 @@ impl Scene {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn materials_in_use(&self) -> Result<Vec<Material>, Error> {
-        let out_of_memory = |_| Error::OutOfMemory { what: "the materials" };
-        let (mut in_use, mut materials) = (Vec::new(), Vec::new());
-        in_use.try_reserve_exact(self.materials.len()).map_err(out_of_memory)?;
-        materials.try_reserve_exact(self.materials.len()).map_err(out_of_memory)?;
-        in_use.resize(self.materials.len(), false);
-        self.objects.iter().for_each(|object| in_use[object.material as usize] = true);
-        let used = self.materials.iter().zip(in_use).filter(|&(_, in_use)| in_use);
-        materials.extend(used.map(|(&material, _)| material));
+        let mut ids = with_room(self.objects.len(), "the materials")?;
+        ids.extend(self.objects.iter().map(|object| object.material));
+        ids.sort_unstable();
+        ids.dedup();
+        let mut materials = with_room(ids.len(), "the materials")?;
+        materials.extend(ids.iter().map(|&id| self.materials[id as usize]));
         Ok(materials)
     }
 
@@ -216,10 +206,7 @@ impl Scene {
     /// # Errors
     /// As [`Scene::parse`], and [`Error::Read`] with the file's name.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        Input::open(path, text::MAX_FILE_BYTES)
-            .map_err(Error::from)
-            .and_then(|input| Self::parse(BufReader::with_capacity(1 << 16, input)))
-            .map_err(|error| error.in_file(path))
+        reader::parse(path, Self::parse)
     }
 }
 

@@ -10,10 +10,10 @@ pub struct Size {
 }
 
 impl Size {
-    /// The size, when an image may have it.
+    /// The size, if an image may have it.
     ///
     /// # Errors
-    /// [`Picture::TooLarge`] for more pixels than [`MAX_PIXELS`] or a side of none.
+    /// [`Picture::TooLarge`] for more pixels than [`MAX_PIXELS`] or for a side of 0.
     pub fn new(width: u64, height: u64) -> Result<Self, Picture> {
         let too_large = Picture::TooLarge { width, height };
         let pixels = width.checked_mul(height).ok_or(too_large)?;
@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn sizes_are_bounded() {
-        let size = Size::new(3, 2).expect("six pixels are few");
+        let size = Size::new(3, 2).expect("six pixels are allowed");
         assert_eq!((size.width(), size.height(), size.pixels()), (3, 2, 6));
         assert!(Size::new(1 << 15, 1 << 15).is_ok());
         for (width, height) in [(0, 5), (5, 0), ((1 << 15) + 1, 1 << 15), (u64::MAX, 2), (1 << 32, 1)] {

@@ -1,11 +1,8 @@
 //! Arrays of structures: a pixel's channels side by side, an object's values side by side.
 
-use crate::geometry::cylinder::CylinderRecord;
-use crate::geometry::sphere::SphereRecord;
+use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
-use crate::input::error::Error;
-use crate::input::scene::Scene;
-use crate::input::size::Size;
+use crate::input::{error::Error, scene::Scene, size::Size};
 use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
 use crate::math::vec3::Vec3;
 
@@ -50,7 +47,7 @@ impl Image for AosImage {
 pub struct AosObjects {
     spheres: Vec<Placed<SphereRecord>>,
     cylinders: Vec<Placed<CylinderRecord>>,
-    /// Apart, since only the fallback of an uncertain intersection needs it.
+    /// The axes as the file has them. They are apart, since only the fallback of an uncertain intersection needs them.
     axes: Vec<Vec3>,
 }
 

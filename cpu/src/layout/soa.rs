@@ -1,11 +1,8 @@
 //! Structures of arrays: a channel of all pixels side by side, a value of all objects side by side.
 
-use crate::geometry::cylinder::CylinderRecord;
-use crate::geometry::sphere::SphereRecord;
+use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
-use crate::input::error::Error;
-use crate::input::scene::{MaterialId, Scene};
-use crate::input::size::Size;
+use crate::input::{error::Error, scene::MaterialId, scene::Scene, size::Size};
 use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
 use crate::math::vec3::Vec3;
 
@@ -82,7 +79,8 @@ fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
     values.get(index).copied().unwrap_or_default()
 }
 
-/// What spheres and cylinders have in common. The radius squared is computed, which is faster than to load it.
+/// What spheres and cylinders have in common. The radius squared and a cylinder's caps are computed from the stored
+/// values, by the formulas of the records.
 #[derive(Clone, Debug)]
 struct Common {
     center: Vectors,
@@ -115,10 +113,8 @@ pub struct SoaObjects {
     spheres: Common,
     cylinders: Common,
     axis: Vectors,
-    /// As the file has it: only the fallback of an uncertain intersection needs it.
+    /// The axes as the file has them. Only the fallback of an uncertain intersection needs them.
     file_axis: Vectors,
-    top: Vectors,
-    bottom: Vectors,
     half_height: Vec<f64>,
 }
 
@@ -130,8 +126,6 @@ impl Objects for SoaObjects {
             cylinders: Common::with_room(cylinder_count)?,
             axis: Vectors::with_room(cylinder_count)?,
             file_axis: Vectors::with_room(cylinder_count)?,
-            top: Vectors::with_room(cylinder_count)?,
-            bottom: Vectors::with_room(cylinder_count)?,
             half_height: with_room(cylinder_count)?,
         };
         for Placed { record, order, material } in layout::spheres(scene) {
@@ -141,8 +135,6 @@ impl Objects for SoaObjects {
             objects.cylinders.push(record.center, record.radius, order, material);
             objects.axis.push(record.axis);
             objects.file_axis.push(file_axis);
-            objects.top.push(record.top);
-            objects.bottom.push(record.bottom);
             objects.half_height.push(record.half_height);
         }
         Ok(objects)
@@ -166,16 +158,8 @@ impl Objects for SoaObjects {
     #[inline(always)]
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord> {
         let Common { center, radius, order, material } = &self.cylinders;
-        let (center, radius) = (center.get(index), at(radius, index));
-        let record = CylinderRecord {
-            center,
-            axis: self.axis.get(index),
-            top: self.top.get(index),
-            bottom: self.bottom.get(index),
-            radius,
-            radius_squared: radius * radius,
-            half_height: at(&self.half_height, index),
-        };
+        let (axis, half_height) = (self.axis.get(index), at(&self.half_height, index));
+        let record = CylinderRecord::with_unit_axis(center.get(index), at(radius, index), axis, half_height);
         Placed { record, order: at(order, index), material: at(material, index) }
     }
 

@@ -1,9 +1,9 @@
-//! A material ready to scatter: constants hoisted, the convention's arithmetic settled.
+//! A material ready to scatter: its constants, and the direction in which it scatters.
 
+use crate::geometry::ray::facing;
 use crate::input::material::Material;
-use crate::materials::scatter;
-use crate::math::real::Real;
-use crate::math::vec3::{NEGLIGIBLE, Vec3};
+use crate::materials::{reflection::mirror, refraction::IndexRatio, refraction::refract, scatter::ScatterParams};
+use crate::math::{real::Real, vec3::NEGLIGIBLE, vec3::Vec3};
 use crate::sampling::scatter_vectors::Scatter;
 
 /// How a surface scatters.
@@ -21,71 +21,30 @@ pub enum BsdfKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedMaterial {
     /// How it scatters.
-    pub kind: BsdfKind,
-    /// What it makes of the stream's triples.
-    pub spread: ScatterParams,
-    /// `rho`, where a ray leaves.
-    pub index: f64,
-    /// `1 / rho`, where a ray enters.
-    pub inverse_index: f64,
-    /// What the scattered ray's colour is multiplied by.
+    pub bsdf_kind: BsdfKind,
+    /// How a scatter sample changes the direction.
+    pub scatter_params: ScatterParams,
+    /// The refractive index and its inverse. Only refractive materials use it.
+    pub index_ratio: IndexRatio,
+    /// The factor of the scattered ray's colour.
     pub reflectance: Vec3,
 }
 
-/// How a surface scatters light around a direction, or how several do.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScatterParams<T = f64> {
-    /// A random vector is the stream's next triple times `scale`, plus `shift`.
-    pub scale: T,
-    /// See `scale`.
-    pub shift: T,
-    /// A direction whose components are all smaller is replaced by the one it is scattered around (specification,
-    /// section 10.1); nothing is smaller where the surface is metal.
-    pub negligible: T,
-}
-
-impl<T: Real> ScatterParams<T> {
-    /// The random vector that the stream's next triple stands for.
-    #[inline(always)]
-    #[must_use]
-    pub fn vector(&self, triple: Vec3<T>) -> Vec3<T> {
-        triple * self.scale + Vec3::splat(self.shift)
-    }
-}
-
-impl ScatterParams {
-    /// The direction of a ray scattered around `base` with the stream's next triple.
-    #[inline(always)]
-    #[must_use]
-    pub fn around(&self, base: Vec3, triple: Vec3) -> Vec3 {
-        scatter::around(base, self.vector(triple), self.negligible)
-    }
-
-    /// The same in every lane.
-    #[inline(always)]
-    #[must_use]
-    pub fn lanes<V: Real>(&self) -> ScatterParams<V> {
-        ScatterParams { scale: V::of(self.scale), shift: V::of(self.shift), negligible: V::of(self.negligible) }
-    }
-}
-
 impl PreparedMaterial {
-    /// A surface that sends nothing on.
+    /// A surface that scatters no light.
     pub const BLACK: Self = Self {
-        kind: BsdfKind::Metal,
-        spread: ScatterParams { scale: 0.0, shift: 0.0, negligible: 0.0 },
-        index: 1.0,
-        inverse_index: 1.0,
+        bsdf_kind: BsdfKind::Metal,
+        scatter_params: ScatterParams { scale: 0.0, shift: 0.0, negligible: 0.0 },
+        index_ratio: IndexRatio::new(1.0),
         reflectance: Vec3::ZERO,
     };
 
     /// Prepares `material` for a convention of random vectors.
-    #[must_use]
     pub fn new(material: &Material, scatter: Scatter) -> Self {
-        let (kind, extent, index) = match *material {
-            Material::Matte { .. } => (BsdfKind::Matte, 1.0, 1.0),
-            Material::Metal { diffusion, .. } => (BsdfKind::Metal, diffusion, 1.0),
-            Material::Refractive { index } => (BsdfKind::Refractive, 0.0, index),
+        let (bsdf_kind, extent, negligible, index) = match *material {
+            Material::Matte { .. } => (BsdfKind::Matte, 1.0, NEGLIGIBLE, 1.0),
+            Material::Metal { diffusion, .. } => (BsdfKind::Metal, diffusion, 0.0, 1.0),
+            Material::Refractive { index } => (BsdfKind::Refractive, 0.0, 0.0, index),
         };
         let (scale, shift) = match scatter {
             // A draw in [-extent, extent) is u * (extent - -extent) + -extent.
@@ -93,8 +52,31 @@ impl PreparedMaterial {
             // Adding -0 changes no number, not even the sign of a zero.
             Scatter::Published | Scatter::Deterministic => (extent, -0.0),
         };
-        let spread = ScatterParams { scale, shift, negligible: if kind == BsdfKind::Matte { NEGLIGIBLE } else { 0.0 } };
-        Self { kind, spread, index, inverse_index: 1.0 / index, reflectance: material.reflectance() }
+        let scatter_params = ScatterParams { scale, shift, negligible };
+        let (index_ratio, reflectance) = (IndexRatio::new(index), material.reflectance());
+        Self { bsdf_kind, scatter_params, index_ratio, reflectance }
+    }
+
+    /// Whether the surface scatters around a direction, by a scatter sample; a refractive one takes none.
+    #[inline(always)]
+    pub fn takes_scatter_sample(&self) -> bool {
+        self.bsdf_kind != BsdfKind::Refractive
+    }
+
+    /// The direction in which a ray that comes along `direction` is scattered, before the random vector is added: the
+    /// normal of a matte surface, the mirror direction of a metal one, the refracted direction of a refractive one.
+    /// `outward` is the normal that leaves the object.
+    #[inline(always)]
+    pub fn unperturbed_direction<T: Real>(&self, direction: Vec3<T>, outward: Vec3<T>) -> Vec3<T> {
+        match self.bsdf_kind {
+            BsdfKind::Matte => facing(direction, outward).1,
+            // The mirror image is the same, to the bit, for a normal and its opposite: both signs cancel.
+            BsdfKind::Metal => mirror(direction, outward),
+            BsdfKind::Refractive => {
+                let (front, normal) = facing(direction, outward);
+                refract(direction, normal, self.index_ratio.at(front))
+            }
+        }
     }
 }
 
@@ -105,39 +87,45 @@ mod tests {
     #[test]
     fn vectors_have_the_conventions_arithmetic() {
         let metal = Material::Metal { reflectance: Vec3::ONE, diffusion: 0.3 };
-        let triple = Vec3::new(0.25, 0.0, 0.999);
-        let expected = triple.map(|u| u * (0.3 - -0.3) + -0.3);
-        let vector = |material, scatter, triple| PreparedMaterial::new(material, scatter).spread.vector(triple);
-        assert_eq!(vector(&metal, Scatter::Statement, triple), expected);
-        assert_eq!(vector(&metal, Scatter::Published, triple), triple * 0.3);
+        let sample = Vec3::new(0.25, 0.0, 0.999);
+        let expected = sample.map(|u| u * (0.3 - -0.3) + -0.3);
+        let vector = |material, scatter, sample| PreparedMaterial::new(material, scatter).scatter_params.vector(sample);
+        assert_eq!(vector(&metal, Scatter::Statement, sample), expected);
+        assert_eq!(vector(&metal, Scatter::Published, sample), sample * 0.3);
         let matte = Material::Matte { reflectance: Vec3::ONE };
-        assert_eq!(vector(&matte, Scatter::Statement, triple), triple.map(|u| u * 2.0 - 1.0));
-        assert_eq!(vector(&matte, Scatter::Published, -triple), -triple);
+        assert_eq!(vector(&matte, Scatter::Statement, sample), sample.map(|u| u * 2.0 - 1.0));
+        assert_eq!(vector(&matte, Scatter::Published, -sample), -sample);
     }
 
     #[test]
     fn a_matte_direction_that_is_negligible_is_replaced_and_no_metal_one() {
         let up = Vec3::new(0.0, 1.0, 0.0);
-        let matte = PreparedMaterial::new(&Material::Matte { reflectance: Vec3::ONE }, Scatter::Published).spread;
+        let matte =
+            PreparedMaterial::new(&Material::Matte { reflectance: Vec3::ONE }, Scatter::Published).scatter_params;
         let metal =
             PreparedMaterial::new(&Material::Metal { reflectance: Vec3::ONE, diffusion: 1.0 }, Scatter::Published)
-                .spread;
-        for (triple, negligible) in
+                .scatter_params;
+        for (sample, negligible) in
             [(-up, true), (Vec3::new(9e-9, -1.0, 0.0), true), (Vec3::new(2e-8, -1.0, 0.0), false), (up, false)]
         {
-            assert_eq!(matte.around(up, triple), scatter::matte(up, triple));
-            assert_eq!(matte.around(up, triple) == up, negligible);
-            assert_eq!(metal.around(up, triple), up + triple);
+            assert_eq!(matte.scatter_around(up, sample), if negligible { up } else { up + sample });
+            assert_eq!(metal.scatter_around(up, sample), up + sample);
         }
     }
 
     #[test]
-    fn both_ratios_of_a_refractive_material_are_ready() {
-        let material_data = PreparedMaterial::new(&Material::Refractive { index: 1.5 }, Scatter::Statement);
-        assert_eq!(
-            (material_data.kind, material_data.index, material_data.inverse_index),
-            (BsdfKind::Refractive, 1.5, 1.0 / 1.5)
-        );
-        assert_eq!(material_data.reflectance, Vec3::ONE);
+    fn each_kind_of_surface_has_its_direction() {
+        let (down, up) = (Vec3::new(3.0, -4.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+        let direction = |material, outward| {
+            PreparedMaterial::new(&material, Scatter::Statement).unperturbed_direction(down, outward)
+        };
+        for outward in [up, -up] {
+            assert_eq!(direction(Material::Matte { reflectance: Vec3::ONE }, outward), up);
+            let metal = Material::Metal { reflectance: Vec3::ONE, diffusion: 0.5 };
+            assert_eq!(direction(metal, outward), Vec3::new(0.6, 0.8, 0.0));
+        }
+        let refractive = Material::Refractive { index: 1.5 };
+        assert_eq!(direction(refractive, up), refract(down, up, 1.0 / 1.5));
+        assert_eq!(direction(refractive, -up), refract(down, up, 1.5));
     }
 }

@@ -5,7 +5,6 @@ use crate::math::rounding::{MulAdd, Rounding};
 
 /// `a + b` and its rounding error (Knuth).
 #[inline(always)]
-#[must_use]
 pub fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
     let sum = a + b;
     let b_part = sum - a;
@@ -14,7 +13,6 @@ pub fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
 
 /// `a b` and its rounding error.
 #[inline(always)]
-#[must_use]
 pub fn two_product<T: MulAdd>(a: T, b: T) -> (T, T) {
     let product = a * b;
     (product, a.mul_add(b, -product))

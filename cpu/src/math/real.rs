@@ -1,6 +1,7 @@
-//! The arithmetic that formulas are written over: one number, or several at once.
+//! The arithmetic that formulas are generic over: one number, or several at once.
 //!
-//! Every operation is one correctly rounded IEEE operation, so a formula gives the same bits in every lane as alone.
+//! Every operation is one correctly rounded IEEE operation, so a formula gives the same bits in a lane as for a single
+//! number.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -25,7 +26,6 @@ pub trait Real:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The number, negated where `other` is negative; either where `other` is a zero.
     #[inline(always)]
-    #[must_use]
     fn flipped_by(self, other: Self) -> Self {
         Self::select(other.less(Self::of(0.0)), -self, self)
     }

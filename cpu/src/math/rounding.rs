@@ -1,4 +1,4 @@
-//! What formulas that bound their own rounding errors need from the arithmetic that they are written over.
+//! The traits of arithmetic whose rounding errors are known. Formulas with an error bound are generic over them.
 
 use crate::math::real::Real;
 
@@ -14,11 +14,9 @@ pub trait Rounding: Real {
 pub trait MulAdd: Rounding {
     /// `self * factor + term`, rounded once. Code that is compiled for a machine without the instruction calls a
     /// function instead, just as exact.
-    #[must_use]
     fn mul_add(self, factor: Self, term: Self) -> Self;
     /// `self * factor + term`, rounded once or twice, whichever is faster: for tests whose margins cover both.
     #[inline(always)]
-    #[must_use]
     fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self.mul_add(factor, term)
     }
@@ -31,7 +29,7 @@ impl MulAdd for f64 {
     fn mul_add(self, factor: Self, term: Self) -> Self {
         self.mul_add(factor, term)
     }
-    // Not every machine has an instruction for both, and the function in its place is slow.
+    // A machine without fused multiply-add would call a function, which is slow.
     #[inline(always)]
     fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self * factor + term

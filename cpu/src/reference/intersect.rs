@@ -1,29 +1,29 @@
 //! Which intersections the reference renders with.
 
 use crate::exact;
-use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
-use crate::geometry::ray::Ray;
-use crate::geometry::sphere::SphereRecord;
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
 
 /// How the reference intersects: the choice as a value. [`Intersect`] is the same choice as a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// The plain formulas, with whatever rounding makes of them.
+    /// The plain formulas, with their rounding errors.
     Plain,
-    /// The same, checked, and repeated more precisely where they may be wrong: what the real renderer does.
+    /// The plain formulas with their error bounds, and more precise ones where these do not decide, as in the real
+    /// renderer.
     Exact,
 }
 
-/// Intersections of a ray with one object. Tests bring some of their own, which count or leave out a step.
+/// Intersections of a ray with one object. Tests have implementations that count intersections or leave
+/// out a step.
 pub trait Intersect {
-    /// Whether the reference takes its own literal formulas or asks this type.
+    /// Whether the reference takes its own literal formulas or those of this type.
     const PRECISION: Precision;
 
-    /// Where the ray meets the sphere; the contract of [`SphereRecord::intersect`].
+    /// Where the ray hits the sphere; the contract of [`SphereRecord::intersect`].
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
 
-    /// Where the ray meets the cylinder that the file describes with `axis`; the contract of
+    /// Where the ray hits the cylinder that the file describes with `axis`; the contract of
     /// [`CylinderRecord::intersect`].
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 }

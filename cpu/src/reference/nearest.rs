@@ -1,43 +1,45 @@
-//! Where a ray meets one object after the other, by the definition: the nearest hit so far counts.
+//! Where a ray hits one object, by the definition (specification, section 9), and which of two hits is nearer.
 
-use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
-use crate::geometry::ray::Ray;
-use crate::geometry::sphere::SphereRecord;
+use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::input::scene::{Cylinder, Sphere};
 use crate::math::vec3::Vec3;
 use crate::reference::intersect::Intersect;
 
-/// A ray's nearest hit so far.
-pub(super) struct Nearest {
+/// A hit of a ray.
+#[derive(Clone, Copy)]
+pub(super) struct Hit {
     pub lambda: f64,
     pub point: Vec3,
     /// The normal that leaves the object.
     pub outward: Vec3,
 }
 
-/// Whether `lambda` is in range and not farther than the nearest so far. Not a number is neither.
-fn counts(lambda: f64, nearest: &Nearest) -> bool {
-    lambda >= 1e-3 && lambda <= nearest.lambda
+/// Whether a hit at `lambda` counts (specification, section 8.2). A NaN never does.
+fn in_range(lambda: f64) -> bool {
+    lambda >= 1e-3
 }
 
-/// The certified intersection, with the normal (specification, section 9.1).
-pub(super) fn meets_certified_sphere<P: Intersect>(sphere: &Sphere, ray: Ray, nearest: &mut Nearest) -> bool {
-    let record = SphereRecord::new(sphere.center, sphere.radius);
-    let Some(lambda) = P::sphere(&record, &ray).filter(|&lambda| counts(lambda, nearest)) else {
-        return false;
-    };
+/// Replaces the nearest hit by a hit that is at most as far: of two hits at the same lambda the later one counts.
+/// Returns whether it replaced the nearest hit.
+pub(super) fn update(nearest: &mut Option<Hit>, hit: Option<Hit>) -> bool {
+    let is_nearer = hit.is_some_and(|hit| nearest.is_none_or(|nearest| hit.lambda <= nearest.lambda));
+    if is_nearer {
+        *nearest = hit;
+    }
+    is_nearer
+}
+
+/// The hit with a sphere, at the lambda that `P` returns (specification, section 9.1).
+pub(super) fn sphere_by<P: Intersect>(sphere: &Sphere, ray: &Ray) -> Option<Hit> {
+    let lambda = P::sphere(&SphereRecord::new(sphere.center, sphere.radius), ray).filter(|&lambda| in_range(lambda))?;
     let point = ray.origin + ray.direction * lambda;
-    *nearest = Nearest { lambda, point, outward: (point - sphere.center) / sphere.radius };
-    true
+    Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
 }
 
-/// The certified intersection, with the normals (specification, sections 9.2 and 9.3).
-pub(super) fn meets_certified_cylinder<P: Intersect>(cylinder: &Cylinder, ray: Ray, nearest: &mut Nearest) -> bool {
+/// The hit with a cylinder, at the lambda and on the part that `P` returns (specification, sections 9.2 and 9.3).
+pub(super) fn cylinder_by<P: Intersect>(cylinder: &Cylinder, ray: &Ray) -> Option<Hit> {
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
-    let met = P::cylinder(&record, &cylinder.axis, &ray);
-    let Some((lambda, part)) = met.filter(|&(lambda, _)| counts(lambda, nearest)) else {
-        return false;
-    };
+    let (lambda, part) = P::cylinder(&record, &cylinder.axis, ray).filter(|&(lambda, _)| in_range(lambda))?;
     let (axis, _) = cylinder.axis.unit_and_length();
     let point = ray.origin + ray.direction * lambda;
     let outward = match part {
@@ -45,90 +47,62 @@ pub(super) fn meets_certified_cylinder<P: Intersect>(cylinder: &Cylinder, ray: R
         CylinderPart::Top => axis,
         CylinderPart::Bottom => -axis,
     };
-    *nearest = Nearest { lambda, point, outward };
-    true
+    Some(Hit { lambda, point, outward })
 }
 
-pub(super) fn meets_sphere(sphere: &Sphere, origin: Vec3, direction: Vec3, nearest: &mut Nearest) -> bool {
+/// The hit with a sphere by the plain formula.
+pub(super) fn sphere(sphere: &Sphere, &Ray { origin, direction }: &Ray) -> Option<Hit> {
     let r_c = sphere.center - origin;
     let a = direction.dot(direction);
     let b = -2.0 * direction.dot(r_c);
     let c = r_c.dot(r_c) - sphere.radius * sphere.radius;
-    let discriminant = b * b - 4.0 * a * c;
-    if discriminant < 0.0 {
-        return false;
-    }
-    for root in [-discriminant.sqrt(), discriminant.sqrt()] {
-        let lambda = (-b + root) / (2.0 * a);
-        if counts(lambda, nearest) {
-            let point = origin + direction * lambda;
-            *nearest = Nearest { lambda, point, outward: (point - sphere.center) / sphere.radius };
-            return true;
-        }
-    }
-    false
+    let lambda = roots(a, b, c)?.into_iter().find(|&lambda| in_range(lambda))?;
+    let point = origin + direction * lambda;
+    Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
 }
 
-pub(super) fn meets_cylinder(cylinder: &Cylinder, origin: Vec3, direction: Vec3, nearest: &mut Nearest) -> bool {
+/// The hit with a cylinder by the plain formulas: with the side, then the upper cap, then the lower one.
+pub(super) fn cylinder(cylinder: &Cylinder, ray: &Ray) -> Option<Hit> {
     let (axis, height) = cylinder.axis.unit_and_length();
-    let side = meets_side(cylinder, height, axis, origin, direction, nearest);
-    let top = meets_base(cylinder, height, axis, origin, direction, nearest);
-    let bottom = meets_base(cylinder, height, -axis, origin, direction, nearest);
-    side || top || bottom
+    let mut nearest = side(cylinder, height, axis, ray);
+    update(&mut nearest, cap(cylinder, height, axis, ray));
+    update(&mut nearest, cap(cylinder, height, -axis, ray));
+    nearest
 }
 
-fn meets_side(
-    cylinder: &Cylinder,
-    height: f64,
-    axis: Vec3,
-    origin: Vec3,
-    direction: Vec3,
-    nearest: &mut Nearest,
-) -> bool {
+fn side(cylinder: &Cylinder, height: f64, axis: Vec3, &Ray { origin, direction }: &Ray) -> Option<Hit> {
     let perpendicular = |vector: Vec3| vector - axis * vector.dot(axis);
     let r_c = perpendicular(origin - cylinder.center);
     let d = perpendicular(direction);
     let a = d.dot(d);
     let b = 2.0 * r_c.dot(d);
     let c = r_c.dot(r_c) - cylinder.radius * cylinder.radius;
-    let discriminant = b * b - 4.0 * a * c;
-    if discriminant < 0.0 {
-        return false;
-    }
-    for root in [-discriminant.sqrt(), discriminant.sqrt()] {
-        let lambda = (-b + root) / (2.0 * a);
+    roots(a, b, c)?.into_iter().find_map(|lambda| {
         let point = origin + direction * lambda;
         let along = (point - cylinder.center).dot(axis);
-        if lambda >= 1e-3 && along.abs() <= height / 2.0 {
-            if !counts(lambda, nearest) {
-                return false;
-            }
-            *nearest = Nearest { lambda, point, outward: (point - cylinder.center) - axis * along };
-            return true;
-        }
-    }
-    false
+        let outward = (point - cylinder.center) - axis * along;
+        (in_range(lambda) && along.abs() <= height / 2.0).then_some(Hit { lambda, point, outward })
+    })
 }
 
-/// The base whose normal leaves the cylinder along `normal`.
-fn meets_base(
-    cylinder: &Cylinder,
-    height: f64,
-    normal: Vec3,
-    origin: Vec3,
-    direction: Vec3,
-    nearest: &mut Nearest,
-) -> bool {
-    let base = cylinder.center + normal * (height / 2.0);
-    let slope = direction.dot(normal);
-    if slope.abs() < 1e-8 {
-        return false;
+/// The hit with the cap whose normal leaves the cylinder along `normal`.
+fn cap(cylinder: &Cylinder, height: f64, normal: Vec3, &Ray { origin, direction }: &Ray) -> Option<Hit> {
+    let center = cylinder.center + normal * (height / 2.0);
+    let normal_component = direction.dot(normal);
+    if normal_component.abs() < 1e-8 {
+        return None;
     }
-    let lambda = (base - origin).dot(normal) / slope;
+    let lambda = (center - origin).dot(normal) / normal_component;
     let point = origin + direction * lambda;
-    if counts(lambda, nearest) && (point - base).length() <= cylinder.radius {
-        *nearest = Nearest { lambda, point, outward: normal };
-        return true;
+    let is_hit = in_range(lambda) && (point - center).length() <= cylinder.radius;
+    is_hit.then_some(Hit { lambda, point, outward: normal })
+}
+
+/// The roots of `a x^2 + b x + c`, the smaller one first.
+fn roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
+    let discriminant = b * b - 4.0 * a * c;
+    if discriminant < 0.0 {
+        return None;
     }
-    false
+    Some([-discriminant.sqrt(), discriminant.sqrt()].map(|root| (-b + root) / (2.0 * a)))
 }

@@ -1,8 +1,7 @@
-//! The colour of a ray that meets nothing: a gradient along y (specification, section 8.4).
+//! The colour of a ray that hits nothing: a gradient along y (specification, section 8.4).
 
 use crate::input::config::Config;
-use crate::math::real::Real;
-use crate::math::vec3::Vec3;
+use crate::math::{real::Real, vec3::Vec3};
 
 /// The two ends of the gradient, linear colours with channels in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,15 +14,13 @@ pub struct Background<T = f64> {
 }
 
 impl Background {
-    /// The background that the configuration asks for.
-    #[must_use]
+    /// The background of the configuration.
     pub const fn new(config: &Config) -> Self {
         Self { dark: config.background_dark_color, light: config.background_light_color }
     }
 
-    /// The same in every lane.
+    /// The same background in every lane.
     #[inline(always)]
-    #[must_use]
     pub fn lanes<V: Real>(&self) -> Background<V> {
         Background { dark: self.dark.map(V::of), light: self.light.map(V::of) }
     }
@@ -32,7 +29,6 @@ impl Background {
 impl<T: Real> Background<T> {
     /// The colour along `direction`, of any length: `(1 - m) light + m dark` with `m = (unit(direction).y + 1) / 2`.
     #[inline(always)]
-    #[must_use]
     pub fn color(&self, direction: Vec3<T>) -> Vec3<T> {
         let m = (direction.y / direction.length() + T::of(1.0)) / T::of(2.0);
         self.light * (T::of(1.0) - m) + self.dark * m

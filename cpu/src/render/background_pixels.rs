@@ -1,141 +1,129 @@
-//! Pixels that no object can reach, most of them without tracing a ray.
+//! Pixels that no object can reach. Most of them get their bytes from bounds of the background, without any ray.
 //!
-//! Such a pixel's colour is the mean of the background over its samples, and the background is smooth: the
-//! [slope](crate::render::background_slope) of `s`, on which it depends alone, tells the mean of `s` up to a small rest
-//! once the means of the samples' places are known, and up to half of the slope's part without even these. Where all
-//! means in that interval give the same byte, that is the pixel's byte, and its rays need not be traced, its places
-//! mostly not even drawn.
+//! 1. A span is a part of a row, of up to 32 pixels; its candidates are the objects that frustum culling leaves. A span
+//!    of whole pixels without candidates is rendered here if bytes are wanted, and not means (`render.rs` decides
+//!    that).
+//! 2. The mean of a channel lies in an interval, by the [slope](crate::render::background_slope) of the background. If
+//!    all means in the interval give the same byte, that is the pixel's byte, and no number is drawn.
+//! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.
+//! 4. If that interval does not give one byte either, the pixel's rays are traced like all others.
 //!
-//! What is not a number, or not finite, is in no byte's interval, so such a pixel is traced. Where the magnitudes of
-//! camera and scene are extreme, lengths underflow and the slope means nothing: there every pixel is traced
-//! (`Painter::row`).
+//! Neither the reference nor WGSL has this rule: they trace every ray.
 //!
-//! A channel that is 1 at both ends, as the blue of the default sky, is at a byte's boundary, where no interval has one
-//! byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most `2^-54`,
-//! and the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are exact.
-//! Likewise 0.
+//! A NaN or an infinite bound is in no byte's interval, so such a pixel is traced. Where the magnitudes of camera and
+//! scene are extreme, lengths underflow and the slope is meaningless: there every pixel is traced
+//! ([`Candidates::are_culled`](crate::render::frustum::Candidates::are_culled)).
+//!
+//! A channel that is 1 at both ends, as the blue of the default background, is at a byte's boundary, where no interval
+//! has one byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most
+//! `2^-54`, and the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are
+//! exact. The same holds for 0.
 
 use crate::layout::Layout;
 use crate::math::real::Real;
-use crate::render::background_slope::{DerivativeBound, DerivativeBounds};
-use crate::render::prepared::Prepared;
-use crate::render::samples::Batch;
+use crate::render::background_slope::{DerivativeBound, pixel_radius};
 use crate::render::span::{Span, WIDEST};
-use crate::sampling::pixel_jitter::PixelJitter;
-use crate::simd::{Kernel, Simd, SimdF64};
+use crate::render::{prepared::Prepared, samples::Batch};
+use crate::sampling::draw_order::PixelJitter;
+use crate::simd::{SimdF64, columns::Columns};
 
-/// Rounding of a channel's mean: of each sample's colour, and of their sum, relative to colours of at most one.
-fn rounding(samples: u64) -> f64 {
-    (samples as f64 + 64.0) * 4.0 * f64::EPSILON
-}
-
-/// What is known of a span's pixels.
+/// The bounds of a span's pixels.
 #[derive(Debug)]
 pub struct BackgroundPixels {
-    /// The bytes of those looked at, in order.
+    /// The bytes of the pixels that are done, in order.
     pub bytes: [[u8; 3]; WIDEST],
-    slopes: DerivativeBounds,
-    /// Between what each channel's mean lies, wherever the samples are.
-    anywhere: [Between<[f64; WIDEST]>; 3],
-    /// The byte of a channel that is 0 or 1 at both ends, in pixels that [are
-    /// slanted](crate::render::background_slope::DerivativeBound::is_slanted).
+    /// The [`DerivativeBound`] of each pixel.
+    derivatives: Columns<4, WIDEST>,
+    /// The lowest and the highest mean that each channel can have, for any offsets of the samples.
+    intervals: Columns<6, WIDEST>,
+    /// The byte of a channel that is 0 at both ends of the gradient, or 1 at both. It is valid in pixels whose
+    /// [weight is in the unit interval](DerivativeBound::weight_is_in_unit_interval).
     constant: [Option<u8>; 3],
+    /// Bound of the rounding error of a channel's mean. It covers the errors of the samples' colours, each at most 1,
+    /// and of their sum.
     rounding: f64,
-    /// The bytes of the last pixel found: the next one's mostly are the same.
+    /// The bytes of the last pixel. They are tried first for the next pixel, which mostly has the same bytes.
     last: [u8; 3],
 }
 
-/// Bounds of a number.
-#[derive(Clone, Copy, Debug)]
-struct Between<T = f64> {
-    low: T,
-    high: T,
+/// The lowest and the highest mean of a channel, if the mean of `s` is within `radius` of `middle`.
+#[inline(always)]
+fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: f64) -> [T; 2] {
+    let half = T::of(0.5);
+    let (light, difference) = (T::of(light), T::of(dark - light));
+    let mean = light + difference * ((middle + T::of(1.0)) * half);
+    let radius = difference.abs() * (radius * half) + T::of(rounding);
+    [mean - radius, mean + radius]
 }
 
-impl<T: Real> Between<T> {
-    /// Bounds of the mean of a channel, where that of `s` is within `radius` of `middle`.
-    #[inline(always)]
-    fn new(dark: T, light: T, (middle, radius): (T, T), rounding: T) -> Self {
-        let half = T::of(0.5);
-        let difference = dark - light;
-        let mean = light + difference * ((middle + T::of(1.0)) * half);
-        let radius = difference.abs() * (radius * half) + rounding;
-        Self { low: mean - radius, high: mean + radius }
-    }
+/// The intervals of all channels, one after the other.
+#[inline(always)]
+fn intervals<T: Real, L: Layout>(prepared: &Prepared<L>, mean: (T, T), rounding: f64) -> [T; 6] {
+    let (dark, light) = (prepared.background.dark, prepared.background.light);
+    let [red_low, red_high] = interval(dark.x, light.x, mean, rounding);
+    let [green_low, green_high] = interval(dark.y, light.y, mean, rounding);
+    let [blue_low, blue_high] = interval(dark.z, light.z, mean, rounding);
+    [red_low, red_high, green_low, green_high, blue_low, blue_high]
 }
 
 impl BackgroundPixels {
-    /// Nothing yet.
+    /// No pixels yet.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
         let background = &prepared.background;
         let constant = [0, 1, 2].map(|channel| {
             let (dark, light) = (background.dark.to_array()[channel], background.light.to_array()[channel]);
             (dark == light && (light == 0.0 || light == 1.0)).then(|| prepared.quantizer.quantize(light))
         });
-        Self {
-            bytes: [[0; 3]; WIDEST],
-            slopes: DerivativeBounds::new(&prepared.camera),
-            anywhere: [Between { low: [0.0; WIDEST], high: [0.0; WIDEST] }; 3],
-            constant,
-            rounding: rounding(prepared.samples),
-            last: [0; 3],
-        }
+        let rounding = (prepared.samples as f64 + 64.0) * 4.0 * f64::EPSILON;
+        let bytes = [[0; 3]; WIDEST];
+        Self { bytes, derivatives: Columns::ZERO, intervals: Columns::ZERO, constant, rounding, last: [0; 3] }
     }
 
-    /// Begins with the span's pixels: finds what needs no places of samples, as many pixels at once as there are lanes.
+    /// Begins a span: computes the bounds that need no offsets, one pixel in each lane.
     #[inline(always)]
-    fn begin<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
-        let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
-        self.slopes.find::<V>(&prepared.camera, row, span.first, span.width());
+    pub(super) fn begin<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
+        let (camera, row) = (prepared.camera.lanes(), V::of(row as f64));
+        let radius = V::of(pixel_radius(&prepared.camera));
         for at in (0..span.width()).step_by(V::LANES) {
-            let anywhere = self.slopes.lanes::<V>(at).anywhere();
-            for channel in 0..3 {
-                let (dark, light, rounding) = (V::of(dark[channel]), V::of(light[channel]), V::of(self.rounding));
-                let Between { low, high } = Between::new(dark, light, anywhere, rounding);
-                low.store(&mut self.anywhere[channel].low[at..]);
-                high.store(&mut self.anywhere[channel].high[at..]);
-            }
+            let column = V::of(span.first as f64) + V::load(&FROM_ZERO[at..]);
+            let derivative = DerivativeBound::new(&camera, row, column, radius);
+            self.derivatives.store(at, derivative.numbers());
+            self.intervals.store(at, intervals(prepared, derivative.anywhere(), self.rounding));
         }
     }
 
-    /// Looks for the bytes of the span's pixel `at`; if they cannot be known, its samples have been drawn into the
-    /// batch.
+    /// Returns the bytes of the span's pixel `at`, or `None` if the bounds do not give them. After `None` the
+    /// batch holds the pixel's samples, which must be traced.
     #[inline(always)]
-    fn look<V: SimdF64, L: Layout>(
+    pub(super) fn find<V: SimdF64, L: Layout>(
         &mut self,
         prepared: &Prepared<L>,
-        span: &Span,
-        at: usize,
-        (offsets, batch): (&mut PixelJitter, &mut Batch),
+        (span, at): (&Span, usize),
+        pixel_jitter: &mut PixelJitter,
+        batch: &mut Batch,
     ) -> Option<[u8; 3]> {
-        let slope = self.slopes.of(at);
-        let anywhere = [0, 1, 2].map(|channel| {
-            let Between { low, high } = &self.anywhere[channel];
-            Between { low: low[at], high: high[at] }
-        });
-        if let Some(bytes) = self.bytes_within(prepared, anywhere, &slope) {
-            offsets.pass_over(prepared.samples);
+        let derivative = DerivativeBound::of(self.derivatives.get(at));
+        if let Some(bytes) = self.bytes_within(prepared, self.intervals.get(at), &derivative) {
+            pixel_jitter.pass_over(prepared.samples);
             return Some(bytes);
         }
-        batch.draw::<V, L>(prepared, &span.pixel(at, prepared.samples), offsets.stream());
-        let means = [0, 1].map(|axis| sum(&batch.offset[axis][..batch.count]) / batch.count as f64);
-        let (dark, light) = (prepared.background.dark.to_array(), prepared.background.light.to_array());
-        let there =
-            [0, 1, 2].map(|channel| Between::new(dark[channel], light[channel], slope.at(means), self.rounding));
-        self.bytes_within(prepared, there, &slope)
+        batch.draw::<V, L>(prepared, &span.pixel(at, prepared.samples), pixel_jitter);
+        let [right, down] = &batch.offset.0;
+        let offset = [right, down].map(|offsets| sum(&offsets[..batch.count]) / batch.count as f64);
+        self.bytes_within(prepared, intervals(prepared, derivative.at(offset), self.rounding), &derivative)
     }
 
-    /// The bytes of a pixel whose channels' means are in these intervals, if all such means give the same.
+    /// Returns the bytes of a pixel whose means lie in these intervals, if all means of an interval give the same byte.
     #[inline(always)]
     fn bytes_within<L: Layout>(
         &mut self,
         prepared: &Prepared<L>,
-        means: [Between; 3],
-        slope: &DerivativeBound,
+        intervals: [f64; 6],
+        derivative: &DerivativeBound,
     ) -> Option<[u8; 3]> {
-        for (channel, Between { low, high }) in means.into_iter().enumerate() {
+        for (channel, &[low, high]) in intervals.as_chunks().0.iter().enumerate() {
             self.last[channel] = match self.constant[channel] {
-                Some(byte) if slope.is_slanted() => byte,
+                Some(byte) if derivative.weight_is_in_unit_interval() => byte,
                 _ => prepared.quantizer.quantize_interval(low, high, self.last[channel])?,
             };
         }
@@ -143,52 +131,29 @@ impl BackgroundPixels {
     }
 }
 
-/// Finds the bytes of the pixels of a span that no object can reach, as far as they can be known; returns how many,
-/// from the first on. If that is not all, the next one's samples, drawn into the batch, must be traced.
-pub struct FindBytes<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
-    pub row: usize,
-    /// Made of whole pixels.
-    pub span: &'a Span,
-    /// Pixels of it that are done.
-    pub done: usize,
-    pub sky: &'a mut BackgroundPixels,
-    pub offsets: &'a mut PixelJitter,
-    pub batch: &'a mut Batch,
-}
-
-impl<L: Layout> Kernel for FindBytes<'_, L> {
-    type Output = usize;
-
-    #[inline(always)]
-    fn call<S: Simd>(self, _: S) -> usize {
-        let Self { prepared, row, span, done, sky, offsets, batch } = self;
-        let count = span.width();
-        if done == 0 {
-            sky.begin::<S::F64, L>(prepared, row, span);
-        }
-        for at in done..count {
-            match sky.look::<S::F64, L>(prepared, span, at, (offsets, batch)) {
-                Some(bytes) => sky.bytes[at] = bytes,
-                None => return at,
-            }
-        }
-        count
-    }
-}
-
-/// A sum in no particular order, for a bound that allows for its rounding.
+/// The sum of the values, as eight partial sums in lanes. The order changes its rounding, which the bound covers.
 #[inline(always)]
 fn sum(values: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
-    let (chunks, rest) = values.as_chunks::<8>();
+    let (chunks, remainder) = values.as_chunks::<8>();
     for chunk in chunks {
         for (sum, value) in sums.iter_mut().zip(chunk) {
             *sum += value;
         }
     }
-    sums.iter().chain(rest).sum()
+    sums.iter().chain(remainder).sum()
 }
+
+/// 0, 1, 2, and so on: the columns of a span, counted from its first.
+const FROM_ZERO: [f64; WIDEST] = {
+    let mut numbers = [0.0; WIDEST];
+    let mut at = 0;
+    while at < WIDEST {
+        numbers[at] = at as f64;
+        at += 1;
+    }
+    numbers
+};
 
 #[cfg(test)]
 mod tests {
@@ -198,7 +163,8 @@ mod tests {
     use crate::input::scene::Scene;
     use crate::layout::aos::Aos;
     use crate::math::vec3::Vec3;
-    use crate::render::background::Background;
+    use crate::render::stages::{DrawSamples, FindBytes};
+    use crate::render::{background::Background, span_state::SpanState};
     use crate::sampling::block::BlockUniform;
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
@@ -231,24 +197,19 @@ mod tests {
     fn no_ray_is_needed(color: &str) {
         let text = format!("image_width: 40\nbackground_dark_color: {color}\nbackground_light_color: {color}\n");
         let prepared = prepared(&text);
-        let (mut sky, mut offsets, mut batch) = (BackgroundPixels::new(&prepared), PixelJitter::new(1), Batch::new());
+        let mut state = SpanState::new(&prepared).expect("it fits");
+        state.row = 3;
         let span = Span { first: 8, first_sample: 0, count: 640, last: 39 };
-        let look = FindBytes {
-            prepared: &prepared,
-            row: 3,
-            span: &span,
-            done: 0,
-            sky: &mut sky,
-            offsets: &mut offsets,
-            batch: &mut batch,
-        };
-        assert_eq!(InstructionSet::Portable.run(look), 32, "all is known of {color}");
+        let find = FindBytes { state: &mut state, span: &span, done: 0 };
+        assert_eq!(InstructionSet::Portable.run(find), 32, "all is known of {color}");
         let bytes = prepared.background.light.to_array().map(|channel| quantize(channel, Config::default().gamma));
-        assert_eq!(sky.bytes, [bytes; WIDEST], "{color}");
-        let (mut next, mut expected, mut stream) = ([0.0], [0.0], BlockUniform::new(1));
+        assert_eq!(state.background_pixels.bytes, [bytes; WIDEST], "{color}");
+        assert_eq!(state.batch.count, 0, "nothing was drawn");
+        let (mut expected, mut stream) = ([0.0; 2], BlockUniform::new(Config::default().ray_rng_seed));
         stream.skip(2 * 640);
         stream.fill(&mut expected);
-        offsets.stream().fill(&mut next);
-        assert_eq!((batch.count, next), (0, expected), "nothing was drawn, and all is passed over");
+        InstructionSet::Portable.run(DrawSamples(&mut state, &Span { count: 1, last: 8, ..span }));
+        let next = state.batch.offset.get(0);
+        assert_eq!(next, expected.map(|u| u - 0.5), "all is passed over");
     }
 }

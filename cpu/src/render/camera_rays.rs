@@ -1,70 +1,57 @@
-//! Primary rays, several at once: drawn, intersected with the span's candidates, shaded.
+//! Camera rays, several at once: intersected with the span's candidates, and shaded.
 
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::layout::Layout;
 use crate::math::real::Real;
-use crate::render::arrays::SAMPLES;
 use crate::render::frustum::{Candidate, Candidates};
 use crate::render::hit_lanes::{HitLanes, Rays};
-use crate::render::path_vertex::PathVertex;
-use crate::render::prepared::Prepared;
-use crate::render::queue::PathQueue;
-use crate::render::samples::Batch;
-use crate::render::shade::shade;
+use crate::render::{
+    arrays::SAMPLES, max_depth::RaysLeft, path_vertex::PathVertex, shade::shade, span_state::SpanState,
+};
 use crate::simd::{Kernel, Simd, SimdF64, valid_lanes};
 
-/// Traces the batch's primary rays. A sample that hits nothing gets its colour; one whose hit is refractive goes to the
-/// batch's specular queue, any other to `queue`.
-pub struct Trace<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
-    pub row: usize,
-    pub candidates: &'a Candidates,
-    pub batch: &'a mut Batch,
-    pub queue: &'a mut PathQueue,
-}
+/// Traces the camera rays of the batch. A sample that hits nothing gets its colour. A sample whose hit is refractive
+/// goes to the specular queue, any other to the path queue.
+pub struct TraceCameraRays<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
-impl<L: Layout> Kernel for Trace<'_, L> {
+impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        trace::<S, L>(self);
-    }
-}
-
-#[inline(always)]
-fn trace<S: Simd, L: Layout>(Trace { prepared, row, candidates, batch, queue }: Trace<'_, L>) {
-    let camera = prepared.camera.lanes::<S::F64>();
-    let background = prepared.background.lanes::<S::F64>();
-    let row = S::F64::of(row as f64);
-    let rays = S::F64::of(f64::from_bits(prepared.max_depth - 1));
-    batch.specular.count = 0;
-    queue.count = 0;
-    add(Counter::PrimaryRays, batch.count as u64);
-    add(Counter::PrimaryTests, (batch.count * candidates.span.len()) as u64);
-    for at in (0..batch.count).step_by(S::F64::LANES) {
-        let offset = [S::F64::load(&batch.offset[0][at..]), S::F64::load(&batch.offset[1][at..])];
-        let ray = camera.ray(row, S::F64::load(&batch.column[at..]), offset);
-        let valid = valid_lanes::<S::F64>(batch.count - at);
-        let hits = closest_hit(candidates, &ray, valid);
-        if hits.bits != valid {
-            batch.color.store(at, background.color(ray.direction));
-        }
-        if hits.bits != 0 {
-            let shaded = shade(prepared, &ray, &hits);
-            let vertex = PathVertex { sample: S::F64::load(&SAMPLES[at..]), rays, ..shaded.vertex };
-            if shaded.refractive != 0 {
-                batch.specular.push(vertex.specular_numbers(), shaded.refractive);
+        let SpanState { prepared, row, candidates, batch, tracer, .. } = self.0;
+        let (batch, queue) = (&mut **batch, &mut tracer.queue);
+        let camera = prepared.camera.lanes::<S::F64>();
+        let background = prepared.background.lanes::<S::F64>();
+        let row = S::F64::of(*row as f64);
+        let rays = RaysLeft::after_camera_ray(prepared.max_depth).to_bits_of();
+        batch.specular.count = 0;
+        queue.count = 0;
+        add(Counter::CameraRays, batch.count as u64);
+        add(Counter::CameraRayTests, (batch.count * candidates.span.len()) as u64);
+        for at in (0..batch.count).step_by(S::F64::LANES) {
+            let ray = camera.ray(row, S::F64::load(&batch.column[at..]), batch.offset.load(at));
+            let valid = valid_lanes::<S::F64>(batch.count - at);
+            let hits = closest_hit(candidates, &ray, valid);
+            if hits.bits != valid {
+                batch.color.store(at, background.color(ray.direction).to_array());
             }
-            if hits.bits != shaded.refractive {
-                queue.push(vertex.numbers(), hits.bits & !shaded.refractive);
+            if hits.bits != 0 {
+                let (vertex, refractive) = shade(prepared, &ray, &hits);
+                let vertex = PathVertex { sample: S::F64::load(&SAMPLES[at..]), rays, ..vertex };
+                if refractive != 0 {
+                    batch.specular.push(vertex.specular_numbers(), refractive);
+                }
+                if hits.bits != refractive {
+                    queue.push(vertex.numbers(), hits.bits & !refractive);
+                }
             }
         }
     }
 }
 
-/// The nearest hits among the candidates, which are in the order of the file.
+/// The closest hits among the candidates, which are in the order of the file.
 #[inline(always)]
 fn closest_hit<V: SimdF64>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();

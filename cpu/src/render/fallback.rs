@@ -1,73 +1,43 @@
-//! The precise answers of those of several rays that are in doubt.
+//! Precise intersections for the uncertain lanes among several rays.
 //!
-//! They are calls, one for all rays in doubt, so that nothing of them is done ahead: where the compiler sees them it
-//! takes the rays apart in front of the loop over the objects, once for every group of rays, of which hardly any is in
-//! doubt.
+//! One call handles all uncertain lanes. It is kept out of line, because LLVM otherwise splits the lanes into single
+//! rays before the loop over the objects. It would do so for every group of rays, but hardly any has an uncertain lane.
 
-use crate::exact;
-use crate::geometry::cylinder::{CylinderPart, CylinderRecord};
-use crate::geometry::ray::Ray;
-use crate::geometry::sphere::SphereRecord;
-use crate::math::vec3::Vec3;
-use crate::render::lane_by_lane::{LaneByLane, MOST_LANES, for_each_lane};
-use crate::simd::SimdF64;
+use crate::geometry::{cylinder::CylinderPart, ray::Ray};
+use crate::simd::{SimdF64, columns::Columns};
 
-/// Components of origin and direction.
-type Rays = LaneByLane<6>;
+/// Largest number of lanes of any instruction set.
+pub const MOST_LANES: usize = 8;
 
-/// Replaces lambda in the doubtful lanes by the precise answer.
+/// The precise intersection of one ray with an object: lambda, and the part of a cylinder.
+type Intersect<'a> = &'a dyn Fn(&Ray) -> Option<(f64, CylinderPart)>;
+
+/// Replaces lambda and part in the uncertain lanes by what `intersect` returns. A miss gets lambda NaN.
 #[inline(always)]
-pub fn precise_spheres<V: SimdF64>(record: &SphereRecord, ray: &Ray<V>, lambda: V, doubtful: u32) -> V {
-    let mut lambdas = [0.0; MOST_LANES];
-    lambda.store(&mut lambdas);
-    precise_spheres_apart(record, &apart(ray), doubtful, &mut lambdas);
-    V::load(&lambdas)
+pub fn precise<V: SimdF64>(ray: &Ray<V>, (lambda, part): (V, V), uncertain: u32, intersect: Intersect<'_>) -> (V, V) {
+    let Ray { origin: o, direction: d } = *ray;
+    let mut lanes = Columns::of_lanes([o.x, o.y, o.z, d.x, d.y, d.z, lambda, part]);
+    precise_lane_by_lane(&mut lanes, uncertain, intersect);
+    let [.., lambda, part] = lanes.load(0);
+    (lambda, part)
 }
 
 #[cold]
 #[inline(never)]
-fn precise_spheres_apart(record: &SphereRecord, rays: &Rays, doubtful: u32, lambdas: &mut [f64; MOST_LANES]) {
-    for_each_lane(doubtful, |lane| {
-        lambdas[lane] = exact::sphere::precise(record, &ray_of(rays, lane)).unwrap_or(f64::INFINITY);
+fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, intersect: Intersect<'_>) {
+    for_each_lane(uncertain, |lane| {
+        let [x, y, z, dx, dy, dz, ..] = lanes.get(lane);
+        let ray = Ray { origin: [x, y, z].into(), direction: [dx, dy, dz].into() };
+        let (lambda, part) = intersect(&ray).unwrap_or((f64::NAN, CylinderPart::Side));
+        lanes.set(lane, [x, y, z, dx, dy, dz, lambda, f64::from(part as u32)]);
     });
 }
 
-/// Replaces lambda and part in the doubtful lanes by the precise answer.
+/// Calls `visit` with every lane whose bit is set.
 #[inline(always)]
-pub fn precise_cylinders<V: SimdF64>(
-    cylinder: (&CylinderRecord, &Vec3),
-    ray: &Ray<V>,
-    (lambda, part): (V, V),
-    doubtful: u32,
-) -> (V, V) {
-    let (mut lambdas, mut parts) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
-    lambda.store(&mut lambdas);
-    part.store(&mut parts);
-    precise_cylinders_apart(cylinder, &apart(ray), doubtful, (&mut lambdas, &mut parts));
-    (V::load(&lambdas), V::load(&parts))
-}
-
-#[cold]
-#[inline(never)]
-fn precise_cylinders_apart(
-    (record, axis): (&CylinderRecord, &Vec3),
-    rays: &Rays,
-    doubtful: u32,
-    (lambdas, parts): (&mut [f64; MOST_LANES], &mut [f64; MOST_LANES]),
-) {
-    for_each_lane(doubtful, |lane| {
-        let (lambda, part) =
-            exact::cylinder::precise(record, axis, &ray_of(rays, lane)).unwrap_or((f64::INFINITY, CylinderPart::Side));
-        (lambdas[lane], parts[lane]) = (lambda, f64::from(part as u32));
-    });
-}
-
-#[inline(always)]
-fn apart<V: SimdF64>(Ray { origin: o, direction: d }: &Ray<V>) -> Rays {
-    Rays::new([o.x, o.y, o.z, d.x, d.y, d.z])
-}
-
-fn ray_of(rays: &Rays, lane: usize) -> Ray {
-    let [x, y, z, dx, dy, dz] = rays.of(lane);
-    Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) }
+pub fn for_each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
+    while bits != 0 {
+        visit(bits.trailing_zeros() as usize % MOST_LANES);
+        bits &= bits - 1;
+    }
 }

@@ -1,25 +1,23 @@
-//! The objects that the rays of a row, and of a span of it, may meet: those that reach into the wedge between the
-//! planes through the camera at both ends.
+//! Frustum culling: finds the objects that the rays of a row may hit, and then those that the rays of a span may hit.
 //!
-//! An object is left out only where a comparison holds, which none does with what is not a number. Nothing overflows:
-//! scenes whose coordinates, window or pixels are beyond 10^9 or below 10^-12 are not culled
-//! ([`Candidates::are_culled`]).
+//! The rays of a row lie between two planes through the camera, above and below the row. The rays of a span also lie
+//! between two planes to its left and right. An object that lies outside of one of these planes is culled.
+//!
+//! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. Nothing
+//! overflows: no object is culled in a scene with a coordinate, diffusion or window beyond 10^9, an object below 10^-6
+//! or a pixel below 10^-12 ([`Candidates::are_culled`]).
 
-use crate::accel::bounds::Bounds;
-use crate::accel::choice::Accel;
-use crate::accel::object;
-use crate::accel::object::{ObjectId, ObjectRef};
+use crate::accel::object::{self, ObjectId, ObjectRef};
+use crate::accel::{bounds::Bounds, choice::Accel};
 use crate::counters::{Counter, add};
 use crate::geometry::cylinder::{CylinderRecord, CylinderView};
 use crate::geometry::sphere::{SphereRecord, SphereView};
 use crate::input::error::Error;
-use crate::layout::{Layout, Objects};
+use crate::layout::{Layout, Objects, with_room};
 use crate::math::vec3::Vec3;
-use crate::render::prepared::Prepared;
+use crate::render::{prepared::Prepared, span::Span};
 
-use crate::render::span::Span;
-
-/// An object that a span's rays may meet, as the camera sees it.
+/// An object that a span's rays may hit, as the camera sees it.
 #[derive(Clone, Copy, Debug)]
 pub enum Candidate {
     /// A sphere.
@@ -28,46 +26,59 @@ pub enum Candidate {
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
-/// Relative to distance and size: covers the rounding here, of the rays and of the exact formulas many times over.
+/// Margin relative to distance and size. It is many times the rounding errors of this file, the rays and the hits.
 const MARGIN: f64 = 1e-9;
 
-/// Relative to the radius: what a cylinder's side may be off by for rays along the axis.
+/// Additional margin relative to a cylinder's radius: the rounding error of its side for rays along the axis.
 const MARGIN_OF_CYLINDERS: f64 = 1e-7;
 
 /// The half-space of the points `v`, relative to the camera, with `normal.v >= 0`; the normal has length one.
 type HalfSpace = Vec3;
 
-/// A ball around an object, as the camera sees it; for a sphere itself.
+/// An object, relative to the camera: a cylinder, or a sphere as a cylinder without axis and height.
 #[derive(Clone, Copy, Debug)]
-struct Ball {
+struct Outline {
     id: ObjectId,
-    /// From the camera to its centre.
-    middle: Vec3,
-    /// With the margin that covers rounding.
+    center: Vec3,
+    /// Of length one; zero for a sphere.
+    axis: Vec3,
+    half_height: f64,
     radius: f64,
+    /// Covers rounding.
+    margin: f64,
 }
 
-impl Ball {
+impl Outline {
     fn new<L: Layout>(prepared: &Prepared<L>, id: ObjectId) -> Self {
         let (objects, from) = (&prepared.objects, prepared.camera.position);
-        let (center, radius, margin) = match ObjectRef::of(objects, id) {
+        let (center, axis, half_height, radius, margin) = match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => {
-                let record = objects.sphere(index).record;
-                (record.center, record.radius, 0.0)
+                let SphereRecord { center, radius, .. } = objects.sphere(index).record;
+                (center, Vec3::ZERO, 0.0, radius, 0.0)
             }
             ObjectRef::Cylinder(index) => {
-                let record = objects.cylinder(index).record;
-                (record.center, record.radius + record.half_height, MARGIN_OF_CYLINDERS * record.radius)
+                let CylinderRecord { center, axis, half_height, radius, .. } = objects.cylinder(index).record;
+                (center, axis, half_height, radius, MARGIN_OF_CYLINDERS * radius)
             }
         };
-        let middle = center - from;
-        Self { id, middle, radius: radius + MARGIN * (middle.length() + from.length() + radius) + margin }
+        let center = center - from;
+        let margin = MARGIN * (center.length() + from.length() + radius + half_height) + margin;
+        Self { id, center, axis, half_height, radius, margin }
     }
 
-    /// Whether it reaches into all half-spaces; true when in doubt, and where a wall is not made of numbers.
-    fn reaches(&self, walls: &[HalfSpace; 2]) -> bool {
-        let [left, right] = walls.map(|wall| wall.dot(self.middle) < -self.radius);
-        !(left | right)
+    /// Returns false only if the object certainly lies outside of a half-space. A plane with a NaN culls nothing.
+    fn may_overlap(&self, planes: &[HalfSpace; 2]) -> bool {
+        let outside = |normal: &HalfSpace| {
+            let beyond = |extent: f64| normal.dot(self.center) < -extent - self.margin;
+            // The bounding sphere decides for most cylinders, and always for a sphere.
+            beyond(self.radius + self.half_height)
+                || self.half_height > 0.0 && {
+                    let along = normal.dot(self.axis);
+                    let across = (1.0 - along * along).max(0.0).sqrt();
+                    beyond(self.half_height * along.abs() + self.radius * across)
+                }
+        };
+        !planes.iter().any(outside)
     }
 }
 
@@ -76,62 +87,60 @@ impl Ball {
 pub struct Candidates {
     /// All objects, in the order of the file.
     all: Vec<ObjectId>,
-    row: Vec<Ball>,
+    /// The objects whose boxes may overlap the frustum of the row, each after its position in the file.
+    boxed: Vec<(u32, ObjectId)>,
+    row: Vec<Outline>,
     /// The span's candidates, in the order of the file.
     pub span: Vec<(ObjectId, Candidate)>,
-    /// Whether the scene's magnitudes bear a cull at all.
-    culls: bool,
+    are_culled: bool,
 }
 
 impl Candidates {
-    /// No candidates yet, but room for all objects to be some.
+    /// No candidates yet, but room for all objects.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let all = object::in_order(&prepared.objects)?;
-        let (row, span) = (object::room(all.len())?, object::room(all.len())?);
-        Ok(Self { all, row, span, culls: !matches!(prepared.search, Accel::EveryObject) })
+        let (boxed, row, span) = (with_room(all.len())?, with_room(all.len())?, with_room(all.len())?);
+        Ok(Self { all, boxed, row, span, are_culled: !matches!(prepared.accel, Accel::EveryObject) })
     }
 
-    /// Whether the scene's magnitudes are moderate, so that bounds of what rays may meet and see can be trusted.
+    /// Whether the scene's magnitudes are moderate. Otherwise no object is culled, because no margin or bound is valid.
     pub const fn are_culled(&self) -> bool {
-        self.culls
+        self.are_culled
     }
 
-    /// Finds the objects that the rays of `row` may meet.
+    /// Finds the objects that the rays of `row` may hit.
     pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
         let camera = &prepared.camera;
         let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
         let inside = at(row as f64);
-        let walls = [-0.5, 0.5].map(|side| wall(camera.delta_x, at(row as f64 + side), inside));
+        let planes = [-0.5, 0.5].map(|side| half_space(camera.delta_x, at(row as f64 + side), inside));
         self.row.clear();
-        match &prepared.search {
-            Accel::Bvh(tree) => {
-                let reaches = |bounds: &Bounds| box_reaches(bounds, camera.position, &walls);
-                tree.visit(reaches, |id| self.row.push(Ball::new(prepared, id)));
-                self.row.sort_unstable_by_key(|ball| object::order_of(&prepared.objects, ball.id));
-            }
-            _ => {
-                let meets = |ball: &Ball| !self.culls || reaches(prepared, ball, &walls);
-                self.row.extend(self.all.iter().map(|&id| Ball::new(prepared, id)).filter(meets));
-            }
+        if let Accel::Bvh(bvh) = &prepared.accel {
+            let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes);
+            self.boxed.clear();
+            bvh.visit(may_overlap, |id| self.boxed.push((object::order_of(&prepared.objects, id), id)));
+            self.boxed.sort_unstable();
+            self.row.extend(self.boxed.iter().map(|&(_, id)| Outline::new(prepared, id)));
+        } else {
+            let all = self.all.iter().map(|&id| Outline::new(prepared, id));
+            self.row.extend(all.filter(|outline| !self.are_culled || outline.may_overlap(&planes)));
         }
     }
 
-    /// Finds those among the row's objects that the rays of `span` may meet.
-    pub fn narrow<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
-        let camera = &prepared.camera;
+    /// Finds which of the row's objects the rays of `span` may hit.
+    pub fn begin_span<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
+        let (camera, objects) = (&prepared.camera, &prepared.objects);
         let center = camera.origin - camera.position + camera.delta_y * row as f64;
         let at = |column: f64| center + camera.delta_x * column;
-        let inside = at((span.first + span.last) as f64 / 2.0);
-        let walls =
-            [span.first as f64 - 0.5, span.last as f64 + 0.5].map(|side| wall(camera.delta_y, at(side), inside));
+        let (first, last) = (span.first as f64, span.last as f64);
+        let inside = at((first + last) / 2.0);
+        let planes = [first - 0.5, last + 0.5].map(|side| half_space(camera.delta_y, at(side), inside));
         self.span.clear();
-        let meets = |ball: &&Ball| !self.culls || reaches(prepared, ball, &walls);
-        for &Ball { id, .. } in self.row.iter().filter(meets) {
-            let objects = &prepared.objects;
-            let candidate = match ObjectRef::of(objects, id) {
+        for outline in self.row.iter().filter(|outline| !self.are_culled || outline.may_overlap(&planes)) {
+            let candidate = match ObjectRef::of(objects, outline.id) {
                 ObjectRef::Sphere(index) => {
                     let record = objects.sphere(index).record;
                     Candidate::Sphere(record, record.seen_from(camera.position))
@@ -141,65 +150,59 @@ impl Candidates {
                     Candidate::Cylinder(record, objects.axis(index), record.seen_from(camera.position))
                 }
             };
-            self.span.push((id, candidate));
+            self.span.push((outline.id, candidate));
         }
         add(Counter::SpanObjects, self.all.len() as u64);
         add(Counter::SpanCandidates, self.span.len() as u64);
     }
 }
 
-/// The half-space bounded by the plane through the camera along `first` and `second` that holds `inside`.
-fn wall(first: Vec3, second: Vec3, inside: Vec3) -> HalfSpace {
+/// The half-space that contains `inside`. Its plane goes through the camera, along `first` and `second`.
+fn half_space(first: Vec3, second: Vec3, inside: Vec3) -> HalfSpace {
     let normal = first.cross(second).unit();
     if normal.dot(inside) < 0.0 { -normal } else { normal }
 }
 
-/// Whether a box reaches into all half-spaces; true when in doubt.
-fn box_reaches(bounds: &Bounds, from: Vec3, walls: &[HalfSpace; 2]) -> bool {
-    walls.iter().all(|wall| {
-        // The corner farthest along the wall's normal.
+/// Returns false only if the box certainly lies outside of a half-space.
+fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2]) -> bool {
+    planes.iter().all(|normal| {
+        // The corner farthest along the normal.
         let corner = |axis: usize, component: f64| {
             f64::from(if component >= 0.0 { bounds.high[axis] } else { bounds.low[axis] })
         };
-        let farthest = Vec3::new(corner(0, wall.x), corner(1, wall.y), corner(2, wall.z)) - from;
-        let outside = wall.dot(farthest) < -1e-9 * (farthest.length() + from.length());
+        let farthest = Vec3::new(corner(0, normal.x), corner(1, normal.y), corner(2, normal.z)) - from;
+        let outside = normal.dot(farthest) < -MARGIN * (farthest.length() + from.length());
         !outside
     })
-}
-
-/// Whether an object reaches into all half-spaces; true when in doubt. Its ball spares most cylinders the closer look.
-fn reaches<L: Layout>(prepared: &Prepared<L>, ball: &Ball, walls: &[HalfSpace; 2]) -> bool {
-    let objects = &prepared.objects;
-    if !ball.reaches(walls) {
-        return false;
-    }
-    let ObjectRef::Cylinder(index) = ObjectRef::of(objects, ball.id) else {
-        return true;
-    };
-    let record = objects.cylinder(index).record;
-    let scale = ball.middle.length() + prepared.camera.position.length() + record.radius + record.half_height;
-    let margin = MARGIN * scale + MARGIN_OF_CYLINDERS * record.radius;
-    let outside = |wall: &HalfSpace| {
-        let along = wall.dot(record.axis);
-        let across = (1.0 - along * along).max(0.0).sqrt();
-        let reach = record.half_height * along.abs() + record.radius * across;
-        wall.dot(ball.middle) < -reach - margin
-    };
-    !walls.iter().any(outside)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const LEFT: Vec3 = Vec3::new(1.0, 0.0, 0.0);
+    const RIGHT: Vec3 = Vec3::new(-1.0, 0.0, 0.0);
+
     #[test]
-    fn a_ball_is_left_out_beyond_a_wall_only_and_never_by_what_is_not_a_number() {
-        let ball = Ball { id: 0, middle: Vec3::new(3.0, 0.0, 0.0), radius: 1.0 };
-        let (left, right) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(-1.0, 0.0, 0.0));
-        assert!(ball.reaches(&[left, left]) && !ball.reaches(&[left, right]) && !ball.reaches(&[right, left]));
-        let touching = Ball { radius: 3.0, ..ball };
-        assert!(touching.reaches(&[right, right]));
-        let none = Vec3::new(f64::NAN, 0.0, 0.0);
-        assert!(ball.reaches(&[none, none]) && !ball.reaches(&[none, right]));
+    fn an_object_is_culled_only_beyond_a_plane_and_never_by_a_nan() {
+        let center = Vec3::new(3.0, 0.0, 0.0);
+        let ball = Outline { id: 0, center, axis: Vec3::ZERO, half_height: 0.0, radius: 1.0, margin: 0.0 };
+        assert!(ball.may_overlap(&[LEFT, LEFT]));
+        assert!(!ball.may_overlap(&[LEFT, RIGHT]) && !ball.may_overlap(&[RIGHT, LEFT]));
+        let tangent = Outline { radius: 3.0, ..ball };
+        assert!(tangent.may_overlap(&[RIGHT, RIGHT]));
+        let nan = Vec3::new(f64::NAN, 0.0, 0.0);
+        assert!(ball.may_overlap(&[nan, nan]) && !ball.may_overlap(&[nan, RIGHT]));
+    }
+
+    #[test]
+    fn a_cylinder_reaches_by_its_height_along_the_axis_and_by_its_radius_across() {
+        let cylinder = |axis, half_height, radius| {
+            let center = Vec3::new(3.0, 0.0, 0.0);
+            Outline { id: 0, center, axis, half_height, radius, margin: 0.0 }.may_overlap(&[RIGHT, RIGHT])
+        };
+        let (along, across) = (Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0));
+        assert!(cylinder(along, 3.0, 0.1) && !cylinder(along, 2.9, 9.0));
+        assert!(cylinder(across, 0.1, 3.0) && !cylinder(across, 9.0, 2.9));
     }
 }

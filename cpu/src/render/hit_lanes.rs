@@ -1,41 +1,39 @@
-//! The nearest hits of several rays at once.
+//! The closest hits of several rays at once.
 
 use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
-use crate::exact;
-use crate::exact::error_bound::in_scale;
+use crate::exact::{self, error_bound::in_scale};
 use crate::geometry::cylinder::{CylinderPart, CylinderRecord, CylinderView};
-use crate::geometry::ray::Ray;
-use crate::geometry::sphere::{SphereRecord, SphereView};
+use crate::geometry::{ray::Ray, sphere::SphereRecord, sphere::SphereView, tie::later_is_closer};
 use crate::math::vec3::Vec3;
-use crate::render::fallback::{precise_cylinders, precise_spheres};
+use crate::render::fallback::precise;
 use crate::simd::{LaneMask, SimdF64};
 
-/// Relative bound of what rounding does to a discriminant, several times what the certificates prove.
-const NOISE: f64 = 512.0 * f64::EPSILON;
+/// Relative bound of the rounding error of a discriminant, several times what the filter's error bounds prove.
+const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 
-/// The hits of as many rays as there are lanes; object and part are whole numbers.
+/// The closest hits of several rays, one in each lane. Object and part are whole numbers.
 #[derive(Clone, Copy)]
 pub struct HitLanes<V: SimdF64> {
-    /// Where on the ray; infinite in lanes that meet nothing.
+    /// Lambda of each hit; infinite in lanes without a hit.
     pub lambda: V,
-    /// The object met.
+    /// The object that is hit.
     pub object: V,
     /// The part of a cylinder, as [`CylinderPart`]'s number.
     pub part: V,
-    /// Lanes that meet something, as bits.
+    /// Lanes with a hit, as bits.
     pub bits: u32,
 }
 
-/// As many rays as there are lanes.
+/// Several rays, one in each lane.
 pub struct Rays<'a, V: SimdF64> {
     ray: &'a Ray<V>,
     /// The squared lengths of their directions.
     a: V,
-    /// `a` times the relative bound of what rounding does to a discriminant; infinite for directions that are not
+    /// `a` times the relative bound of a discriminant's rounding error; infinite for directions that are not
     /// [in scale](in_scale), so that no discriminant, which may have underflowed, is taken for a certain miss.
-    noise: V,
-    /// The lanes whose rays count, as bits.
+    discriminant_error: V,
+    /// The lanes that hold a ray, as bits.
     valid: u32,
 }
 
@@ -44,7 +42,21 @@ impl<'a, V: SimdF64> Rays<'a, V> {
     #[inline(always)]
     pub fn new(ray: &'a Ray<V>, valid: u32) -> Self {
         let a = ray.direction.dot(ray.direction);
-        Self { ray, a, noise: V::select(in_scale(a), a * V::of(NOISE), V::of(f64::INFINITY)), valid }
+        let discriminant_error = V::select(in_scale(a), a * V::of(DISCRIMINANT_ERROR), V::of(f64::INFINITY));
+        Self { ray, a, discriminant_error, valid }
+    }
+
+    /// Whether any ray may hit an object, given the discriminant and the sum of the squares in it. All rays miss most
+    /// objects, and this test is shorter than the whole filter.
+    #[inline(always)]
+    fn may_hit(&self, discriminant: V, squares: V) -> bool {
+        (!discriminant.less(-(self.discriminant_error * squares))).bits() & self.valid != 0
+    }
+
+    /// The lanes whose answer is uncertain, as bits.
+    #[inline(always)]
+    fn uncertain(&self, certain: V::Mask) -> u32 {
+        (!certain).bits() & self.valid
     }
 }
 
@@ -55,83 +67,74 @@ impl<V: SimdF64> HitLanes<V> {
         Self { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 }
     }
 
-    /// Takes hits with an object later in the file into account, in the `valid` lanes: of equals the later counts.
+    /// Replaces hits by those with `object` that are at most as far, in the `valid` lanes. `object` must come later in
+    /// the file than all objects before, because the later of two equally distant hits counts. The lambda of a miss is
+    /// infinite in `certain` lanes, and NaN in the others, because a hit's lambda may overflow to infinity there.
     #[inline(always)]
-    fn update(&mut self, object: ObjectId, lambda: V, met: V::Mask, part: V, valid: u32) {
-        let closer = met & lambda.less_equal(self.lambda);
+    fn update(&mut self, object: ObjectId, (lambda, part): (V, V), certain: V::Mask, valid: u32) {
+        let is_hit = lambda.less(V::of(f64::INFINITY)) | !certain;
+        let closer = is_hit & later_is_closer(lambda, self.lambda);
         self.lambda = V::select(closer, lambda, self.lambda);
         self.object = V::select(closer, V::of(f64::from(object)), self.object);
         self.part = V::select(closer, part, self.part);
         self.bits |= closer.bits() & valid;
     }
 
-    /// Takes the hits with a sphere into account, given its view and the directions' squares.
+    /// Intersects camera rays with a sphere, given its view.
     #[inline(always)]
     pub fn intersect_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
-        let &Rays { ray, a, noise, valid } = rays;
-        let (_, discriminant) = view.quadratic(ray.direction, a);
-        // Most spheres are missed by all lanes: the whole certificate is for the others.
-        let certainly_missed = discriminant.less(-(noise * view.squares));
-        if (!certainly_missed).bits() & valid == 0 {
-            return;
+        let (_, discriminant) = view.quadratic(rays.ray.direction, rays.a);
+        if rays.may_hit(discriminant, view.squares) {
+            self.filtered_sphere(id, record, view, rays);
         }
-        self.filtered_sphere(id, record, view, rays);
     }
 
-    /// The same for a sphere that the valid lanes, which start within the scene's reach, may meet.
+    /// Intersects rays with a sphere that at least one of them may hit. Their origins lie within the scene's extent.
     #[inline(always)]
     pub fn intersect_candidate_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
-        let view = record.lanes().seen_from(rays.ray.origin);
-        self.filtered_sphere(id, record, &view, rays);
+        self.filtered_sphere(id, record, &record.lanes().seen_from(rays.ray.origin), rays);
     }
 
     #[inline(always)]
     fn filtered_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
         let &Rays { ray, a, valid, .. } = rays;
         let lanes = exact::sphere::filtered_from(view, ray.direction, a);
-        let certain = lanes.certain & in_scale(a);
-        let mut lambda = lanes.lambda;
-        if (!certain).bits() & valid != 0 {
+        let mut certain = lanes.certain & in_scale(a);
+        let mut hits = (lanes.lambda, V::of(0.0));
+        let uncertain = rays.uncertain(certain);
+        if uncertain != 0 {
             let compensated = exact::sphere_compensated::compensated(&record.lanes(), ray);
-            lambda = V::select(certain, lambda, compensated.lambda);
-            let doubtful = (!(certain | compensated.certain)).bits() & valid;
-            add(Counter::Compensated, u64::from(((!certain).bits() & valid & !doubtful).count_ones()));
-            if doubtful != 0 {
-                lambda = precise_spheres(record, ray, lambda, doubtful);
+            hits.0 = V::select(certain, hits.0, compensated.lambda);
+            certain = certain | compensated.certain;
+            let still_uncertain = rays.uncertain(certain);
+            add(Counter::Compensated, u64::from((uncertain & !still_uncertain).count_ones()));
+            if still_uncertain != 0 {
+                let intersect = |ray: &Ray| Some((exact::sphere::precise(record, ray)?, CylinderPart::Side));
+                hits = precise(ray, hits, still_uncertain, &intersect);
             }
         }
-        self.update(id, lambda, lambda.less(V::of(f64::INFINITY)), V::of(0.0), valid);
+        self.update(id, hits, certain, valid);
     }
 
-    /// Takes the hits with a cylinder into account, given its view and the file's axis.
+    /// Intersects camera rays with a cylinder, given its view and the file's axis.
     #[inline(always)]
     pub fn intersect_cylinder(
         &mut self,
         id: ObjectId,
-        (record, axis): (&CylinderRecord, &Vec3),
+        cylinder: (&CylinderRecord, &Vec3),
         view: &CylinderView<V>,
         rays: &Rays<V>,
     ) {
-        let &Rays { ray, noise, valid, .. } = rays;
-        let lanes_record = record.lanes::<V>();
-        let quadratic = lanes_record.quadratic(view, ray.direction);
-        let certainly_missed = quadratic.2.less(-(noise * view.squares));
-        if (!certainly_missed).bits() & valid == 0 {
-            return;
+        let (.., discriminant) = cylinder.0.lanes::<V>().quadratic(view, rays.ray.direction);
+        if rays.may_hit(discriminant, view.squares) {
+            self.filtered_cylinder(id, cylinder, view, rays);
         }
-        self.filtered_cylinder(id, (record, axis), view, rays);
     }
 
-    /// The same for a cylinder that the valid lanes, which start within the scene's reach, may meet.
+    /// Intersects rays with a cylinder that at least one of them may hit. Their origins lie within the scene's extent.
     #[inline(always)]
-    pub fn intersect_candidate_cylinder(
-        &mut self,
-        id: ObjectId,
-        (record, axis): (&CylinderRecord, &Vec3),
-        rays: &Rays<V>,
-    ) {
-        let view = record.lanes().seen_from(rays.ray.origin);
-        self.filtered_cylinder(id, (record, axis), &view, rays);
+    pub fn intersect_candidate_cylinder(&mut self, id: ObjectId, cylinder: (&CylinderRecord, &Vec3), rays: &Rays<V>) {
+        self.filtered_cylinder(id, cylinder, &cylinder.0.lanes().seen_from(rays.ray.origin), rays);
     }
 
     #[inline(always)]
@@ -145,17 +148,17 @@ impl<V: SimdF64> HitLanes<V> {
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray);
-        // Most rays do not come near the bases.
-        let needs_bases = side.open.bits() & valid != 0;
-        let lanes = if needs_bases { side.with_bases(&lanes_record, ray) } else { side.without_bases() };
+        // Most rays do not come near the caps.
+        let needs_caps = side.open.bits() & valid != 0;
+        let lanes = if needs_caps { side.with_caps(&lanes_record, ray) } else { side.without_caps() };
         let number = |part: CylinderPart| V::of(f64::from(part as u32));
         let over = V::select(lanes.top, number(CylinderPart::Top), number(CylinderPart::Side));
-        let mut part = V::select(lanes.bottom, number(CylinderPart::Bottom), over);
-        let mut lambda = lanes.lambda;
-        let doubtful = (!(lanes.certain & in_scale(a))).bits() & valid;
-        if doubtful != 0 {
-            (lambda, part) = precise_cylinders((record, axis), ray, (lambda, part), doubtful);
+        let mut hits = (lanes.lambda, V::select(lanes.bottom, number(CylinderPart::Bottom), over));
+        let certain = lanes.certain & in_scale(a);
+        let uncertain = rays.uncertain(certain);
+        if uncertain != 0 {
+            hits = precise(ray, hits, uncertain, &|ray| exact::cylinder::precise(record, axis, ray));
         }
-        self.update(id, lambda, lambda.less(V::of(f64::INFINITY)), part, valid);
+        self.update(id, hits, certain, valid);
     }
 }

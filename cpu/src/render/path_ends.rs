@@ -1,160 +1,121 @@
-//! Where paths leave the scene: the background, several at once, attenuated by all that the paths have met.
+//! The ends of paths: the background of those that escape, several at once, attenuated by the surfaces on the path.
 
 use crate::counters::{Counter, add};
-use crate::input::error::Error;
-use crate::input::scene::MaterialId;
+use crate::input::{error::Error, scene::MaterialId};
 use crate::layout::Layout;
 use crate::math::vec3::Vec3;
-use crate::render::arrays::{CAPACITY, Vectors};
-use crate::render::lane_by_lane::LaneByLane;
-use crate::render::path_vertex::PathVertex;
-use crate::render::prepared::Prepared;
-use crate::render::queue::PathQueue;
-use crate::render::samples::Batch;
-use crate::simd::{Kernel, Simd, SimdF64};
+use crate::render::arrays::{CAPACITY, ROOM};
+use crate::render::{fallback::MOST_LANES, path_vertex::PathVertex, prepared::Prepared};
+use crate::render::{queue::PathQueue, samples::Batch};
+use crate::simd::{SimdF64, columns::Columns};
 
-/// The ends of the queue's paths, by place in the queue.
+/// The ends of the queue's paths, by index in the queue.
 #[derive(Debug)]
 pub struct PathEnds {
     /// The last direction of each path.
-    pub direction: Vectors,
-    /// What paths met after the surface that they stand on in the queue, path after path; room behind the last.
-    met: Vec<Attenuation>,
-    /// How many these are.
-    count: usize,
-    /// How many they were when the present path began.
+    pub direction: Columns<3, ROOM>,
+    /// The surfaces that each path hits after its first surface, path after path. The first is in the queue.
+    attenuations: Vec<Attenuation>,
+    /// How many attenuations belong to the paths before the present one.
     begin: usize,
-    /// There was no room for one of them: colours are of no meaning.
+    /// Whether there was no room for an attenuation: colours are then wrong.
     is_incomplete: bool,
 }
 
-/// A surface that attenuates, met by a path.
+/// A hit on a surface that attenuates the path's colour.
 #[derive(Clone, Copy, Debug)]
 struct Attenuation {
     path: u32,
     material: MaterialId,
 }
 
-impl Attenuation {
-    const NOTHING: Self = Self { path: 0, material: 0 };
-}
-
 impl PathEnds {
-    /// No path yet.
-    pub fn new() -> Self {
-        let met = vec![Attenuation::NOTHING; 8 * CAPACITY];
-        Self { direction: Vectors::ZERO, met, count: 0, begin: 0, is_incomplete: false }
+    /// The state before the first path.
+    pub(super) fn new() -> Self {
+        let attenuations = Vec::with_capacity(8 * CAPACITY);
+        Self { direction: Columns::ZERO, attenuations, begin: 0, is_incomplete: false }
     }
 
-    /// Whether all that paths met could be kept.
+    /// Whether there was room for all attenuations.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]: a path between mirrors may meet as many surfaces as `max_depth` says.
+    /// [`Error::OutOfMemory`]: a path between mirrors may hit as many surfaces as `max_depth` says.
     pub fn check(&self) -> Result<(), Error> {
         if self.is_incomplete { Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }) } else { Ok(()) }
     }
 
-    /// A path begins; those before it are done.
+    /// Begins a path. All paths before it must have ended.
     #[inline(always)]
     pub const fn begin(&mut self) {
-        self.begin = self.count;
+        self.begin = self.attenuations.len();
     }
 
-    /// Path `at`, the present one, has met a material that attenuates. Says whether it could be kept; see
-    /// [`PathEnds::check`].
+    /// Attenuates the present path, `at`, by a material. Returns whether there was room; see [`PathEnds::check`].
     #[inline(always)]
     pub fn push_attenuation(&mut self, at: usize, material: MaterialId) -> bool {
-        if self.count == self.met.len() && !self.grow() {
+        if self.attenuations.len() == self.attenuations.capacity() && self.attenuations.try_reserve(1).is_err() {
+            self.is_incomplete = true;
             return false;
         }
-        self.met[self.count] = Attenuation { path: at as u32, material };
-        self.count += 1;
+        self.attenuations.push(Attenuation { path: at as u32, material });
         true
     }
 
-    /// Makes room for as many materials again, and says whether there was any.
-    #[cold]
-    #[inline(never)]
-    fn grow(&mut self) -> bool {
-        let more = self.met.len();
-        let fits = self.met.try_reserve_exact(more).is_ok();
-        if fits {
-            self.met.resize(2 * more, Attenuation::NOTHING);
-        }
-        self.is_incomplete |= !fits;
-        fits
-    }
-
-    /// Path `at`, the present one, has reached the maximum depth: it contributes black.
+    /// Ends the present path, `at`, at the maximum depth: it contributes black.
     #[inline(always)]
     pub fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
-        self.count = self.begin;
-        self.direction.set(at, Vec3::ONE);
-        for array in &mut queue.arrays[PathVertex::REFLECTANCE] {
-            array[at] = 0.0;
+        self.attenuations.truncate(self.begin);
+        self.direction.set(at, [1.0; 3]);
+        for column in &mut queue.entries.0[PathVertex::REFLECTANCE] {
+            column[at] = 0.0;
         }
-        add(Counter::DepthReached, 1);
+        add(Counter::MaxDepthReached, 1);
     }
 
-    /// Path `at`, the present one, leaves the scene.
+    /// Ends the present path, `at`, where its ray leaves the scene.
     #[inline(always)]
     pub fn escape(&mut self, at: usize, direction: Vec3) {
-        self.direction.set(at, direction);
+        self.direction.set(at, direction.to_array());
     }
 
-    /// The paths before `at` are done; it and those after it escape with their first rays. A later call for one of them
-    /// replaces this.
+    /// Lets the paths from `at` on escape with their first rays, a path in each lane. All paths before `at` must have
+    /// ended. Later calls for a path overwrite its end.
     #[inline(always)]
     pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
-        self.direction.store(at, directions);
+        self.direction.store(at, directions.to_array());
         self.begin();
     }
-}
 
-/// Gives every path of the queue its colour, and forgets it.
-pub struct Color<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
-    pub queue: &'a PathQueue,
-    pub ends: &'a mut PathEnds,
-    pub batch: &'a mut Batch,
-}
-
-impl<L: Layout> Kernel for Color<'_, L> {
-    type Output = ();
-
+    /// Gives every path of the queue its colour, and removes the attenuations.
     #[inline(always)]
-    fn call<S: Simd>(self, _: S) {
-        color::<S, L>(self);
-    }
-}
-
-#[inline(always)]
-fn color<S: Simd, L: Layout>(Color { prepared, queue, ends, batch }: Color<'_, L>) {
-    let background = prepared.background.lanes::<S::F64>();
-    let colors = &mut ends.direction;
-    for at in (0..queue.count).step_by(S::F64::LANES) {
-        let color = background.color(colors.load::<S::F64>(at));
-        colors.store(at, color);
-    }
-    // From the last surface back to the first, in the order in which the recursion returns; all paths in one loop, for
-    // no processor guesses how long each is.
-    for &Attenuation { path, material } in ends.met[..ends.count].iter().rev() {
-        let reflectance = prepared.materials[material as usize].reflectance;
-        colors.set(path as usize, colors.get(path as usize).attenuate(reflectance));
-    }
-    ends.count = 0;
-    for at in (0..queue.count).step_by(S::F64::LANES) {
-        let PathVertex { reflectance, .. } = PathVertex::of(queue.load::<S::F64>(at));
-        let color = colors.load::<S::F64>(at).attenuate(reflectance);
-        let sample = |place: usize| queue.arrays[PathVertex::SAMPLE][place].to_bits() as usize;
-        let last = at + S::F64::LANES - 1;
-        // Mostly all samples of the span are in the queue. Their numbers are in order, so these are consecutive.
-        if last < queue.count && sample(last) - sample(at) == S::F64::LANES - 1 {
-            batch.color.store(sample(at), color);
-        } else {
-            let color = LaneByLane::new(color.to_array());
-            for place in at..queue.count.min(last + 1) {
-                batch.color.set(sample(place), color.of(place - at).into());
+    pub fn color<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, queue: &PathQueue, batch: &mut Batch) {
+        let colors = &mut self.direction;
+        let background = prepared.background.lanes::<V>();
+        for at in (0..queue.count).step_by(V::LANES) {
+            let color = background.color(colors.load::<V>(at).into());
+            colors.store(at, color.to_array());
+        }
+        // From the last surface back to the first, in the order in which the recursion returns. One loop for all paths:
+        // a loop for each would end in a branch that is mispredicted once a path.
+        for &Attenuation { path, material } in self.attenuations.iter().rev() {
+            let color = Vec3::from(colors.get(path as usize));
+            let reflectance = prepared.materials[material as usize].reflectance;
+            colors.set(path as usize, color.attenuate(reflectance).to_array());
+        }
+        self.attenuations.clear();
+        for at in (0..queue.count).step_by(V::LANES) {
+            let PathVertex { reflectance, .. } = PathVertex::of(queue.entries.load::<V>(at));
+            let color = Vec3::from(colors.load::<V>(at)).attenuate(reflectance).to_array();
+            let sample = |index: usize| queue.entries.0[PathVertex::SAMPLE][index].to_bits() as usize;
+            let last = at + V::LANES - 1;
+            // Mostly all samples of the span are in the queue. Their numbers are in order, so these are consecutive.
+            if last < queue.count && sample(last) - sample(at) == V::LANES - 1 {
+                batch.color.store(sample(at), color);
+            } else {
+                let color = Columns::<3, MOST_LANES>::of_lanes(color);
+                for index in at..queue.count.min(last + 1) {
+                    batch.color.set(sample(index), color.get(index - at));
+                }
             }
         }
     }
@@ -167,22 +128,24 @@ mod tests {
     use crate::input::scene::Scene;
     use crate::layout::aos::Aos;
     use crate::materials::prepared::PreparedMaterial;
+    use crate::render::{path::PathTracer, span_state::SpanState, stages::ColorPaths};
     use crate::sampling::scatter_vectors::Scatter;
     use crate::simd::instruction_set::InstructionSet;
 
     #[test]
-    fn paths_that_left_are_coloured_and_attenuated_from_the_last_surface_back() {
+    fn paths_that_escape_are_coloured_and_attenuated_from_the_last_surface_back() {
         let scene = Scene::parse(&b"matte: a .1 .2 .3\nmatte: b .7 .9 .11\n"[..]).expect("the scene is valid");
         let prepared: Prepared<Aos> =
             Prepared::new(&Config::default(), &scene, Scatter::Statement).expect("it can be rendered");
         let reflectance = |material: usize| scene.materials[material].reflectance();
         let direction = Vec3::new(0.3, -0.7, 0.2);
         let background = prepared.background.color(direction);
-        for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
-            let (mut queue, mut ends, mut batch) = (PathQueue::EMPTY, PathEnds::new(), Batch::new());
+        for set in InstructionSet::available() {
+            let mut state = SpanState::new(&prepared).expect("it fits");
+            let (PathTracer { queue, ends, .. }, batch) = (&mut *state.tracer, &mut *state.batch);
             batch.count = 11;
             for sample in 0..batch.count {
-                batch.color.set(sample, Vec3::splat(sample as f64));
+                batch.color.set(sample, [sample as f64; 3]);
             }
             for (sample, material) in [(2, 0), (3, 0), (9, 1)] {
                 let black = PathVertex::new(Vec3::ZERO, Vec3::ZERO, 0.0, &PreparedMaterial::BLACK);
@@ -194,31 +157,31 @@ mod tests {
             ends.escape(0, direction);
             ends.begin();
             assert!(ends.push_attenuation(1, 0));
-            ends.terminate(1, &mut queue);
+            ends.terminate(1, queue);
             ends.begin();
             ends.escape(2, direction);
-            set.run(Color { prepared: &prepared, queue: &queue, ends: &mut ends, batch: &mut batch });
+            set.run(ColorPaths(&mut state));
+            let color = |sample| Vec3::from(state.batch.color.get(sample));
             let expected = background.attenuate(reflectance(0)).attenuate(reflectance(1)).attenuate(reflectance(0));
-            assert_eq!(batch.color.get(2), expected);
-            assert_eq!(batch.color.get(3), Vec3::ZERO, "a path without an end is black");
-            assert_eq!(batch.color.get(9), background.attenuate(reflectance(1)));
+            assert_eq!(color(2), expected);
+            assert_eq!(color(3), Vec3::ZERO, "a path without an end is black");
+            assert_eq!(color(9), background.attenuate(reflectance(1)));
             for sample in [0, 1, 4, 5, 6, 7, 8, 10] {
-                assert_eq!(batch.color.get(sample), Vec3::splat(sample as f64), "it was not in the queue");
+                assert_eq!(color(sample), Vec3::splat(sample as f64), "it was not in the queue");
             }
-            assert_eq!(ends.count, 0, "they are forgotten");
+            assert_eq!(state.tracer.ends.attenuations.len(), 0);
         }
     }
 
     #[test]
     fn a_path_longer_than_the_room_for_it_makes_more() {
         let mut ends = PathEnds::new();
-        let room = ends.met.len();
+        let room = ends.attenuations.capacity();
         ends.begin();
         for number in 0..3 * room {
             assert!(ends.push_attenuation(1, number as MaterialId));
         }
-        let material = ends.met[room].material;
-        assert_eq!((ends.count, material, ends.check().is_ok()), (3 * room, room as MaterialId, true));
-        assert!(ends.met.len() >= 3 * room);
+        let material = ends.attenuations[room].material;
+        assert_eq!((ends.attenuations.len(), material, ends.check().is_ok()), (3 * room, room as MaterialId, true));
     }
 }

@@ -1,56 +1,54 @@
-//! A sample on a surface that scatters: all that its path begins with.
+//! A sample on a surface that scatters, with all numbers that its path begins with.
 
 use std::ops::Range;
 
 use crate::geometry::ray::Ray;
-use crate::materials::prepared::{PreparedMaterial, ScatterParams};
-use crate::math::real::Real;
-use crate::math::vec3::Vec3;
+use crate::materials::{prepared::PreparedMaterial, scatter::ScatterParams};
+use crate::math::{real::Real, vec3::Vec3};
 
-/// A sample on a surface, or a lane of them.
+/// A sample on a surface, or one sample in each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct PathVertex<T = f64> {
-    /// Where.
+    /// The point.
     pub point: Vec3<T>,
-    /// The scattered direction before the random vector is added: the normal of a matte surface, the mirror direction
-    /// of a metal one; the whole direction at a refractive one.
-    pub base: Vec3<T>,
-    /// How the next ray is scattered around `base`.
+    /// The scattered direction before the random vector is added; see [`PreparedMaterial::unperturbed_direction`].
+    pub unperturbed: Vec3<T>,
+    /// How the next ray is scattered around `unperturbed`.
     pub scatter_params: ScatterParams<T>,
-    /// What the colour of the next ray is multiplied by.
+    /// The factor of the next ray's colour.
     pub reflectance: Vec3<T>,
     /// The [object](crate::accel::object::ObjectId) whose surface it is, a whole number.
     pub object: T,
     /// The sample's number in the span, as bits.
     pub sample: T,
-    /// How many rays the path may still send, as bits.
+    /// How many rays the path may still send: [`RaysLeft`](crate::render::max_depth::RaysLeft) as bits.
     pub rays: T,
 }
 
 impl PathVertex {
     /// How many numbers a vertex has.
     pub const NUMBERS: usize = 15;
-    /// The places of `reflectance` among them.
+    /// The indices of `reflectance` in [`PathVertex::numbers`].
     pub const REFLECTANCE: Range<usize> = 9..12;
-    /// The place of `sample` among them.
+    /// The index of `sample`.
     pub const SAMPLE: usize = 13;
-    /// The index of `rays` in [`PathVertex::numbers`].
+    /// The index of `rays`.
     pub const RAYS: usize = 14;
 
-    /// The ray that the surface scatters, with the stream's next scatter sample.
+    /// The ray that the surface scatters by this scatter sample.
     #[inline(always)]
     pub fn scattered_ray(&self, scatter_sample: Vec3) -> Ray {
-        Ray { origin: self.point, direction: self.scatter_params.around(self.base, scatter_sample) }
+        Ray { origin: self.point, direction: self.scatter_params.scatter_around(self.unperturbed, scatter_sample) }
     }
 }
 
 impl<T: Real> PathVertex<T> {
-    /// A vertex on a surface of this prepared material.
+    /// A vertex on a surface of this prepared material. The caller replaces `sample` and `rays`, which are 0.
     #[inline(always)]
-    pub fn new(point: Vec3<T>, base: Vec3<T>, object: T, material_data: &PreparedMaterial) -> Self {
-        let (scatter_params, reflectance) = (material_data.spread.lanes(), material_data.reflectance.map(T::of));
+    pub fn new(point: Vec3<T>, unperturbed: Vec3<T>, object: T, material: &PreparedMaterial) -> Self {
+        let (scatter_params, reflectance) = (material.scatter_params.lanes(), material.reflectance.map(T::of));
         let (sample, rays) = (T::of(0.0), T::of(0.0));
-        Self { point, base, scatter_params, reflectance, object, sample, rays }
+        Self { point, unperturbed, scatter_params, reflectance, object, sample, rays }
     }
 
     /// Selects lanes: the direction, scatter parameters and reflectance come from this vertex where `mask` holds, and
@@ -64,30 +62,35 @@ impl<T: Real> PathVertex<T> {
             negligible: T::select(mask, this.negligible, that.negligible),
         };
         let reflectance = Vec3::select(mask, self.reflectance, other.reflectance);
-        Self { base: Vec3::select(mask, self.base, other.base), scatter_params, reflectance, ..*self }
+        Self {
+            unperturbed: Vec3::select(mask, self.unperturbed, other.unperturbed),
+            scatter_params,
+            reflectance,
+            ..*self
+        }
     }
 
     /// The numbers, as a [queue](crate::render::queue::PathQueue) keeps them.
     #[inline(always)]
     pub fn numbers(&self) -> [T; PathVertex::NUMBERS] {
-        let Self { point: p, base: b, scatter_params: s, reflectance: r, object, sample, rays } = *self;
-        [p.x, p.y, p.z, b.x, b.y, b.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object, sample, rays]
+        let Self { point: p, unperturbed: u, scatter_params: s, reflectance: r, object, sample, rays } = *self;
+        [p.x, p.y, p.z, u.x, u.y, u.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object, sample, rays]
     }
 
     /// The numbers of a sample whose hit is refractive, as a [queue](crate::render::queue::SpecularQueue) keeps them.
     #[inline(always)]
     pub fn specular_numbers(&self) -> [T; 8] {
-        let Self { point: p, base: b, object, sample, .. } = *self;
-        [p.x, p.y, p.z, b.x, b.y, b.z, object, sample]
+        let Self { point: p, unperturbed: u, object, sample, .. } = *self;
+        [p.x, p.y, p.z, u.x, u.y, u.z, object, sample]
     }
 
-    /// The vertex of these numbers.
+    /// The vertex that consists of these [numbers](PathVertex::numbers).
     #[inline(always)]
     pub fn of(numbers: [T; PathVertex::NUMBERS]) -> Self {
-        let [px, py, pz, bx, by, bz, scale, shift, negligible, rx, ry, rz, object, sample, rays] = numbers;
+        let [px, py, pz, ux, uy, uz, scale, shift, negligible, rx, ry, rz, object, sample, rays] = numbers;
         Self {
             point: Vec3::new(px, py, pz),
-            base: Vec3::new(bx, by, bz),
+            unperturbed: Vec3::new(ux, uy, uz),
             scatter_params: ScatterParams { scale, shift, negligible },
             reflectance: Vec3::new(rx, ry, rz),
             object,

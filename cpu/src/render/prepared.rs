@@ -1,17 +1,12 @@
-//! From checked values to what the rendering needs and nothing more.
+//! The prepared scene: all values that rendering needs, computed once from the checked texts.
 
-use crate::accel::extent::Extent;
-use crate::materials::prepared::PreparedMaterial;
-
-use crate::accel::choice::Accel;
+use crate::accel::{choice::Accel, extent::Extent};
 use crate::geometry::camera::Camera;
 use crate::image::quantize::Quantizer;
-use crate::input::config::Config;
-use crate::input::error::Error;
-use crate::input::material::Material;
-use crate::input::scene::Scene;
-use crate::input::size::Size;
+use crate::input::error::{Error, with_room};
+use crate::input::{config::Config, material::Material, scene::Scene, size::Size};
 use crate::layout::{Layout, Objects};
+use crate::materials::prepared::PreparedMaterial;
 use crate::render::background::Background;
 use crate::sampling::scatter_vectors::Scatter;
 
@@ -20,31 +15,32 @@ use crate::sampling::scatter_vectors::Scatter;
 pub struct Prepared<L: Layout> {
     /// The picture's size.
     pub size: Size,
-    /// Where primary rays come from.
+    /// The origin of the camera rays, and the window.
     pub camera: Camera,
-    /// What rays see that meet nothing.
+    /// The colour of rays that hit nothing.
     pub background: Background,
     /// The scene's objects, in the layout's storage.
     pub objects: L::Objects,
     /// The scene's materials, ready to scatter.
     pub materials: Vec<PreparedMaterial>,
-    /// How the nearest object of a ray is found.
-    pub search: Accel,
-    /// Means to bytes.
+    /// The acceleration structure over the objects.
+    pub accel: Accel,
+    /// Turns means into bytes.
     pub quantizer: Quantizer,
-    /// Rays a pixel.
+    /// Samples of a pixel.
     pub samples: u64,
-    /// Most surfaces that a ray may meet.
+    /// Most rays of a sample; see [`RaysLeft`](crate::render::max_depth::RaysLeft).
     pub max_depth: u64,
-    /// The convention of the picture.
+    /// The convention of the random vectors.
     pub scatter: Scatter,
-    /// Where random vectors come from: from nowhere where no path can tell.
-    pub vectors: Scatter,
-    /// No material in use is refractive: wherever a path's last ray ends, it takes a random vector.
+    /// The convention of the stream of scatter samples. It is `scatter`, or deterministic if no scatter sample can
+    /// change a pixel, because then nothing needs to be drawn.
+    pub scatter_stream: Scatter,
+    /// Whether no material in use is refractive: then every hit takes a scatter sample.
     pub scatters_everywhere: bool,
-    /// Seed of the samples' places.
+    /// Seed of the samples' offsets.
     pub ray_seed: u64,
-    /// Seed of the random vectors.
+    /// Seed of the scatter samples.
     pub material_seed: u64,
 }
 
@@ -64,14 +60,14 @@ impl<L: Layout> Prepared<L> {
             size,
             camera,
             background: Background::new(config),
-            search: Accel::new(&objects, &extent)?,
+            accel: Accel::new(&objects, &extent)?,
             objects,
             materials: prepare_materials(scene, scatter)?,
             quantizer: Quantizer::new(config.gamma),
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,
             scatter,
-            vectors: if needs_vectors(config, &materials, scatter) { scatter } else { Scatter::Deterministic },
+            scatter_stream: if needs_samples(config, &materials, scatter) { scatter } else { Scatter::Deterministic },
             scatters_everywhere: !materials.iter().any(|material| matches!(material, Material::Refractive { .. })),
             ray_seed: config.ray_rng_seed,
             material_seed: config.material_rng_seed,
@@ -80,20 +76,18 @@ impl<L: Layout> Prepared<L> {
 }
 
 fn prepare_materials(scene: &Scene, scatter: Scatter) -> Result<Vec<PreparedMaterial>, Error> {
-    let mut prepared = Vec::new();
-    let out_of_memory = |_| Error::OutOfMemory { what: "the materials" };
-    prepared.try_reserve_exact(scene.materials.len()).map_err(out_of_memory)?;
+    let mut prepared = with_room(scene.materials.len(), "the materials")?;
     prepared.extend(scene.materials.iter().map(|material| PreparedMaterial::new(material, scatter)));
     Ok(prepared)
 }
 
-/// Whether a random vector may reach a pixel. With a depth of one every path that scatters is black; a metal without
-/// diffusion multiplies the statement's draws by nought. (A published vector times nought may be a negative nought.)
-fn needs_vectors(config: &Config, materials: &[Material], scatter: Scatter) -> bool {
-    let spreads = |material: &Material| match *material {
+/// Whether a scatter sample can change a pixel. With a depth of one every path that scatters is black. A metal without
+/// diffusion multiplies the statement's draws by zero. (A published vector times zero may be a negative zero.)
+fn needs_samples(config: &Config, materials: &[Material], scatter: Scatter) -> bool {
+    let scatters = |material: &Material| match *material {
         Material::Matte { .. } => true,
         Material::Metal { diffusion, .. } => diffusion != 0.0 || scatter == Scatter::Published,
         Material::Refractive { .. } => false,
     };
-    config.max_depth > 1 && materials.iter().any(spreads)
+    config.max_depth > 1 && materials.iter().any(scatters)
 }

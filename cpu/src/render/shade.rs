@@ -1,45 +1,32 @@
-//! What a surface does to rays that have just met it, several at once.
+//! Shading of several rays that have just hit a surface.
 
 use crate::accel::object::{ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
-use crate::geometry::cylinder::CylinderPart;
-use crate::geometry::ray::Ray;
+use crate::geometry::{cylinder::CylinderPart, ray::Ray};
 use crate::layout::{Layout, Objects};
-use crate::materials::prepared::{BsdfKind, PreparedMaterial};
-use crate::materials::scatter;
+use crate::materials::prepared::PreparedMaterial;
 use crate::math::vec3::Vec3;
-use crate::render::hit_lanes::HitLanes;
-use crate::render::lane_by_lane::MOST_LANES;
-use crate::render::path_vertex::PathVertex;
-use crate::render::prepared::Prepared;
+use crate::render::{fallback::MOST_LANES, hit_lanes::HitLanes, path_vertex::PathVertex, prepared::Prepared};
 use crate::simd::{LaneMask, SimdF64};
 
-/// Lanes on the surfaces that they have met; of no meaning in the others.
-pub struct Shaded<V> {
-    pub vertex: PathVertex<V>,
-    /// Lanes whose surface is refractive, as bits.
-    pub refractive: u32,
-}
-
-/// Shades the lanes that meet something.
+/// Returns the vertices of the lanes with a hit, and the lanes whose surface is refractive, as bits. The vertices of
+/// the other lanes are stale.
 #[inline(always)]
-pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &HitLanes<V>) -> Shaded<V> {
+pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &HitLanes<V>) -> (PathVertex<V>, u32) {
     let objects = &prepared.objects;
-    let mut numbers = [0.0; MOST_LANES];
-    hits.object.store(&mut numbers);
+    let mut objects_hit = [0.0; MOST_LANES];
+    hits.object.store(&mut objects_hit);
     let point = ray.at(hits.lambda);
-    let mut shaded =
-        Shaded { vertex: PathVertex::new(point, point, hits.object, &PreparedMaterial::BLACK), refractive: 0 };
+    let (mut vertex, mut refractive) = (PathVertex::new(point, point, hits.object, &PreparedMaterial::BLACK), 0);
     add(Counter::Hits, u64::from(hits.bits.count_ones()));
     let mut left = hits.bits;
     while left != 0 {
-        // Neighbours mostly meet the same object: all lanes that meet this one are done together.
-        let number = numbers[left.trailing_zeros() as usize % MOST_LANES];
-        let object = number as ObjectId;
+        // Neighbours mostly hit the same object, so all lanes that hit this one are shaded together.
+        let number = objects_hit[left.trailing_zeros() as usize % MOST_LANES];
         let same = V::of(number).less_equal(hits.object) & hits.object.less_equal(V::of(number));
         let same_bits = same.bits() & left;
         left &= !same_bits;
-        let (outward, material) = match ObjectRef::of(objects, object) {
+        let (outward, material) = match ObjectRef::of(objects, number as ObjectId) {
             ObjectRef::Sphere(index) => {
                 let sphere = objects.sphere(index);
                 (sphere.record.lanes::<V>().outward(point), sphere.material)
@@ -48,29 +35,16 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
                 let cylinder = objects.cylinder(index);
                 let record = cylinder.record.lanes::<V>();
                 let side = record.outward(CylinderPart::Side, point);
-                let is_side = hits.part.less(V::of(0.5));
-                let is_top = hits.part.less(V::of(1.5));
-                let base = Vec3::select(
-                    is_top,
-                    record.outward(CylinderPart::Top, side),
-                    record.outward(CylinderPart::Bottom, side),
-                );
-                (Vec3::select(is_side, side, base), cylinder.material)
+                let (top, bottom) =
+                    (record.outward(CylinderPart::Top, point), record.outward(CylinderPart::Bottom, point));
+                let cap = Vec3::select(hits.part.less(V::of(1.5)), top, bottom);
+                (Vec3::select(hits.part.less(V::of(0.5)), side, cap), cylinder.material)
             }
         };
-        let front = ray.direction.dot(outward).less(V::of(0.0));
-        let normal = Vec3::select(front, outward, -outward);
-        let material_data = &prepared.materials[material as usize];
-        let base = match material_data.kind {
-            BsdfKind::Matte => normal,
-            BsdfKind::Metal => scatter::mirror(ray.direction, normal),
-            BsdfKind::Refractive => {
-                shaded.refractive |= same_bits;
-                let ratio = V::select(front, V::of(material_data.inverse_index), V::of(material_data.index));
-                scatter::refract(ray.direction, normal, ratio)
-            }
-        };
-        shaded.vertex = PathVertex::new(point, base, hits.object, material_data).where_else(same, &shaded.vertex);
+        let material = &prepared.materials[material as usize];
+        let direction = material.unperturbed_direction(ray.direction, outward);
+        refractive |= if material.takes_scatter_sample() { 0 } else { same_bits };
+        vertex = PathVertex::new(point, direction, hits.object, material).where_else(same, &vertex);
     }
-    shaded
+    (vertex, refractive)
 }

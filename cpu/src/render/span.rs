@@ -1,36 +1,50 @@
-//! Spans: runs of samples along a row.
+//! Spans: consecutive samples of a row.
+
+use std::ops::Range;
 
 use crate::render::arrays::CAPACITY;
 
-/// Widest span, in pixels: narrow enough that few objects are candidates. Every instruction set's lanes divide it.
+/// Largest width of a span, in pixels. Wider spans have more candidates. Every instruction set's lanes divide it.
 pub const WIDEST: usize = 32;
 
-/// A run of samples: from `first_sample` of pixel `first` on, `count` in all, over consecutive pixels of a row.
+/// Consecutive samples: from `first_sample` of pixel `first` on, `count` in all, over consecutive pixels of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span {
     /// Column of the first pixel.
     pub first: usize,
-    /// Samples of the first pixel that earlier spans have taken.
+    /// Samples of the first pixel that belong to earlier spans.
     pub first_sample: u64,
-    /// Samples.
+    /// Number of samples.
     pub count: usize,
     /// Column of the last pixel.
     pub last: usize,
 }
 
 impl Span {
-    /// Pixels that it touches.
+    /// Number of pixels, whole or in part.
     #[inline(always)]
     pub const fn width(&self) -> usize {
         self.last - self.first + 1
     }
 
-    /// Whether it is made of whole pixels, each with this many samples.
+    /// Whether all its pixels are whole, for pixels of this many samples each.
     pub const fn is_whole(&self, samples: u64) -> bool {
         self.first_sample == 0 && self.count as u64 == self.width() as u64 * samples
     }
 
-    /// Its pixel `at`, when it is made of whole pixels with this many samples.
+    /// The column of every pixel with the indices of its samples in the span, for pixels of this many samples each.
+    #[inline(always)]
+    pub fn pixels(&self, samples: u64) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let (count, mut left, mut to) = (self.count, samples - self.first_sample, 0);
+        (self.first..=self.last).map(move |column| {
+            let from = to;
+            to = usize::try_from(left).map_or(count, |left| count.min(from.saturating_add(left)));
+            left = samples;
+            (column, from..to)
+        })
+    }
+
+    /// The span of its pixel number `at` alone. All pixels must be whole, with this many samples each.
     #[inline(always)]
     pub const fn pixel(&self, at: usize, samples: u64) -> Self {
         let column = self.first + at;
@@ -38,7 +52,7 @@ impl Span {
     }
 }
 
-/// The spans of a row, in order: no more than the batch holds, no wider than [`WIDEST`].
+/// The spans of a row, in order. Each has at most [`CAPACITY`] samples in at most [`WIDEST`] pixels.
 #[derive(Clone, Debug)]
 pub struct Spans {
     width: usize,
@@ -94,6 +108,13 @@ mod tests {
             assert_eq!(total, width as u64 * samples, "{width} pixels of {samples}");
             let mut position = 0;
             for span in &all {
+                let mut next = 0;
+                for (column, range) in span.pixels(samples) {
+                    let first = span.first as u64 * samples + span.first_sample + range.start as u64;
+                    assert_eq!((range.start, column as u64), (next, first / samples));
+                    next = range.end;
+                }
+                assert_eq!(next, span.count);
                 assert_eq!(span.first as u64 * samples + span.first_sample, position);
                 position += span.count as u64;
                 assert_eq!(span.last as u64, (position - 1) / samples);
@@ -112,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pixel_of_more_samples_than_any_memory_begins() {
+    fn the_first_span_of_a_pixel_with_most_samples_is_full() {
         let first = Spans::of_row(1, u64::MAX).next();
         assert_eq!(first, Some(Span { first: 0, first_sample: 0, count: CAPACITY, last: 0 }));
     }

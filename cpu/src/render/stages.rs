@@ -1,114 +1,65 @@
-//! The stages of one span, each to be run alone: for benchmarks. `render.rs` says what they do, and in which order.
+//! The short stages of a span, as kernels. The long stages have files of their own: `camera_rays.rs`,
+//! `specular_chains.rs` and `trace_paths.rs`.
 
-use crate::layout::aos::Aos;
-use crate::render::prepared::Prepared;
-use crate::simd::instruction_set::InstructionSet;
+use crate::layout::Layout;
+use crate::render::{path::PathTracer, span::Span, span_state::SpanState};
+use crate::simd::{Kernel, Simd};
 
-use crate::render::background_pixels::{BackgroundPixels, FindBytes};
-use crate::render::frustum::Candidates;
-use crate::render::path::PathTracer;
-use crate::render::samples::{Batch, Draw};
-use crate::render::span::{Span, Spans};
-use crate::render::trace_paths::TracePaths;
-use crate::render::{camera_rays, path_ends, specular_chains};
-use crate::sampling::pixel_jitter::PixelJitter;
+/// Begins a span: draws the offsets of its samples.
+pub struct DrawSamples<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>, pub &'s Span);
 
-/// A span of a picture, and where its samples are on their way.
-#[derive(Debug)]
-pub struct Stages<'a> {
-    prepared: &'a Prepared<Aos>,
-    set: InstructionSet,
-    row: usize,
-    span: Span,
-    offsets: PixelJitter,
-    sky: BackgroundPixels,
-    batch: Box<Batch>,
-    tracer: Box<PathTracer>,
-    candidates: Candidates,
+impl<L: Layout> Kernel for DrawSamples<'_, '_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        let SpanState { prepared, batch, pixel_jitter, .. } = self.0;
+        batch.draw::<S::F64, L>(prepared, self.1, pixel_jitter);
+    }
 }
 
-impl<'a> Stages<'a> {
-    /// The span of `row` that begins in or after `column`.
-    ///
-    /// # Panics
-    /// When there is none.
-    #[must_use]
-    pub fn new(prepared: &'a Prepared<Aos>, set: InstructionSet, row: usize, column: usize) -> Self {
-        let mut spans = Spans::of_row(prepared.size.width(), prepared.samples);
-        let span = spans.find(|span| span.first >= column).expect("the row is longer");
-        let mut stages = Self {
-            prepared,
-            set,
-            row,
-            span,
-            offsets: PixelJitter::new(prepared.ray_seed),
-            sky: BackgroundPixels::new(prepared),
-            batch: Batch::new(),
-            tracer: PathTracer::new(prepared),
-            candidates: Candidates::new(prepared).expect("a benchmark's scene fits"),
-        };
-        stages.cull();
-        stages
-    }
+/// Finds the bytes of the pixels of a span that no object can reach. Stops at the first pixel whose bytes the bounds do
+/// not give, and returns its index, or the width of the span if there is none. The samples of that pixel are then in
+/// the batch, and must be traced.
+pub struct FindBytes<'s, 'a, L: Layout> {
+    /// The state of the span.
+    pub state: &'s mut SpanState<'a, L>,
+    /// A span of whole pixels.
+    pub span: &'s Span,
+    /// Number of its leading pixels that are done.
+    pub done: usize,
+}
 
-    /// Samples of the span.
-    #[must_use]
-    pub const fn samples(&self) -> usize {
-        self.span.count
-    }
+impl<L: Layout> Kernel for FindBytes<'_, '_, L> {
+    type Output = usize;
 
-    /// Samples that wait for the glass stage, and for the walk.
-    #[must_use]
-    pub const fn waiting(&self) -> (usize, usize) {
-        (self.batch.specular.count, self.tracer.queue.count)
-    }
-
-    /// Finds the candidates of the row and of the span.
-    pub fn cull(&mut self) {
-        self.candidates.begin_row(self.prepared, self.row);
-        self.candidates.narrow(self.prepared, self.row, &self.span);
-    }
-
-    /// Looks for the bytes of the span's pixels without rays, as if no object reached it; says how many are known.
-    pub fn sky(&mut self) -> usize {
-        let (prepared, row, span) = (self.prepared, self.row, &self.span);
-        let (mut done, mut known) = (0, 0);
-        while done < span.width() {
-            let (sky, offsets, batch) = (&mut self.sky, &mut self.offsets, &mut *self.batch);
-            let to = self.set.run(FindBytes { prepared, row, span, done, sky, offsets, batch });
-            known += to - done;
-            done = to + 1;
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> usize {
+        let Self { state, span, done } = self;
+        let SpanState { prepared, row, background_pixels, pixel_jitter, batch, .. } = state;
+        if done == 0 {
+            background_pixels.begin::<S::F64, L>(prepared, *row, span);
         }
-        known
+        for at in done..span.width() {
+            match background_pixels.find::<S::F64, L>(prepared, (span, at), pixel_jitter, batch) {
+                Some(bytes) => background_pixels.bytes[at] = bytes,
+                None => return at,
+            }
+        }
+        span.width()
     }
+}
 
-    /// Draws the samples' places.
-    pub fn draw(&mut self) {
-        let (prepared, span, offsets) = (self.prepared, &self.span, self.offsets.stream());
-        self.set.run(Draw { prepared, span, offsets, batch: &mut self.batch });
-    }
+/// Ends a span: gives every path of the queue its colour.
+pub struct ColorPaths<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
-    /// Traces and shades the primary rays.
-    pub fn primary(&mut self) {
-        let (prepared, row, candidates) = (self.prepared, self.row, &self.candidates);
-        let (batch, queue) = (&mut *self.batch, &mut self.tracer.queue);
-        self.set.run(camera_rays::Trace { prepared, row, candidates, batch, queue });
-    }
+impl<L: Layout> Kernel for ColorPaths<'_, '_, L> {
+    type Output = ();
 
-    /// Follows the samples in glass.
-    pub fn glass(&mut self) {
-        let (batch, queue) = (&mut *self.batch, &mut self.tracer.queue);
-        self.set.run(specular_chains::Trace { prepared: self.prepared, batch, paths: queue });
-    }
-
-    /// Walks the waiting samples to their ends.
-    pub fn walk(&mut self) {
-        self.set.run(TracePaths { prepared: self.prepared, tracer: &mut self.tracer });
-    }
-
-    /// Gives the ended paths their colours.
-    pub fn ends(&mut self) {
-        let PathTracer { queue, ends, .. } = &mut *self.tracer;
-        self.set.run(path_ends::Color { prepared: self.prepared, queue, ends, batch: &mut self.batch });
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        let SpanState { prepared, batch, tracer, .. } = self.0;
+        let PathTracer { ends, queue, .. } = &mut **tracer;
+        ends.color::<S::F64, L>(prepared, queue, batch);
     }
 }

@@ -1,74 +1,103 @@
-//! The part of the paths that is sequential by definition: from the first surface that scatters on, sample after
-//! sample, each taking its random vectors from one stream.
+//! Traces the paths, from their first surface that scatters, one after the other. The specification makes this part
+//! sequential, because all paths take their scatter samples from one stream.
 //!
 //! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop.
 
-use crate::accel::choice::Accel;
-use crate::accel::every_object::EveryObject;
-use crate::accel::find::Accelerator;
-use crate::accel::small_scene::SmallScene;
+use crate::accel::object::ObjectId;
+use crate::accel::{choice::Accel, every_object::EveryObject, find::Accelerator};
+use crate::counters::{Counter, add};
 use crate::layout::Layout;
-use crate::render::context::Compiled;
-use crate::render::lookahead;
-use crate::render::path::PathTracer;
-use crate::render::prepared::Prepared;
+use crate::math::vec3::Vec3;
+use crate::render::{lookahead::TraceWithLookahead, max_depth::RaysLeft, path::PathTracer};
+use crate::render::{path_vertex::PathVertex, prepared::Prepared, span_state::SpanState};
 use crate::simd::{Kernel, Simd};
 
 /// Traces every path of the queue to its end.
-pub struct TracePaths<'a, L: Layout> {
-    pub prepared: &'a Prepared<L>,
-    pub tracer: &'a mut PathTracer,
-}
+pub struct TracePaths<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
-impl<L: Layout> Kernel for TracePaths<'_, L> {
+impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
     type Output = ();
 
     #[inline(always)]
     fn call<S: Simd>(self, simd: S) {
-        let Self { prepared, tracer } = self;
-        // The loop is compiled once for each structure; with many objects width matters more than latency.
-        match &prepared.search {
-            Accel::EveryObject => simd.run_promptly(OneByOne { prepared, tracer, accel: &EveryObject }),
-            Accel::SmallScene(accel) if !accel.uses_object_lanes() && tracer.all_may_send_rays() => {
-                simd.run_promptly(WithLookahead { prepared, tracer, accel });
+        let SpanState { prepared, tracer, .. } = self.0;
+        let prepared = *prepared;
+        // The loop is compiled once for each structure. With many objects, the width matters more than the latency.
+        match &prepared.accel {
+            Accel::EveryObject => {
+                simd.run_promptly(OneByOne::<(L, EveryObject)> { prepared, tracer, accel: &EveryObject });
             }
-            Accel::SmallScene(accel) => simd.run_promptly(OneByOne { prepared, tracer, accel }),
-            Accel::FlatFilter(accel) => simd.run(OneByOne { prepared, tracer, accel }),
-            Accel::Bvh(accel) => simd.run(OneByOne { prepared, tracer, accel }),
+            Accel::SmallScene(accel) if !accel.uses_object_lanes() && tracer.all_may_send_rays() => {
+                simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene: accel });
+            }
+            Accel::SmallScene(accel) => simd.run_promptly(OneByOne::<(L, _)> { prepared, tracer, accel }),
+            Accel::FlatFilter(accel) => simd.run(OneByOne::<(L, _)> { prepared, tracer, accel }),
+            Accel::Bvh(accel) => simd.run(OneByOne::<(L, _)> { prepared, tracer, accel }),
         }
     }
 }
 
-/// Traces the paths one after the other.
-struct OneByOne<'a, L: Layout, A> {
-    prepared: &'a Prepared<L>,
-    tracer: &'a mut PathTracer,
-    accel: &'a A,
+/// The types that the loop is compiled for, besides the instruction set.
+trait Compiled {
+    type Layout: Layout;
+    type Accel: Accelerator;
 }
 
-impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
+impl<L: Layout, A: Accelerator> Compiled for (L, A) {
+    type Layout = L;
+    type Accel = A;
+}
+
+/// Traces the paths one after the other.
+struct OneByOne<'a, C: Compiled> {
+    prepared: &'a Prepared<C::Layout>,
+    tracer: &'a mut PathTracer,
+    accel: &'a C::Accel,
+}
+
+impl<C: Compiled> Kernel for OneByOne<'_, C> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) {
-        let Self { prepared, tracer, accel } = self;
-        tracer.trace(&Compiled { simd, prepared, accel });
+    fn call<S: Simd>(mut self, simd: S) {
+        for at in 0..self.tracer.queue.count {
+            self.tracer.scatter_samples.prepare(simd);
+            self.tracer.ends.begin();
+            let scatter_sample = self.tracer.scatter_samples.next();
+            let vertex = PathVertex::of(self.tracer.queue.entries.get(at));
+            if RaysLeft::of_bits(vertex.rays).is_none() {
+                self.tracer.ends.terminate(at, &mut self.tracer.queue);
+            } else {
+                self.trace(simd, at, &vertex, scatter_sample);
+            }
+        }
     }
 }
 
-/// Traces the paths with [`lookahead`].
-struct WithLookahead<'a, L: Layout> {
-    prepared: &'a Prepared<L>,
-    tracer: &'a mut PathTracer,
-    accel: &'a SmallScene,
-}
-
-impl<L: Layout> Kernel for WithLookahead<'_, L> {
-    type Output = ();
-
+impl<C: Compiled> OneByOne<'_, C> {
+    /// Traces path `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives its first ray.
     #[inline(always)]
-    fn call<S: Simd>(self, simd: S) {
+    fn trace<S: Simd>(&mut self, simd: S, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
         let Self { prepared, tracer, accel } = self;
-        lookahead::trace(&Compiled { simd, prepared, accel }, tracer);
+        let objects = &prepared.objects;
+        let mut ray = vertex.scattered_ray(scatter_sample);
+        let mut rays = RaysLeft::of_bits(vertex.rays);
+        let mut origin = accel.origin(objects, &ray, vertex.object as ObjectId);
+        loop {
+            add(Counter::PathRays, 1);
+            let hit = accel.closest_hit_from::<S, _>(objects, &ray, origin, &mut tracer.stack);
+            if !hit.is_hit() {
+                return tracer.ends.escape(at, ray.direction);
+            }
+            rays = rays.minus_one();
+            let Some(scattered) = tracer.scatter((simd, prepared), (at, rays), &ray, &hit) else {
+                return;
+            };
+            origin = match scattered.cause {
+                Some((material, vector)) => accel.next_origin(objects, &ray, &hit, material, vector),
+                None => accel.origin(objects, &scattered.ray, hit.object),
+            };
+            ray = scattered.ray;
+        }
     }
 }

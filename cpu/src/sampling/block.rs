@@ -1,30 +1,29 @@
 //! The same stream as [`crate::sampling::uniform::Uniform`], a block of 312 draws at a time.
 //!
 //! `mt19937_64` (Nishimura and Matsumoto, 2000) renews its whole state at once; renewing, tempering and converting are
-//! loops without branches that the compiler turns into lanes. Held against `rand_mt` on 10^8 draws in the tests.
+//! loops without branches that the compiler turns into lanes. A test compares 10^8 draws with `rand_mt`.
 
 use crate::sampling::uniform::canonical;
 
 const LENGTH: usize = 312;
 const MIDDLE: usize = 156;
 
-/// Words before those of the state: half of it has four words more than lanes fill.
+/// Words before those of the state. Half of the state, 156 words, is 4 words more than a multiple of 8 lanes.
 const LEAD: usize = 4;
 
-/// A state: its last words of the time before, its words, and the first one again.
+/// The last [`LEAD`] words of the previous state, the [`LENGTH`] words of the state, and its first word again.
 type State = [u64; LEAD + LENGTH + 1];
 
 /// A stream of draws in `[0, 1)`.
 #[derive(Clone, Debug)]
 pub struct BlockUniform {
     state: Box<State>,
-    /// Words of the state already given away.
+    /// Number of words of the state that are used up.
     used: usize,
 }
 
 impl BlockUniform {
     /// The stream that `std::mt19937_64(seed)` gives.
-    #[must_use]
     pub fn new(seed: u64) -> Self {
         const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
         let mut state = Box::new([seed; LEAD + LENGTH + 1]);
@@ -35,26 +34,26 @@ impl BlockUniform {
         Self { state, used: LENGTH }
     }
 
-    /// Fills `place` with the next draws.
+    /// Fills `draws` with the next draws.
     #[inline(always)]
-    pub fn fill(&mut self, mut place: &mut [f64]) {
-        while !place.is_empty() {
+    pub fn fill(&mut self, mut draws: &mut [f64]) {
+        while !draws.is_empty() {
             if self.used == LENGTH {
                 renew(&mut self.state);
                 self.used = 0;
             }
-            let count = place.len().min(LENGTH - self.used);
-            let (now, later) = place.split_at_mut(count);
+            let count = draws.len().min(LENGTH - self.used);
+            let (first, remaining) = draws.split_at_mut(count);
             let words = &self.state[LEAD + self.used..LEAD + self.used + count];
-            for (draw, &word) in now.iter_mut().zip(words) {
+            for (draw, &word) in first.iter_mut().zip(words) {
                 *draw = canonical(temper(word));
             }
             self.used += count;
-            place = later;
+            draws = remaining;
         }
     }
 
-    /// Passes over `count` draws, for less than drawing them.
+    /// Skips `count` draws. This is faster than drawing, because words are neither tempered nor converted.
     #[inline(always)]
     pub fn skip(&mut self, mut count: u64) {
         loop {
@@ -70,18 +69,18 @@ impl BlockUniform {
     }
 }
 
-/// The next state. A word depends on itself, its neighbour and the one half a state away.
+/// Computes the next state. A word depends on itself, its neighbour and the one half a state away.
 #[inline(always)]
 fn renew(state: &mut State) {
-    // Both loops begin where lanes do. So the second begins four words before the middle of the state, for which half a
-    // state away are the last four of the old state.
+    // Both loops begin at a multiple of the lanes. So the second begins four words before the middle of the state. Half
+    // a state away from these four words are the last four of the old state.
     state.copy_within(LENGTH..LENGTH + LEAD, 0);
     renew_some::<{ MIDDLE - LEAD }>(state, LEAD, LEAD + MIDDLE);
     state[LEAD + LENGTH] = state[LEAD];
     renew_some::<{ LENGTH - MIDDLE + LEAD }>(state, MIDDLE, 0);
 }
 
-/// Renews the words from `at` on, with those from `half` on.
+/// Renews `COUNT` words from index `at` on, with the words half a state away, from index `half` on.
 #[inline(always)]
 fn renew_some<const COUNT: usize>(state: &mut State, at: usize, half: usize) {
     for index in 0..COUNT {
@@ -115,26 +114,26 @@ mod tests {
         // miri interprets each step: there the draws only suffice to renew the state several times.
         let total = if cfg!(miri) { 3_000 } else { 100_000_000 };
         let (mut block, mut single) = (BlockUniform::new(45), Uniform::new(45));
-        let mut place = [0.0; 1000];
-        for _ in 0..total / place.len() {
-            block.fill(&mut place);
-            for draw in place {
+        let mut draws = [0.0; 1000];
+        for _ in 0..total / draws.len() {
+            block.fill(&mut draws);
+            for draw in draws {
                 assert_eq!(draw, single.canonical());
             }
         }
     }
 
     #[test]
-    fn skipping_is_drawing_without_looking() {
+    fn skipping_advances_the_stream_as_drawing_does() {
         for (before, skipped) in [(0, 0), (0, 312), (1, 311), (5, 312), (311, 2), (312, 624), (100, 10_000), (7, 3)] {
             let (mut block, mut single) = (BlockUniform::new(7), Uniform::new(7));
-            let mut place = vec![0.0; before];
-            block.fill(&mut place);
+            let mut draws = vec![0.0; before];
+            block.fill(&mut draws);
             block.skip(skipped);
             (0..before as u64 + skipped).for_each(|_| _ = single.canonical());
-            let mut place = [0.0; 400];
-            block.fill(&mut place);
-            for draw in place {
+            let mut draws = [0.0; 400];
+            block.fill(&mut draws);
+            for draw in draws {
                 assert_eq!(draw, single.canonical(), "{before} drawn, {skipped} skipped");
             }
         }

@@ -1,111 +1,83 @@
-//! The stream of random triples that all materials share, made in bulk: with the widest instruction set, whatever their
-//! taker is compiled for.
+//! The stream of scatter samples that all materials share. The samples are made in bulk with the widest instruction
+//! set, even if the path tracing loop is compiled for another one. The order is that of
+//! [`draw_order`](crate::sampling::draw_order).
 
 use crate::counters::{Counter, add};
 use crate::math::vec3::Vec3;
 use crate::sampling::block::BlockUniform;
-use crate::sampling::scatter_vectors::Scatter;
+use crate::sampling::draw_order::DRAWS_OF_SCATTER_SAMPLE;
+use crate::sampling::scatter_vectors::{Scatter, is_in_ball};
+use crate::simd::columns::Columns;
 use crate::simd::{Kernel, Simd, SimdF64};
 
-/// Room before the new triples for those that are left over.
+/// Room before the new samples for the old ones that are not taken yet.
 const SLACK: usize = 16;
-/// Triples made at a time.
-const TRIPLES: usize = 512;
-/// Triples that there are at least after [`ScatterSamples::prepare`].
+/// Samples made at a time.
+const MADE: usize = 512;
+/// Least number of samples that can be taken after [`ScatterSamples::prepare`].
 pub const RESERVE: usize = 12;
-/// Places for them: those that are left over come before.
-const PLACES: usize = SLACK + TRIPLES;
+/// Length of the arrays of samples.
+const ROOM: usize = SLACK + MADE;
 
-/// The triples, in order: draws in `[0, 1)` for the statement's convention, vectors of length one for the published
-/// images', null vectors in deterministic mode. A [`PreparedMaterial`](crate::materials::prepared::PreparedMaterial)
-/// makes a random vector of each.
+/// The scatter samples, in order: draws in `[0, 1)` for the statement's convention, vectors of length one for the
+/// published images', null vectors in deterministic mode.
+/// [`ScatterParams`](crate::materials::scatter::ScatterParams) turn one into a random vector.
 #[derive(Debug)]
 pub struct ScatterSamples {
     convention: Scatter,
-    draws: BlockUniform,
-    raw: [f64; 3 * TRIPLES],
-    x: [f64; PLACES],
-    y: [f64; PLACES],
-    z: [f64; PLACES],
+    generator: BlockUniform,
+    draws: [f64; DRAWS_OF_SCATTER_SAMPLE * MADE],
+    samples: Columns<DRAWS_OF_SCATTER_SAMPLE, ROOM>,
+    /// Index of the next sample.
     next: usize,
-    /// How many of the stream's triples came before the first place.
+    /// How many of the stream's samples came before index 0.
     before: u64,
 }
 
 impl ScatterSamples {
     /// Returns the stream of the given convention, whose generator starts from `seed`. No sample is made yet.
     pub fn new(convention: Scatter, seed: u64) -> Self {
-        let (raw, empty) = ([0.0; 3 * TRIPLES], [0.0; PLACES]);
-        Self { convention, draws: BlockUniform::new(seed), raw, x: empty, y: empty, z: empty, next: PLACES, before: 0 }
+        let draws = [0.0; DRAWS_OF_SCATTER_SAMPLE * MADE];
+        Self { convention, generator: BlockUniform::new(seed), draws, samples: Columns::ZERO, next: ROOM, before: 0 }
     }
 
-    /// Makes triples unless there are [`RESERVE`].
+    /// Makes samples if fewer than [`RESERVE`] are left.
     #[inline(always)]
     pub fn prepare<S: Simd>(&mut self, simd: S) {
-        if self.next > PLACES - RESERVE {
+        if self.next > ROOM - RESERVE {
             simd.run(Make(self));
         }
     }
 
-    /// The next triple, which is used up. At most [`RESERVE`] are used between two calls of
-    /// [`ScatterSamples::prepare`].
+    /// Takes the next sample. At most [`RESERVE`] may be taken between two calls of [`ScatterSamples::prepare`].
     #[inline(always)]
     pub fn next(&mut self) -> Vec3 {
-        let triple = Vec3::new(self.x[self.next], self.y[self.next], self.z[self.next]);
-        add(Counter::VectorsTaken, 1);
-        self.next += 1;
-        triple
+        let sample = self.samples.get(self.next).into();
+        self.skip(1);
+        sample
     }
 
-    /// Where in the stream the next triple stands, counted from anywhere.
+    /// The position of the next sample in the stream, plus a constant. It serves to compare positions.
     #[inline(always)]
     pub const fn position(&self) -> u64 {
         self.before.wrapping_add(self.next as u64)
     }
 
-    /// The next triples, a lane each. None is used up.
+    /// The next samples, one in each lane. None of them is taken.
     #[inline(always)]
-    pub fn following<V: SimdF64>(&self) -> Vec3<V> {
-        let at = self.next;
-        Vec3::new(V::load(&self.x[at..]), V::load(&self.y[at..]), V::load(&self.z[at..]))
+    pub fn peek<V: SimdF64>(&self) -> Vec3<V> {
+        self.samples.load(self.next).into()
     }
 
-    /// Uses up `count` triples.
+    /// Takes `count` samples without returning them.
     #[inline(always)]
     pub fn skip(&mut self, count: usize) {
-        add(Counter::VectorsTaken, count as u64);
+        add(Counter::ScatterSamples, count as u64);
         self.next += count;
-    }
-
-    #[inline(always)]
-    fn make(&mut self) {
-        let kept = PLACES - self.next;
-        for place in [&mut self.x, &mut self.y, &mut self.z] {
-            place.copy_within(PLACES - kept.., SLACK - kept);
-        }
-        self.next = SLACK - kept;
-        self.before = self.before.wrapping_add(TRIPLES as u64);
-        match self.convention {
-            Scatter::Statement => {
-                add(Counter::MaterialDraws, self.raw.len() as u64);
-                self.draws.fill(&mut self.raw);
-            }
-            Scatter::Published => {
-                for place in self.raw.chunks_exact_mut(3) {
-                    place.copy_from_slice(&unit_vector(&mut self.draws).to_array());
-                }
-            }
-            Scatter::Deterministic => {}
-        }
-        for (at, triple) in self.raw.chunks_exact(3).enumerate() {
-            self.x[SLACK + at] = triple[0];
-            self.y[SLACK + at] = triple[1];
-            self.z[SLACK + at] = triple[2];
-        }
     }
 }
 
-/// Makes the next triples.
+/// Makes the next samples.
 struct Make<'a>(&'a mut ScatterSamples);
 
 impl Kernel for Make<'_> {
@@ -113,20 +85,41 @@ impl Kernel for Make<'_> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        self.0.make();
+        let ScatterSamples { convention, generator, draws, samples, next, before } = self.0;
+        let kept = ROOM - *next;
+        for column in &mut samples.0 {
+            column.copy_within(ROOM - kept.., SLACK - kept);
+        }
+        *next = SLACK - kept;
+        *before = before.wrapping_add(MADE as u64);
+        match convention {
+            Scatter::Statement => {
+                add(Counter::MaterialDraws, draws.len() as u64);
+                generator.fill(draws);
+            }
+            Scatter::Published => {
+                for sample in draws.chunks_exact_mut(DRAWS_OF_SCATTER_SAMPLE) {
+                    sample.copy_from_slice(&unit_vector(generator).to_array());
+                }
+            }
+            Scatter::Deterministic => {}
+        }
+        for (at, &sample) in draws.as_chunks().0.iter().enumerate() {
+            samples.set(SLACK + at, sample);
+        }
     }
 }
 
-/// See [`crate::sampling::scatter_vectors::ScatterVectors`]: the same rejection, from a stream in bulk.
+/// A vector of length one by rejection, as [`crate::sampling::scatter_vectors::ScatterVectors`] draws it.
 #[inline(always)]
-fn unit_vector(draws: &mut BlockUniform) -> Vec3 {
+fn unit_vector(generator: &mut BlockUniform) -> Vec3 {
     loop {
-        let mut triple = [0.0; 3];
-        add(Counter::MaterialDraws, 3);
-        draws.fill(&mut triple);
-        let vector = Vec3::from(triple).map(|u| u * 2.0 + -1.0);
+        let mut draws = [0.0; DRAWS_OF_SCATTER_SAMPLE];
+        add(Counter::MaterialDraws, draws.len() as u64);
+        generator.fill(&mut draws);
+        let vector = Vec3::from(draws).map(|u| u * 2.0 + -1.0);
         let length_squared = vector.dot(vector);
-        if length_squared > 1e-160 && length_squared <= 1.0 {
+        if is_in_ball(length_squared) {
             return vector / length_squared.sqrt();
         }
     }
@@ -139,31 +132,31 @@ mod tests {
     use crate::simd::portable::Portable;
 
     #[test]
-    fn triples_in_bulk_are_the_ones_drawn_singly() {
+    fn samples_in_bulk_are_the_vectors_drawn_singly() {
         for convention in [Scatter::Published, Scatter::Deterministic] {
             let (mut bulk, mut single) = (ScatterSamples::new(convention, 3), ScatterVectors::new(convention, 3));
-            for _ in 0..3 * TRIPLES {
+            for _ in 0..3 * MADE {
                 bulk.prepare(Portable);
                 assert_eq!(bulk.next(), single.next(1.0));
             }
         }
         let (mut bulk, mut single) =
             (ScatterSamples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
-        for _ in 0..3 * TRIPLES {
+        for _ in 0..3 * MADE {
             bulk.prepare(Portable);
             assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
         }
     }
 
     #[test]
-    fn lanes_see_the_triples_that_follow_and_use_none_up() {
+    fn lanes_see_the_next_samples_and_take_none() {
         type V = <Portable as Simd>::F64;
         let (mut lanes, mut single) =
             (ScatterSamples::new(Scatter::Statement, 3), ScatterSamples::new(Scatter::Statement, 3));
-        for round in 0..2 * TRIPLES {
+        for round in 0..2 * MADE {
             lanes.prepare(Portable);
             let mut seen = [0.0; V::LANES];
-            lanes.following::<V>().y.store(&mut seen);
+            lanes.peek::<V>().y.store(&mut seen);
             let used = round % V::LANES;
             lanes.skip(used);
             for &y in &seen[..used] {

@@ -3,7 +3,7 @@
 use crate::math::vec3::Vec3;
 use crate::sampling::uniform::Uniform;
 
-/// Where the random vectors come from: two conventions, and none at all (specification, section 11).
+/// The convention by which random vectors are drawn, or that none are drawn (specification, section 11).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scatter {
     /// The statement's: a vector in a cube, three draws. What `render-aos` and `render-soa` follow.
@@ -16,6 +16,12 @@ pub enum Scatter {
     Deterministic,
 }
 
+/// Whether a vector drawn in the cube is kept: it lies in the unit ball, and not too close to its centre.
+#[inline(always)]
+pub(crate) fn is_in_ball(length_squared: f64) -> bool {
+    length_squared > 1e-160 && length_squared <= 1.0
+}
+
 /// The stream of random vectors that all materials share.
 #[derive(Clone, Debug)]
 pub struct ScatterVectors {
@@ -25,12 +31,11 @@ pub struct ScatterVectors {
 
 impl ScatterVectors {
     /// Returns the stream of the given convention, whose generator starts from `seed`.
-    #[must_use]
     pub fn new(convention: Scatter, seed: u64) -> Self {
         Self { convention, draws: Uniform::new(seed) }
     }
 
-    /// The next vector, of half side or length `extent`: 1 for matte, the diffusion for metal.
+    /// The next vector. `extent` is half the side of its cube, or its length: 1 for matte, the diffusion for metal.
     #[inline]
     pub fn next(&mut self, extent: f64) -> Vec3 {
         match self.convention {
@@ -40,12 +45,12 @@ impl ScatterVectors {
         }
     }
 
-    /// A vector of length one: draws in the cube until one falls in the unit ball, away from its middle.
+    /// A vector of length one: draws in the cube until [`is_in_ball`] keeps the vector, then scales it.
     fn unit_vector(&mut self) -> Vec3 {
         loop {
             let vector = Vec3::from([(); 3].map(|()| self.draws.draw(-1.0, 1.0)));
             let length_squared = vector.dot(vector);
-            if length_squared > 1e-160 && length_squared <= 1.0 {
+            if is_in_ball(length_squared) {
                 return vector / length_squared.sqrt();
             }
         }
@@ -67,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn the_published_vectors_have_the_length_asked_for() {
+    fn the_published_vectors_have_the_given_length() {
         let mut vectors = ScatterVectors::new(Scatter::Published, 13);
         for _ in 0..1000 {
             assert!((vectors.next(1.0).length() - 1.0).abs() < 1e-15);
@@ -76,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn a_published_vector_is_the_first_draw_in_the_ball_made_as_long_as_asked_for() {
+    fn a_published_vector_is_the_first_draw_in_the_ball_scaled_to_the_given_length() {
         let (mut vectors, mut draws) = (ScatterVectors::new(Scatter::Published, 13), Uniform::new(13));
         let mut rejected = 0;
         for _ in 0..1000 {

@@ -16,7 +16,6 @@ pub struct Uniform {
 
 impl Uniform {
     /// The stream that `std::mt19937_64(seed)` gives.
-    #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { generator: Mt64::new(seed) }
     }
@@ -36,7 +35,6 @@ impl Uniform {
 
 /// A word of the generator as a number in `[0, 1)`.
 #[inline(always)]
-#[must_use]
 pub fn canonical(word: u64) -> f64 {
     const SCALE: f64 = 1.0 / 18_446_744_073_709_551_616.0;
     // Multiplying by 2^-64 is exact, as dividing by 2^64 is.

@@ -4,11 +4,11 @@ mod permutations;
 
 use std::arch::x86_64::*;
 
-use crate::math::real::Real;
-use crate::math::rounding::{MulAdd, Rounding};
-use crate::simd::avx2::permutations::{COMPRESSING, EXPANDING, Halves};
-use crate::simd::tables::{features, intrinsics, operators};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64};
+use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::simd::{
+    Kernel, LaneMask, Simd, SimdF32, SimdF64, avx2::permutations::COMPRESSING, tables::features, tables::intrinsics,
+    tables::operators,
+};
 
 features!("avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
@@ -20,7 +20,7 @@ impl Avx2 {
     /// The proof.
     ///
     /// # Safety
-    /// [`is_found`] must be true.
+    /// [`is_detected`] must be true.
     pub const unsafe fn new() -> Self {
         Self(())
     }
@@ -29,7 +29,6 @@ impl Avx2 {
 impl Simd for Avx2 {
     type F64 = F64;
     type F32 = F32;
-    const FUSES: bool = true;
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
@@ -104,38 +103,16 @@ impl SimdF64 for F64 {
     intrinsics! {
         fn load(values: &[f64]) -> Self { Self(_mm256_loadu_pd(values[..Self::LANES].as_ptr())) }
         fn store(self, place: &mut [f64]) { _mm256_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
+        fn compress(self, bits: u32) -> Self {
+            // A permutation has 256 bits, aligned to as many.
+            let order = _mm256_load_si256(COMPRESSING[bits as usize % 16].0.as_ptr().cast());
+            Self(_mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order)))
+        }
         fn unzip(self, next: Self) -> (Self, Self) {
             // Within each half; then the middle two change places.
             let (even, odd) = (_mm256_unpacklo_pd(self.0, next.0), _mm256_unpackhi_pd(self.0, next.0));
             (Self(_mm256_permute4x64_pd::<0b11_01_10_00>(even)), Self(_mm256_permute4x64_pd::<0b11_01_10_00>(odd)))
         }
-    }
-
-    #[inline(always)]
-    fn compress(self, bits: u32) -> Self {
-        self.permuted(COMPRESSING[bits as usize % 16].lanes())
-    }
-
-    #[inline(always)]
-    fn expand(self, bits: u32, packed: Self) -> Self {
-        let places = EXPANDING[bits as usize % 16].lanes();
-        Self::select(places, packed.permuted(places), self)
-    }
-}
-
-impl F64 {
-    intrinsics! {
-        fn permuted(self, order: Mask) -> Self {
-            let halves = _mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), _mm256_castpd_si256(order.0));
-            Self(_mm256_castps_pd(halves))
-        }
-    }
-}
-
-impl Halves {
-    // The numbers have 256 bits, aligned to as many.
-    intrinsics! {
-        fn lanes(&self) -> Mask { Mask(_mm256_load_pd(self.0.as_ptr().cast())) }
     }
 }
 

@@ -2,18 +2,17 @@
 
 use std::arch::x86_64::*;
 
-use crate::math::real::Real;
-use crate::math::rounding::{MulAdd, Rounding};
-use crate::simd::avx2::Avx2;
-use crate::simd::tables::{features, intrinsics, operators};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64};
+use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::simd::{
+    Kernel, LaneMask, Simd, SimdF32, SimdF64, avx2::Avx2, tables::features, tables::intrinsics, tables::operators,
+};
 
 features!("avx512f", "avx512dq", "avx512bw", "avx512vl", "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
 /// The proof that the machine has AVX-512.
 #[derive(Clone, Copy, Debug)]
 pub struct Avx512 {
-    /// Also for work on one ray after the other among a handful of objects.
+    /// Whether [`Simd::run_promptly`] uses 512 bits too, instead of 256.
     throughout: bool,
 }
 
@@ -21,7 +20,7 @@ impl Avx512 {
     /// The proof.
     ///
     /// # Safety
-    /// [`is_found`] must be true.
+    /// [`is_detected`] must be true.
     pub const unsafe fn new(throughout: bool) -> Self {
         Self { throughout }
     }
@@ -30,7 +29,6 @@ impl Avx512 {
 impl Simd for Avx512 {
     type F64 = F64;
     type F32 = F32;
-    const FUSES: bool = true;
 
     #[inline(always)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
@@ -117,9 +115,6 @@ impl SimdF64 for F64 {
         fn load(values: &[f64]) -> Self { Self(_mm512_loadu_pd(values[..Self::LANES].as_ptr())) }
         fn store(self, place: &mut [f64]) { _mm512_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
         fn compress(self, bits: u32) -> Self { Self(_mm512_maskz_compress_pd(bits as __mmask8, self.0)) }
-        fn expand(self, bits: u32, packed: Self) -> Self {
-            Self(_mm512_mask_expand_pd(self.0, bits as __mmask8, packed.0))
-        }
         fn unzip(self, next: Self) -> (Self, Self) {
             let even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
             let odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);

@@ -1,9 +1,8 @@
-//! Which instruction set: what the machine has, what is the fastest, and how to force another.
+//! The instruction sets: which the machine has, which is the fastest, and how to force another.
 
 use std::sync::LazyLock;
 
-use crate::simd::portable::Portable;
-use crate::simd::{Kernel, Simd};
+use crate::simd::{Kernel, Simd, portable::Portable};
 #[cfg(target_arch = "x86_64")]
 use crate::simd::{avx2, avx512};
 
@@ -15,9 +14,9 @@ pub enum InstructionSet {
     Portable,
     /// 256 bits with fused multiply-add.
     Avx2,
-    /// 512 bits, but 256 for work on one ray after the other among a handful of objects.
+    /// 512 bits, but 256 for kernels that [`Simd::run_promptly`] runs.
     Avx512,
-    /// 512 bits throughout, for machines on which comparisons into mask registers are quick.
+    /// 512 bits throughout, for machines on which comparisons into mask registers have a low latency.
     Avx512Throughout,
 }
 
@@ -29,7 +28,6 @@ impl InstructionSet {
     pub const VARIABLE: &'static str = "RENDER_INSTRUCTION_SET";
 
     /// Its name in lower case.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
@@ -39,42 +37,45 @@ impl InstructionSet {
         }
     }
 
-    /// Whether this machine has it. Asked of the machine once: a single ray in doubt is a kernel of its own, of which
-    /// asking for all features would be a quarter.
-    #[must_use]
+    /// Whether this machine has the instruction set. The features are detected once, because each uncertain ray runs a
+    /// kernel of its own, and detection would take a quarter of the kernel's time.
     pub fn is_available(self) -> bool {
         static AVAILABLE: LazyLock<[bool; InstructionSet::ALL.len()]> =
-            LazyLock::new(|| InstructionSet::ALL.map(InstructionSet::is_found));
+            LazyLock::new(|| InstructionSet::ALL.map(InstructionSet::is_detected));
         AVAILABLE[self as usize]
     }
 
-    /// Asks the machine.
-    fn is_found(self) -> bool {
+    /// Detects whether this machine has the instruction set.
+    fn is_detected(self) -> bool {
         #[cfg(target_arch = "x86_64")]
         return match self {
             Self::Portable => true,
-            Self::Avx2 => avx2::is_found(),
-            Self::Avx512 | Self::Avx512Throughout => avx2::is_found() && avx512::is_found(),
+            Self::Avx2 => avx2::is_detected(),
+            Self::Avx512 | Self::Avx512Throughout => avx2::is_detected() && avx512::is_detected(),
         };
         #[cfg(not(target_arch = "x86_64"))]
         return matches!(self, Self::Portable);
     }
 
-    /// The fastest that this machine has.
-    #[must_use]
-    pub fn best() -> Self {
-        let available = Self::ALL.into_iter().filter(|set| set.is_available());
-        available.filter(|&set| set != Self::Avx512Throughout || has_quick_masks()).max().unwrap_or(Self::Portable)
+    /// Those that this machine has, the plainest first.
+    pub fn available() -> impl DoubleEndedIterator<Item = Self> {
+        Self::ALL.into_iter().filter(|set| set.is_available())
     }
 
-    /// The plainest with fused multiply-add in one instruction; the best where none has: for a few exact products.
-    #[must_use]
+    /// The fastest that this machine has.
+    pub fn best() -> Self {
+        Self::available()
+            .filter(|&set| set != Self::Avx512Throughout || has_fast_masks())
+            .max()
+            .unwrap_or(Self::Portable)
+    }
+
+    /// The plainest with fused multiply-add, or the best if this machine has none.
     pub fn fused() -> Self {
         if Self::Avx2.is_available() { Self::Avx2 } else { Self::best() }
     }
 
-    /// What [`InstructionSet::VARIABLE`] names, where it is set to one that this machine has; else the best.
-    #[must_use]
+    /// The instruction set that [`InstructionSet::VARIABLE`] names; the best if it names none that this machine has.
     pub fn chosen() -> Self {
         let named = std::env::var_os(Self::VARIABLE);
         Self::ALL
@@ -83,12 +84,12 @@ impl InstructionSet {
             .unwrap_or_else(Self::best)
     }
 
-    /// Runs `kernel` compiled for it; for the portable one when this machine lacks it.
+    /// Runs `kernel` compiled for this instruction set; for the portable one if this machine lacks it.
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         let set = if self.is_available() { self } else { Self::Portable };
         match set {
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: the machine has the instruction set, as was just asked; likewise below.
+            // SAFETY: the machine has the instruction set, as `is_available` has just shown; likewise below.
             Self::Avx2 => unsafe { avx2::Avx2::new() }.run(kernel),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: as above.
@@ -101,9 +102,9 @@ impl InstructionSet {
     }
 }
 
-/// Whether comparisons into mask registers take no longer than those into vectors: on AMD's machines they do not, by
-/// measurement (docs/experiments.md). Asked once: under a hypervisor the instruction that tells takes microseconds.
-fn has_quick_masks() -> bool {
+/// Whether comparisons into mask registers are as fast as those into vectors. On AMD's processors they are, by
+/// measurement (docs/experiments.md). Detected once: under a hypervisor `cpuid` takes microseconds.
+fn has_fast_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
         static IS_AMD: LazyLock<bool> = LazyLock::new(|| {

@@ -1,12 +1,11 @@
-//! Lanes as arrays: for machines without another instruction set, and the safe twin that the others are tested against.
+//! Lanes as arrays: for machines without another instruction set. Tests compare the other lanes with these, which need
+//! no unsafe code.
 
 use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::math::real::Real;
-use crate::math::rounding::{MulAdd, Rounding};
-use crate::simd::tables::functions;
-use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64};
+use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
+use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::functions};
 
 /// The portable implementation.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +14,6 @@ pub struct Portable;
 impl Simd for Portable {
     type F64 = Array<f64>;
     type F32 = Array<f32>;
-    const FUSES: bool = false;
 
     #[inline(never)]
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
@@ -109,11 +107,6 @@ impl SimdF64 for Array<f64> {
                 count += (bits >> lane & 1) as usize;
             }
             Self(packed)
-        }
-        fn expand(self, bits: u32, packed: Self) -> Self {
-            // The place of a selected lane is the number of selected lanes before it.
-            let place = |lane: usize| (bits & ((1 << lane) - 1)).count_ones() as usize % 4;
-            Self(array::from_fn(|lane| if bits >> lane & 1 == 1 { packed.0[place(lane)] } else { self.0[lane] }))
         }
         fn unzip(self, next: Self) -> (Self, Self) {
             let ([a, b, c, d], [e, f, g, h]) = (self.0, next.0);

@@ -1,4 +1,4 @@
-//! Macros that turn tables of operations into functions of a lane type: a line an operation, with what it does.
+//! Macros that turn tables of operations into functions of a lane type, one line for each operation.
 
 /// The functions of a trait, each always inlined: for the body of an `impl`.
 macro_rules! functions {
@@ -36,11 +36,11 @@ macro_rules! operators {
     };
 }
 
-/// What kernels are compiled for: `is_found` asks the machine for the same features that `compiled` enables.
+/// The features that kernels are compiled for: `is_detected` tests the machine for those that `compiled` enables.
 macro_rules! features {
     ($($feature:tt),+) => {
         /// Whether this machine has all features that kernels are compiled for here.
-        pub fn is_found() -> bool {
+        pub fn is_detected() -> bool {
             true $(&& is_x86_feature_detected!($feature))+
         }
 

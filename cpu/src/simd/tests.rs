@@ -27,12 +27,12 @@ fn some<T: Copy>(numbers: &[T], first: usize) -> [T; 16] {
     std::array::from_fn(|lane| numbers[(first + lane) % numbers.len()])
 }
 
-/// The bits; of what is not a number none are promised.
+/// The bits of a number; `None` for NaN, whose bits are not specified.
 fn bits(number: f64) -> Option<u64> {
     (!number.is_nan()).then(|| number.to_bits())
 }
 
-/// Tries what a set does with `f64` lanes.
+/// Checks the operations of an instruction set on `f64` lanes.
 struct Doubles;
 
 impl Kernel for Doubles {
@@ -55,8 +55,8 @@ impl Kernel for Doubles {
                 same(S::F64::of(right[0]), |_| right[0]);
                 let mut loosely = [0.0; 16];
                 x.mul_add_loosely(y, x).store(&mut loosely);
-                for (&found, (l, r)) in loosely.iter().zip(left.into_iter().zip(right)).take(S::F64::LANES) {
-                    assert!([l.mul_add(r, l), l * r + l].map(bits).contains(&bits(found)), "{l:e} {r:e}: {found:e}");
+                for (&actual, (l, r)) in loosely.iter().zip(left.into_iter().zip(right)).take(S::F64::LANES) {
+                    assert!([l.mul_add(r, l), l * r + l].map(bits).contains(&bits(actual)), "{l:e} {r:e}: {actual:e}");
                 }
                 let (less, less_equal) = (x.less(y), x.less_equal(y));
                 let expected = |test: fn(&f64, &f64) -> bool| -> u32 {
@@ -72,7 +72,7 @@ impl Kernel for Doubles {
             }
         }
         for bits in 0..1_u32 << S::F64::LANES {
-            let (these, packed) = (some(&AWKWARD[..9], 0), some(&AWKWARD[2..9], 3));
+            let these = some(&AWKWARD[..9], 0);
             let selected: Vec<usize> = (0..S::F64::LANES).filter(|lane| bits >> lane & 1 == 1).collect();
             let mut place = [7.0; 16];
             S::F64::load(&these).compress(bits).store(&mut place);
@@ -80,9 +80,6 @@ impl Kernel for Doubles {
                 assert_eq!(place[at].to_bits(), these[lane].to_bits(), "{bits:b}");
             }
             assert!(place[S::F64::LANES..].iter().all(|&number| number == 7.0), "stored beyond the lanes");
-            same(S::F64::load(&these).expand(bits, S::F64::load(&packed)), |lane| {
-                selected.iter().position(|&other| other == lane).map_or(these[lane], |at| packed[at])
-            });
         }
         let (these, next) = (some(&AWKWARD, 0), some(&AWKWARD, 5));
         let (even, odd) = S::F64::load(&these).unzip(S::F64::load(&next));
@@ -93,17 +90,17 @@ impl Kernel for Doubles {
     }
 }
 
-/// Every lane holds what `expected` says.
+/// Checks that every lane holds its number of `expected`.
 #[inline(always)]
 fn same<V: SimdF64>(lanes: V, expected: impl Fn(usize) -> f64) {
-    let mut found = [0.0; 16];
-    lanes.store(&mut found);
-    for (lane, &number) in found.iter().enumerate().take(V::LANES) {
+    let mut actual = [0.0; 16];
+    lanes.store(&mut actual);
+    for (lane, &number) in actual.iter().enumerate().take(V::LANES) {
         assert_eq!(bits(number), bits(expected(lane)), "lane {lane}: {number:e} for {:e}", expected(lane));
     }
 }
 
-/// Tries what a set does with `f32` lanes.
+/// Checks the operations of an instruction set on `f32` lanes.
 struct Singles;
 
 impl Kernel for Singles {
@@ -123,7 +120,7 @@ impl Kernel for Singles {
                     place
                 };
                 let results = [x + y, x - y, x * y, x.min(y), x.max(y), S::F32::splat(right[0])].map(stored);
-                let (fused, met) = (stored(x.mul_add(y, x)), x.less_equal(y));
+                let (fused, at_most) = (stored(x.mul_add(y, x)), x.less_equal(y));
                 let negative = stored(x.negative_mul_add(y, x));
                 for lane in 0..S::F32::LANES {
                     let (l, r) = (left[lane], right[lane]);
@@ -133,18 +130,18 @@ impl Kernel for Singles {
                     let allowed = [l.mul_add(r, l), l * r + l].map(bits);
                     assert!(allowed.contains(&bits(fused[lane])), "{l:e} {r:e} + {l:e} is not {:e}", fused[lane]);
                     let allowed = [(-l).mul_add(r, l), l - l * r].map(bits);
-                    let found = negative[lane];
-                    assert!(allowed.contains(&bits(found)), "{l:e} - {l:e} {r:e} is not {found:e}");
-                    assert_eq!(met >> lane & 1 == 1, l <= r, "{l:e}, {r:e}");
+                    let actual = negative[lane];
+                    assert!(allowed.contains(&bits(actual)), "{l:e} - {l:e} {r:e} is not {actual:e}");
+                    assert_eq!(at_most >> lane & 1 == 1, l <= r, "{l:e}, {r:e}");
                 }
-                assert_eq!(met >> S::F32::LANES.min(31), 0);
+                assert_eq!(at_most >> S::F32::LANES.min(31), 0);
             }
         }
         let numbers = [7, 0, 7, u32::MAX, 1 << 31, 7, 8, 9, 7, 1, 2, 3, 4, 5, 6, u32::MAX];
         for number in [7, 8, 1 << 31, u32::MAX, 77] {
             let expected = (0..S::F32::LANES).map(|lane| u32::from(numbers[lane] == number) << lane).sum();
-            let found: u32 = S::F32::places_of(number, &numbers);
-            assert_eq!(found, expected, "{number}");
+            let actual: u32 = S::F32::places_of(number, &numbers);
+            assert_eq!(actual, expected, "{number}");
         }
         S::F32::LANES
     }

@@ -1,34 +1,34 @@
-//! Renders with a person's own WGSL modules and tells how far that is from the truth.
+//! Renders with the user's own WGSL modules, and reports how far the picture is from the one by the CPU.
 
 use std::convert::Infallible;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::ExitCode;
 
-use cpu::internals::output::{Options, Output, stop};
 use gpu_check::shader_lab::args::{self, Command, USAGE};
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
 use gpu_check::shader_lab::{TEMPLATE, guard, truth, watch::Lab};
 use gpu_check::web::{Server, data};
 use gpu_check::{Error, Gpu, terminal};
+use output::{Options, Output, stop};
 
-/// Exit status for a picture that differs, where that is asked for; as of `diff` and `render-lab`.
+/// Exit status with `--check` for a picture that differs; `diff` and `render-lab` have it too.
 const DIFFERS: u8 = 1;
 /// Exit status for an error.
 const TROUBLE: u8 = 2;
-/// Exit status for a panic, as of the standard library: by it [`guard::check`] tells a panic from an error in words.
+/// Exit status for a panic, as the standard library has it. By it [`guard::check`] tells a panic from an error message.
 const PANICKED: u8 = 101;
 
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
     // From here on a signal that ends the process leaves no temporary file.
     stop::remove_temporary_when_stopped();
-    // naga, wgpu and drivers read nested text by recursion, and the stack of the main thread may be of any size.
+    // naga, wgpu and drivers read nested text by recursion, and the stack of the main thread may be too small for that.
     let thread = std::thread::Builder::new().name("lab".to_owned()).stack_size(shaders::limits::STACK_BYTES);
     match thread.spawn(run).map(std::thread::JoinHandle::join) {
         Ok(Ok(status)) => status,
-        // It has said why.
+        // The panic has written its message already.
         Ok(Err(_)) => ExitCode::from(PANICKED),
         Err(cause) => failed(&format!("no thread with a stack of {} bytes: {cause}", shaders::limits::STACK_BYTES)),
     }
@@ -54,8 +54,8 @@ fn run() -> ExitCode {
             Err(message) => failed(&message),
         },
         Command::Render(options) => {
-            let (again, check) = (options.watch, options.check);
-            // A picture on standard output leaves no room for words there.
+            let (watch, check) = (options.watch, options.check);
+            // When the picture goes to standard output, the report goes to standard error.
             let is_output_taken = [OsStr::new("-"), OsStr::new(STANDARD_OUTPUT)].contains(&options.out.as_os_str());
             let said = move |text: &str| {
                 if is_output_taken {
@@ -65,7 +65,7 @@ fn run() -> ExitCode {
                 said(text)
             };
             let mut lab = Lab::new(options);
-            if !again {
+            if !watch {
                 return match lab.render() {
                     Ok(outcome) if check && outcome.differs => {
                         said(&outcome.report);
@@ -87,7 +87,7 @@ fn run() -> ExitCode {
     }
 }
 
-/// Writes a module to start from, but never over another file.
+/// Writes the template to a new file. An existing file is never overwritten.
 fn template(path: &Path) -> ExitCode {
     if path.symlink_metadata().is_ok() {
         return failed(&format!("{}: a file of this name exists; choose another", shown(path)));
@@ -115,7 +115,7 @@ fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     let server = Server::new(port, data).map_err(at_port)?;
     let address = server.address().map_err(at_port)?;
     said(&format!("http://{address}/ for a browser with WebGPU; on Linux: chromium --enable-unsafe-webgpu\n"));
-    // Only a test has results to send.
+    // Only the page of a test sends results, so they are dropped.
     server.serve(drop).map_err(at_port)
 }
 

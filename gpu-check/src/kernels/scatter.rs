@@ -1,8 +1,9 @@
-//! How surfaces send light on: matte, reflection, metal and refraction.
+//! How surfaces scatter rays: matte, reflection, metal and refraction.
 
 use cpu::Vec3;
-use cpu::internals::materials::scatter;
+use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
+use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::internals::sampling::uniform::Uniform;
 
 use super::store;
@@ -16,7 +17,7 @@ pub enum Refraction {}
 
 const VECTOR: &[&str] = &["x", "y", "z"];
 
-/// Normals of length one, of a cylinder's radius, tiny and huge.
+/// Normals of length one, others of a cylinder's radius, tiny ones and huge ones.
 const NORMALS: [[f64; 3]; 10] = [
     [0.0, 1.0, 0.0],
     [0.0, -1.0, 0.0],
@@ -30,7 +31,7 @@ const NORMALS: [[f64; 3]; 10] = [
     [0.0, 1e160, 0.0],
 ];
 
-/// A normal as surfaces have them: of length one, or on a cylinder's side of any length.
+/// A random normal: of length one, or, as on the side of a cylinder, of any length.
 fn normal(draws: &mut Uniform) -> Vec3 {
     let length = if special::once_in(draws, 3.0) { special::of_any_size(draws, -3.0, 3.0).abs() } else { 1.0 };
     special::direction(draws) * length
@@ -43,7 +44,7 @@ impl Formula for Matte {
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
         let mut case = Reader(case);
-        store(scatter::matte(case.vector(), case.vector()), result);
+        store(scatter::scatter_around(case.vector(), case.vector(), T::of(NEGLIGIBLE)), result);
     }
 
     fn edges() -> Vec<f64> {
@@ -52,7 +53,7 @@ impl Formula for Matte {
             for vector in DIRECTIONS.into_iter().chain(NORMALS) {
                 rows.vector(normal).vector(vector);
             }
-            // Sums around the limit below which the normal itself is taken, in each component and on both sides.
+            // Sums just below and above 1e-8 in each component. Below that, the scattered direction is the normal.
             for limit in [1e-8, 1e-8_f64.next_down(), 1e-8_f64.next_up(), 9e-9, 2e-8] {
                 for sign in [1.0, -1.0] {
                     for axis in 0..3 {
@@ -87,7 +88,7 @@ impl Formula for Reflection {
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
         let mut case = Reader(case);
-        store(scatter::reflect(case.vector(), case.vector()), result);
+        store(reflection::reflect(case.vector(), case.vector()), result);
     }
 
     fn edges() -> Vec<f64> {
@@ -120,7 +121,7 @@ impl Formula for Metal {
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
         let mut case = Reader(case);
-        store(scatter::metal(case.vector(), case.vector(), case.vector()), result);
+        store(reflection::mirror(case.vector(), case.vector()) + case.vector(), result);
     }
 
     fn edges() -> Vec<f64> {
@@ -152,7 +153,7 @@ impl Formula for Refraction {
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
         let mut case = Reader(case);
-        store(scatter::refract(case.vector(), case.vector(), case.number()), result);
+        store(refraction::refract(case.vector(), case.vector(), case.number()), result);
     }
 
     fn edges() -> Vec<f64> {

@@ -1,16 +1,16 @@
-//! Two pictures' differences as colours on a scale of their own.
+//! Shows the differences of two pictures as colours, on a scale that is made for these differences.
 
 use cpu::Vec3;
 
 use crate::Float;
 
-/// How far each pixel's channels are apart at most, as colours on a scale of their own, and the words for the scale.
+/// Returns a colour for each pixel, by the largest difference of its channels, and a description of the scale.
 ///
-/// The scale is logarithmic, from the smallest difference to the largest: roundings differ by many orders of magnitude.
-/// Pixels without a difference are black; what is no number on one side only has the last colour.
+/// The scale is logarithmic, from the smallest difference to the largest, since rounding errors differ by many orders
+/// of magnitude. Pixels without a difference are black. A channel that is NaN in only one picture has the last colour.
 #[must_use]
 pub fn differences<T: Float>(one: &[Vec3<T>], other: &[Vec3<T>]) -> (Vec<[u8; 3]>, String) {
-    /// The smallest difference has this place of the map, so that it is told from none.
+    /// The place of the smallest difference in the colour map, so that it looks different from black.
     const FIRST: f64 = 0.25;
     let apart = |(one, other): (&Vec3<T>, &Vec3<T>)| {
         let channels = one.to_array().into_iter().zip(other.to_array());
@@ -47,7 +47,7 @@ mod tests {
     }
 
     #[test]
-    fn the_smallest_differences_are_seen_on_a_scale_of_their_own() {
+    fn the_smallest_differences_are_visible() {
         let one = [Vec3::ZERO; 4];
         let other = [0.0, 1e-16, 1e-13, 1e-10].map(|apart| Vec3::new(0.0, apart, 0.0));
         let (colors, words) = differences(&one, &other);
@@ -57,7 +57,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_pictures_are_black_and_what_is_no_number_is_light() {
+    fn equal_pictures_are_black_and_nan_is_light() {
         let one = [Vec3::ZERO, Vec3::ZERO];
         let (colors, words) = differences(&one, &one);
         assert!(brightness(&colors).iter().all(|&light| light < 10));

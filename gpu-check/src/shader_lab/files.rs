@@ -1,4 +1,4 @@
-//! A person's modules, and which of the crate's each stands in for.
+//! The user's modules, and which of the crate's modules each of them replaces.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,21 +7,22 @@ use shaders::{Library, module};
 
 use crate::Error;
 
-/// Where a file says which module it is.
+/// The start of a first line that says which module the file replaces.
 const MARK: &str = "// module:";
 
-/// Largest module that is read, in bytes. naga's own limit is on tokens, of which a text this long has too many.
+/// Largest module that is read, in bytes. A text of this length usually has more tokens than [`shaders::limits`]
+/// allows.
 pub const MAX_BYTES: u64 = 1 << 20;
 
-/// Most WGSL files of a folder.
+/// Most WGSL files that are read from a folder and its `kernels`.
 pub const MAX_FILES: usize = 256;
 
-/// A person's module.
+/// A module of the user.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UserModule {
-    /// Which module it stands in for.
+    /// The name of the module that it replaces.
     pub name: String,
-    /// Its file, as the person named it.
+    /// Its file, as the user named it.
     pub path: PathBuf,
     /// Its text.
     pub text: String,
@@ -30,7 +31,7 @@ pub struct UserModule {
 /// The modules in a file, or in a folder and its `kernels`.
 ///
 /// # Errors
-/// [`Error::File`], with what to do where a file stands in for nothing.
+/// [`Error::File`]. If a file replaces no module, the message says what to do.
 pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
     if !path.is_dir() {
         return Ok(vec![read_one(path)?]);
@@ -41,7 +42,7 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
             let entries = fs::read_dir(&folder).map_err(|cause| Error::File { path: folder.clone(), cause })?;
             let paths = entries.filter_map(Result::ok).map(|entry| entry.path());
             let modules = paths.filter(|path| path.extension().is_some_and(|ending| ending == "wgsl"));
-            // One more than allowed tells that there are too many.
+            // One file more than allowed is enough to find out that there are too many.
             files.extend(modules.take(MAX_FILES + 1));
         }
     }
@@ -65,7 +66,8 @@ fn read_one(path: &Path) -> Result<UserModule, Error> {
     Ok(UserModule { name, path: path.to_owned(), text })
 }
 
-/// That no module has the name: at its place in the file where the first line says it, with all names that there are.
+/// The error for a module that does not exist. It lists all names, and if the first line of the file gives the name, it
+/// shows the place there.
 fn unknown(path: &Path, text: &str, name: &str) -> Error {
     let known: Vec<_> = module::MODULES.iter().chain(&module::REALS).map(|module| module.name).collect();
     let known = known.join(", ");
@@ -85,7 +87,8 @@ fn unknown(path: &Path, text: &str, name: &str) -> Error {
     }
 }
 
-/// What the first line says; else the file's name, with its folder where that is `kernels`.
+/// The name of the module that a file replaces: the name in its first line, or else the file's name. `kernels/` is put
+/// before it if the folder is `kernels`.
 fn name(path: &Path, text: &str) -> String {
     if let Some(name) = text.lines().next().and_then(|line| line.strip_prefix(MARK)) {
         return name.trim().to_owned();
@@ -95,7 +98,7 @@ fn name(path: &Path, text: &str) -> String {
     if in_kernels { format!("kernels/{stem}") } else { stem.into_owned() }
 }
 
-/// The name of a file, with control characters escaped.
+/// The name of a file for a message, with control characters escaped.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
@@ -105,7 +108,7 @@ fn fault(path: &Path, message: String) -> Error {
     Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
 }
 
-/// The crate's modules with `modules` in their places.
+/// The crate's modules, some of them replaced by `modules`.
 ///
 /// # Errors
 /// [`Error::Shader`] for a name that no module has.
@@ -119,6 +122,8 @@ pub fn library(modules: &[UserModule]) -> Result<Library, Error> {
 
 #[cfg(test)]
 mod tests {
+    use test_support::folder::Folder;
+
     use super::*;
 
     #[test]
@@ -128,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn its_first_line_says_otherwise() {
+    fn the_first_line_of_a_file_may_name_another_module() {
         assert_eq!(name(Path::new("mine/normals.wgsl"), "// module: kernels/image\n"), "kernels/image");
     }
 
@@ -141,8 +146,8 @@ mod tests {
 
     #[test]
     fn a_module_of_exactly_the_limit_is_read_and_one_byte_more_refused() {
-        let folder = tempfile::tempdir().expect("there is room");
-        let path = folder.path().join("sphere.wgsl");
+        let folder = Folder::new();
+        let path = folder.file("sphere.wgsl");
         fs::write(&path, " ".repeat(MAX_BYTES as usize)).expect("the folder is writable");
         assert_eq!(read(&path).expect("it is as large as may be").len(), 1);
         fs::write(&path, " ".repeat(MAX_BYTES as usize + 1)).expect("the folder is writable");
@@ -151,9 +156,9 @@ mod tests {
 
     #[test]
     fn a_folder_may_hold_a_limited_number_of_modules() {
-        let folder = tempfile::tempdir().expect("there is room");
+        let folder = Folder::new();
         let put = |index: usize| {
-            let path = folder.path().join(format!("{index}.wgsl"));
+            let path = folder.file(format!("{index}.wgsl"));
             fs::write(path, "// module: sphere\n").expect("the folder is writable");
         };
         (0..MAX_FILES).for_each(put);

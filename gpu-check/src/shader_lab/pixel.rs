@@ -1,11 +1,12 @@
-//! One pixel's way by the CPU and by WGSL, side by side, with the first bit that differs.
+//! Prints one pixel's path by the CPU and by WGSL side by side, and the first bit that differs.
 
 use std::fmt::Write as _;
 
 use crate::Float;
 use crate::steps::{NAMES, Step, first_difference};
 
-/// The numbers that a step shows, by what the ray hit: all have an origin and a direction.
+/// Indices of the numbers that are printed of a step: all but the background for a hit; origin, direction and
+/// background for an escape.
 fn shown(hit: f64) -> Vec<usize> {
     match hit {
         1.0 => (0..18).collect(),
@@ -14,7 +15,7 @@ fn shown(hit: f64) -> Vec<usize> {
     }
 }
 
-/// Both ways as text.
+/// The steps of both paths as text, in two columns.
 #[must_use]
 pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
     let mut text = String::new();
@@ -46,13 +47,13 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
     text
 }
 
-/// A number as it is read: what counts or names things without a point.
+/// A number as text. Indices and flags are printed without a decimal point.
 fn number<T: Float>(place: usize, value: T) -> String {
     let is_name = matches!(NAMES[place], "is_hit" | "object" | "part" | "front" | "material");
     if is_name && value.wide().fract() == 0.0 { format!("{:.0}", value.wide()) } else { format!("{value:?}") }
 }
 
-/// A colour by both, channel below channel.
+/// The pixel's colour by the CPU and by WGSL, one line for each channel.
 #[must_use]
 pub fn colors<T: Float>(cpu: [T; 3], wgsl: [T; 3]) -> String {
     let mut text = String::from("colour\n");
@@ -63,7 +64,7 @@ pub fn colors<T: Float>(cpu: [T; 3], wgsl: [T; 3]) -> String {
     text
 }
 
-/// Both numbers in binary, sign, exponent and fraction apart, with a caret under the first bit that differs.
+/// Both numbers in binary, with sign, exponent and fraction separated, and a caret under the first bit that differs.
 fn bits<T: Float>(a: T, b: T) -> String {
     let (width, exponent) = if size_of::<T>() == 8 { (64, 11) } else { (32, 8) };
     let binary = |number: T| {
@@ -79,15 +80,15 @@ fn bits<T: Float>(a: T, b: T) -> String {
 mod tests {
     use super::*;
 
-    fn way(lambda: f64) -> [Step<f64>; 2] {
+    fn path_of(lambda: f64) -> [Step<f64>; 2] {
         let (mut step, mut ended) = (Step([0.0; NAMES.len()]), Step([0.0; NAMES.len()]));
         (step.0[0], step.0[1], ended.0[0]) = (1.0, lambda, -1.0);
         [step, ended]
     }
 
     #[test]
-    fn equal_ways_say_so() {
-        let text = side_by_side(&way(2.5), &way(2.5));
+    fn equal_paths_have_no_difference() {
+        let text = side_by_side(&path_of(2.5), &path_of(2.5));
         assert!(text.contains("  lambda        2.5                        2.5\n"), "{text}");
         assert!(text.contains("  object        0                          0\n"), "{text}");
         assert!(text.ends_with("no bit differs\n") && !text.contains("step 1"), "{text}");
@@ -102,7 +103,7 @@ mod tests {
 
     #[test]
     fn the_first_bit_that_differs_has_a_caret() {
-        let text = side_by_side(&way(1.0), &way(1.0_f64.next_up()));
+        let text = side_by_side(&path_of(1.0), &path_of(1.0_f64.next_up()));
         assert!(text.contains("1.0000000000000002  <- differs\n"), "{text}");
         let lines: Vec<_> = text.lines().collect();
         let [cpu, wgsl, caret] = lines[lines.len() - 3..] else { panic!("{text}") };

@@ -1,7 +1,7 @@
-//! The pictures of a trial: where they go, and their bytes.
+//! Writes the pictures of a trial.
 //!
-//! All places are opened before anything is rendered, and a file is replaced only when its picture is complete: whoever
-//! looks at one never sees half of it.
+//! All files are opened before anything is rendered. A file is replaced only when its picture is complete, so that no
+//! program that reads the file gets half of a picture.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -9,15 +9,14 @@ use std::path::{Path, PathBuf};
 use cpu::Size;
 use cpu::Vec3;
 use cpu::internals::image::quantize::quantize;
-use cpu::internals::output;
-use cpu::internals::output::Output;
+use output::Output;
 
 use super::args::Options;
 use super::files::{UserModule, shown};
 use super::view::View;
 use crate::{Error, Float};
 
-/// A place for a picture, and its name.
+/// An opened output for a picture, and its name.
 #[derive(Debug)]
 pub struct Place {
     /// Its name.
@@ -28,12 +27,12 @@ pub struct Place {
 /// The places of all pictures of a trial.
 #[derive(Debug)]
 pub struct Places {
-    /// The picture that was asked for.
+    /// The picture OUT.
     pub out: Place,
-    /// The picture of differences; none beside a view, nor beside a device or a pipe, where a new file would be a
-    /// surprise.
+    /// The picture of differences. `None` when a view is shown, and when `out` is a device or a pipe, since the user
+    /// does not expect a file beside these.
     pub difference: Option<Place>,
-    /// Both sides of a view.
+    /// The view by WGSL and by the CPU, beside each other.
     pub view: Option<Place>,
 }
 
@@ -41,7 +40,7 @@ impl Places {
     /// Opens all places that `options` need.
     ///
     /// # Errors
-    /// [`Error::Scene`] for a place that cannot be written, or that is one of the files that are read.
+    /// [`Error::Output`] for a file that cannot be written, or that is also an input.
     pub fn open(options: &Options, modules: &[UserModule]) -> Result<Self, Error> {
         let mut inputs = vec![options.config.as_path(), options.scene.as_path()];
         inputs.extend(modules.iter().map(|module| module.path.as_path()));
@@ -51,8 +50,8 @@ impl Places {
             let output = Output::open(named, output::Options { sync: options.sync })?;
             Ok(Place { path, output })
         };
-        let takes_neighbours = takes_neighbours(&options.out);
-        let neighbour = |suffix: &str| takes_neighbours.then(|| open(beside(&options.out, suffix))).transpose();
+        let allows_other_files = allows_other_files(&options.out);
+        let neighbour = |suffix: &str| allows_other_files.then(|| open(beside(&options.out, suffix))).transpose();
         let view = options.view.filter(|view| *view != View::Difference);
         Ok(Self {
             out: open(options.out.clone())?,
@@ -63,10 +62,10 @@ impl Places {
 }
 
 impl Place {
-    /// Writes a picture of `size`, or of several such below each other.
+    /// Writes a picture of `size`, or several pictures of `size` below each other.
     ///
     /// # Errors
-    /// [`Error::Scene`] when the system does not take it.
+    /// [`Error::Output`] when it cannot be written, [`Error::File`] when it is too large for a PNG.
     pub fn write(self, size: Size, pixels: &[[u8; 3]]) -> Result<(), Error> {
         self.write_rows(size.width(), pixels)
     }
@@ -74,7 +73,7 @@ impl Place {
     /// Writes panels of `width` below each other, each with its caption.
     ///
     /// # Errors
-    /// As [`Place::write`], or too little memory.
+    /// As [`Place::write`], and [`Error::Scene`] when there is too little memory.
     pub fn write_panels(self, panels: &[(&str, &[[u8; 3]])], width: usize) -> Result<(), Error> {
         let canvas = annotate::panels(panels, width);
         let canvas = canvas.map_err(|_| cpu::internals::input::error::Error::OutOfMemory { what: "the panels" })?;
@@ -86,20 +85,20 @@ impl Place {
         Ok(self.output.fill(|file| file.write_all(&bytes))?)
     }
 
-    /// The name for a message, without characters that a terminal would obey.
+    /// The name for a message, with control characters escaped.
     #[must_use]
     pub fn name(&self) -> String {
         if self.path.as_os_str() == "-" { "- (standard output)".to_owned() } else { shown(&self.path) }
     }
 }
 
-/// Standard output, which a person calls `-`.
+/// The file of standard output, which the user names `-`.
 pub const STANDARD_OUTPUT: &str = "/dev/stdout";
 
-/// The file of rows of `width` pixels: PNG where its name says so, else PPM.
+/// The bytes of a picture file with rows of `width` pixels: a PNG if the name ends in `.png`, else a PPM.
 ///
 /// # Errors
-/// It has more rows or columns than a PNG may have.
+/// The picture has more rows or columns than a PNG may have.
 pub(crate) fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
     let height = pixels.len() / width.max(1);
     if !is_png(path) {
@@ -116,8 +115,8 @@ pub(crate) fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io:
     Ok(bytes)
 }
 
-/// Whether other pictures may be written beside `out`: not where it is a device or a pipe.
-fn takes_neighbours(out: &Path) -> bool {
+/// Whether other pictures may be written beside `out`: not if it is a device, a pipe or standard output.
+fn allows_other_files(out: &Path) -> bool {
     let is_of_the_system = ["/dev", "/proc"].iter().any(|folder| out.starts_with(folder));
     !is_of_the_system && out.as_os_str() != "-" && out.metadata().map_or(true, |metadata| metadata.is_file())
 }
@@ -130,16 +129,17 @@ pub fn beside(out: &Path, suffix: &str) -> PathBuf {
     out.with_file_name(name)
 }
 
-/// Linear colours as the bytes that the renderer would make of them.
+/// The bytes of linear colours, quantised as the renderer does.
 #[must_use]
 pub fn bytes<T: Float>(pixels: &[Vec3<T>], gamma: f64) -> Vec<[u8; 3]> {
     pixels.iter().map(|color| color.to_array().map(|channel| quantize(channel.wide(), gamma))).collect()
 }
 
-/// That a picture can be written under this name: `.png`, `.ppm`, or a name without an ending, which is a PPM.
+/// Checks that a picture can be written under this name. It must end in `.png` or `.ppm`, or have no ending, which
+/// gives a PPM.
 ///
 /// # Errors
-/// A message for the person who typed it.
+/// A message for the user.
 pub fn check_name(path: &Path) -> Result<(), String> {
     match path.extension() {
         None => Ok(()),
@@ -166,8 +166,8 @@ mod tests {
 
     #[test]
     fn nothing_is_written_beside_devices_and_standard_output() {
-        assert!(takes_neighbours(Path::new("new.png")));
-        assert!(["/dev/null", "/dev/stdout", STANDARD_OUTPUT].iter().all(|out| !takes_neighbours(Path::new(out))));
+        assert!(allows_other_files(Path::new("new.png")));
+        assert!(["/dev/null", "/dev/stdout", STANDARD_OUTPUT].iter().all(|out| !allows_other_files(Path::new(out))));
     }
 
     #[test]

@@ -1,11 +1,11 @@
-//! What is said while a rendering takes long, on standard error.
+//! Progress reports for renderings that take long.
 
 use std::time::{Duration, Instant};
 
-/// How long nothing is said.
+/// Least time between two reports, and before the first one.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Tells of a work in many parts, now and then.
+/// Reports the progress of work in many parts, at intervals.
 #[derive(Debug)]
 pub struct Progress {
     start: Instant,
@@ -13,14 +13,14 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A work that begins.
+    /// The progress of work that begins now.
     #[must_use]
     pub fn start() -> Self {
         let now = Instant::now();
         Self { start: now, last: now }
     }
 
-    /// What to say after `done` of `of` parts: nothing at the end, or where the last line is fresh.
+    /// The report after `done` of `of` parts. `None` at the end, and when the last report is less than two seconds old.
     pub fn tell(&mut self, done: u64, of: u64) -> Option<String> {
         if done == 0 || done >= of || self.last.elapsed() < PATIENCE {
             return None;
@@ -36,13 +36,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_long_work_is_told_of_now_and_then() {
+    fn long_work_is_reported_at_intervals() {
         let mut progress = Progress::start();
         assert_eq!(progress.tell(1, 4), None, "it began just now");
         let earlier = Instant::now().checked_sub(Duration::from_secs(30)).expect("the clock has run that long");
         let mut progress = Progress { start: earlier, last: earlier };
         assert_eq!(progress.tell(1, 4).as_deref(), Some("WGSL renders: 25 %, about 90 s left"));
-        assert_eq!(progress.tell(2, 4), None, "it was told just now");
+        assert_eq!(progress.tell(2, 4), None, "it was reported just now");
         progress.last = earlier;
         assert_eq!(progress.tell(4, 4), None, "it is done");
     }

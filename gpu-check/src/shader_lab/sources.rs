@@ -1,7 +1,7 @@
-//! The files that a rendering depends on, each opened once and read once for it.
+//! The files that a rendering depends on. For each rendering every file is opened and read once.
 //!
-//! While watching, a file is read again to see whether it has changed. A pipe or a device is not: what it gave the
-//! first time stays.
+//! With `--watch`, a file is read again to find out whether it has changed. A pipe or a device is not read again, and
+//! its first content is kept.
 
 use std::path::Path;
 
@@ -14,20 +14,20 @@ use crate::Error;
 /// Largest configuration or scene that is read, in bytes.
 pub const MAX_BYTES: u64 = 1 << 24;
 
-/// What one reading of all files gave.
+/// The contents of all files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sources {
-    /// The person's modules, or why there are none.
+    /// The user's modules, or why they cannot be read.
     pub modules: Result<Vec<UserModule>, String>,
-    /// Of the configuration and the scene.
+    /// The contents of the configuration and of the scene.
     pub texts: [Text; 2],
 }
 
-/// The bytes of a file, or why there are none.
+/// The bytes of a file, or why it cannot be read.
 pub type Text = Result<Vec<u8>, String>;
 
 impl Sources {
-    /// Reads all files; of those that give their content once, what `before` has of them.
+    /// Reads all files. For pipes and devices it takes the contents from `before`, if that is given.
     #[must_use]
     pub fn read(options: &Options, before: Option<&Self>) -> Self {
         let modules = match before {
@@ -42,10 +42,10 @@ impl Sources {
         Self { modules, texts }
     }
 
-    /// The configuration and the scene.
+    /// Parses the configuration and the scene.
     ///
     /// # Errors
-    /// What is wrong with a file.
+    /// Why a file cannot be read, or what is wrong in it.
     pub fn parse(&self, options: &Options) -> Result<(Config, Scene), Error> {
         let bytes = |text: &Text| text.clone().map_err(|message| Error::Request { message });
         let [config, scene] = [bytes(&self.texts[0])?, bytes(&self.texts[1])?];
@@ -54,7 +54,8 @@ impl Sources {
     }
 }
 
-/// Whether `path` is neither a file nor a folder: a pipe, a terminal or another device.
+/// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, and is read only
+/// once.
 fn gives_once(path: &Path) -> bool {
     path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
@@ -69,6 +70,7 @@ fn text(path: &Path) -> Text {
 #[cfg(test)]
 mod tests {
     use std::fs;
+    use test_support::folder::Folder;
 
     use super::*;
 
@@ -84,8 +86,8 @@ mod tests {
 
     #[test]
     fn files_of_exactly_the_limit_are_read_and_one_byte_more_refused() {
-        let folder = tempfile::tempdir().expect("there is room");
-        let path = folder.path().join("config");
+        let folder = Folder::new();
+        let path = folder.file("config");
         for (bytes, is_read) in [(MAX_BYTES, true), (MAX_BYTES + 1, false)] {
             fs::File::create(&path).and_then(|file| file.set_len(bytes)).expect("the folder is writable");
             assert_eq!(text(&path).is_ok(), is_read, "{bytes}");
@@ -95,8 +97,8 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn endless_devices_are_refused_and_not_read_again() {
-        let folder = tempfile::tempdir().expect("there is room");
-        fs::write(folder.path().join("scene"), "").expect("the folder is writable");
+        let folder = Folder::new();
+        fs::write(folder.file("scene"), "").expect("the folder is writable");
         let options = options(folder.path(), "/dev/zero");
         let first = Sources::read(&options, None);
         let message = first.parse(&options).expect_err("it has no end").to_string();

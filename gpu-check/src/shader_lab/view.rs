@@ -1,4 +1,4 @@
-//! What primary rays meet, in false colours, so that the eye finds where two implementations part.
+//! Shows what camera rays hit, in false colours, so that the user sees where two implementations differ.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,17 +9,17 @@ use crate::steps::{Step, first_difference};
 /// What to show of each pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
-    /// How far the object is: the nearer the lighter.
+    /// The lambda of the hit: nearer hits are lighter.
     Lambda,
     /// The unit normal that faces the ray: x, y and z from -1 to 1 as red, green and blue from 0 to 255.
     Normal,
-    /// Which object: a colour each.
+    /// The object: one colour for each object.
     Object,
-    /// The part, side, top or bottom in three hues; dark where the ray comes from inside.
+    /// The part that is hit, side, top or bottom, in three hues. Dark where the ray comes from inside.
     Side,
-    /// How many surfaces the ray meets on its way: black to red, yellow and white.
+    /// How many surfaces the path hits: from black for none to red, yellow and white for the maximum depth.
     Steps,
-    /// How the colours differ, twenty times enlarged.
+    /// How far the colours differ, on a logarithmic scale.
     Difference,
 }
 
@@ -27,7 +27,7 @@ impl View {
     /// Every view.
     pub const ALL: [Self; 6] = [Self::Lambda, Self::Normal, Self::Object, Self::Side, Self::Steps, Self::Difference];
 
-    /// The pixel whose way these steps are, out of `depth` that it may have.
+    /// The colour of the pixel with these steps, in a picture with the maximum depth `depth`.
     #[must_use]
     pub fn color<T: Float>(self, steps: &[Step<T>], depth: u32) -> [u8; 3] {
         let wide = |number: T| number.wide();
@@ -58,12 +58,12 @@ impl View {
     }
 }
 
-/// How many surfaces a way meets.
+/// How many surfaces a path hits.
 fn surfaces<T: Float>(steps: &[Step<T>]) -> usize {
     steps.iter().take_while(|step| step.is_hit().wide() == 1.0).count()
 }
 
-/// White where any number of two ways differs in its bits, else black.
+/// White if any number of two paths differs in its bits, else black.
 #[must_use]
 pub fn mark<T: Float>(one: &[Step<T>], other: &[Step<T>]) -> [u8; 3] {
     let differs = one.len() != other.len() || one.iter().zip(other).any(|(a, b)| first_difference(a, b).is_some());
@@ -78,7 +78,7 @@ fn heat(share: f64) -> [u8; 3] {
     [0.0, 1.0, 2.0].map(|place| grey((3.0 * share - place).clamp(0.0, 1.0)))
 }
 
-/// A colour that neighbours in the file do not share.
+/// The colour of an object. Objects that follow each other in the file have different colours.
 fn hue(object: u64) -> [u8; 3] {
     let scattered = (object + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     [56, 48, 40].map(|shift| 64 + ((scattered >> shift) as u8) / 4 * 3)
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_in_the_file_have_colours_of_their_own() {
+    fn neighbours_in_the_file_have_different_colours() {
         let color = |object| View::Object.color(&[step(&[("is_hit", 1.0), ("object", object)])], 5);
         assert!(color(0.0) != color(1.0) && color(1.0) != color(2.0) && color(0.0) != color(2.0));
     }

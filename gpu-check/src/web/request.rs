@@ -1,4 +1,4 @@
-//! One request of HTTP/1.1, read within limits on its size and its time.
+//! Reads one request of HTTP/1.1 within limits on its size and its time.
 
 use std::io::{self, BufRead, BufReader, Read};
 use std::net::TcpStream;
@@ -16,25 +16,25 @@ pub const MAX_BODY: usize = 64 << 20;
 /// How long a client may take for its whole request.
 pub const MAX_TIME: Duration = Duration::from_secs(30);
 
-/// Names by which a page on this machine calls this server. Another name in `Host` is that of a foreign page, whose
-/// author let that name lead here to read what is served.
+/// Names of this server in requests of a page from this machine. A request with another name in `Host` comes from a
+/// foreign page, whose author makes that name resolve to this machine in order to read the data (DNS rebinding).
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// What a client asks for.
+/// The request of a client.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
-    /// As `GET`.
+    /// The method, such as `GET`.
     pub method: String,
-    /// The address, from its first slash.
+    /// The path with the query, from its first slash.
     pub path: String,
-    /// What a `POST` brought.
+    /// The body of a `POST`.
     pub body: Vec<u8>,
 }
 
-/// Why there is no request.
+/// Why a request is refused.
 #[derive(Debug)]
 pub enum Refusal {
-    /// The client gets this status.
+    /// The client gets an answer with this status.
     Status(&'static str),
     /// The connection is broken, or too slow.
     Broken(io::Error),
@@ -46,7 +46,7 @@ impl From<io::Error> for Refusal {
     }
 }
 
-/// A stream that gives up at a point in time, however many bytes trickle in.
+/// A stream whose reads fail after a point in time. A limit on each read alone would let slow clients send forever.
 struct Timed<'a> {
     stream: &'a TcpStream,
     end: Instant,
@@ -64,11 +64,12 @@ impl Read for Timed<'_> {
 }
 
 impl Request {
-    /// Reads a request, which the client must have sent within `time`. `reserve` is asked before a body of so many
-    /// bytes is received.
+    /// Reads a request, which the client must have sent within `time`. `reserve` is called with the length of a body
+    /// before the body is received, and returns whether it may be.
     ///
     /// # Errors
-    /// [`Refusal::Status`] where a limit is exceeded, the client calls this server by a foreign name, or it is no HTTP.
+    /// [`Refusal::Status`] when a limit is exceeded, the request has a foreign name in `Host`, or it is not HTTP.
+    /// [`Refusal::Broken`] when the connection ends or is too slow.
     pub fn read(stream: &TcpStream, time: Duration, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {
         Self::parse(BufReader::new(Timed { stream, end: Instant::now() + time }), reserve)
     }
@@ -99,11 +100,11 @@ impl Request {
     }
 }
 
-/// The headers that count here.
+/// The headers that this server reads.
 #[derive(Default)]
 struct Headers {
     hosts: Vec<String>,
-    /// The page that asks, where a browser names it.
+    /// The address of the page that sends the request, if the browser gives it.
     origin: Option<String>,
     length: usize,
 }
@@ -136,7 +137,7 @@ impl Headers {
 /// The next line without its end. One of more than [`MAX_LINE`] bytes is answered with the status `too_long`.
 fn line(reader: &mut impl BufRead, too_long: &'static str) -> Result<String, Refusal> {
     let mut line = Vec::new();
-    // The line end has two bytes more.
+    // Two bytes more, for the line end.
     let length = reader.take(MAX_LINE as u64 + 2).read_until(b'\n', &mut line)?;
     if length == 0 {
         return Err(Refusal::Broken(io::ErrorKind::UnexpectedEof.into()));
@@ -195,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_has_a_limit_and_takes_a_share_of_one() {
+    fn a_body_has_a_limit_and_counts_towards_the_limit_of_all_bodies() {
         let post =
             |length: usize| format!("POST /results/a HTTP/1.1\r\nHost: [::1]:1\r\nContent-Length: {length}\r\n\r\n");
         let mut whole = post(MAX_BODY).into_bytes();
@@ -210,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn other_names_than_those_of_this_machine_are_refused() {
+    fn names_that_are_not_of_this_machine_are_refused() {
         for host in ["127.0.0.1", "127.0.0.1:8000", "localhost:1", "LOCALHOST", "[::1]:65535"] {
             assert!(with_headers(&format!("Host: {host}\r\n")).is_ok(), "{host}");
         }
@@ -225,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn what_ends_early_is_broken_and_no_request() {
+    fn a_request_that_ends_early_is_broken() {
         for text in ["", "GET / HTTP/1.1", "GET / HTTP/1.1\r\nHost: localhost", "GET / HTTP/1.1\r\nHost: localhost\r\n"]
         {
             assert_eq!(read(text.as_bytes()), Err("broken"), "{text}");

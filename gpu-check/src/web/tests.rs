@@ -1,4 +1,4 @@
-//! A server and its clients over real connections.
+//! The server and its clients over real connections.
 
 use std::cell::Cell;
 use std::io::Read;
@@ -11,7 +11,7 @@ fn server() -> Server {
     Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free")
 }
 
-/// What a server that may close the connection before it has read the request says to it.
+/// The answer to `request`. Writing may fail, since the server may close the connection before it has read the request.
 fn answer_to(address: SocketAddr, request: &str) -> String {
     let mut client = TcpStream::connect(address).expect("it listens");
     let _ = client.write_all(request.as_bytes());
@@ -26,7 +26,7 @@ fn asked(request: &str) -> (String, Option<Posted>) {
     client.write_all(request.as_bytes()).expect("it reads");
     let (stream, _) = server.listener.accept().expect("there is a connection");
     let posted = Cell::new(None);
-    // A client that was refused keeps its end open while this one waits for it.
+    // The result is an error for a refused client, which keeps its end of the connection open.
     let _ = server.talk(&stream, |taken| posted.set(Some(taken)));
     drop(stream);
     let mut answer = String::new();
@@ -39,16 +39,25 @@ fn get(path: &str) -> String {
 }
 
 #[test]
-fn the_page_and_its_data_are_handed_out() {
+fn the_page_and_its_data_are_served() {
     let page = asked(&get("/")).0;
     assert!(page.contains("<title>shader-lab</title>"));
-    // A browser asks for no other icon.
-    assert!(page.contains("<link rel=\"icon\" href=\"data:image/svg+xml,") && page.contains("width=device-width"));
+    assert!(page.contains("width=device-width"));
     assert!(asked(&get("/data/a")).0.ends_with("\r\n\r\nnumbers"));
 }
 
 #[test]
-fn nothing_else_is() {
+fn the_icon_is_served_under_its_name_and_as_favicon_ico() {
+    assert!(asked(&get("/")).0.contains("<link rel=\"icon\" type=\"image/svg+xml\" href=\"icon.svg\">"));
+    for path in ["/icon.svg", "/favicon.ico"] {
+        let answer = asked(&get(path)).0;
+        assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("Content-Type: image/svg+xml;"), "{answer}");
+        assert!(answer.contains("\r\n\r\n<svg "), "{answer}");
+    }
+}
+
+#[test]
+fn other_paths_are_not_found() {
     for path in ["/data/b", "/../Cargo.toml", "//etc/passwd", ""] {
         assert!(asked(&get(path)).0.starts_with("HTTP/1.1 404"), "{path}");
     }
@@ -58,7 +67,7 @@ fn nothing_else_is() {
 fn results_are_taken() {
     let (_, posted) =
         asked("POST /results/kernels/sphere HTTP/1.1\r\nHost: localhost:8\r\nContent-Length: 3\r\n\r\nabc");
-    let posted = posted.expect("it brought something");
+    let posted = posted.expect("it has a body");
     assert_eq!((posted.name.as_str(), &posted.body[..]), ("kernels/sphere", &b"abc"[..]));
 }
 
@@ -79,11 +88,11 @@ fn bodies_share_one_limit_and_give_it_back() {
 }
 
 #[test]
-fn a_connection_more_than_allowed_is_told_so_and_later_ones_are_answered() {
+fn one_connection_too_many_gets_status_503_and_later_ones_are_answered() {
     let server = server();
     let address = server.address().expect("it listens");
     std::thread::spawn(move || server.serve(drop));
-    // Each holds its connection without a word.
+    // Each client holds its connection and sends nothing.
     let silent: Vec<_> = (0..MAX_CONNECTIONS).map(|_| TcpStream::connect(address).expect("it listens")).collect();
     let until = |wanted: &str| {
         for _ in 0..1000 {

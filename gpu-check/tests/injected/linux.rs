@@ -1,16 +1,17 @@
-//! A tiny module, with every disturbance.
+//! Renders with a tiny module under every disturbance.
 
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use libtest_mimic::{Arguments, Failed, Trial};
-use test_support::injection::{Disturbance, Job, most, total, unavailable};
+use libtest_mimic::{Failed, Trial};
+use test_support::folder::Folder;
+use test_support::injection::{Disturbance, Job, most, unavailable};
 
 /// Calls of each kind that are disturbed.
 const MOST: usize = 2;
 
-/// Every pixel grey: the driver compiles it quickly.
+/// A module that makes every pixel grey. The driver compiles it quickly.
 const GREY: &str = "// module: kernels/image
 @compute @workgroup_size(64)
 fn image(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -20,25 +21,18 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 ";
 
-/// The old picture stands where the signal comes before the new one does, so that one is enough for signals.
+/// The disturbances, the old content of the output if there is any, and the names of the tests. Signals are tested with
+/// an old picture only, which then stays if the signal comes before the new picture is in place.
 const CASES: [(Disturbance, Option<&str>, &str); 5] = [
     (Disturbance::Errors, None, "calls_fail_and_no_picture_stands_or_the_new_ones"),
     (Disturbance::Errors, Some("old"), "calls_fail_and_the_old_pictures_stand_or_the_new_ones"),
     (Disturbance::Signal, Some("old"), "a_signal_in_a_call_leaves_the_old_pictures_or_the_new_ones"),
     (Disturbance::SignalAsProcessOne, Some("old"), "a_signal_in_a_call_ends_process_1"),
-    (Disturbance::Named, Some("old"), "the_same_where_a_file_needs_a_name"),
+    (Disturbance::Named, Some("old"), "failures_and_signals_where_a_file_needs_a_name"),
 ];
 
-/// Runs the trials and tells how many runs of the program they made.
-pub fn run() {
-    let conclusion = libtest_mimic::run(&Arguments::from_args(), trials());
-    if conclusion.num_passed + conclusion.num_failed > 0 {
-        println!("in all {}", total());
-    }
-    conclusion.exit();
-}
-
-fn trials() -> Vec<Trial> {
+/// One trial for each disturbance of each job.
+pub fn trials() -> Vec<Trial> {
     let trial = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
         let missing = unavailable(disturbance);
         let trial = Trial::test(name, move || disturb(disturbance, old));
@@ -48,8 +42,8 @@ fn trials() -> Vec<Trial> {
 }
 
 fn disturb(disturbance: Disturbance, old: Option<&str>) -> Result<(), Failed> {
-    let folder = tempfile::tempdir()?;
-    fs::create_dir(folder.path().join("d"))?;
+    let folder = Folder::new();
+    fs::create_dir(folder.file("d"))?;
     let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path())? };
     job.disturb(disturbance)?;
     Ok(())

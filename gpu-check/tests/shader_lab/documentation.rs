@@ -1,4 +1,4 @@
-//! The figures of docs/shader-lab.md are what its commands print.
+//! Checks that the figures of docs/shader-lab.md are those that its commands print.
 
 use super::*;
 
@@ -16,11 +16,11 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
         return;
     }
     let docs = fs::read_to_string(repository("docs/shader-lab.md")).expect("it is committed");
-    let folder = folder();
+    let folder = Folder::new();
     let changed = "let near = (h - root) * (real(1.0) / a);";
     assert!(docs.contains(changed));
     let sphere = standard("sphere").replace("let near = (h - root) / a;", changed);
-    fs::write(folder.path().join("sphere.wgsl"), sphere).expect("the folder is writable");
+    fs::write(folder.file("sphere.wgsl"), sphere).expect("the folder is writable");
     let shown = |options: &[&str]| {
         let output = Command::new(env!("CARGO_BIN_EXE_shader-lab"))
             .current_dir(&folder)
@@ -35,7 +35,7 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
         String::from_utf8(output.stdout).expect("it is text")
     };
     let said = shown(&[]);
-    // Times and versions change; everything else must be there.
+    // Lines with times and versions may differ. All other lines must be printed.
     let stable = |line: &&&str| !line.starts_with("in f64 on") && !line.contains(" to compile; ");
     let lines = block(&docs, "from the CPU in f64: ");
     assert!(lines.iter().filter(stable).count() >= 4, "{lines:?}");

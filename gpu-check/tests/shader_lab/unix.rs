@@ -1,4 +1,4 @@
-//! Pipes, devices, links and streams that take nothing, as bash hands them over.
+//! Runs `shader-lab` from bash with pipes, devices, links, and streams that cannot be written.
 
 use super::*;
 
@@ -26,14 +26,14 @@ fn names(folder: &Path) -> Vec<String> {
 
 #[test]
 fn a_pipe_as_configuration_is_read_once_and_its_values_count() {
-    let folder = folder();
+    let folder = Folder::new();
     let output = bash(folder.path(), "$lab my.wgsl --config <(cat config) --scene <(cat scene) --out o.png");
     assert!(output.status.success() && words(&output).contains("\n16 x 9 pixels in "), "{}", words(&output));
 }
 
 #[test]
 fn endless_files_are_refused() {
-    let folder = folder();
+    let folder = Folder::new();
     for (config, scene) in [("/dev/zero", "scene"), ("config", "/dev/zero")] {
         let output = bash(folder.path(), &format!("$lab my.wgsl --config {config} --scene {scene} --out o.png"));
         let expected = "Cannot read file [/dev/zero]: it is larger than 16777216 bytes";
@@ -42,8 +42,8 @@ fn endless_files_are_refused() {
 }
 
 #[test]
-fn a_device_stays_a_device_and_gets_no_neighbour() {
-    let folder = folder();
+fn a_device_stays_a_device_and_no_file_is_written_beside_it() {
+    let folder = Folder::new();
     let output = bash(folder.path(), "$lab my.wgsl --config config --scene scene --out /dev/null");
     assert!(output.status.success(), "{}", words(&output));
     use std::os::unix::fs::FileTypeExt;
@@ -53,38 +53,38 @@ fn a_device_stays_a_device_and_gets_no_neighbour() {
 
 #[test]
 fn a_link_at_a_name_that_was_once_predictable_is_left_alone() {
-    let folder = folder();
+    let folder = Folder::new();
     let line = "echo kept > precious; ln -s precious o.png.unfinished; \
                 $lab my.wgsl --config config --scene scene --out o.png";
     let output = bash(folder.path(), line);
     assert!(output.status.success(), "{}", words(&output));
-    assert_eq!(fs::read_to_string(folder.path().join("precious")).expect("it stands"), "kept\n");
+    assert_eq!(fs::read_to_string(folder.file("precious")).expect("it stands"), "kept\n");
     let expected = ["config", "my.wgsl", "o-difference.png", "o.png", "o.png.unfinished", "precious", "scene"];
     assert_eq!(names(folder.path()), expected);
 }
 
 #[test]
 fn a_limit_on_file_size_leaves_all_old_pictures() {
-    let folder = folder();
+    let folder = Folder::new();
     for name in ["o.png", "o-difference.png"] {
-        fs::write(folder.path().join(name), "old").expect("the folder is writable");
+        fs::write(folder.file(name), "old").expect("the folder is writable");
     }
-    // No cache of shaders, which would not fit either.
+    // The driver's cache of shaders is off, since its files would exceed the limit too.
     let line = "export MESA_SHADER_CACHE_DISABLE=1; ulimit -f 1; echo 'image_width: 99' > config; \
                 $lab my.wgsl --config config --scene scene --out o.png";
     let output = bash(folder.path(), line);
     assert_eq!(output.status.code(), Some(2), "{}", words(&output));
     assert!(words(&output).contains("Cannot write file [o-difference.png]: File too large"), "{}", words(&output));
     for name in ["o.png", "o-difference.png"] {
-        assert_eq!(fs::read(folder.path().join(name)).expect("it stands"), b"old", "{name}");
+        assert_eq!(fs::read(folder.file(name)).expect("it stands"), b"old", "{name}");
     }
     assert_eq!(names(folder.path()), ["config", "my.wgsl", "o-difference.png", "o.png", "scene"]);
 }
 
 #[test]
 fn an_input_as_output_is_refused_under_any_name() {
-    let folder = folder();
-    // A module has an ending that no picture has, so a link names it.
+    let folder = Folder::new();
+    // OUT must end as a picture does, so the module is named by a link.
     for out in ["scene", "config", "hard", "soft", "module.png"] {
         let links = "ln -f scene hard; ln -sf config soft; ln -sf my.wgsl module.png";
         let line = format!("{links}; $lab my.wgsl --config config --scene scene --out {out}");
@@ -96,7 +96,7 @@ fn an_input_as_output_is_refused_under_any_name() {
 
 #[test]
 fn a_picture_with_too_many_pixels_is_refused_before_it_is_rendered() {
-    let folder = folder();
+    let folder = Folder::new();
     let line = "echo 'image_width: 9999' > config; $lab my.wgsl --config config --scene scene --out o.png";
     let output = bash(folder.path(), line);
     assert!(words(&output).contains("more than 8388608; lower image_width"), "{}", words(&output));
@@ -104,7 +104,7 @@ fn a_picture_with_too_many_pixels_is_refused_before_it_is_rendered() {
 
 #[test]
 fn names_cannot_command_a_terminal() {
-    let folder = folder();
+    let folder = Folder::new();
     let line = "cp my.wgsl $'\\e[2Jx\\ny.wgsl'; $lab $'\\e[2Jx\\ny.wgsl' --config $'\\e[0m\\n' --scene s --out o; \
                 $lab $'--\\e[2J' --config $'\\xff'; \
                 $lab $'\\e[2Jx\\ny.wgsl' --config config --scene scene --out o.png";
@@ -117,7 +117,7 @@ fn names_cannot_command_a_terminal() {
 
 #[test]
 fn closed_and_full_outputs_are_no_panic() {
-    let folder = folder();
+    let folder = Folder::new();
     for (redirection, status) in
         [(">&-", 2), (">/dev/full", 2), ("1</dev/null", 2), ("2>&-", 0), ("<&- 2>/dev/full", 0)]
     {

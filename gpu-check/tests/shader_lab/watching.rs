@@ -1,4 +1,4 @@
-//! `shader-lab --watch` while a person edits.
+//! Runs `shader-lab --watch` while the module is edited.
 
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, Stdio};
@@ -10,7 +10,7 @@ use super::*;
 /// How long the program may take to notice a change.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A program that ends with its guard, and the lines that it writes.
+/// A program, which is killed when the value is dropped, and the lines that it writes.
 struct Watched(Child, Receiver<String>);
 
 impl Drop for Watched {
@@ -49,8 +49,8 @@ impl Watched {
 
 #[test]
 fn watching_survives_a_broken_shader_and_keeps_the_last_good_picture() {
-    let folder = folder();
-    let (path, out) = (folder.path().join("my.wgsl"), folder.path().join("out.png"));
+    let folder = Folder::new();
+    let (path, out) = (folder.file("my.wgsl"), folder.file("out.png"));
     fs::write(&path, TEMPLATE).expect("the folder is writable");
     let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
     watched.wait_for("wrote out-difference.png");
@@ -71,8 +71,8 @@ fn watching_survives_a_broken_shader_and_keeps_the_last_good_picture() {
 
 #[test]
 fn watching_survives_a_module_that_is_refused_and_one_that_takes_all_memory() {
-    let folder = folder();
-    let path = folder.path().join("my.wgsl");
+    let folder = Folder::new();
+    let path = folder.file("my.wgsl");
     fs::write(&path, format!("{TEMPLATE}const deep = {}1;\n", "-".repeat(30_000))).expect("the folder is writable");
     let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
     assert!(watched.wait_for("Error: my.wgsl:").contains("more than 500 brackets, operators or branches"));

@@ -1,8 +1,8 @@
-//! Energy of the processor's packages, where the machine has a meter, and the reason where it has none.
+//! Measures the energy of the processor's packages, or says why the machine cannot measure it.
 //!
-//! Linux offers the counters of RAPL as files under `/sys/class/powercap`: microjoules that wrap around. They count for
-//! the whole package, idle cores and neighbours too; [`measure`] can subtract what the machine takes when idle. Where
-//! the files cannot be read, `perf` may still be allowed to (the module `perf`).
+//! Linux offers the RAPL counters as files under `/sys/class/powercap`: microjoules that wrap around. They count the
+//! whole package, with idle cores and other processes; [`measure`] can subtract the power of the idle machine. If the
+//! files cannot be read, the module `perf` tries `perf stat`, which may read the counters on some machines.
 
 mod perf;
 
@@ -16,19 +16,19 @@ use perf::Perf;
 
 use crate::Failure;
 
-/// Where Linux has the counters.
+/// The folder in which Linux has the counters.
 pub const POWERCAP: &str = "/sys/class/powercap";
 
-/// Energy of one picture. What could not be measured is `null`, and `reason` says why.
+/// Energy of one picture. A figure that could not be measured is `null`, and `reason` says why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Energy {
     /// The scene's name.
     pub scene: String,
     /// The implementation.
     pub engine: String,
-    /// Joules a picture, idle power subtracted where that was asked for.
+    /// Joules a picture, after idle power is subtracted if the user asked for it.
     pub joules: Option<f64>,
-    /// Watts while rendering, likewise.
+    /// Watts while rendering, after idle power is subtracted if the user asked for it.
     pub watts: Option<f64>,
     /// Watts of the idle machine that were subtracted.
     pub idle_watts: Option<f64>,
@@ -54,7 +54,7 @@ struct Counter {
 }
 
 impl Counter {
-    /// Joules from one reading to a later one, when it has not wrapped around twice.
+    /// Returns the joules between two readings, if the counter has wrapped around at most once between them.
     fn joules(&self, before: u64, after: u64) -> f64 {
         let microjoules = if after >= before { after - before } else { after + (self.range - before) };
         microjoules as f64 * 1e-6
@@ -62,10 +62,10 @@ impl Counter {
 }
 
 impl Meter {
-    /// This machine's.
+    /// Returns the meter of this machine.
     ///
     /// # Errors
-    /// Why it has none, in words.
+    /// Why the machine has no meter, in words.
     pub fn here() -> Result<Self, String> {
         Self::open(Path::new(POWERCAP)).or_else(|first| {
             let perf = Perf::open(Path::new("perf")).map_err(|second| format!("{first}; {second}"))?;
@@ -73,15 +73,16 @@ impl Meter {
         })
     }
 
-    /// The packages' counters under `folder`, [`POWERCAP`] on a real machine.
+    /// Returns a meter of the packages' counters under `folder`, which is [`POWERCAP`] on a real machine.
     ///
     /// # Errors
-    /// Why there are none, in words.
+    /// Why there are no counters, in words.
     pub fn open(folder: &Path) -> Result<Self, String> {
         let entries = fs::read_dir(folder).map_err(|error| format!("no RAPL: {}: {error}", folder.display()))?;
         let mut counters = Vec::new();
         for zone in entries.flatten().map(|entry| entry.path()) {
-            // Packages are named package-0 and so on; cores and memory are parts of them and would count twice.
+            // Packages are named package-0 and so on. Zones of cores and memory are parts of a package: their energy
+            // would be counted twice.
             let name = fs::read_to_string(zone.join("name")).unwrap_or_default();
             if name.starts_with("package") {
                 let range = number(&zone.join("max_energy_range_uj"))?;
@@ -95,7 +96,7 @@ impl Meter {
         Ok(Self(Source::Powercap(counters)))
     }
 
-    /// Joules and seconds that `work` takes.
+    /// Runs `work` and returns the joules and seconds that it took.
     fn during(&self, work: impl FnOnce() -> Result<(), Failure>) -> Result<(f64, f64), Failure> {
         match &self.0 {
             Source::Powercap(counters) => {
@@ -109,7 +110,7 @@ impl Meter {
                 let start = Instant::now();
                 let counting = perf.start()?;
                 let outcome = work();
-                // Stopped in any case: it would count for ever.
+                // `perf` is stopped even if `work` failed, because it would count for a day.
                 let joules = counting.stop()?;
                 outcome?;
                 Ok((joules, start.elapsed().as_secs_f64()))
@@ -118,7 +119,7 @@ impl Meter {
     }
 }
 
-/// The counters now, in microjoules.
+/// Reads the counters, in microjoules.
 fn read(counters: &[Counter]) -> Result<Vec<u64>, String> {
     counters.iter().map(|counter| number(&counter.file)).collect()
 }
@@ -128,11 +129,11 @@ fn number(file: &Path) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("no RAPL: {} holds no number", file.display()))
 }
 
-/// Measures `render` over and over for at least `shortest`, and the idle machine as long before it where `idle` is
-/// asked for. Without a meter the figures are `null`.
+/// Repeats `render` for at least `shortest` and returns the mean energy of one call. With `idle`, the idle machine is
+/// measured first, for as long as `shortest`, and its power subtracted. Without a meter the figures are `null`.
 ///
 /// # Errors
-/// What `render` says.
+/// An error of `render`, or a counter that cannot be read.
 pub fn measure(
     meter: &Result<Meter, String>,
     [scene, engine]: [&str; 2],
@@ -172,13 +173,15 @@ pub fn measure(
 
 #[cfg(test)]
 mod tests {
+    use test_support::folder::Folder;
+
     use super::*;
 
-    /// A folder like Linux', with a package of two cores whose counter stands at `energy`.
-    fn powercap(energy: &str) -> tempfile::TempDir {
-        let folder = tempfile::tempdir().expect("the temporary folder is writable");
+    /// A folder like [`POWERCAP`]: a package and a zone of its cores, whose counters both stand at `energy`.
+    fn powercap(energy: &str) -> Folder {
+        let folder = Folder::new();
         for (zone, name) in [("intel-rapl:0", "package-0\n"), ("intel-rapl:0:0", "core\n")] {
-            let zone = folder.path().join(zone);
+            let zone = folder.file(zone);
             fs::create_dir(&zone).expect("the folder is writable");
             for (file, text) in [("name", name), ("max_energy_range_uj", "1000000000\n"), ("energy_uj", energy)] {
                 fs::write(zone.join(file), text).expect("the folder is writable");
@@ -193,9 +196,9 @@ mod tests {
         let meter = Meter::open(folder.path());
         let mut count = 999_000_000_u64;
         let render = || {
-            // Two joules, across the end of the counter's range; the core's own counter stands still.
+            // Adds two joules to the package's counter, which wraps around. The counter of the cores stays the same.
             count = (count + 2_000_000) % 1_000_000_000;
-            Ok(fs::write(folder.path().join("intel-rapl:0/energy_uj"), format!("{count}\n"))?)
+            Ok(fs::write(folder.file("intel-rapl:0/energy_uj"), format!("{count}\n"))?)
         };
         let energy = measure(&meter, ["s", "e"], false, Duration::ZERO, render).expect("nothing fails");
         assert_eq!((energy.joules, energy.idle_watts, energy.reason), (Some(2.0), None, None));
@@ -206,7 +209,7 @@ mod tests {
     fn idle_power_is_subtracted_on_request() {
         let folder = powercap("5\n");
         let energy = measure(&Meter::open(folder.path()), ["s", "e"], true, Duration::from_millis(5), || Ok(()));
-        // The counter stands still: nothing idle, nothing for the picture.
+        // The counter does not change, so the idle machine and the picture both take 0 joules.
         let energy = energy.expect("nothing fails");
         assert_eq!((energy.joules, energy.idle_watts), (Some(0.0), Some(0.0)));
     }

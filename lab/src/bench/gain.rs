@@ -1,8 +1,8 @@
-//! What each optimisation gains: the time with one thing switched off, against the time with nothing switched off.
+//! Derives what each optimisation gains: the time with one of them switched off, divided by the time with all of them.
 //!
-//! Only what the library can leave out by itself is there. That spans of primary rays, paths through glass and the
-//! background's ends are calculated in lanes, and that means become bytes without a power, is woven into the real
-//! renderer: what these gain is within the row of the literal renderer, which has no certificate either.
+//! Only optimisations that the library can switch off are listed: instruction set, layout and acceleration structure.
+//! The others, such as lanes for camera rays and bytes without a power function, are part of the real renderer. Their
+//! gain is included in the row of the literal renderer, which has none of them.
 
 use cpu::internals::InstructionSet;
 use serde::{Deserialize, Serialize};
@@ -14,31 +14,31 @@ use super::results::{Setting, Timing};
 pub struct Gain {
     /// The scene's name.
     pub scene: String,
-    /// What is switched off, or taken instead.
+    /// What is switched off, or used instead, as in `no search` or `avx2 lanes`.
     pub without: String,
-    /// Times as long, medians compared.
+    /// Median time with it switched off, divided by the median time with nothing switched off.
     pub ratio: f64,
-    /// The least that the bounds of both medians allow.
+    /// The least ratio that the bounds of both medians allow.
     pub low: f64,
-    /// The most that they allow.
+    /// The largest ratio that the bounds of both medians allow.
     pub high: f64,
 }
 
-/// What an engine does without, where `best` is the instruction set of the one with nothing switched off; `None` for
-/// that one.
+/// Returns what is switched off in an engine, or `None` if nothing is. `best` is the instruction set of the engine with
+/// nothing switched off. Older results have engines whose name ends in `-textbook`: without the error bounds.
 fn without(engine: &str, best: &str) -> Option<String> {
     let rest = engine.strip_prefix("aos-").and_then(|rest| rest.strip_prefix(best));
     match (engine, rest) {
         (_, Some("")) => None,
         (_, Some("-plain-search")) => Some("no search".to_owned()),
-        (_, Some("-textbook")) => Some("no certificate".to_owned()),
+        (_, Some("-plain")) => Some("plain formulas".to_owned()),
         ("reference", _) => Some("literal renderer".to_owned()),
         _ if engine == format!("soa-{best}") => Some("soa layout".to_owned()),
         _ => engine.strip_prefix("aos-").map(|set| format!("{set} lanes")),
     }
 }
 
-/// The gains that times of the suite `gain` show; `best` is the machine's best instruction set.
+/// Returns the gains that follow from the times of the suite `gain`. `best` is the machine's best instruction set.
 #[must_use]
 pub fn of(timings: &[Timing], best: &str) -> Vec<Gain> {
     let of_gain = || timings.iter().filter(|timing| timing.setting.suite == "gain");
@@ -53,9 +53,10 @@ pub fn of(timings: &[Timing], best: &str) -> Vec<Gain> {
             Some(Gain { scene, without, ratio: slow.median / fast.median, low, high })
         })
         .collect();
-    // The kinds of things beside each other, lanes from the widest on; each kind in the order of the scenes.
+    // Sorted by what is switched off: lanes first, the widest before the others. The sort is stable, so the scenes keep
+    // their order.
     let sets = InstructionSet::ALL.map(|set| format!("{} lanes", set.name()));
-    let others = ["soa layout", "no search", "no certificate", "literal renderer"].map(str::to_owned);
+    let others = ["soa layout", "no search", "plain formulas", "literal renderer"].map(str::to_owned);
     let order: Vec<_> = sets.into_iter().rev().chain(others).collect();
     gains.sort_by_key(|gain: &Gain| order.iter().position(|name| *name == gain.without));
     gains
@@ -78,12 +79,12 @@ mod tests {
         let timings = [
             timing("reference", [18.0, 20.0, 22.0]),
             timing("aos-avx2", [1.9, 2.0, 2.5]),
-            timing("aos-avx2-textbook", [1.0, 1.0, 1.0]),
+            timing("aos-avx2-plain", [1.0, 1.0, 1.0]),
             timing("aos-sse2", [3.0, 3.0, 3.0]),
         ];
         let gains = of(&timings, "avx2");
         let found: Vec<_> = gains.iter().map(|gain| (gain.without.as_str(), gain.ratio)).collect();
-        assert_eq!(found, [("sse2 lanes", 1.5), ("no certificate", 0.5), ("literal renderer", 10.0)]);
+        assert_eq!(found, [("sse2 lanes", 1.5), ("plain formulas", 0.5), ("literal renderer", 10.0)]);
         let literal = &gains[2];
         assert!((literal.low - 18.0 / 2.5).abs() < 1e-12 && (literal.high - 22.0 / 1.9).abs() < 1e-12, "{literal:?}");
     }

@@ -1,8 +1,8 @@
-//! What one intersection costs, and how far its lambda is from the truth.
+//! Measures the time of one intersection, and the error of its lambda.
 //!
-//! The rays and the oracle are those of the crate `stability`, whose tables in `docs/accuracy/` tell regimes apart;
-//! here all but the ordinary one are one family of hard rays. The cost is that of tests one after the other, each with
-//! its ray and its object at hand, as the renderer has them.
+//! The rays and the oracle come from the crate `stability`, whose tables in `docs/accuracy/` have a row for each
+//! regime. Here all regimes but the ordinary one are joined into one family of hard rays. The time is that of
+//! intersections one after the other, each of one ray with one object, both in the form that the renderer uses.
 
 use stability::case::Case;
 use stability::measure::Judged;
@@ -17,15 +17,15 @@ use crate::interrupt::Interrupt;
 
 /// Names of the implementations, in the order of the chart's legend.
 pub const METHODS: [&str; 5] =
-    [methods::RESOLVED, methods::CERTIFIED, methods::TEXTBOOK, methods::TEXTBOOK_SINGLE, methods::PROJECTED];
+    [methods::RESOLVED, methods::EXACT, methods::PLAIN, methods::PLAIN_SINGLE, methods::PROJECTED];
 
-/// What is tested.
+/// The kinds of objects.
 pub const OBJECTS: [&str; 2] = ["sphere", "cylinder"];
 
-/// Seed of the rays: measurements of one program differ in their times alone.
+/// Seed of the rays. It is fixed, so that two measurements of one program can differ in their times alone.
 const SEED: u64 = 1;
 
-/// Measures every implementation on `count` ordinary and as many hard rays.
+/// Measures every implementation on `count` ordinary rays and at least `count` hard rays.
 ///
 /// # Errors
 /// [`Failure::Interrupted`].
@@ -64,7 +64,7 @@ pub fn measure(
     Ok(found)
 }
 
-/// Nanoseconds a test, for each implementation and repeat.
+/// Returns the nanoseconds of one intersection, for each implementation and repeat.
 fn times(
     methods: &[Box<dyn Method>],
     cases: &[Case],
@@ -76,7 +76,7 @@ fn times(
     let mut turns = Vec::new();
     for method in methods {
         let mut stopwatch = method.stopwatch(cases).map_err(explain)?;
-        // The first pass warms caches up and says how many make a repeat.
+        // The first pass warms the caches. Its time says how many passes make one repeat.
         turns.push(timing::turns_of(stopwatch().map_err(explain)?.as_secs_f64()));
         stopwatches.push(stopwatch);
     }
@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn certified_and_exact_intersections_are_right_and_the_others_are_not() {
+    fn exact_intersections_with_and_without_a_filter_are_right_and_the_others_are_not() {
         for object in OBJECTS {
             let found = measure(object, 900, 2, &Interrupt::default()).expect("nothing fails");
             assert_eq!(found.len(), 2 * METHODS.len());
@@ -104,13 +104,14 @@ mod tests {
             for name in METHODS {
                 let found = hard(name);
                 assert!(found.cases >= 900 && found.nanoseconds.len() == 2 && found.median.median > 0.0, "{found:?}");
-                let is_right = [methods::CERTIFIED, methods::RESOLVED].contains(&name);
+                let is_right = [methods::EXACT, methods::RESOLVED].contains(&name);
                 assert_eq!(found.wrong == 0, is_right, "{found:?}");
             }
-            // One unit in the last place, against a bound thousands of times as large.
+            // The error of the resolved method is at most one unit in the last place. The certified method may have an
+            // error up to its bound, which is larger.
             assert!(hard(methods::RESOLVED).lambda_error[2] <= f64::EPSILON);
-            assert!(hard(methods::CERTIFIED).lambda_error[2] <= 1e-9);
-            assert!(hard(methods::TEXTBOOK).lambda_error[2] > 1e-9);
+            assert!(hard(methods::EXACT).lambda_error[2] <= 1e-9);
+            assert!(hard(methods::PLAIN).lambda_error[2] > 1e-9);
         }
     }
 }

@@ -1,31 +1,31 @@
-//! A long measurement, task by task: what is said about it, and what is kept so that it can go on after an
-//! interruption.
+//! Progress of a long measurement: its messages, and the file from which it goes on after an interruption.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 use serde::{Deserialize, Serialize};
 
 use super::machine::Machine;
 use super::results::Results;
-use super::results::check::MAX_BYTES;
+use super::results::check::{self, MAX_BYTES};
 use crate::{Failure, terminal};
 
-/// What an interrupted measurement has so far.
+/// The results of an interrupted measurement so far.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Partial {
-    /// What was asked for; another request cannot go on with these results.
+    /// The plan and the commit as text. A measurement with another plan or commit cannot go on with these results.
     pub request: String,
-    /// Tasks that are done, by name.
+    /// Names of the tasks that are done.
     pub done: Vec<String>,
-    /// What they gave.
+    /// Results of the tasks that are done.
     pub results: Results,
 }
 
 impl Partial {
-    /// The file beside `out` that keeps it; none beside standard output, a device or a pipe.
+    /// Returns the path of the file beside `out` that keeps the results so far. Returns `None` if `out` is standard
+    /// output, a device or a pipe.
     #[must_use]
     pub fn path(out: &Path) -> Option<PathBuf> {
         let mut name = out.file_name()?.to_owned();
@@ -34,14 +34,14 @@ impl Partial {
         is_file.then(|| out.with_file_name(name))
     }
 
-    /// What the file has.
+    /// Reads the file `path`.
     ///
     /// # Errors
-    /// It cannot be read, is something else, or was asked for otherwise.
+    /// The file cannot be read, has another format, or belongs to another request than `request`.
     pub fn read(path: &Path, request: &str) -> Result<Self, Failure> {
         let explain = |error: &dyn Display| format!("{}: {error}", terminal::name(path));
         let text = cpu::internals::input::reader::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
-        let partial: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
+        let partial: Self = check::parse(&text, &mut 0).map_err(|error| explain(&error))?;
         partial.results.check().map_err(|error| explain(&error))?;
         if partial.request != request {
             let error = format!("it was measured with other options or another program: {}", partial.request);
@@ -50,7 +50,7 @@ impl Partial {
         Ok(partial)
     }
 
-    /// Writes it.
+    /// Writes the file `path`.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -60,12 +60,13 @@ impl Partial {
     }
 }
 
-/// Announces a task: its number, and the time left as far as the tasks before it tell.
+/// Returns the message that announces a task: its number, and the time left. The time left is estimated from the
+/// `measured` tasks since `since`.
 #[must_use]
 pub fn announcement(number: usize, of: usize, task: &impl Display, measured: usize, since: Instant) -> String {
     let left = match measured {
         0 => String::new(),
-        // Tasks take different times: a rough figure is all that can be had.
+        // Each task left is taken to need the mean time of the measured tasks. Their times differ, so this is rough.
         _ => format!(
             ", about {} left",
             rough(since.elapsed().div_f64(measured as f64).mul_f64((of + 1 - number) as f64))
@@ -82,12 +83,12 @@ fn rough(time: Duration) -> String {
     }
 }
 
-/// A warning where other programs want to run on this machine.
+/// Returns a warning if other programs run on this machine.
 #[must_use]
 pub fn load_warning(machine: &Machine) -> Option<String> {
-    /// Of one processor, on average over a minute.
-    const QUIET: f64 = 0.5;
-    let load = machine.load.filter(|&load| load > QUIET)?;
+    /// The largest load without a warning: processes that wanted to run, on average over the last minute.
+    const MOST_LOAD: f64 = 0.5;
+    let load = machine.load.filter(|&load| load > MOST_LOAD)?;
     Some(format!(
         "warning: this machine is busy: {load:.1} processes wanted to run on {} processors in the last minute. Times will \
          spread; stop other programs and start again for figures to keep.",
@@ -95,24 +96,26 @@ pub fn load_warning(machine: &Machine) -> Option<String> {
     ))
 }
 
-/// A warning where repeats differ much from each other.
+/// Returns a warning if the repeats of some settings differ much from each other.
 #[must_use]
 pub fn spread_warning(results: &Results) -> Option<String> {
-    /// Width of the bounds as a share of the median.
-    const MUCH: f64 = 0.1;
+    /// The largest width of the bounds without a warning, as a share of the median.
+    const MOST_SPREAD: f64 = 0.1;
     let of = results.timings.len();
-    let wide = results.timings.iter().filter(|timing| timing.median.spread() > MUCH).count();
+    let wide = results.timings.iter().filter(|timing| timing.median.spread() > MOST_SPREAD).count();
     (wide > 0).then(|| {
         format!(
             "warning: in {wide} of {of} settings the bounds of the median are more than {:.0} % of it apart: the machine was \
              busy or its clock changed. More --repeats on a quiet machine narrow them.",
-            100.0 * MUCH
+            100.0 * MOST_SPREAD
         )
     })
 }
 
 #[cfg(test)]
 mod tests {
+    use test_support::folder::Folder;
+
     use super::*;
 
     #[test]
@@ -136,8 +139,8 @@ mod tests {
 
     #[test]
     fn an_interrupted_measurement_goes_on_only_as_it_was_asked_for() {
-        let folder = tempfile::tempdir().expect("the temporary folder is writable");
-        let path = Partial::path(&folder.path().join("b.json")).expect("it has a name");
+        let folder = Folder::new();
+        let path = Partial::path(&folder.file("b.json")).expect("it has a name");
         assert!(path.ends_with("b.json.partial"));
         assert!(["-", "/dev/null"].iter().all(|out| Partial::path(Path::new(out)).is_none()));
         let partial = Partial { request: "quick".to_owned(), done: vec!["a".to_owned()], ..Partial::default() };

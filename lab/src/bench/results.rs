@@ -1,8 +1,9 @@
-//! Measured data, and what follows from them.
+//! Measured data, and the figures that are derived from them.
 
 pub mod check;
 mod files;
 mod merge;
+mod names;
 
 use serde::{Deserialize, Serialize};
 
@@ -14,19 +15,19 @@ use super::machine::Machine;
 use super::statistics::Median;
 use crate::usage::Seconds;
 
-/// Errors in linear light for which the time to get there is told.
+/// Errors in linear light for which [`TimeToError`] has the time to reach them.
 pub const TARGETS: [f64; 3] = [0.05, 0.02, 0.01];
 
-/// A measurement's place: what was rendered, and with which value of which parameter.
+/// Identifies a measurement: what was rendered, and with which value of which parameter.
 #[derive(Clone, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
 pub struct Setting {
-    /// What it was measured for: `scale`, `error` or `gain`.
+    /// The group of tasks that it belongs to: `scale`, `error` or `gain`.
     pub suite: String,
     /// The scene's name.
     pub scene: String,
-    /// What varies: `width`, `samples`, `depth` or `objects`.
+    /// What varies: `width`, `samples`, `depth`, `objects` or `density`.
     pub parameter: String,
-    /// Its value.
+    /// Value of the parameter.
     pub value: u64,
     /// The implementation.
     pub engine: String,
@@ -38,48 +39,48 @@ pub struct Timing {
     /// What was measured.
     #[serde(flatten)]
     pub setting: Setting,
-    /// Every repeat, in the order measured.
+    /// Time of every repeat, in the order measured.
     pub seconds: Vec<Seconds>,
-    /// Their middle.
+    /// Median of the repeats.
     pub median: Median,
     /// SHA-256 of the picture.
     pub digest: String,
 }
 
-/// What was left out of the matrix, and why.
+/// A measurement that was left out of the matrix, and why.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Omitted {
     /// What was not measured.
     #[serde(flatten)]
     pub setting: Setting,
-    /// Why.
+    /// Why it was left out.
     pub reason: String,
 }
 
-/// An implementation of the intersections: what a test costs, and how wrong its answers are.
+/// Time and errors of one implementation of the intersections.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Intersection {
     /// What was tested.
     #[serde(flatten)]
     pub trial: Trial,
-    /// Tests.
+    /// Number of cases tested.
     pub cases: usize,
-    /// Of these, with a wrong hit, miss, root or part.
+    /// Number of cases with a wrong hit, miss, root or part.
     pub wrong: usize,
     /// Relative errors of lambda against exact arithmetic, where the decision is right: median, 99.9 % and largest.
     pub lambda_error: [f64; 3],
-    /// Nanoseconds a test, every repeat, in the order measured.
+    /// Nanoseconds of one intersection in every repeat, in the order measured.
     pub nanoseconds: Vec<f64>,
-    /// Their middle.
+    /// Median of the repeats.
     pub median: Median,
 }
 
-/// A measurement's place among the intersections.
+/// Identifies a measurement of intersections.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
     /// `sphere` or `cylinder`.
     pub object: String,
-    /// `ordinary` rays, or `hard` ones: those of all other regimes of `docs/accuracy/tables.md`, as many of each.
+    /// `ordinary`, or `hard`: the rays of all other regimes in `docs/accuracy/tables.md`, the same number of each.
     pub rays: String,
     /// The implementation, as `docs/accuracy/tables.md` names it.
     pub implementation: String,
@@ -96,11 +97,11 @@ pub struct Growth {
     pub parameter: String,
     /// The implementation.
     pub engine: String,
-    /// Time as a power of it.
+    /// Time as a power of the parameter.
     pub law: PowerLaw,
 }
 
-/// Time until a picture is as near to the converged one as wanted.
+/// Time in which a picture reaches a given error against the converged picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimeToError {
     /// The scene's name.
@@ -109,7 +110,7 @@ pub struct TimeToError {
     pub engine: String,
     /// The error wanted, in linear light.
     pub error: f64,
-    /// Between measured points; `null` outside them.
+    /// The time, interpolated between measured points; `null` if the error lies outside them.
     pub seconds: Option<Seconds>,
 }
 
@@ -126,35 +127,35 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Everything that was measured, and what follows from it.
+/// Everything that was measured, and the figures that are derived from it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Results {
-    /// Whether it is the small matrix, to try things out.
+    /// Whether the small matrix of `--quick` was measured.
     pub quick: bool,
-    /// Where it was measured.
+    /// The machines on which the data were measured.
     pub machines: Vec<Machine>,
     /// User times.
     pub timings: Vec<Timing>,
     /// Errors.
     pub curves: Vec<ErrorCurve>,
-    /// Intersections by themselves.
+    /// Times and errors of intersections outside the renderer.
     #[serde(default)]
     pub intersections: Vec<Intersection>,
     /// Energy.
     pub energy: Vec<Energy>,
-    /// What was left out.
+    /// Measurements that were left out.
     pub omitted: Vec<Omitted>,
-    /// Follows from the times.
+    /// Derived from the times.
     pub growth: Vec<Growth>,
-    /// Follows from times and errors.
+    /// Derived from times and errors.
     pub times_to_error: Vec<TimeToError>,
-    /// Follows from the times.
+    /// Derived from the times.
     #[serde(default)]
     pub gains: Vec<Gain>,
 }
 
 impl Results {
-    /// What follows from what was measured, computed anew.
+    /// Sorts the times, and computes `growth`, `times_to_error` and `gains` from the measured data.
     pub fn complete(&mut self) {
         self.timings.sort_by(|a, b| a.setting.partial_cmp(&b.setting).unwrap_or(std::cmp::Ordering::Equal));
         self.growth = self
@@ -181,7 +182,7 @@ impl Results {
         }
     }
 
-    /// The lines of a suite's charts.
+    /// Returns the lines of the charts of a suite.
     #[must_use]
     pub fn lines(&self, suite: &str) -> Vec<Line> {
         let mut lines: Vec<Line> = Vec::new();
@@ -229,7 +230,8 @@ mod tests {
         let mut results = Results { curves: vec![curve], ..results(timings) };
         results.complete();
         let seconds: Vec<_> = results.times_to_error.iter().map(|time| time.seconds).collect();
-        // A fifth of the error beyond 0.04 costs 1.6 times in error, squared in time; 0.01 was not reached.
+        // The error halves when the time grows fourfold. So 0.05, which is 0.08 / 1.6, takes 1.6² = 2.56 s. The
+        // smallest measured error is 0.02, so 0.01 was not reached.
         assert!((seconds[0].expect("measured") - 2.56).abs() < 1e-9, "{seconds:?}");
         assert!((seconds[1].expect("measured") - 16.0).abs() < 1e-9, "{seconds:?}");
         assert_eq!(seconds[2], None);

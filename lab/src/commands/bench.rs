@@ -5,8 +5,7 @@ mod measure;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use cpu::internals::output;
-use cpu::internals::output::Options;
+use output::Options;
 
 use crate::Failure;
 use crate::bench::matrix::{PARAMETERS, Task, tasks};
@@ -39,7 +38,7 @@ enum What {
         #[command(flatten)]
         how: How,
     },
-    /// Time with one thing switched off at a time: lanes, layout, search, certificate, or all of it
+    /// Time with one thing switched off at a time: lanes, layout, search, or all of it
     #[command(after_help = "Examples:\n  render-lab bench gain --quick --out gain.json\n  \
                             render-lab bench gain --reference ../shared/reference --out gain.json")]
     Gain {
@@ -144,10 +143,10 @@ fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure>
     for path in Results::files(out) {
         output::refuse_inputs(&path, &inputs)?;
     }
-    let mut all = Results::default();
+    let (mut all, mut values) = (Results::default(), 0);
     for (index, path) in parts.iter().enumerate() {
-        let part = Results::read(path)?;
-        // Joined one by one, so that the limits hold for all parts together.
+        let part = Results::read_part(path, &mut values)?;
+        // The limits are checked after each part, so that all parts together stay within them.
         all = if index == 0 { Results::merge(vec![part])? } else { Results::merge(vec![all, part])? };
         all.check().map_err(|reason| format!("the parts together: {reason}"))?;
     }

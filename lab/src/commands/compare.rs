@@ -1,10 +1,9 @@
-//! `render-lab compare`: two pictures held against each other.
+//! `render-lab compare`: compares two pictures.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::internals::output;
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
 use crate::Failure;
 use crate::difference::{Difference, MAXIMUM_BOUND, RMSE_BOUND};
@@ -93,7 +92,7 @@ impl Arguments {
     }
 }
 
-/// The figures as lines for a reader.
+/// Formats the figures as lines of text.
 struct Words<'a>(&'a Difference);
 
 impl std::fmt::Display for Words<'_> {

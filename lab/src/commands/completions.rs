@@ -1,10 +1,10 @@
-//! `render-lab completions` and `render-lab man`: what packages install beside a program.
+//! `render-lab completions` and `render-lab man`: completion scripts and manual pages for packages.
 
 use std::path::PathBuf;
 
 use clap::Args;
 use clap_complete::Shell;
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
 use crate::{Failure, terminal};
 
@@ -24,13 +24,14 @@ impl Completions {
     /// Writes the script.
     ///
     /// # Errors
-    /// Standard output takes no more.
+    /// Standard output cannot be written.
     pub fn run(&self, command: &mut clap::Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, command, "render-lab", &mut script);
         if self.shell == Shell::Bash {
-            // clap_complete 4.6.11 sets `cmd` to names that begin with render__lab and then looks for labels that begin
-            // with render__subcmd__lab: a hyphen in the program's name ends completion below the first level.
+            // Works around an error of clap_complete 4.6.11 for programs with a hyphen in their name: its script sets
+            // `cmd` to names that begin with render__lab, but its labels begin with render__subcmd__lab. Without this,
+            // nothing below the first level is completed.
             let text = String::from_utf8_lossy(&script).replace("render__subcmd__lab", "render__lab");
             script = text.into_bytes();
         }
@@ -61,7 +62,7 @@ impl Man {
         self.write_page(command, options)
     }
 
-    /// Writes the pages of the commands below `command`, then its own.
+    /// Writes the pages of the commands below `command`, then the page of `command`.
     fn write_page(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
         for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
             self.write_page(below.clone(), options)?;

@@ -1,10 +1,9 @@
-//! `render-lab generate`: the seeded scenes that the tests use, as files.
+//! `render-lab generate`: writes scenes from a seed as files, by the generator that the tests use.
 
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use cpu::internals::output;
-use cpu::internals::output::Output;
+use output::Output;
 use test_support::generator::{self, Arrangement, Options};
 
 use crate::{Failure, sources};
@@ -76,11 +75,11 @@ fn weight(text: &str) -> Result<f64, String> {
 }
 
 fn length(text: &str) -> Result<f64, String> {
-    // Beyond it, squares of lengths overflow or vanish, and the scene's own file would be refused.
+    // Outside this range, squares of lengths overflow or underflow, and the scene's file would be refused when read.
     number(text, |value| (1e-100..=1e100).contains(&value), "a number from 1e-100 to 1e100 is needed")
 }
 
-/// More would be a file larger than what is read.
+/// Most objects of a generated scene. A file with more objects would be larger than the largest file that is read.
 const MOST_OBJECTS: usize = 10_000_000;
 
 fn count(text: &str) -> Result<usize, String> {
@@ -108,7 +107,7 @@ impl Arguments {
     /// Writes both files.
     ///
     /// # Errors
-    /// A file cannot be written, or no material is asked for.
+    /// A file cannot be written, or the weights of all materials are zero.
     pub fn run(&self, how: output::Options) -> Result<(), Failure> {
         let options = self.options()?;
         output::refuse_inputs(&self.scene, &[&self.config])?;
@@ -116,7 +115,7 @@ impl Arguments {
             return Err("the configuration and the scene need a file each; choose another name for one of them".into());
         }
         check_memory(options.objects)?;
-        // Both places are looked at before either file is written.
+        // Both files are opened before one is written, so that neither changes if the other cannot be written.
         let (config, scene) =
             (Output::open(&sources::output(&self.config), how)?, Output::open(&sources::output(&self.scene), how)?);
         config.fill(|file| file.write_all(test_support::write::config(&generator::view(&options)).as_bytes()))?;
@@ -125,9 +124,9 @@ impl Arguments {
     }
 }
 
-/// Refuses a number of objects for which there is too little memory, as far as that can be known before.
+/// Refuses a number of objects for which an allocation of the expected size fails.
 fn check_memory(objects: usize) -> Result<(), cpu::Error> {
-    /// Of an object and of its line, both in lists that may have grown to twice what they need.
+    /// Bytes of one object and its line of text, each in a list that may have twice the capacity it needs.
     const BYTES: usize = 512;
 
     let room = objects.checked_mul(BYTES).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes));

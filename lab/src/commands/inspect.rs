@@ -1,4 +1,4 @@
-//! `render-lab inspect`: what is in a scene, and how the renderer prepares for it.
+//! `render-lab inspect`: prints what a scene holds, and how the renderer prepares it.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -35,7 +35,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What there is to say about a scene.
+/// The facts about a scene that the command prints.
 #[derive(Debug, PartialEq, Serialize)]
 struct Inspection {
     spheres: usize,
@@ -44,41 +44,42 @@ struct Inspection {
     objects_by_material: BTreeMap<&'static str, usize>,
     materials: usize,
     unused_materials: usize,
-    /// Of the objects, in scene units; absent without objects.
+    /// Lowest corner of the box around all objects, in scene units; absent without objects.
     lowest_corner: Option<[f32; 3]>,
     highest_corner: Option<[f32; 3]>,
-    /// Largest coordinate that objects or the camera reach.
+    /// Largest absolute coordinate of the objects and the camera.
     reach: f64,
-    /// Whether all magnitudes are such that filters may be trusted.
+    /// Whether all magnitudes are moderate. If not, the renderer intersects every object, without conservative tests.
     moderate: bool,
-    search: SearchKind,
+    structure: Structure,
     picture: [usize; 2],
     samples: u64,
-    /// What the picture can do without, by its configuration and scene.
+    /// Features of the renderer that this configuration and scene do not use.
     not_needed: Vec<&'static str>,
 }
 
-/// How nearest objects are found.
+/// The acceleration structure that the renderer chooses.
 #[derive(Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "kind")]
-enum SearchKind {
-    /// Every object is asked.
-    Plain,
-    /// All of a handful of objects are looked at together.
-    Few,
-    /// A filter over all objects.
-    Flat,
-    /// A tree of boxes.
-    Tree(Tree),
+enum Structure {
+    /// Every ray is intersected with every object.
+    EveryObject,
+    /// The small scene, for up to 8 objects.
+    SmallScene,
+    /// The flat filter, for up to 64 spheres and 64 cylinders.
+    FlatFilter,
+    /// The BVH, for more objects.
+    Bvh(Tree),
 }
 
-/// Figures of a tree of boxes.
+/// Figures of a BVH.
 #[derive(Debug, PartialEq, Serialize)]
 struct Tree {
     nodes: usize,
     children_per_node: f64,
-    /// Boxes that a random line through the whole is expected to meet: the sum of their surfaces over the whole's.
-    boxes_met_by_a_line: f64,
+    /// Expected number of boxes that a random line through the root's box hits: the sum of the surface areas of all
+    /// boxes, divided by the surface area of the root's box.
+    boxes_hit_by_a_line: f64,
 }
 
 impl Arguments {
@@ -121,13 +122,13 @@ impl Inspection {
             unused_materials: used.iter().filter(|&&used| !used).count(),
             lowest_corner: bounds.map(|bounds| bounds.low),
             highest_corner: bounds.map(|bounds| bounds.high),
-            reach: extent.reach,
+            reach: extent.max_coordinate,
             moderate: extent.moderate,
-            search: match &prepared.search {
-                Accel::EveryObject => SearchKind::Plain,
-                Accel::SmallScene(_) => SearchKind::Few,
-                Accel::FlatFilter(_) => SearchKind::Flat,
-                Accel::Bvh(tree) => SearchKind::Tree(Tree::of(tree, scene.objects.len())),
+            structure: match &prepared.accel {
+                Accel::EveryObject => Structure::EveryObject,
+                Accel::SmallScene(_) => Structure::SmallScene,
+                Accel::FlatFilter(_) => Structure::FlatFilter,
+                Accel::Bvh(tree) => Structure::Bvh(Tree::of(tree)),
             },
             picture: [prepared.size.width(), prepared.size.height()],
             samples: prepared.samples,
@@ -166,9 +167,12 @@ fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
 }
 
 impl Tree {
-    fn of(tree: &Bvh, objects: usize) -> Self {
-        // Every box but the root's own is seen once as somebody's child; the objects are the others.
-        let (mut boxes, mut surface, mut whole) = (0, 0.0, Bounds::EMPTY);
+    fn of(tree: &Bvh) -> Self {
+        // `visit` calls its first function once for each child: for every node but the root, and for every object.
+        let (mut boxes, mut surface, mut whole) = (0_usize, 0.0, Bounds::EMPTY);
+        // The second function gets every object of the tree, and the dominant sphere, which is not in the tree.
+        let (mut objects, mut outside) = (0_usize, 0_usize);
+        tree.visit(|_| false, |_| outside += 1);
         tree.visit(
             |bounds| {
                 boxes += 1;
@@ -176,13 +180,13 @@ impl Tree {
                 whole = whole.union(bounds);
                 true
             },
-            |_| {},
+            |_| objects += 1,
         );
-        let nodes = boxes - objects + 1;
+        let nodes = boxes - (objects - outside) + 1;
         Self {
             nodes,
             children_per_node: boxes as f64 / nodes as f64,
-            boxes_met_by_a_line: surface / f64::from(whole.half_area()),
+            boxes_hit_by_a_line: surface / f64::from(whole.half_area()),
         }
     }
 }
@@ -198,14 +202,18 @@ impl std::fmt::Display for Inspection {
         }
         let trust = if self.moderate { "filters are trusted" } else { "too extreme for filters" };
         writeln!(out, "reach       {:.3}, {trust}", self.reach)?;
-        match &self.search {
-            SearchKind::Plain => writeln!(out, "search      every object is asked")?,
-            SearchKind::Few => writeln!(out, "search      all objects together, in double precision")?,
-            SearchKind::Flat => writeln!(out, "search      a filter over all objects, several at once")?,
-            SearchKind::Tree(tree) => writeln!(
+        match &self.structure {
+            Structure::EveryObject => writeln!(out, "structure   none: every object is intersected")?,
+            Structure::SmallScene => {
+                writeln!(out, "structure   small scene: all objects at once, in double precision")?
+            }
+            Structure::FlatFilter => {
+                writeln!(out, "structure   flat filter: all objects, several at once, in single precision")?
+            }
+            Structure::Bvh(tree) => writeln!(
                 out,
-                "search      a tree of boxes: {} nodes, {:.1} children each; a random line meets {:.1} boxes",
-                tree.nodes, tree.children_per_node, tree.boxes_met_by_a_line
+                "structure   BVH: {} nodes, {:.1} children each; a random line hits {:.1} boxes",
+                tree.nodes, tree.children_per_node, tree.boxes_hit_by_a_line
             )?,
         }
         writeln!(out, "picture     {} x {} pixels, {} samples each", self.picture[0], self.picture[1], self.samples)?;

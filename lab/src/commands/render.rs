@@ -1,14 +1,13 @@
-//! `render-lab render`: the renderer, with a view of what happens.
+//! `render-lab render`: renders a scene into a file, with progress and figures.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
 use cpu::internals::Prepared;
-use cpu::internals::output;
-use cpu::internals::output::{Options, Output};
 use cpu::{Aos, Config, Error, Layout, Scene, Soa};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use output::{Options, Output};
 use serde::Serialize;
 
 use crate::Failure;
@@ -75,20 +74,20 @@ fn parse_crop(text: &str) -> Result<[usize; 4], String> {
         .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
 }
 
-/// What a rendering took.
+/// Time, memory and rays of one rendering.
 #[derive(Clone, Debug, Serialize)]
 struct Taken {
     width: usize,
     height: usize,
     samples_per_pixel: u64,
-    /// Rays from the camera in the rows rendered.
+    /// Camera rays in the rows that were rendered.
     primary_rays: u64,
-    /// By the clock, with the file's writing.
+    /// Time by the clock, with the time to write the file.
     seconds: f64,
     user_seconds: f64,
     nanoseconds_per_primary_ray: f64,
     peak_memory_bytes: u64,
-    /// All rays, where they were counted.
+    /// Number of all rays, with `--count` only.
     rays: Option<u64>,
     hits: Option<u64>,
     nanoseconds_per_ray: Option<f64>,
@@ -125,7 +124,8 @@ impl Arguments {
             )?;
             taken.rays = Some(counts.rays);
             taken.hits = Some(counts.hits);
-            // The time is that of the rows rendered: without all of them it is not the counted rays'.
+            // The rays of the whole picture were counted. With `--crop` the time belongs to a part of the picture, so
+            // the time of one ray is not known.
             let all = self.crop.is_none() && counts.rays > 0;
             taken.nanoseconds_per_ray = all.then(|| taken.user_seconds * 1e9 / counts.rays as f64);
         }
@@ -181,7 +181,7 @@ impl Arguments {
     }
 }
 
-/// How many rows must be rendered for a part of the picture.
+/// Returns how many rows must be rendered for a part of the picture: all rows down to its last one.
 fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: usize) -> Result<usize, String> {
     let within = |start: usize, length: usize, all| start.checked_add(length).filter(|&end| end <= all);
     match (within(x, part_width, width), within(y, part_height, height)) {
@@ -190,14 +190,14 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
     }
 }
 
-/// A bar on standard error where that is a terminal; silent otherwise.
+/// Returns a progress bar on standard error. It shows nothing if standard error is no terminal.
 fn progress(rows: usize) -> ProgressBar {
     const TEMPLATE: &str = "{wide_bar} {percent:>3} %  {per_sec}  {eta} left";
     let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::stderr()).with_style(style.with_key(
         "per_sec",
         |state: &indicatif::ProgressState, out: &mut dyn std::fmt::Write| {
-            // Where the text cannot be shown there is nothing to do about it.
+            // An error means that the bar cannot be shown, which does not matter.
             let _ = write!(out, "{:.0} rows/s", state.per_sec());
         },
     ))

@@ -1,10 +1,9 @@
-//! `render-lab report`: charts and a page from measured data.
+//! `render-lab report`: draws charts and writes a page from measured data.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use cpu::internals::output;
-use cpu::internals::output::Options;
+use output::Options;
 
 use crate::Failure;
 use crate::bench::results::Results;

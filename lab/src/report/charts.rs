@@ -1,4 +1,4 @@
-//! Which charts the data give.
+//! Chooses the charts for the data, and the points in each chart.
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
 use super::style::{engine_name, power_of_ten, seconds, short};
@@ -8,8 +8,11 @@ use crate::bench::statistics::Median;
 use crate::engine::MEASURED_SETS;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
+const ERROR: Axis = Axis { label: "RMSE in linear light (white is 1)", format: short };
+/// The vertical axis of a chart whose rows have names.
+const ROWS: Axis = Axis { label: "", format: short };
 
-/// Every chart for which there are data, in the order of the report.
+/// Returns every chart for which there are data, in the order of the report.
 #[must_use]
 pub fn all(results: &Results) -> Vec<Chart> {
     let scale = crate::bench::matrix::PARAMETERS.iter().filter_map(|parameter| scale(results, parameter));
@@ -44,7 +47,7 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     chart(Chart { name, title: title.to_owned(), x, y: TIME, series, rows: Vec::new() })
 }
 
-/// Error against samples, for every scene, beside the law that it should follow.
+/// Error against samples for every scene, with a line of slope -1/2, which independent samples follow.
 fn error_by_samples(results: &Results) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for (index, curve) in results.curves.iter().enumerate() {
@@ -60,12 +63,12 @@ fn error_by_samples(results: &Results) -> Option<Chart> {
     let name = "slope -1/2".to_owned();
     series.push(Series { name, color: 0, is_guide: true, points: guide.to_vec() });
     let x = Axis { label: "samples a pixel", format: short };
-    let y = Axis { label: "RMSE in linear light (white is 1)", format: short };
     let title = "Error against samples".to_owned();
-    chart(Chart { name: "error-samples".to_owned(), title, x, y, series, rows: Vec::new() })
+    chart(Chart { name: "error-samples".to_owned(), title, x, y: ERROR, series, rows: Vec::new() })
 }
 
-/// Error against time for a scene: both layouts with the best instruction set, one with the others.
+/// Error against time for a scene: arrays of structures with every instruction set, structures of arrays with the best
+/// one alone.
 fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
     let curve = results.curves.iter().find(|curve| curve.scene == scene)?;
     let mut series: Vec<Series> = Vec::new();
@@ -84,19 +87,19 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
         }
     }
     order(&mut series);
-    let y = Axis { label: "RMSE in linear light (white is 1)", format: short };
     let title = format!("Error against time, scene \u{201c}{scene}\u{201d}");
-    chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y, series, rows: Vec::new() })
+    chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y: ERROR, series, rows: Vec::new() })
 }
 
-/// What an intersection costs against how wrong it is: a line an implementation, from ordinary rays up to hard ones.
+/// Error of an intersection against its time: a line for each implementation, from ordinary rays to hard ones.
 fn intersections(results: &Results, object: &str) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for intersection in results.intersections.iter().filter(|intersection| intersection.trial.object == object) {
         let name = &intersection.trial.implementation;
         let color = crate::bench::intersections::METHODS.iter().position(|method| method == name)?;
         let (cost, [_, high, _]) = (intersection.median, intersection.lambda_error);
-        // Where hardly an answer is not the nearest number, the half of its last place stands for none.
+        // An error of 0 has no place on a logarithmic axis. Half a unit in the last place is drawn instead, which is
+        // the error of a correctly rounded answer.
         let bounds = Some(Bounds::Horizontal(cost.low, cost.high));
         push(&mut series, name, color, Point { x: cost.median, y: high.max(f64::EPSILON / 2.0), bounds });
     }
@@ -106,27 +109,20 @@ fn intersections(results: &Results, object: &str) -> Option<Chart> {
     chart(Chart { name: format!("intersection-{object}"), title, x, y, series, rows: Vec::new() })
 }
 
-/// How many times as long each scene takes with one thing switched off.
+/// Time with one thing switched off, divided by the time with nothing switched off: a row for each thing.
 fn gains(results: &Results) -> Option<Chart> {
-    let mut rows: Vec<String> = Vec::new();
+    let (mut rows, mut series) = (Vec::new(), Vec::new());
     for gain in &results.gains {
-        if !rows.contains(&gain.without) {
-            rows.push(gain.without.clone());
-        }
-    }
-    let mut series: Vec<Series> = Vec::new();
-    for gain in &results.gains {
-        let row = rows.iter().position(|row| *row == gain.without)?;
-        let color = series.iter().position(|series| series.name == gain.scene).unwrap_or(series.len());
         let bounds = Some(Bounds::Horizontal(gain.low, gain.high));
-        push(&mut series, &gain.scene, color, Point { x: gain.ratio, y: row as f64 + 1.0, bounds });
+        push_dot(&mut rows, &mut series, [&gain.without, &gain.scene], (gain.ratio, bounds));
     }
     let x = Axis { label: "times as long", format: short };
-    let y = Axis { label: "", format: short };
-    chart(Chart { name: "gain".to_owned(), title: "Time with one thing switched off".to_owned(), x, y, series, rows })
+    let title = "Time with one thing switched off".to_owned();
+    chart(Chart { name: "gain".to_owned(), title, x, y: ROWS, series, rows })
 }
 
-/// Energy of a picture and power meanwhile, a row an implementation, where the machine has a meter.
+/// Energy of a picture, and power while it is rendered: a row for each implementation. Without figures there is no
+/// chart.
 fn energy(results: &Results) -> Vec<Chart> {
     type Figure = fn(&Energy) -> Option<f64>;
     let kinds: [(&str, &str, &'static str, Figure); 2] = [
@@ -134,26 +130,21 @@ fn energy(results: &Results) -> Vec<Chart> {
         ("power", "Power while a picture is made", "watts", |energy| energy.watts),
     ];
     let charts = kinds.into_iter().filter_map(|(name, title, label, figure)| {
-        let (mut rows, mut series): (Vec<String>, Vec<Series>) = (Vec::new(), Vec::new());
+        let (mut rows, mut series) = (Vec::new(), Vec::new());
         for energy in &results.energy {
             let Some(value) = figure(energy).filter(|&value| value > 0.0) else { continue };
-            let name = engine_name(&energy.engine);
-            let row = rows.iter().position(|row| *row == name).unwrap_or(rows.len());
-            if row == rows.len() {
-                rows.push(name);
-            }
-            let color = series.iter().position(|series| series.name == energy.scene).unwrap_or(series.len());
-            push(&mut series, &energy.scene, color, Point { x: value, y: row as f64 + 1.0, bounds: None });
+            push_dot(&mut rows, &mut series, [&engine_name(&energy.engine), &energy.scene], (value, None));
         }
-        let (x, y) = (Axis { label, format: short }, Axis { label: "", format: short });
-        chart(Chart { name: name.to_owned(), title: title.to_owned(), x, y, series, rows })
+        let x = Axis { label, format: short };
+        chart(Chart { name: name.to_owned(), title: title.to_owned(), x, y: ROWS, series, rows })
     });
     charts.collect()
 }
 
-/// How many times as fast as the literal renderer each engine is, at the most samples that both were measured with.
+/// Speed of each engine divided by that of the literal renderer, at the largest number of samples for which the literal
+/// renderer was measured.
 fn speed_ups(results: &Results) -> Option<Chart> {
-    // From the plainest instruction set on, the layouts side by side.
+    // The slowest instruction set first, and the two layouts of each instruction set in neighbouring rows.
     let engines = MEASURED_SETS.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
     let is_there = |engine: &String| results.timings.iter().any(|timing| timing.setting.engine == *engine);
     let rows: Vec<String> = engines.filter(is_there).collect();
@@ -171,19 +162,18 @@ fn speed_ups(results: &Results) -> Option<Chart> {
         }
     }
     let x = Axis { label: "times as fast as the literal renderer", format: short };
-    let y = Axis { label: "", format: short };
     let title = "Implementations against the literal renderer".to_owned();
-    chart(Chart { name: "speed-up".to_owned(), title, x, y, series, rows })
+    chart(Chart { name: "speed-up".to_owned(), title, x, y: ROWS, series, rows })
 }
 
-/// Times of the suite `error` for a scene, by rising number of samples.
+/// Returns the times of the suite `error` for a scene, sorted by the number of samples.
 fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIterator<Item = &'a Timing> {
     results.timings.iter().filter(move |timing| timing.setting.suite == "error" && timing.setting.scene == scene)
 }
 
 fn timed(timing: &Timing, x: f64) -> Point {
     let Median { median, low, high, .. } = timing.median;
-    // One measurement has no bounds.
+    // With a single measurement both bounds are equal, and no bar is drawn.
     Point { x, y: median, bounds: (low < high).then_some(Bounds::Vertical(low, high)) }
 }
 
@@ -194,7 +184,22 @@ fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
     }
 }
 
-/// The same colour for the same implementation in every chart.
+/// Adds a dot at `x` to a row and a series, which are added too where they are missing. Each series has its own colour.
+fn push_dot(
+    rows: &mut Vec<String>,
+    series: &mut Vec<Series>,
+    [row, name]: [&str; 2],
+    (x, bounds): (f64, Option<Bounds>),
+) {
+    let at = rows.iter().position(|known| known == row).unwrap_or(rows.len());
+    if at == rows.len() {
+        rows.push(row.to_owned());
+    }
+    let color = series.iter().position(|series| series.name == name).unwrap_or(series.len());
+    push(series, name, color, Point { x, y: at as f64 + 1.0, bounds });
+}
+
+/// Returns the colour of an implementation, which is one for all charts.
 fn color(engine: &str) -> usize {
     match engine.split_once('-') {
         None => 0,
@@ -206,7 +211,7 @@ fn color(engine: &str) -> usize {
     }
 }
 
-/// The literal renderer first, then by the time at the last point, slowest first: the order of the lines.
+/// Sorts the series: the literal renderer first, then by the larger coordinate of the last point, the largest first.
 fn order(series: &mut [Series]) {
     let last = |series: &Series| series.points.last().map_or(0.0, |point| point.y.max(point.x));
     series.sort_by(|a, b| a.color.min(1).cmp(&b.color.min(1)).then(last(b).total_cmp(&last(a))));

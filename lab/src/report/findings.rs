@@ -1,4 +1,4 @@
-//! What the data say, in sentences that are computed from them.
+//! Computes sentences about the data from the data.
 
 mod comparisons;
 mod growth;
@@ -12,16 +12,16 @@ use comparisons::{gains, instruction_sets, layouts, literal};
 use growth::{error, scaling, time_to_error};
 use intersections::intersections;
 
-/// A sentence and what it is about.
+/// A sentence with its topic.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
-    /// What it is about, in a word or two.
+    /// The topic, in one to three words.
     pub topic: &'static str,
     /// The sentence.
     pub text: String,
 }
 
-/// Everything that can be said about the data at hand.
+/// Returns every sentence for which there are data.
 #[must_use]
 pub fn of(results: &Results) -> Vec<Finding> {
     let findings = [
@@ -143,7 +143,7 @@ mod tests {
         let machine = Machine { instruction_set: "avx2".to_owned(), ..Machine::here() };
         let mut timings = Vec::new();
         for (scene, slow) in [("grid", 2.0), ("board", 8.0)] {
-            let engines = [("aos-avx2", 1.0), ("aos-sse2", slow), ("aos-avx2-textbook", 0.5)];
+            let engines = [("aos-avx2", 1.0), ("aos-sse2", slow), ("aos-avx2-plain", 0.5)];
             for (engine, seconds) in engines {
                 let mut timing = timing(engine, 4, seconds);
                 (timing.setting.suite, timing.setting.scene) = ("gain".to_owned(), scene.to_owned());
@@ -154,7 +154,7 @@ mod tests {
         results.complete();
         let text = text(&results, "Gains");
         assert!(text.contains("4 times as long with sse2 lanes (2 in grid to 8 in board)"), "{text}");
-        assert!(text.contains("0.5 times as long with no certificate"), "{text}");
+        assert!(text.contains("0.5 times as long with plain formulas"), "{text}");
     }
 
     #[test]
@@ -166,15 +166,15 @@ mod tests {
             Intersection { trial, cases: 1000, wrong, lambda_error: [0.0, error, 1.0], nanoseconds: vec![], median }
         };
         let intersections = vec![
-            intersection("ordinary", "textbook f64", 5.0, 1e-13, 0),
-            intersection("hard", "textbook f64", 5.0, 1e-3, 123),
-            intersection("ordinary", "certified f64", 6.0, 1e-13, 0),
-            intersection("hard", "certified f64", 400.0, 1e-12, 0),
+            intersection("ordinary", "plain f64", 5.0, 1e-13, 0),
+            intersection("hard", "plain f64", 5.0, 1e-3, 123),
+            intersection("ordinary", "exact f64", 6.0, 1e-13, 0),
+            intersection("hard", "exact f64", 400.0, 1e-12, 0),
         ];
         let text = text(&Results { intersections, ..Results::default() }, "Intersections");
-        assert!(text.contains("; textbook f64 5 and 5 ns, errors of 1e-13 and 1e-3, 0 % and 12.3 % wrong"), "{text}");
+        assert!(text.contains("; plain f64 5 and 5 ns, errors of 1e-13 and 1e-3, 0 % and 12.3 % wrong"), "{text}");
         assert!(
-            text.contains("With a sphere: certified f64 6 and 400 ns, errors of 1e-13 and 1e-12, none wrong"),
+            text.contains("With a sphere: exact f64 6 and 400 ns, errors of 1e-13 and 1e-12, none wrong"),
             "{text}"
         );
     }

@@ -1,12 +1,13 @@
-//! Colours and numbers as charts and pages show them.
+//! Colours, names and numbers in the form that charts and pages show.
 
 use plotters::style::RGBColor;
 
-/// Text, axes and ticks. Charts are drawn for paper; [`for_screen`] gives them the page's colours.
+/// Colour of text, axes and ticks. Charts are drawn for paper; [`for_screen`] gives them the page's colours.
 pub const INK: RGBColor = RGBColor(0x26, 0x26, 0x2B);
-/// Lines of the grid.
+/// Colour of the grid lines.
 pub const GRID: RGBColor = RGBColor(0xDC, 0xDC, 0xE2);
-/// Series, told apart by most eyes (after Okabe and Ito), each with its tone for a dark page.
+/// Colours of the series, each with its tone for a dark page. They follow Okabe and Ito, so that most colour-blind
+/// readers can tell them apart.
 pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x5C, 0x5C, 0x66), "#A9A9B4"),
     (RGBColor(0x00, 0x72, 0xB2), "#56B4E9"),
@@ -18,20 +19,20 @@ pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x4B, 0x3F, 0xB5), "#A79CF0"),
 ];
 
-/// `text` with a replacement character for each that XML does not have: most control characters.
+/// Returns `text` with U+FFFD in place of control characters, U+FFFE and U+FFFF, most of which XML does not allow.
 #[must_use]
 pub fn printable(text: &str) -> String {
     let is_known = |c: char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
     text.chars().map(|c| if is_known(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
 }
 
-/// A colour as SVG writes it.
+/// Returns a colour in the notation of SVG.
 #[must_use]
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// A chart whose colours follow the page's, light or dark.
+/// Returns the chart with CSS variables in place of its colours, so that it follows the page's light or dark colours.
 #[must_use]
 pub fn for_screen(svg: &str) -> String {
     let mut svg = svg.replace(&hex(INK), "currentColor").replace(&hex(GRID), "var(--grid)");
@@ -41,7 +42,7 @@ pub fn for_screen(svg: &str) -> String {
     svg
 }
 
-/// The page's values for the colours that [`for_screen`] puts into charts.
+/// Returns the CSS variables that [`for_screen`] puts into charts, with their values for a light or a dark page.
 #[must_use]
 pub fn variables(dark: bool) -> String {
     let tone = |(color, dark_tone): &(RGBColor, &str)| if dark { (*dark_tone).to_owned() } else { hex(*color) };
@@ -50,13 +51,13 @@ pub fn variables(dark: bool) -> String {
     format!("--grid:{grid};{}", series.collect::<String>())
 }
 
-/// An implementation as people read it: the renderer that follows the definition has one name everywhere.
+/// Returns the name of an implementation for readers: `reference` becomes "literal renderer".
 #[must_use]
 pub fn engine_name(engine: &str) -> String {
     if engine == "reference" { "literal renderer".to_owned() } else { engine.to_owned() }
 }
 
-/// What an implementation's name means.
+/// Explains the name of an implementation.
 #[must_use]
 pub fn engine_meaning(engine: &str) -> String {
     if engine == "reference" {
@@ -68,7 +69,7 @@ pub fn engine_meaning(engine: &str) -> String {
         "soa" => "structures of arrays",
         other => other,
     };
-    let (set, without) = match (rest.strip_suffix("-plain-search"), rest.strip_suffix("-textbook")) {
+    let (set, without) = match (rest.strip_suffix("-plain-search"), rest.strip_suffix("-plain")) {
         (Some(set), _) => (set, ", every object tried for every ray"),
         (_, Some(set)) => (set, ", intersections by the plain formulas alone"),
         _ => (rest, ""),
@@ -76,7 +77,7 @@ pub fn engine_meaning(engine: &str) -> String {
     format!("{layout}, {set} instructions{without}")
 }
 
-/// Seconds with a unit, three digits.
+/// Formats seconds with a suitable unit and three significant digits.
 #[must_use]
 pub fn seconds(value: f64) -> String {
     let (scaled, unit) = match value {
@@ -87,7 +88,7 @@ pub fn seconds(value: f64) -> String {
     format!("{} {unit}", short(scaled))
 }
 
-/// A number with three digits, and as few after its point as that needs.
+/// Formats a number with three significant digits, without trailing zeros after the point.
 #[must_use]
 pub fn short(value: f64) -> String {
     let digits = if value == 0.0 { 0 } else { (2 - value.abs().log10().floor() as i32).clamp(0, 6) };
@@ -95,13 +96,13 @@ pub fn short(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// A number as one digit and a power of ten.
+/// Formats a number as one digit and a power of ten.
 #[must_use]
 pub fn power_of_ten(value: f64) -> String {
     format!("{value:.0e}")
 }
 
-/// A value with its standard error, to the place of the error's first digit.
+/// Formats a value with its standard error, both rounded to the first digit of the error.
 #[must_use]
 pub fn with_error(value: f64, error: Option<f64>) -> String {
     match error.filter(|error| *error > 0.0 && error.is_finite()) {
@@ -130,7 +131,7 @@ mod tests {
             ("literal renderer", "soa-avx2")
         );
         assert_eq!(engine_meaning("soa-sse2"), "structures of arrays, sse2 instructions");
-        assert!(engine_meaning("aos-avx2-textbook").starts_with("arrays of structures, avx2 instructions, inter"));
+        assert!(engine_meaning("aos-avx2-plain").starts_with("arrays of structures, avx2 instructions, inter"));
         assert!(engine_meaning("reference").contains("yardstick"));
     }
 

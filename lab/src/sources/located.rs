@@ -9,7 +9,7 @@ use super::shown;
 use crate::format::{CONFIG, Field, Line, SCENE};
 use crate::terminal;
 
-/// Which of the two files is read.
+/// The kind of input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The configuration.
@@ -18,11 +18,11 @@ pub enum Kind {
     Scene,
 }
 
-/// Most characters of a line that a message shows on each side of the place that is meant.
+/// Most characters of a line that a message shows before the wrong token, of the token, and after it.
 const AROUND: usize = 60;
 
-/// A message for `error`, which is about the line `text` with the number `line` of the file `path`; `None` for an error
-/// that is not about a line. `names` are the materials defined above.
+/// Returns a message for `error`, which occurred in the line `text` with the number `line` of the file `path`. Returns
+/// `None` for an error that is not about a line. `names` are the materials defined above the line.
 #[must_use]
 pub fn message(
     error: &Error,
@@ -38,7 +38,8 @@ pub fn message(
     Some(format!("{place}: {summary}\n{}{hint}", excerpt(line, text, start, end)))
 }
 
-/// Where the token number `token` stands; just after the line where it has fewer.
+/// Returns the start and the end of the token number `token`. If the line has fewer tokens, both are the line's end
+/// without trailing blanks.
 fn place(text: &[u8], token: usize) -> (usize, usize) {
     let is_blank = |byte: u8| byte == b' ' || byte == b'\t';
     let mut end = 0;
@@ -49,13 +50,13 @@ fn place(text: &[u8], token: usize) -> (usize, usize) {
             return (start, end);
         }
     }
-    // One blank after the last word: there something is missing.
+    // A token is missing. The message points to the end of the last word.
     let after = cpu::internals::input::text::trim(text);
     let length = after.as_ptr() as usize - text.as_ptr() as usize + after.len();
     (length, length)
 }
 
-/// The line with carets below what is meant, cut where it is long.
+/// Returns the line with carets below the bytes from `start` to `end`. A long line is cut.
 fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
     let [before, meant, after] = [&text[..start], &text[start..end], &text[end..]].map(shown::line);
     let cut = before.chars().count().saturating_sub(AROUND);
@@ -68,7 +69,8 @@ fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
     format!("{margin}{before}{meant}{after}\n{:indent$}{}\n", "", "^".repeat(meant.chars().count().max(1)))
 }
 
-/// What is wrong, at which token, and what to do.
+/// Returns what is wrong, the number of the wrong token, and what to do. Returns `None` for an error that is not about
+/// a line.
 fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option<(String, usize, String)> {
     Some(match error {
         Error::UnknownKey { key } => {
@@ -102,7 +104,7 @@ fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option
     })
 }
 
-/// What to do about an unknown first word.
+/// Returns a hint what to do about an unknown first word of a line.
 fn unknown(word: &[u8], kind: Kind, what: &str) -> String {
     let bare = word.strip_suffix(b":").unwrap_or(word);
     let has = |lines: &[Line]| lines.iter().any(|line| line.tag.as_bytes().strip_suffix(b":") == Some(bare));
@@ -126,14 +128,14 @@ fn unknown(word: &[u8], kind: Kind, what: &str) -> String {
     }
 }
 
-/// The known word that is most like `word`, if one is like it at all.
+/// Returns the known word that is most similar to `word`, or `None` if no word is similar enough.
 fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
-    /// Of Jaro and Winkler; what clap takes for its own suggestions is 0.7.
-    const LIKE: f64 = 0.8;
+    /// The least Jaro-Winkler similarity of a suggestion. clap uses 0.7 for its suggestions.
+    const LEAST_SIMILARITY: f64 = 0.8;
     let word = String::from_utf8_lossy(word);
     known
         .map(|known| (strsim::jaro_winkler(&word, &String::from_utf8_lossy(known)), known))
-        .filter(|(likeness, _)| *likeness > LIKE)
+        .filter(|(similarity, _)| *similarity > LEAST_SIMILARITY)
         .max_by(|one, other| one.0.total_cmp(&other.0))
         .map(|(_, known)| known)
 }
@@ -148,7 +150,7 @@ fn wrong_field(line: &Line, text: &[u8]) -> (String, usize, String) {
     let usage = format!("the line is: {} {}", line.tag, line.values);
     let word = line.tag.trim_end_matches(':');
     match place {
-        // Every field is right by itself: an axis of no length is all that is left.
+        // Every field is valid alone, so the only error left is a cylinder whose axis has no length.
         None => {
             let first = 1 + line.fields.iter().position(|field| *field == Field::Positive).map_or(0, |place| place + 1);
             (format!("{word}: the axis must have a length above 0"), first, usage)

@@ -1,13 +1,14 @@
-//! The commands that write files, each with every disturbance.
+//! Runs each command that writes files with every disturbance.
 
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use libtest_mimic::{Arguments, Failed, Trial};
-use test_support::injection::{Disturbance, Job, most, total, unavailable};
+use libtest_mimic::{Failed, Trial};
+use test_support::folder::Folder;
+use test_support::injection::{Disturbance, Job, most, unavailable};
 
-/// Calls of each name that are disturbed.
+/// Number of calls of each name that are disturbed.
 const MOST: usize = 3;
 
 const DISTURBANCES: [(Disturbance, &str); 4] = [
@@ -17,7 +18,7 @@ const DISTURBANCES: [(Disturbance, &str); 4] = [
     (Disturbance::Named, "the_same_where_a_file_needs_a_name"),
 ];
 
-/// Prepares a folder for a command, and says how the command is run there.
+/// A function that prepares a folder for a command, and returns how the command is run there.
 type Prepare = fn(&Path) -> Job;
 
 const COMMANDS: [(&str, Prepare); 6] = [
@@ -29,28 +30,20 @@ const COMMANDS: [(&str, Prepare); 6] = [
     ("report_with_a_thumbnail", report_with_a_thumbnail),
 ];
 
-/// Runs the trials and tells how many runs of the program they made.
-pub fn run() {
-    let conclusion = libtest_mimic::run(&Arguments::from_args(), trials());
-    if conclusion.num_passed + conclusion.num_failed > 0 {
-        println!("in all {}", total());
-    }
-    conclusion.exit();
-}
-
-fn trials() -> Vec<Trial> {
+/// One trial for each disturbance of each job.
+pub fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for (disturbance, name) in DISTURBANCES {
         let missing = unavailable(disturbance);
         for (command, job) in COMMANDS {
-            // Neither disturbs the call that makes the heat map's file: it comes before the gate, and two threads make
-            // calls of its name and number.
+            // `Named` cannot reach the call that creates the file of the heat map: the call comes before the gate, and
+            // in both threads a call of this name has this number.
             if command.starts_with("compare") && disturbance == Disturbance::Named {
                 continue;
             }
             for (old, place) in [(None, "free"), (Some("old"), "taken")] {
-                // A thumbnail takes ten times as long as the page without it, and brings calls that read, none that
-                // write.
+                // A thumbnail makes the run ten times as long, and adds no call that writes. So it is tested with one
+                // disturbance alone.
                 let has_thumbnail = command == "report_with_a_thumbnail";
                 if has_thumbnail && (disturbance != Disturbance::Errors || old.is_none()) {
                     continue;
@@ -65,15 +58,15 @@ fn trials() -> Vec<Trial> {
 }
 
 fn disturb(job: Prepare, old: Option<&str>, disturbance: Disturbance) -> Result<(), Failed> {
-    let folder = tempfile::tempdir()?;
-    fs::create_dir(folder.path().join("d"))?;
+    let folder = Folder::new();
+    fs::create_dir(folder.file("d"))?;
     let job = Job { old: old.map(|text| text.as_bytes().to_vec()), ..job(folder.path()) };
     job.disturb(disturbance)?;
     Ok(())
 }
 
-/// A job whose arguments are words; a word that starts with `./` is a file in `folder`. Its output is in `./d`, and the
-/// file `./gate` has this content.
+/// Returns a job for the arguments in `words`, in which `./` stands for `folder`. The job writes into `./d`, and its
+/// gate is the file `./gate` with the content `gate`.
 fn job(folder: &Path, words: &str, gate: &[u8]) -> Job {
     let argument = |word: &str| match word.strip_prefix("./") {
         Some(name) => folder.join(name).into_os_string(),
@@ -95,7 +88,7 @@ fn write(folder: &Path, name: &str, content: impl AsRef<[u8]>) {
     fs::write(folder.join(name), content).expect("the folder is writable");
 }
 
-/// Stops at the end of a row, or goes on to the end.
+/// After a signal, `render` stops at the end of a row or finishes the picture, so its job is graceful.
 fn render(folder: &Path) -> Job {
     write(folder, "scene", "");
     let config = b"image_width: 60\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
@@ -109,13 +102,15 @@ fn compare(folder: &Path) -> Job {
     job(folder, "compare ./gate ./other --heatmap ./d/map.png", BLACK.as_bytes())
 }
 
-/// The place of the heat map is opened before the pictures are read, so before the gate.
+/// `compare` opens the heat map's file before it reads the pictures, so before the gate. Without a gate, these calls
+/// are disturbed too.
 fn compare_from_the_start(folder: &Path) -> Job {
     write(folder, "gate", BLACK);
     Job { gate: None, ..compare(folder) }
 }
 
-/// Results with little in them, so that few charts are drawn, and the thumbnail of `scene` if there is such a scene.
+/// Returns results with one entry in each list, so that few charts are drawn. The entries belong to `scene`, whose
+/// thumbnail is drawn if the project has such a scene.
 fn results(scene: &str) -> Vec<u8> {
     let path = test_support::project_root().join("docs/report/data/bench.json");
     let text = fs::read(path).expect("it is committed");

@@ -1,13 +1,14 @@
-//! `render-lab bench` and `render-lab report`. No time is asserted: only what must hold on the busiest machine.
+//! `render-lab bench` and `render-lab report`. No test asserts a time, because the machine may be busy.
 
 use std::collections::BTreeSet;
 use std::fs;
 
 use lab::bench::results::Results;
+use test_support::folder::Folder;
 
-use crate::{Folder, complaint, printed};
+use crate::{complaint, printed};
 
-/// Measures a little, into `name`.
+/// Runs `render-lab bench` with `--quick` and two repeats, and returns the results that it wrote to `name`.
 fn measure(folder: &Folder, name: &str, arguments: &[&str]) -> Results {
     let out = folder.name(name);
     printed(&[&["bench"], arguments, &["--quick", "--repeats", "2", "--out", &out]].concat());
@@ -55,8 +56,8 @@ fn what_is_switched_off_is_timed_on_the_scenes_and_on_the_courses_cases() {
     let folder = Folder::new();
     for case in 1..=4 {
         let scene = format!("matte: m .5 .5 .5\nsphere: 0 0 0 {case} m\n");
-        fs::write(folder.file(&format!("config{case}.txt")), "camera_position: 0 0 -9\n").expect("it is writable");
-        fs::write(folder.file(&format!("scene{case}.txt")), scene).expect("it is writable");
+        fs::write(folder.file(format!("config{case}.txt")), "camera_position: 0 0 -9\n").expect("it is writable");
+        fs::write(folder.file(format!("scene{case}.txt")), scene).expect("it is writable");
     }
     let cases = folder.path().to_str().expect("temporary names are text");
     let results = measure(&folder, "gain.json", &["gain", "--reference", cases]);
@@ -67,7 +68,7 @@ fn what_is_switched_off_is_timed_on_the_scenes_and_on_the_courses_cases() {
     assert_eq!(results.gains.len(), scenes.len() * names.len(), "every thing on every scene");
     assert!(results.gains.iter().all(|gain| 0.0 < gain.low && gain.low <= gain.ratio && gain.ratio <= gain.high));
 
-    // Without the folder the cases are left out, and it is said why.
+    // Without the folder the cases are left out, and the results say why.
     let tasks = printed(&["bench", "tasks"]);
     let place = 1 + tasks.lines().position(|task| task == "gain case-1").expect("it is a task");
     let part = format!("{place}/{}", tasks.lines().count());
@@ -88,7 +89,7 @@ fn intersections_have_cost_and_error_in_data_and_report() {
 
     printed(&["report", &folder.name("one.json"), "--out", &folder.name("report")]);
     let chart = fs::read_to_string(folder.file("report/charts/intersection-sphere.svg")).expect("it was written");
-    assert!(["certified f64", "projected f32", "ns a test"].iter().all(|text| chart.contains(text)), "{chart}");
+    assert!(["exact f64", "projected f32", "ns a test"].iter().all(|text| chart.contains(text)), "{chart}");
     let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
     assert!(page.contains("Intersections against exact arithmetic"), "{page}");
 }
@@ -97,7 +98,7 @@ fn intersections_have_cost_and_error_in_data_and_report() {
 fn energy_is_a_figure_or_a_reason() {
     let folder = Folder::new();
     let out = folder.name("energy.json");
-    // With one part more than there are tasks the last part has nothing to do; with as many it measures one scene.
+    // With as many parts as tasks, the last part has the last task alone, which measures the energy of one scene.
     let count = printed(&["bench", "tasks"]).lines().count();
     assert!(printed(&["bench", "tasks"]).ends_with("energy spheres\n"));
     printed(&["bench", "all", "--part", &format!("{count}/{count}"), "--quick", "--out", &out]);
@@ -124,7 +125,7 @@ fn an_interrupted_measurement_is_kept_and_goes_on() {
     nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
     let rest: Vec<_> = lines.collect();
     let status = child.wait().expect("it ends");
-    // Where the machine is fast it may have been done already.
+    // On a fast machine the program may have finished before the signal.
     if status.success() {
         return;
     }

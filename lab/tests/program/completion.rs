@@ -1,11 +1,14 @@
-//! The scripts of `render-lab completions`, run by the shells that they are for.
+//! The scripts of `render-lab completions`, each run by its shell.
 
 use std::fs;
 use std::process::Command;
 
-use crate::{Folder, printed};
+use test_support::folder::Folder;
 
-/// Whether a shell is installed; where it is not, the test that needs it says so and compares nothing.
+use crate::printed;
+
+/// Returns whether a shell is installed. If it is not, this prints a line, and the test that needs the shell checks
+/// nothing.
 fn is_there(shell: &str) -> bool {
     let found = Command::new(shell).arg("--version").output().is_ok();
     if !found {
@@ -14,7 +17,7 @@ fn is_there(shell: &str) -> bool {
     found
 }
 
-/// What a shell prints that runs `text` with the script of its kind in `$SCRIPT`.
+/// Runs `text` in a shell and returns what it prints. `$SCRIPT` is the completion script for this shell.
 fn said(shell: &str, arguments: &[&str], text: &str) -> String {
     let folder = Folder::new();
     let script = folder.file("_render-lab");
@@ -49,7 +52,7 @@ fn zsh_takes_its_script_and_knows_the_options_of_a_command() {
     if !is_there("zsh") {
         return;
     }
-    // `_arguments` of zsh asks for a terminal; this one prints what it is given, and says that the first word is
+    // `_arguments` of zsh needs a terminal. A function in its place prints its arguments, and sets the first word to
     // render.
     let text = "compdef() { :; }; _arguments() { print -l -- \"$@\"; state=render-lab; line=(render); }; \
                 words=(render-lab render --sc); CURRENT=3; source \"$SCRIPT\"; _render-lab";

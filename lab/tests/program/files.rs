@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use crate::{Folder, complaint, printed};
+use test_support::folder::Folder;
+
+use crate::{complaint, printed};
 
 #[test]
 fn generated_files_are_the_committed_ones() {
@@ -38,7 +40,7 @@ fn a_file_that_cannot_be_written_stops_both() {
 #[test]
 fn a_scene_is_told_in_words_and_in_json() {
     let text = printed(&["inspect", "scenes/ten-thousand/config.txt", "scenes/ten-thousand/scene.txt"]);
-    assert!(text.contains("a tree of boxes") && text.contains("picture     400 x 225"), "{text}");
+    assert!(text.contains("structure   BVH: ") && text.contains("picture     400 x 225"), "{text}");
     let json = printed(&["inspect", "scenes/spheres/scene.txt", "--json"]);
     let value: serde_json::Value = serde_json::from_str(&json).expect("it is JSON");
     assert_eq!((&value["spheres"], &value["cylinders"]), (&15.into(), &0.into()));

@@ -1,4 +1,4 @@
-//! Files that are no pictures and no texts, and requests to stop at any moment.
+//! Files that are neither pictures nor text, and signals at any moment.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -7,12 +7,13 @@ use std::time::Instant;
 
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
+use test_support::folder::Folder;
 
-use crate::{Folder, complaint, lab};
+use crate::{complaint, lab};
 
 const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 
-/// What `render-lab` says in 200 MB of address space; it must not die of it.
+/// Runs `render-lab` in 200 MB of address space and returns its message. It must end with status 2, not by a signal.
 fn complaint_in_little_memory(arguments: &[&str]) -> String {
     let mut shell = Command::new("bash");
     shell.args(["-c", "ulimit -v 200000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
@@ -30,7 +31,7 @@ fn endless_and_empty_pictures_are_refused_in_little_memory() {
         let message = complaint_in_little_memory(&["compare", name, name]);
         assert!(message.contains(&format!("{name}: neither PPM (P3 or P6) nor PNG")), "{message}");
     }
-    // Begins as a picture does and never ends: what is read of it is refused by the memory there is.
+    // This file begins like a picture and is 5 GiB long, so reading it must end with an error about memory or its size.
     let mut file = File::create(folder.file("long.ppm")).expect("the folder is writable");
     file.write_all(b"P6 9 9 255\n").and_then(|()| file.set_len(5 << 30)).expect("holes take no place");
     let message = complaint_in_little_memory(&["compare", &folder.name("long.ppm"), &folder.name("long.ppm")]);
@@ -80,7 +81,7 @@ fn a_request_to_stop_at_any_moment_leaves_the_old_picture_or_the_new_one() {
             assert!(picture == new);
             finished += 1;
         } else {
-            // Before it listens the signal ends it, afterwards it ends by itself.
+            // A signal before the program listens ends it without a status. Later signals lead to status 130.
             assert!(matches!(status.code(), None | Some(130)), "{status}");
             assert_eq!(picture, b"old");
             stopped += 1;

@@ -1,87 +1,12 @@
-//! Inputs beyond the limits of `docs/testing.md`, outputs that are inputs, and standard streams that take nothing.
+//! Inputs beyond the limits of `docs/testing.md`, outputs that are inputs, and standard streams that cannot be written.
 
 use std::fs;
-use std::process::{Command, Output};
 
-use crate::{Folder, complaint, lab, run};
+use test_support::folder::Folder;
+
+use crate::{bash, lab};
 
 const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
-
-/// The committed results, with a part of their text replaced.
-fn results(folder: &Folder, from: &str, to: &str) -> String {
-    let path = test_support::project_root().join("docs/report/data/bench.json");
-    let text = fs::read_to_string(path).expect("it is committed");
-    assert!(text.contains(from), "{from}");
-    let name = folder.name("bench.json");
-    fs::write(&name, text.replace(from, to)).expect("the folder is writable");
-    name
-}
-
-/// `$lab` in a line of bash.
-fn bash(folder: &Folder, line: &str) -> Output {
-    let mut bash = Command::new("bash");
-    bash.current_dir(folder.path()).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
-    bash.env("root", test_support::project_root());
-    bash.output().expect("bash starts")
-}
-
-#[test]
-fn endless_results_are_refused() {
-    let folder = Folder::new();
-    let out = folder.name("out");
-    for arguments in [&["report", "/dev/zero", "--out", &out][..], &["bench", "merge", "--out", &out, "/dev/zero"]] {
-        assert!(complaint(arguments).contains("/dev/zero: it is larger than 16777216 bytes"));
-        assert!(folder.names().is_empty());
-    }
-}
-
-#[test]
-fn results_without_a_time_are_refused_with_a_reason() {
-    let folder = Folder::new();
-    let path = test_support::project_root().join("docs/report/data/bench.json");
-    let mut value: serde_json::Value =
-        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
-    value["intersections"][0]["nanoseconds"] = serde_json::json!([]);
-    let part = folder.name("part.json");
-    fs::write(&part, value.to_string()).expect("the folder is writable");
-    let message = complaint(&["bench", "merge", "--out", &folder.name("all.json"), &part, &part]);
-    assert!(message.contains("part.json: the list \"nanoseconds\" of "), "{message}");
-    assert_eq!(folder.names(), ["part.json"]);
-}
-
-#[test]
-fn a_bound_of_zero_does_not_make_an_endless_axis() {
-    let folder = Folder::new();
-    let path = test_support::project_root().join("docs/report/data/bench.json");
-    let mut value: serde_json::Value =
-        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
-    for timing in value["timings"].as_array_mut().expect("it is a list") {
-        timing["median"]["low"] = serde_json::json!(0.0);
-    }
-    let data = folder.name("bench.json");
-    fs::write(&data, value.to_string()).expect("the folder is writable");
-    let output = run(&["report", &data, "--out", &folder.name("report")]);
-    assert!(output.status.success(), "{output:?}");
-}
-
-#[test]
-fn scenes_with_odd_names_stay_in_the_folder_and_in_valid_svg() {
-    let folder = Folder::new();
-    let data = results(&folder, "\"materials\"", r#""../../../x\u0000\u001b\"<""#);
-    let report = folder.name("deep/report");
-    let output = run(&["report", &data, "--out", &report]);
-    assert!(output.status.success(), "{output:?}");
-    assert_eq!(folder.names(), ["bench.json", "deep"]);
-    let mut charts = 0;
-    for entry in fs::read_dir(folder.file("deep/report/charts")).expect("it was made") {
-        let svg = fs::read_to_string(entry.expect("it is readable").path()).expect("it is text");
-        assert!(!svg.chars().any(|c| c.is_control() && c != '\n'), "{svg}");
-        charts += 1;
-    }
-    assert!(charts > 5, "{charts}");
-    let page = fs::read_to_string(folder.file("deep/report/index.html")).expect("it was written");
-    assert!(!page.chars().any(|c| c.is_control() && c != '\n'));
-}
 
 #[test]
 fn a_small_file_of_many_pixels_is_refused_in_little_memory() {
@@ -158,7 +83,8 @@ fn closed_full_and_readable_outputs_are_errors_and_no_panic() {
         }
         for redirection in ["2>&-", "2>/dev/full", "<&-", "| head -c 1"] {
             let output = bash(&folder, &format!("set -o pipefail; $lab {command} {redirection}"));
-            // A picture of which the reader takes one byte is lost, unless the pipe has taken it whole before.
+            // If the reader takes one byte of a picture, the program fails, unless the whole picture fitted into the
+            // pipe before.
             let lost = command.contains("/dev/stdout") && redirection.starts_with('|') && {
                 String::from_utf8_lossy(&output.stderr)
                     .starts_with("Error: Cannot write file [/dev/stdout]: Broken pipe")
@@ -195,7 +121,7 @@ fn names_cannot_command_a_terminal() {
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(!message.contains('\u{1b}') && message.contains(r"\u{1b}[2J"), "{line}: {message}");
     }
-    // What repeats the command line has lost the character already.
+    // The message about an unknown command repeats the argument without the control character.
     let output = bash(&folder, r"$lab $'\e[2J\nx'");
     assert!(!output.stderr.contains(&0x1b), "{output:?}");
     assert_eq!(output.status.code(), Some(2));

@@ -1,4 +1,4 @@
-//! The built program, run as a user would.
+//! Runs the built program as a user would.
 
 mod bench;
 mod compare;
@@ -11,34 +11,36 @@ mod hostile;
 mod limits;
 mod render;
 #[cfg(unix)]
+mod results;
+#[cfg(unix)]
 mod scripts;
 #[cfg(unix)]
 mod slurm;
 mod words;
 
-use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// `render-lab` with these arguments, in the project's folder.
+/// Returns the command `render-lab` with these arguments, in the project's folder.
 fn lab(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
     command.current_dir(test_support::project_root()).args(arguments);
     command
 }
 
-/// Runs to the end.
+/// Runs `render-lab` to its end.
 fn run(arguments: &[&str]) -> Output {
     lab(arguments).output().expect("the program runs")
 }
 
-/// Runs, and gives what it printed on standard output.
+/// Runs `render-lab`, which must succeed, and returns what it printed on standard output.
 fn printed(arguments: &[&str]) -> String {
     let output = run(arguments);
     assert!(output.status.success(), "{arguments:?}: {output:?}");
     String::from_utf8(output.stdout).expect("it prints text")
 }
 
-/// Runs what must go wrong with status 2, a message on standard error and nothing on standard output.
+/// Runs `render-lab`, which must fail with status 2 and print nothing on standard output. Returns what it printed on
+/// standard error.
 fn complaint(arguments: &[&str]) -> String {
     let output = run(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
@@ -46,31 +48,11 @@ fn complaint(arguments: &[&str]) -> String {
     String::from_utf8(output.stderr).expect("it complains in text")
 }
 
-/// A folder removed at the end.
-struct Folder(tempfile::TempDir);
-
-impl Folder {
-    fn new() -> Self {
-        Self(tempfile::tempdir().expect("the temporary folder is writable"))
-    }
-
-    fn path(&self) -> &Path {
-        self.0.path()
-    }
-
-    fn file(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn name(&self, name: &str) -> String {
-        self.file(name).to_str().expect("temporary names are text").to_owned()
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = std::fs::read_dir(self.path()).expect("the folder is readable");
-        let mut names: Vec<_> =
-            entries.map(|entry| entry.expect("it is readable").file_name().to_string_lossy().into_owned()).collect();
-        names.sort();
-        names
-    }
+/// Runs a line of bash in `folder`, where `$lab` is the program and `$root` the project.
+#[cfg(unix)]
+fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
+    let mut bash = Command::new("bash");
+    bash.current_dir(folder.path()).args(["-c", line]).env("lab", env!("CARGO_BIN_EXE_render-lab"));
+    bash.env("root", test_support::project_root());
+    bash.output().expect("bash starts")
 }

@@ -4,14 +4,15 @@ use std::fs;
 
 use cpu::{Aos, Config, Scatter, Scene};
 use lab::picture::Picture;
+use test_support::folder::Folder;
 
-use crate::{Folder, complaint, printed, run};
+use crate::{complaint, printed, run};
 
 const CONFIG: &str = "scenes/grid/config.txt";
 const SCENE: &str = "scenes/grid/scene.txt";
 const SMALL: [&str; 4] = ["--set", "image_width=64", "--set", "samples_per_pixel=2"];
 
-/// What the evaluated programs write for the small grid.
+/// Returns the bytes that the evaluated programs write for the grid with the values of [`SMALL`].
 fn expected(scatter: Scatter) -> Vec<u8> {
     let root = test_support::project_root();
     let config = Config::read(&root.join(CONFIG)).expect("it is committed");
@@ -42,7 +43,7 @@ fn the_defaults_give_the_bytes_of_the_evaluated_programs() {
         printed(&["render", config, scene, &out]);
         let root = test_support::project_root();
         let theirs = folder.file("theirs.ppm");
-        cpu::program::render_files::<Aos>(&root.join(config), &root.join(scene), &theirs, Scatter::Statement)
+        cli::program::render_files::<Aos>(&root.join(config), &root.join(scene), &theirs, Scatter::Statement)
             .expect("the files are valid");
         assert!(fs::read(&out).expect("it was written") == fs::read(theirs).expect("it was written"), "{scene}");
     }
@@ -80,7 +81,8 @@ fn a_part_has_the_pixels_of_the_whole() {
 #[test]
 fn counts_are_those_of_a_scene_known_by_hand() {
     let folder = Folder::new();
-    // Inside a mirror every ray meets it again, to the end of its depth: 4 x 4 x 3 x 5.
+    // The camera is inside a mirror, so every ray hits it again until the maximum depth: 4 x 4 pixels, 3 samples, depth
+    // 5 are 240 rays.
     fs::write(folder.file("scene"), "metal: m 1 1 1 0\nsphere: 0 0 0 50 m\n").expect("the folder is writable");
     let config = "image_width: 4\naspect_ratio: 1 1\nsamples_per_pixel: 3\nmax_depth: 5\n";
     fs::write(folder.file("config"), config).expect("the folder is writable");
@@ -152,7 +154,7 @@ fn a_dash_is_standard_input_or_output() {
     assert!(complaint(&["render", CONFIG, SCENE, "-", "--json"]).contains("both write to standard output"));
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
 fn an_interruption_leaves_no_file() {
     use std::os::unix::process::ExitStatusExt;
@@ -161,18 +163,23 @@ fn an_interruption_leaves_no_file() {
 
     for name in ["out.ppm", "out.png"] {
         let folder = Folder::new();
-        // Hours, row by row.
+        // With 2,000,000 samples a pixel, the picture takes hours.
         let arguments = ["render", CONFIG, SCENE, &folder.name(name), "--set", "samples_per_pixel=2000000"];
-        let mut child = crate::lab(&arguments).stderr(Stdio::piped()).spawn().expect("the program runs");
+        // A background job is started with SIGINT ignored, and the program respects that. `env` restores the default.
+        let mut command = std::process::Command::new("env");
+        command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
+        command.current_dir(test_support::project_root());
+        let mut child = command.stderr(Stdio::piped()).spawn().expect("the program runs");
         let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
-        // Asked twice at most: the second time it does not wait for the end of a row. It may not listen yet at first.
+        // The first signal ends the program at the end of a row, or at once if it does not listen yet. If it still runs
+        // after half a second, a second signal ends it at once.
         std::thread::sleep(Duration::from_millis(500));
         nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
         std::thread::sleep(Duration::from_millis(500));
         if child.try_wait().expect("it is ours").is_none() {
             nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
         }
-        // The first request ends it with a status, the second by its signal.
+        // A noted signal leads to status 130; otherwise the signal itself ends the program.
         let status = child.wait().expect("it is ours");
         let interrupted = nix::sys::signal::Signal::SIGINT as i32;
         assert!(status.code() == Some(130) || status.signal() == Some(interrupted), "{status}");

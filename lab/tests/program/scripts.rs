@@ -1,12 +1,12 @@
-//! What the scripts of the project say of themselves. None of them does anything here.
+//! The help and the error messages of the project's scripts. No script does its work here.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::process::{Command, Output};
 
-use crate::Folder;
+use test_support::folder::Folder;
 
-/// A script of the project, which finds only what `folder` has.
+/// Runs a script of the project, which finds only the programs in `folder`.
 fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
     Command::new("/usr/bin/env")
         .args(["bash", name])
@@ -17,7 +17,8 @@ fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
         .expect("bash is there")
 }
 
-/// A folder of programs: `names` do nothing, and what a shell needs is linked.
+/// Returns a folder of programs: those in `names` do nothing and fail; those that a shell script needs are links to the
+/// real ones.
 fn programs(names: &[&str]) -> Folder {
     let folder = Folder::new();
     for name in ["bash", "dirname", "sed", "grep", "id"] {
@@ -40,7 +41,7 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
     let message = String::from_utf8(output.stderr).expect("it is text");
     let list = "mesa-vulkan-drivers valgrind strace chromium slurm-wlm munge";
     assert!(message.starts_with(&format!("tests/run: missing: {list}; as root: apt-get install")), "{message}");
-    // With leave to install it says what before it does; apt-get fails here.
+    // Without --no-install the script names the packages and then installs them; here apt-get fails.
     let output = script("tests/run", &[], &folder);
     let said = String::from_utf8(output.stdout).expect("it is text");
     assert!(
@@ -53,9 +54,15 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
 #[test]
 fn scripts_have_help_and_refuse_what_they_do_not_know() {
     let folder = programs(&["cargo"]);
-    for name in
-        ["tests/run", "tests/slurm.sh", "lab/slurm/submit", "docs/build-report", "bench/instructions", "tests/ratio.sh"]
-    {
+    for name in [
+        "tests/run",
+        "tests/slurm.sh",
+        "lab/slurm/submit",
+        "docs/build-report",
+        "bench/instructions",
+        "tests/ratio.sh",
+        "tests/measure-limits",
+    ] {
         let output = script(name, &["--help"], &folder);
         let said = String::from_utf8(output.stdout).expect("it is text");
         assert!(output.status.success() && said.contains(name), "{name}: {said} {:?}", output.stderr);

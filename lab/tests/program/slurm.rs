@@ -1,14 +1,15 @@
-//! The job scripts of `lab/slurm`, with a stub in place of `sbatch` that runs every task of an array at once, in turn.
+//! The job scripts of `lab/slurm`. A stub in place of `sbatch` runs the tasks of an array immediately, one after the
+//! other.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::process::Command;
 
 use lab::bench::results::Results;
+use test_support::folder::Folder;
 
-use crate::Folder;
-
-/// Runs the script after the options once for each task of the array; prints a job's number as `--parsable` does.
+/// The stub of `sbatch`. It runs the script after the options once for each task of the array, and prints a job number
+/// as `--parsable` does. For most tasks it copies an empty result, because measuring takes too long for a test.
 const STUB: &str = r#"#!/usr/bin/env bash
 set -euo pipefail
 echo "$*" >> "$STUB_LOG"
@@ -20,7 +21,7 @@ done
 script="$1"
 shift
 for ((task = 1; task <= tasks; task++)); do
-    # The last three measure no time: energy, which is quick where there is no meter.
+    # Only the first task and the last three are run. The last three measure energy, which is quick without a meter.
     if ((tasks > 1 && task <= tasks - 3)); then
         (($# >= 1)) && cp "$1/empty.json" "$1/part-$task.json"
         continue

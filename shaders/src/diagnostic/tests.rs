@@ -1,4 +1,4 @@
-//! What is said about faults in a module, and where.
+//! The messages for faults in a module, and the places that they give.
 
 use crate::{Error, Library, Precision};
 
@@ -30,7 +30,7 @@ fn of_a_long_line_the_part_about_the_fault_is_shown() {
 }
 
 #[test]
-fn every_fault_of_a_person_names_their_file_and_wgsls_own_types() {
+fn every_fault_in_a_replaced_module_is_shown_with_its_file_and_the_types_of_wgsl() {
     let faults = [
         "fn f() -> real {\n    return 1u;\n}\n",
         "fn f() -> vec3<real> {\n    return real(1.0);\n}\n",

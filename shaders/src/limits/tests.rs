@@ -1,17 +1,17 @@
-//! Each limit is reached, and then exceeded by one.
+//! Texts at each limit are taken, and texts beyond it are refused.
 
 use super::*;
 use crate::module::MODULES;
 use crate::{Error, Library, Precision};
 
-/// What naga says of a function with this body, beside all that a module may use.
+/// Validates `text` as the module `scatter`, together with the modules that it needs.
 fn validate(text: &str) -> Result<(), Error> {
     let mut library = Library::standard();
     library.replace("scatter", "mine.wgsl", text).expect("the module exists");
     library.compose("scatter", Precision::F32).expect("the module exists").validate().map(drop)
 }
 
-/// A text of `count` nested or chained things, by kind.
+/// A text in which `count` operators, brackets or branches of one kind are nested or chained.
 fn nested(kind: &str, count: usize) -> String {
     let chain = |part: &str| part.repeat(count);
     match kind {
@@ -41,7 +41,7 @@ fn naga_survives_every_nesting_up_to_the_limit() {
     for kind in KINDS {
         let most = largest(kind);
         assert!(most >= MAX_NESTING / 10, "{kind}: {most}");
-        // Valid or not, naga comes back with an answer.
+        // naga may find the text invalid, but it must not overflow its stack.
         if let Err(Error::Invalid(diagnostic)) = validate(&nested(kind, most)) {
             assert!(!diagnostic.message.contains("nested in one statement"), "{kind}: {diagnostic}");
         }
@@ -99,7 +99,7 @@ fn statements_elements_and_comments_do_not_nest() {
 }
 
 #[test]
-fn what_follows_a_deep_operand_counts_on_top_of_it() {
+fn operators_after_a_deep_operand_count_in_addition_to_its_nesting() {
     let deep = format!("{}1{}", "(".repeat(MAX_NESTING - 10), ")".repeat(MAX_NESTING - 10));
     assert_eq!(check(&format!("const a = {deep};")), Ok(()));
     assert!(check(&format!("const a = {deep}{};", " + 1".repeat(20))).is_err());

@@ -1,8 +1,8 @@
-//! Hill climbing towards the largest error of lambda: what random rays do not find.
+//! Finds large errors of lambda by hill climbing. The errors are larger than those of random rays.
 //!
 //! A climb begins with a random case of a regime, changes some of its numbers a little, and keeps the change unless the
-//! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum, and stays below the
-//! bound that docs/accuracy.md proves.
+//! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum. It must stay below
+//! the bound that docs/accuracy.md proves.
 
 use cpu::internals::exact;
 use cpu::internals::exact::error_bound::Decision;
@@ -16,9 +16,9 @@ use crate::oracle;
 use crate::random::Random;
 use crate::regimes::Regime;
 
-/// The certified intersection of a case, with all its fallbacks.
+/// Returns the exact intersection of a case, with all fallbacks.
 #[must_use]
-pub fn certified_answer(case: &Case) -> Option<(f64, CylinderPart)> {
+pub fn exact_answer(case: &Case) -> Option<(f64, CylinderPart)> {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
@@ -31,8 +31,8 @@ pub fn certified_answer(case: &Case) -> Option<(f64, CylinderPart)> {
     }
 }
 
-/// Whether the answer comes from f64, by the plain formulas or the compensated root. Double-double has no error to
-/// speak of.
+/// Returns whether the answer comes from f64: from the plain formulas or the compensated root. The error of
+/// double-double is negligible.
 fn is_answered_in_f64(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
@@ -47,16 +47,16 @@ fn is_answered_in_f64(case: &Case) -> bool {
     }
 }
 
-/// The relative error of lambda: 0 where double-double or exact arithmetic decided, `None` where a decision in f64 is
+/// Returns the relative error of lambda: 0 if double-double or exact arithmetic decided, `None` if a decision in f64 is
 /// wrong.
 fn error(case: &Case) -> Option<f64> {
     if !is_answered_in_f64(case) {
         return Some(0.0);
     }
-    lambda_error(&oracle::judge(case), certified_answer(case), f64::EPSILON / 2.0)
+    lambda_error(&oracle::judge(case), exact_answer(case), f64::EPSILON / 2.0)
 }
 
-/// The case with some of its numbers changed, by anything from a bit to a tenth.
+/// Returns the case with about a third of its numbers changed, by a relative change from 10^-16 to 10^-1.
 fn changed(case: &Case, random: &mut Random) -> Case {
     let mut case = *case;
     let mut change = |number: &mut f64| {
@@ -78,10 +78,10 @@ fn changed(case: &Case, random: &mut Random) -> Case {
     case
 }
 
-/// The largest error of lambda that `climbs` climbs of `steps` steps each reach from cases of a regime.
+/// Returns the largest error of lambda that `climbs` climbs of `steps` steps each reach from cases of a regime.
 ///
 /// # Errors
-/// A case whose decision is wrong.
+/// The first case whose decision is wrong.
 pub fn largest_error(regime: &Regime, seed: u64, climbs: usize, steps: usize) -> Result<f64, Box<Case>> {
     let mut random = Random::new(seed);
     let mut largest = 0.0_f64;

@@ -1,4 +1,4 @@
-//! One regime, one implementation: how often and by how much it is wrong.
+//! Measures how often and by how much an implementation is wrong in a regime.
 
 use cpu::Vec3;
 use cpu::internals::exact;
@@ -13,32 +13,33 @@ use crate::case::Case;
 use crate::methods::{Failure, Method};
 use crate::oracle::{self, Judgement, big, to_f64};
 
-/// What came out for one regime and one implementation.
+/// The figures of one regime and one implementation. `u` is the unit roundoff, and `S` the size of a case.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
     /// The regime.
     pub regime: &'static str,
     /// The implementation.
     pub method: &'static str,
-    /// Cases.
+    /// Number of cases.
     pub cases: usize,
-    /// Cases in which the ray meets the object.
+    /// Number of cases in which the ray hits the object.
     pub hits: usize,
-    /// Wrong hit, miss, root or part.
+    /// Number of cases with a wrong hit, miss, root or part.
     pub wrong: usize,
-    /// Of these, where the surface would have to move by more than 8 u S to make them right. Not known for cylinders.
+    /// Number of wrong cases that stay wrong if the surface moves by 8 u S. `None` for cylinders, for which it is not
+    /// computed.
     pub wrong_beyond_noise: Option<usize>,
-    /// Rays taken for coming from the other side.
+    /// Number of right hits for which inside and outside are confused.
     pub wrong_side: usize,
     /// Relative errors of lambda where the decision is right: median, 99.9 % and largest.
     pub lambda_error: [f64; 3],
     /// Distances of the hit points from the surface, in units of u times the largest coordinate: median and largest.
     pub surface_error: [f64; 2],
-    /// What a test costs, in nanoseconds.
+    /// Time of one intersection, in nanoseconds.
     pub nanoseconds: f64,
 }
 
-/// Cases, and what is true of them: as they are, and rounded to single precision.
+/// Cases with the oracle's judgements, twice: as they are, and rounded to single precision.
 #[derive(Debug)]
 pub struct Judged {
     /// The regime's name.
@@ -48,7 +49,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Asks the oracle.
+    /// Computes the judgements of the oracle.
     #[must_use]
     pub fn new(regime: &'static str, cases: Vec<Case>) -> Self {
         let single = cases.iter().map(Case::single).collect();
@@ -57,16 +58,16 @@ impl Judged {
         Self { regime, cases, judgements }
     }
 
-    /// What is true of the cases as an implementation of this unit roundoff gets them.
+    /// Returns the cases with their judgements, in the precision of an implementation with this unit roundoff.
     fn seen_with(&self, unit_roundoff: f64) -> (&[Case], &[Judgement]) {
         let precision = usize::from(unit_roundoff > f64::EPSILON);
         (&self.cases[precision], &self.judgements[precision])
     }
 
-    /// Holds an implementation against the truth.
+    /// Compares an implementation with the oracle.
     ///
     /// # Errors
-    /// As [`Method::answer`].
+    /// An error of [`Method::answer`] or [`Method::stopwatch`].
     pub fn measure(&self, method: &dyn Method) -> Result<Row, Failure> {
         let (cases, judgements) = self.seen_with(method.unit_roundoff());
         let (answers, nanoseconds) = (method.answer(cases)?, nanoseconds(method, cases)?);
@@ -103,18 +104,18 @@ impl Judged {
         Ok(row)
     }
 
-    /// Shares of the cases that the certificate leaves to double-double and to exact arithmetic.
+    /// Returns the share of the cases that need double-double, and the share that need dyadic arithmetic.
     #[must_use]
     pub fn fallbacks(&self) -> [f64; 2] {
         let cases = &self.cases[0];
-        let share = |in_doubt: fn(&Case) -> bool| {
-            cases.iter().filter(|case| in_doubt(case)).count() as f64 / cases.len() as f64
+        let share = |needs_it: fn(&Case) -> bool| {
+            cases.iter().filter(|case| needs_it(case)).count() as f64 / cases.len() as f64
         };
-        [share(is_doubtful), share(|case| is_doubtful(case) && is_doubtful_in_double_double(case))]
+        [share(is_uncertain), share(|case| is_uncertain(case) && is_uncertain_in_double_double(case))]
     }
 }
 
-/// What a test costs: the least of a few passes, since what else the machine does only adds.
+/// Returns the nanoseconds of one intersection: the least of three passes, because other processes only add time.
 fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     let mut stopwatch = method.stopwatch(cases)?;
     let mut least = f64::INFINITY;
@@ -124,7 +125,8 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// The relative error of lambda, 0 for a miss; none when the decision is wrong. An answer is a lambda and a part.
+/// Returns the relative error of lambda, which is 0 for a miss, or `None` if the decision is wrong. An answer is a
+/// lambda and a part.
 #[must_use]
 pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, unit_roundoff: f64) -> Option<f64> {
     match (&judgement.truth, answer) {
@@ -133,8 +135,8 @@ pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, 
             let lambda = big(lambda);
             let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
             let error = distance(&truth.lambda);
-            // Nearer to where the line meets the object elsewhere: the wrong root. But nothing tells roots apart that
-            // are nearer to each other than two numbers of this precision.
+            // If lambda is nearer to another crossing, it is the wrong root. Roots that are nearer to each other than
+            // this precision resolves count as one root.
             let resolution = 4.0 * unit_roundoff * to_f64(&truth.lambda);
             let other_root = judgement.crossings.iter().any(|other| distance(other) < error);
             (!other_root || error <= resolution).then(|| error / to_f64(&truth.lambda))
@@ -143,7 +145,8 @@ pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, 
     }
 }
 
-/// The largest coordinate that a hit point is made of.
+/// Returns the largest magnitude in the computation of a hit point: of its coordinates, the ray's origin and the
+/// radius.
 fn largest(case: &Case, point: Vec3) -> f64 {
     let reach = |vector: Vec3| vector.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
     let radius = match case.shape {
@@ -161,8 +164,8 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     values[((values.len() - 1) as f64 * share).round() as usize]
 }
 
-/// Whether a ray is left to double-double arithmetic.
-fn is_doubtful(case: &Case) -> bool {
+/// Returns whether the formulas in f64 are uncertain, so that double-double arithmetic is needed.
+fn is_uncertain(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
@@ -176,7 +179,7 @@ fn is_doubtful(case: &Case) -> bool {
     }
 }
 
-fn is_doubtful_in_double_double(case: &Case) -> bool {
+fn is_uncertain_in_double_double(case: &Case) -> bool {
     let wide = |vector: Vec3| vector.map(DoubleDouble::of);
     let ray = cpu::Ray { origin: wide(case.ray.origin), direction: wide(case.ray.direction) };
     match &case.shape {

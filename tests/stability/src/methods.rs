@@ -1,6 +1,6 @@
-//! The implementations that are held against the oracle.
+//! The implementations that are compared with the oracle.
 //!
-//! Another one, such as a shader, joins by implementing [`Method`]: it gets cases and says what each ray meets.
+//! To add an implementation, such as a shader, implement [`Method`]: it gets cases, and returns the hit of each ray.
 
 mod formulas;
 mod host;
@@ -14,77 +14,77 @@ use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::reference::intersect::{Exact, Plain};
 
 use crate::case::Case;
-use formulas::{InDouble, ProjectedSingle, Resolved, TextbookSingle};
+use formulas::{InDouble, PlainSingle, ProjectedSingle, Resolved};
 use host::Host;
 
-/// What an implementation says of a case in which the ray meets the object.
+/// The hit that an implementation finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
-    /// Where.
+    /// Parameter of the hit.
     pub lambda: f64,
-    /// What.
+    /// The part that is hit; the side for a sphere.
     pub part: CylinderPart,
-    /// The point, as the implementation rounds it.
+    /// The hit point, as the implementation rounds it.
     pub point: Vec3,
-    /// Whether it finds the ray outside.
+    /// Whether the ray hits the surface from outside.
     pub front: bool,
 }
 
-/// Why an implementation has no answers: a device's fault, say. Formulas in Rust always have some.
+/// Why an implementation has no answers, such as a failure of a device. Formulas in Rust always have answers.
 pub type Failure = Box<dyn Error>;
 
-/// Makes every test once at each call, and gives the time that this took.
+/// A function that intersects every case once, and returns the time that this took.
 pub type Stopwatch<'a> = Box<dyn FnMut() -> Result<Duration, Failure> + 'a>;
 
 /// An implementation of both intersections.
 pub trait Method {
-    /// Its name in tables.
+    /// Returns the implementation's name in tables.
     fn name(&self) -> &'static str;
 
-    /// Its unit roundoff.
+    /// Returns the unit roundoff of its numbers.
     fn unit_roundoff(&self) -> f64 {
         f64::EPSILON / 2.0
     }
 
-    /// What it says of each case. One call for all, so that a device can take them in one go. All are spheres, or all
-    /// are cylinders.
+    /// Returns the hit of each case, or `None` for a miss. One call gets all cases, so that a device can compute them
+    /// together. The objects are all spheres or all cylinders.
     ///
     /// # Errors
-    /// Whatever keeps it from calculating.
+    /// The reason for which it cannot compute.
     fn answer(&self, cases: &[Case]) -> Result<Vec<Option<Answer>>, Failure>;
 
-    /// Gets ready to test every ray on its object, again and again, to be timed.
+    /// Prepares the cases and returns a function that times their intersections.
     ///
     /// # Errors
-    /// Whatever keeps it from calculating.
+    /// The reason for which it cannot compute.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure>;
 }
 
-/// All that Rust calculates, in the order of the table's rows.
+/// Returns the implementations in Rust, in the order of the table's rows.
 #[must_use]
 pub fn all() -> Vec<Box<dyn Method>> {
     vec![
-        Box::new(Host::<InDouble<Plain>>::new(TEXTBOOK)),
-        Box::new(Host::<InDouble<Exact>>::new(CERTIFIED)),
-        Box::new(Host::<TextbookSingle>::new(TEXTBOOK_SINGLE)),
+        Box::new(Host::<InDouble<Plain>>::new(PLAIN)),
+        Box::new(Host::<InDouble<Exact>>::new(EXACT)),
+        Box::new(Host::<PlainSingle>::new(PLAIN_SINGLE)),
         Box::new(Host::<ProjectedSingle>::new(PROJECTED)),
     ]
 }
 
-/// Double-double for every ray and exact arithmetic where that leaves a doubt: what certified intersections would be
-/// without their first step. Gives the truth rounded, so that only its cost is of interest.
+/// Returns the exact intersections without the filter in f64: double-double for every ray, and dyadic arithmetic where
+/// that is uncertain. Its answers are the exact ones, rounded, so only its time is of interest.
 #[must_use]
 pub fn resolved() -> Box<dyn Method> {
     Box::new(Host::<InDouble<Resolved>>::new(RESOLVED))
 }
 
-/// The name of what the specification writes down.
-pub const TEXTBOOK: &str = "textbook f64";
-/// The name of what the renderer uses.
-pub const CERTIFIED: &str = "certified f64";
-/// The name of what the specification writes down, in single precision.
-pub const TEXTBOOK_SINGLE: &str = "textbook f32";
-/// The name of what a shader without double precision should use.
+/// Name of the plain formulas of the specification in f64.
+pub const PLAIN: &str = "plain f64";
+/// Name of the exact intersections, which the renderer uses.
+pub const EXACT: &str = "exact f64";
+/// Name of the plain formulas in f32.
+pub const PLAIN_SINGLE: &str = "plain f32";
+/// Name of the projected form in f32, which is for shaders without double precision.
 pub const PROJECTED: &str = "projected f32";
-/// The name of [`resolved`].
+/// Name of [`resolved`].
 pub const RESOLVED: &str = "double-double, exact";

@@ -1,4 +1,4 @@
-//! Exact intersections that count what the certificate does, while a whole picture is rendered with them.
+//! Exact intersections that count the decisions of the filter while a whole picture is rendered.
 
 use std::cell::Cell;
 
@@ -9,44 +9,45 @@ use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::reference::intersect::{Exact, Intersect, Precision};
 use cpu::{Ray, Vec3};
 
-/// What a render's intersections came to.
+/// Counts of the intersections of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Rays tried on objects.
+    /// Intersections of one ray with one object.
     pub tests: u64,
-    /// Of these, in doubt after the plain formulas.
-    pub doubtful: u64,
-    /// Tests that met something.
+    /// Tests for which the plain formulas are uncertain.
+    pub uncertain: u64,
+    /// Tests with a hit.
     pub hits: u64,
-    /// Of these, whose lambda has the textbook's bits.
+    /// Hits whose lambda has the bits of the plain formulas.
     pub same_bits: u64,
-    /// Tests where textbook and truth disagree on hit, miss or part, or take different roots.
+    /// Tests in which the plain formulas have a wrong hit, miss, part or root.
     pub other_decision: u64,
 }
 
 impl Counts {
-    const NONE: Self = Self { tests: 0, doubtful: 0, hits: 0, same_bits: 0, other_decision: 0 };
+    const NONE: Self = Self { tests: 0, uncertain: 0, hits: 0, same_bits: 0, other_decision: 0 };
 
-    /// These and those.
+    /// Returns the sum of two counts.
     #[must_use]
     pub fn with(&self, other: &Self) -> Self {
         Self {
             tests: self.tests + other.tests,
-            doubtful: self.doubtful + other.doubtful,
+            uncertain: self.uncertain + other.uncertain,
             hits: self.hits + other.hits,
             same_bits: self.same_bits + other.same_bits,
             other_decision: self.other_decision + other.other_decision,
         }
     }
 
-    fn record<A>(&mut self, textbook: Option<f64>, truth: Option<f64>, same_part: bool, verdict: &Decision<A>) {
+    fn record<A>(&mut self, plain: Option<f64>, truth: Option<f64>, same_part: bool, decision: &Decision<A>) {
         self.tests += 1;
-        self.doubtful += u64::from(matches!(verdict, Decision::Uncertain));
+        self.uncertain += u64::from(matches!(decision, Decision::Uncertain));
         self.hits += u64::from(truth.is_some());
-        match (textbook, truth) {
+        match (plain, truth) {
             (Some(lambda), Some(truth)) => {
                 self.same_bits += u64::from(lambda == truth);
-                // Two roots of one surface differ by more than this, unless the ray is all but tangent.
+                // A relative difference above 10^-3 means another root. The two roots of one surface are nearer to each
+                // other only if the ray is nearly tangent.
                 self.other_decision += u64::from(!same_part || (lambda - truth).abs() > 1e-3 * truth);
             }
             (None, None) => {}
@@ -62,7 +63,7 @@ thread_local! {
     static COUNTS: Cell<Both> = const { Cell::new([Counts::NONE; 2]) };
 }
 
-/// The counts since the last call on this thread.
+/// Returns the counts on this thread since the last call, and sets them to 0.
 pub fn take_counts() -> Both {
     COUNTS.take()
 }
@@ -75,7 +76,7 @@ fn update(kind: usize, change: impl FnOnce(&mut Counts)) {
     });
 }
 
-/// [`Exact`], observed.
+/// [`Exact`] intersections that are counted.
 #[derive(Clone, Copy, Debug)]
 pub enum Observed {}
 
@@ -84,17 +85,17 @@ impl Intersect for Observed {
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         let truth = Exact::sphere(record, ray);
-        let verdict = exact::sphere::filtered(record, ray);
-        update(0, |counts| counts.record(record.intersect(ray), truth, true, &verdict));
+        let decision = exact::sphere::filtered(record, ray);
+        update(0, |counts| counts.record(record.intersect(ray), truth, true, &decision));
         truth
     }
 
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
-        let (textbook, truth) = (record.intersect(ray), Exact::cylinder(record, axis, ray));
-        let verdict = exact::cylinder::filtered(record, ray);
-        let same_part = textbook.map(|(_, part)| part) == truth.map(|(_, part)| part);
+        let (plain, truth) = (record.intersect(ray), Exact::cylinder(record, axis, ray));
+        let decision = exact::cylinder::filtered(record, ray);
+        let same_part = plain.map(|(_, part)| part) == truth.map(|(_, part)| part);
         let lambda = |hit: (f64, CylinderPart)| hit.0;
-        update(1, |counts| counts.record(textbook.map(lambda), truth.map(lambda), same_part, &verdict));
+        update(1, |counts| counts.record(plain.map(lambda), truth.map(lambda), same_part, &decision));
         truth
     }
 }

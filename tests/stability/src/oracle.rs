@@ -1,13 +1,18 @@
-//! The truth: the definitions (specification, section 9) in arithmetic of 2,048 bits, from the exact numbers of a
-//! [`Case`].
+//! The oracle: computes the definitions (specification, section 9) in arithmetic of 2,048 bits, from the exact numbers
+//! of a [`Case`].
 //!
-//! As long as no input is zero but for a bit (all regimes keep within 2^-100 and 2^60), sums and products of the inputs
-//! fit these bits, so a discriminant of zero is zero. Roots and quotients are rounded; two lambdas that agree to 1,000
-//! bits are taken for equal, which others cannot come near: they are roots of polynomials with shorter coefficients.
-//! Written apart from `cpu::internals::exact` and with another big-number library, so that each can tell when the
-//! other is wrong: here formulas are plain and comparisons compare lambdas, there no root is ever taken to decide.
+//! Sums and products of the inputs fit these bits if the magnitudes in a case are not too far apart, so a discriminant
+//! of zero is exactly zero. In [`SPHERES`](crate::regimes::SPHERES) and [`CYLINDERS`](crate::regimes::CYLINDERS) all
+//! numbers other than 0 are between 2^-100 and 2^60. Roots and quotients are rounded. Two lambdas that agree to 1,000
+//! bits are taken for equal. Different lambdas cannot agree so far: they are roots of polynomials with shorter
+//! coefficients.
+//!
+//! The oracle shares no code with `cpu::internals::exact` and uses another big-number library, so that each can tell
+//! when the other is wrong. The formulas differ too: the oracle computes roots and compares lambdas, while
+//! `cpu::internals::exact` decides without a root.
 
-use cpu::internals::geometry::cylinder::{CylinderPart, PARALLEL};
+use cpu::internals::geometry::cap::PARALLEL;
+use cpu::internals::geometry::cylinder::CylinderPart;
 use cpu::internals::geometry::ray::LAMBDA_MIN;
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
@@ -22,38 +27,38 @@ pub type Big = FBig<HalfEven, 2>;
 const BITS: usize = 2048;
 const EQUAL_BITS: isize = 1000;
 
-/// `value` with room for more digits; zero for what is not finite, which no case holds.
+/// Returns `value` with 2,048 bits. A value that is not finite becomes zero, but no case has such a value.
 #[must_use]
 pub fn big(value: f64) -> Big {
     Big::try_from(value).unwrap_or(Big::ZERO).with_precision(BITS).value()
 }
 
-/// Where and how a ray meets an object.
+/// The exact hit of a ray on an object.
 #[derive(Clone, Debug)]
 pub struct Truth {
-    /// The nearest lambda that counts.
+    /// The smallest lambda that is in range and on the object.
     pub lambda: Big,
-    /// What is met.
+    /// The part that is hit; the side for a sphere.
     pub part: CylinderPart,
     /// Whether the ray comes from outside.
     pub front: bool,
 }
 
-/// A ray and an object in the oracle's eyes.
+/// The exact facts about a case.
 #[derive(Clone, Debug)]
 pub struct Judgement {
-    /// Where the ray meets the object, if it does.
+    /// The hit, or `None` if the ray misses the object.
     pub truth: Option<Truth>,
-    /// All lambdas at which the line meets the object's surfaces, whether they count or not.
+    /// All lambdas at which the line crosses the infinite surfaces of the object, in range or not.
     pub crossings: Vec<Big>,
-    /// By how much a sphere's surface would have to move for the ray to meet it otherwise: to touch it, or to have it
-    /// pass the point at the least lambda. Not known for cylinders.
+    /// The smallest move of a sphere's surface that changes the decision: until the line is tangent, or until the
+    /// surface passes through the point at the smallest lambda. `None` for cylinders, for which it is not computed.
     pub slack: Option<f64>,
 }
 
 type Big3 = [Big; 3];
 
-/// The vector with room for more digits.
+/// Returns the vector with 2,048 bits in each component.
 #[must_use]
 pub fn big3(vector: Vec3) -> Big3 {
     vector.to_array().map(big)
@@ -67,7 +72,7 @@ fn minus(a: &Big3, b: &Big3) -> Big3 {
     [0, 1, 2].map(|index| &a[index] - &b[index])
 }
 
-/// The point of a ray at `lambda`.
+/// Returns the point of a ray at `lambda`.
 fn at(ray: &Ray, lambda: &Big) -> Big3 {
     let (origin, direction) = (big3(ray.origin), big3(ray.direction));
     [0, 1, 2].map(|index| &origin[index] + &direction[index] * lambda)
@@ -77,7 +82,7 @@ fn magnitude(value: &Big) -> Big {
     if *value < Big::ZERO { -value.clone() } else { value.clone() }
 }
 
-/// Whether `a <= b`, where agreement to 1,000 bits is equality.
+/// Returns whether `a <= b`. Numbers that agree to 1,000 bits count as equal.
 fn at_most(a: &Big, b: &Big) -> bool {
     a <= b || magnitude(&(a - b)) << EQUAL_BITS <= magnitude(a).max(magnitude(b))
 }
@@ -86,7 +91,7 @@ fn in_range(lambda: &Big) -> bool {
     at_most(&big(LAMBDA_MIN), lambda)
 }
 
-/// What is true of a case.
+/// Computes the exact facts about a case.
 #[must_use]
 pub fn judge(case: &Case) -> Judgement {
     match &case.shape {
@@ -102,7 +107,7 @@ fn judge_sphere(sphere: &Sphere, ray: &Ray) -> Judgement {
     let radius = big(sphere.radius);
     let c = dot(&r_c, &r_c) - &radius * &radius;
     let discriminant = &h * &h - &a * &c;
-    // The line's distance from the centre is sqrt(r^2 - D / a).
+    // The line's distance from the centre is sqrt(r^2 - discriminant / a).
     let off_center = magnitude(&(&radius * &radius - &discriminant / &a)).sqrt();
     let start = minus(&at(ray, &big(LAMBDA_MIN)), &big3(sphere.center));
     let moves = [off_center, dot(&start, &start).sqrt()].map(|distance| to_f64(&magnitude(&(distance - &radius))));
@@ -129,7 +134,7 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
     let mut crossings = Vec::new();
     let mut hits = Vec::new();
 
-    // The side, multiplied by axis . axis throughout.
+    // The equation of the side, multiplied by axis . axis, so that no division is needed.
     let a = dot(&direction, &direction) * &square - &slope * &slope;
     let h = dot(&r_c, &direction) * &square - &height * &slope;
     let c = (dot(&r_c, &r_c) - &radius_squared) * &square - &height * &height;
@@ -163,12 +168,13 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         crossings.push(lambda);
     }
 
-    // The nearest; of equals the later.
+    // The hit with the smallest lambda. Of equal lambdas the later hit counts.
     let truth = hits.into_iter().reduce(|best, hit| if at_most(&hit.lambda, &best.lambda) { hit } else { best });
     Judgement { truth, crossings, slack: None }
 }
 
-/// How far `point` is from a part of the object's surface.
+/// Returns the distance of `point` from a part of the object's surface. The part has no edges here: the side is the
+/// infinite cylinder, a cap is its plane.
 #[must_use]
 pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f64 {
     let from_center = minus(&big3(point), &big3(case.center()));
@@ -178,7 +184,7 @@ pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f6
             let axis = big3(cylinder.axis);
             let along = dot(&from_center, &axis);
             let across = dot(&from_center, &from_center) - &along * &along / dot(&axis, &axis);
-            // Rounded far away, a point on the axis may have a square below zero by the division's last bit.
+            // For a point on the axis, the rounding of the division may make the square slightly negative.
             across.max(Big::ZERO).sqrt() - big(cylinder.radius)
         }
         (Shape::Cylinder(cylinder), CylinderPart::Top | CylinderPart::Bottom) => {
@@ -190,7 +196,7 @@ pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f6
     to_f64(&magnitude(&distance))
 }
 
-/// The nearest f64.
+/// Returns the nearest `f64`.
 #[must_use]
 pub fn to_f64(value: &Big) -> f64 {
     value.to_f64().value()

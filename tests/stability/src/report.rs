@@ -1,31 +1,31 @@
-//! Rows as a table for people and as one for programs.
+//! Writes the figures as tables in Markdown and as CSV.
 
 use std::fmt::Write;
 
 use crate::measure::Row;
 use crate::observed::Counts;
 
-/// One regime, all implementations, and the shares of cases left to double-double and to exact arithmetic.
+/// The figures of one regime.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// A row an implementation.
+    /// A row for each implementation.
     pub rows: Vec<Row>,
-    /// What the certificate leaves to the next two steps.
+    /// The share of cases that need double-double, and the share that need dyadic arithmetic.
     pub fallbacks: [f64; 2],
 }
 
-/// What was counted while one picture was rendered.
+/// The counts of one picture.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Which.
+    /// Name of the picture.
     pub name: String,
-    /// Spheres and cylinders together.
+    /// Counts of spheres and cylinders together.
     pub counts: Counts,
-    /// Whether the picture has the textbook's bytes.
+    /// Whether the picture has the bytes that the plain formulas give.
     pub same_bytes: bool,
 }
 
-/// A share as a percentage with the digits it needs.
+/// Formats a share as a percentage with two decimals, or with an exponent if it is small.
 fn percent(share: f64) -> String {
     match share {
         0.0 => "0".into(),
@@ -38,7 +38,7 @@ fn short(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
 }
 
-/// The table of one kind of object in Markdown.
+/// Returns the table of one kind of object in Markdown.
 #[must_use]
 pub fn markdown(sections: &[Section]) -> String {
     let mut text = String::from(
@@ -52,13 +52,13 @@ pub fn markdown(sections: &[Section]) -> String {
             } else {
                 String::new()
             };
-            let certified = row.method == crate::methods::CERTIFIED;
-            let [double, exact] = fallbacks.map(|share| if certified { percent(share) } else { String::new() });
+            let is_exact = row.method == crate::methods::EXACT;
+            let [double, exact] = fallbacks.map(|share| if is_exact { percent(share) } else { String::new() });
             let beyond = row.wrong_beyond_noise.map_or(String::from("-"), |count| count.to_string());
             let [median, high, most] = row.lambda_error.map(short);
             let [near, far] = row.surface_error.map(short);
             let (method, wrong, side) = (row.method, row.wrong, row.wrong_side);
-            // Writing to a string cannot fail.
+            // Writing to a `String` does not fail, so errors are ignored.
             let _ = writeln!(
                 text,
                 "| {regime} | {method} | {wrong} | {beyond} | {side} | {median} | {high} | {most} | {near} | {far} | {double} | {exact} |"
@@ -68,7 +68,7 @@ pub fn markdown(sections: &[Section]) -> String {
     text
 }
 
-/// All rows for programs; times are left out, since they differ from run to run.
+/// Returns all rows as CSV. Times are left out, because they differ from run to run.
 #[must_use]
 pub fn csv(kinds: &[(&str, &[Section])]) -> String {
     let mut text = String::from(
@@ -92,7 +92,8 @@ pub fn csv(kinds: &[(&str, &[Section])]) -> String {
     text
 }
 
-/// What a test costs in nanoseconds, in Markdown: in the first regime of each kind of object, and in the dearest.
+/// Returns the nanoseconds of one intersection as a table in Markdown: in the first regime of each kind of object, and
+/// in the slowest regime.
 #[must_use]
 pub fn costs(kinds: &[(&str, &[Section])]) -> String {
     let (mut head, mut rule) = (String::from("| implementation |"), String::from("|---|"));
@@ -116,27 +117,27 @@ pub fn costs(kinds: &[(&str, &[Section])]) -> String {
     text
 }
 
-/// Two digits that count, or all before the point.
+/// Formats nanoseconds with one decimal below 10, else without decimals.
 fn digits(nanoseconds: f64) -> String {
     if nanoseconds < 10.0 { format!("{nanoseconds:.1}") } else { format!("{nanoseconds:.0}") }
 }
 
-/// The table of pictures in Markdown.
+/// Returns the table of pictures in Markdown.
 #[must_use]
 pub fn pictures(pictures: &[Picture]) -> String {
     let mut text = String::from(
-        "| picture | tests | in doubt | hits | lambdas with the textbook's bits | other decisions | same bytes |\n\
+        "| picture | tests | uncertain | hits | lambdas with the plain formulas' bits | other decisions | same bytes |\n\
          |---|--:|--:|--:|--:|--:|---|\n",
     );
     for Picture { name, counts, same_bytes } in pictures {
-        let doubt = percent(counts.doubtful as f64 / counts.tests.max(1) as f64);
+        let uncertain = percent(counts.uncertain as f64 / counts.tests.max(1) as f64);
         let kept = match counts.hits {
             0 => String::from("-"),
             hits => format!("{:.3} %", 100.0 * counts.same_bits as f64 / hits as f64),
         };
         let same = if *same_bytes { "yes" } else { "no" };
         let Counts { tests, hits, other_decision, .. } = counts;
-        let _ = writeln!(text, "| {name} | {tests} | {doubt} | {hits} | {kept} | {other_decision} | {same} |");
+        let _ = writeln!(text, "| {name} | {tests} | {uncertain} | {hits} | {kept} | {other_decision} | {same} |");
     }
     text
 }

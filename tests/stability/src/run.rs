@@ -1,20 +1,20 @@
-//! The whole stress test: every regime with every implementation, pictures, and spheres of growing radius.
+//! Runs the stress test: every regime with every implementation, pictures, and spheres of growing radius.
 
 use cpu::reference::intersect::Plain;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
 
 use crate::climb::largest_error;
 use crate::measure::{Judged, Row};
-use crate::methods::{self, Failure, Method, TEXTBOOK};
+use crate::methods::{self, Failure, Method, PLAIN};
 use crate::observed::{Observed, take_counts};
 use crate::plot::{COLORS, Plot, Series};
 use crate::regimes::{Regime, large};
 use crate::report::{Picture, Section};
 
-/// Runs implementations over `count` cases of each regime.
+/// Runs implementations on `count` cases of each regime.
 ///
 /// # Errors
-/// As [`Method::answer`].
+/// An error of [`Method::answer`] or [`Method::stopwatch`].
 pub fn sections(
     methods: &[Box<dyn Method>],
     regimes: &[Regime],
@@ -29,22 +29,22 @@ pub fn sections(
     regimes.iter().map(section).collect()
 }
 
-/// Renders a picture with certified intersections and counts what the certificate does; and with the textbook's, to
-/// compare.
+/// Renders a picture with exact intersections and counts the decisions of the filter. Renders it again with the plain
+/// formulas, to compare the bytes.
 ///
 /// # Errors
-/// As [`cpu::reference::render`].
+/// An error of [`cpu::reference::render`].
 pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
     type Pixels = <Aos as Layout>::Image;
     let _ = take_counts();
-    let certified: Pixels = cpu::reference::render_with::<_, Observed>(config, scene, scatter)?;
+    let exact: Pixels = cpu::reference::render_with::<_, Observed>(config, scene, scatter)?;
     let [spheres, cylinders] = take_counts();
-    let textbook: Pixels = cpu::reference::render_with::<_, Plain>(config, scene, scatter)?;
-    let same_bytes = (0..certified.size().pixels()).all(|index| certified.pixel(index) == textbook.pixel(index));
+    let plain: Pixels = cpu::reference::render_with::<_, Plain>(config, scene, scatter)?;
+    let same_bytes = (0..exact.size().pixels()).all(|index| exact.pixel(index) == plain.pixel(index));
     Ok(Picture { name: name.into(), counts: spheres.with(&cylinders), same_bytes })
 }
 
-/// A plot of one figure of every regime and implementation.
+/// Returns a plot of one figure for every regime and implementation.
 #[must_use]
 pub fn plot(title: &str, axis: &str, decades: (i32, i32), sections: &[Section], figure: impl Fn(&Row) -> f64) -> Plot {
     let rows = sections.first().map_or(&[][..], |section| &section.rows);
@@ -58,30 +58,31 @@ pub fn plot(title: &str, axis: &str, decades: (i32, i32), sections: &[Section], 
     Plot { title: title.into(), axis: axis.into(), decades, categories, series, joined: false }
 }
 
-/// The values of the implementation at `index`, drawn around those of the same formulas in Rust if it is in WGSL.
+/// Returns the series of the implementation at `index`. If it is in WGSL, its marks are rings around those of the same
+/// formulas in Rust.
 fn series(names: &[&str], index: usize, values: Vec<Option<f64>>) -> Series {
     let name = names[index];
     let around = name.strip_prefix(WGSL).and_then(|twin| names.iter().position(|name| *name == twin));
     Series { name: name.into(), color: COLORS[around.unwrap_or(index) % COLORS.len()], values, around }
 }
 
-/// What names of implementations in WGSL begin with, before the name of the same formulas in Rust.
+/// The prefix of an implementation in WGSL. The name of the same formulas in Rust follows it.
 pub const WGSL: &str = "WGSL ";
 
-/// Wrong decisions of rays that leave spheres of growing radius, a series an implementation.
+/// Wrong decisions of rays that leave spheres of growing radius.
 #[derive(Clone, Debug)]
 pub struct LargeSpheres {
     /// Radii, growing.
     pub radii: Vec<f64>,
-    /// Names of implementations and their shares of wrong decisions, a share a radius.
+    /// Names of implementations, each with its share of wrong decisions for each radius.
     pub wrong: Vec<(&'static str, Vec<f64>)>,
 }
 
 impl LargeSpheres {
-    /// Tries `count` rays a radius.
+    /// Runs the implementations on `count` rays for each radius.
     ///
     /// # Errors
-    /// As [`Method::answer`].
+    /// An error of [`Method::answer`] or [`Method::stopwatch`].
     pub fn new(methods: &[Box<dyn Method>], seed: u64, count: usize) -> Result<Self, Failure> {
         let radii: Vec<f64> = (0..=18).map(|half_decades| 10.0_f64.powf(f64::from(half_decades) / 2.0)).collect();
         let mut wrong: Vec<(&'static str, Vec<f64>)> = Vec::new();
@@ -99,7 +100,7 @@ impl LargeSpheres {
         Ok(Self { radii, wrong })
     }
 
-    /// The largest radius up to which an implementation was wrong for no more than `share` of the rays.
+    /// Returns the largest radius up to which the share of wrong decisions is at most `share`; 0 if there is none.
     #[must_use]
     pub fn limit(&self, method: &str, share: f64) -> f64 {
         let shares = self.wrong.iter().find(|(name, _)| *name == method).map(|(_, shares)| shares.as_slice());
@@ -107,7 +108,7 @@ impl LargeSpheres {
         good.checked_sub(1).map_or(0.0, |last| self.radii[last])
     }
 
-    /// The shares over the radii.
+    /// Returns a plot of the shares over the radii.
     #[must_use]
     pub fn plot(&self) -> Plot {
         let name =
@@ -127,7 +128,8 @@ impl LargeSpheres {
     }
 }
 
-/// Rows of implementations in WGSL whose figures, costs aside, are not those of the same formulas in Rust.
+/// Returns the rows of implementations in WGSL whose figures differ from those of the same formulas in Rust. Times are
+/// not compared.
 #[must_use]
 pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
     let figures = |row: &Row| Row { method: "", nanoseconds: 0.0, ..row.clone() };
@@ -139,13 +141,15 @@ pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
     sections.iter().flat_map(|section| section.rows.iter().filter(move |row| parted(section, row))).collect()
 }
 
-/// The largest relative error of lambda that docs/accuracy.md proves for spheres, and for the bases of cylinders.
+/// Bounds of the relative error of lambda that docs/accuracy.md proves: for spheres, and for cylinders. The bound for
+/// cylinders is that of the caps, which is larger than that of the side.
 pub const PROVEN_ERRORS: [f64; 2] = [5.9e-12, 6.2e-10];
 
-/// Climbs towards the largest error of lambda in every regime of one kind; `proven` is the bound that must hold.
+/// Climbs towards the largest error of lambda in every regime of one kind. Returns the error, which must be below the
+/// bound `proven`.
 ///
 /// # Errors
-/// The case that is decided wrongly, or the error that passes the bound.
+/// A case that is decided wrongly, or an error that is not below the bound.
 pub fn climb(regimes: &[Regime], proven: f64, seed: u64, climbs: usize, steps: usize) -> Result<f64, String> {
     let mut largest = 0.0_f64;
     for regime in regimes {
@@ -155,18 +159,20 @@ pub fn climb(regimes: &[Regime], proven: f64, seed: u64, climbs: usize, steps: u
     if largest < proven { Ok(largest) } else { Err(format!("lambda is off by {largest:e}, proven is {proven:e}")) }
 }
 
-/// What a run must show of the sections of one kind; the first failing, in words.
+/// Checks the sections of one kind: the exact intersections are never wrong, and their errors at 99.9 % and at most are
+/// within `most_errors`. The projected form is not wrong beyond 8uS, and every regime has hits. Returns how often the
+/// plain formulas are wrong.
 ///
 /// # Errors
-/// The regime and the figure that is out of bounds.
+/// The first regime and figure that fail.
 pub fn check(sections: &[Section], most_errors: [f64; 2]) -> Result<usize, String> {
-    let mut textbook_wrong = 0;
+    let mut plain_wrong = 0;
     for row in sections.iter().flat_map(|section| &section.rows) {
         let [_, high, most] = row.lambda_error;
-        if row.method == TEXTBOOK {
-            textbook_wrong += row.wrong;
+        if row.method == PLAIN {
+            plain_wrong += row.wrong;
         }
-        if row.method == methods::CERTIFIED && (row.wrong > 0 || high > most_errors[0] || most > most_errors[1]) {
+        if row.method == methods::EXACT && (row.wrong > 0 || high > most_errors[0] || most > most_errors[1]) {
             let wrong = row.wrong;
             return Err(format!("{}: {wrong} wrong, lambda p99.9 {high:e}, max {most:e}", row.regime));
         }
@@ -178,5 +184,5 @@ pub fn check(sections: &[Section], most_errors: [f64; 2]) -> Result<usize, Strin
             return Err(format!("{}: only {} hits of {}", row.regime, row.hits, row.cases));
         }
     }
-    Ok(textbook_wrong)
+    Ok(plain_wrong)
 }

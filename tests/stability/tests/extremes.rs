@@ -1,7 +1,7 @@
-//! Exact intersections in every regime, also where squares underflow or nearly overflow and where terms cancel to
-//! zero.
+//! Exact intersections in every regime, including those in which squares underflow or nearly overflow, or terms cancel
+//! to zero.
 //!
-//! RENDER_REGIME_RAYS sets the number of rays a regime, RENDER_REGIME_SEED another seed.
+//! RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED another seed.
 
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
@@ -9,13 +9,13 @@ use cpu::internals::input::scene::{Cylinder, Shape};
 use cpu::reference::intersect::{Exact, Intersect};
 use cpu::{Ray, Vec3};
 use stability::case::Case;
-use stability::climb::certified_answer;
+use stability::climb::exact_answer;
 use stability::measure::lambda_error;
 use stability::oracle;
 use stability::regimes::{CYLINDERS, EXTREMES, SPHERES};
 use stability::run::{self, PROVEN_ERRORS};
 
-/// Rays a regime.
+/// Number of rays for each regime.
 const RAYS: u64 = 5_000;
 
 fn number(variable: &str, default: u64) -> u64 {
@@ -30,10 +30,10 @@ fn hex(bits: u64) -> f64 {
 fn every_decision_is_right_and_every_lambda_within_its_bound() {
     let (rays, seed) = (number("RENDER_REGIME_RAYS", RAYS) as usize, number("RENDER_REGIME_SEED", 3));
     for regime in SPHERES.iter().chain(&CYLINDERS).chain(&EXTREMES) {
-        // The worst error as a share of the bound that is proven for the case's kind of object.
+        // `share` is the largest quotient of an error and the proven bound for that kind of object.
         let (mut hits, mut worst, mut share) = (0, 0.0_f64, 0.0_f64);
         for case in regime.cases(seed, rays) {
-            let (judgement, answer) = (oracle::judge(&case), certified_answer(&case));
+            let (judgement, answer) = (oracle::judge(&case), exact_answer(&case));
             let error = lambda_error(&judgement, answer, f64::EPSILON / 2.0);
             let error = error.unwrap_or_else(|| panic!("{}: {case:?} gives {answer:?}", regime.name));
             hits += usize::from(judgement.truth.is_some());
@@ -61,7 +61,7 @@ fn a_lambda_that_a_climb_found_is_within_its_bound() {
     let direction = Vec3::new(hex(0xc015_b345_9fac_3b64), hex(0x4056_f2da_9608_d19c), hex(0xc02c_6849_cfaa_fbf8));
     let center = Vec3::new(hex(0x3fd1_cfe2_48cc_36df), hex(0xbfe6_729e_4ef4_ae4d), hex(0xbfe0_dd85_bb4d_aaa0));
     let case = Case::sphere(center, hex(0x3fdb_090f_15dc_cb69), origin, direction);
-    let error = lambda_error(&oracle::judge(&case), certified_answer(&case), f64::EPSILON / 2.0);
+    let error = lambda_error(&oracle::judge(&case), exact_answer(&case), f64::EPSILON / 2.0);
     let error = error.expect("the decision is right");
     assert!((2.7e-12..PROVEN_ERRORS[0]).contains(&error), "{error:e}");
 }
@@ -75,7 +75,7 @@ fn a_plane_is_skipped_by_the_exact_slope_where_the_axis_has_no_square() {
     let axis = Vec3::new(hex(0x1e60_8e56_3277_847e), 0.0, 0.0);
     let cylinder = Cylinder { center: Vec3::ZERO, radius: 1.0, axis };
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, axis);
-    // The slope is 9.8e-9: the planes of the bases are skipped.
+    // The slope is 9.8e-9, below the limit of 1e-8 for rays parallel to a cap, so the caps are skipped.
     assert!(ray.direction.x < 1e-8);
     assert!(oracle::judge(&Case::cylinder(cylinder, ray.origin, ray.direction)).truth.is_none());
     assert_eq!(Exact::cylinder(&record, &axis, &ray), None);

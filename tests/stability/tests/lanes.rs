@@ -1,4 +1,4 @@
-//! Several rays at once get the answers that each gets alone.
+//! Several rays in lanes get the answers that each ray gets alone.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -16,11 +16,11 @@ use stability::regimes::{CYLINDERS, Regime, SPHERES};
 const SEED: u64 = 11;
 const PAIRS: usize = 2_000;
 
-/// Two numbers, standing in for a register of them.
+/// Two lanes, in place of a SIMD register.
 #[derive(Clone, Copy, Debug)]
 struct Pair([f64; 2]);
 
-/// One answer a number. Unlike `bool` it has no order and is no condition.
+/// A mask of two lanes. Unlike `bool` it cannot be compared by order, nor used as a condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Mask([bool; 2]);
 
@@ -84,7 +84,7 @@ fn together(one: Vec3, other: Vec3) -> Vec3<Pair> {
     Vec3::from([0, 1, 2].map(|index| Pair([one[index], other[index]])))
 }
 
-/// Calls `compare` with pairs of cases and counts the certain and the doubtful.
+/// Calls `compare` with pairs of cases. `compare` returns whether each lane is certain; both answers must come often.
 fn for_each_pair(regimes: &[Regime], compare: impl Fn([Case; 2]) -> [bool; 2]) {
     let mut certain = [0; 2];
     for regime in regimes {
@@ -138,7 +138,7 @@ fn cylinders_in_lanes_are_as_alone() {
         let radius = Pair(shapes.map(|shape| shape.radius));
         let (record, ray) = (CylinderRecord::new(center, radius, axis), rays(cases));
         let side = exact::cylinder::SideLanes::new(&record, &record.seen_from(ray.origin), &ray);
-        let lanes = side.with_bases(&record, &ray);
+        let lanes = side.with_caps(&record, &ray);
         for lane in 0..2 {
             let shape = shapes[lane];
             let record = CylinderRecord::new(shape.center, shape.radius, shape.axis);
@@ -146,12 +146,12 @@ fn cylinders_in_lanes_are_as_alone() {
             assert_eq!(lanes.certain.0[lane], alone != Decision::Uncertain, "{:?}", cases[lane]);
             match alone {
                 Decision::Certain(Some((lambda, part))) => {
-                    let met = match (lanes.bottom.0[lane], lanes.top.0[lane]) {
+                    let found = match (lanes.bottom.0[lane], lanes.top.0[lane]) {
                         (true, _) => CylinderPart::Bottom,
                         (false, true) => CylinderPart::Top,
                         (false, false) => CylinderPart::Side,
                     };
-                    assert_eq!((lanes.lambda.0[lane], met), (lambda, part), "{:?}", cases[lane]);
+                    assert_eq!((lanes.lambda.0[lane], found), (lambda, part), "{:?}", cases[lane]);
                 }
                 Decision::Certain(None) => assert_eq!(lanes.lambda.0[lane], f64::INFINITY),
                 Decision::Uncertain => {}
@@ -162,7 +162,7 @@ fn cylinders_in_lanes_are_as_alone() {
 }
 
 #[test]
-fn what_is_certain_has_the_textbooks_bits() {
+fn what_is_certain_has_the_bits_of_the_plain_formula() {
     let mut compared = 0;
     for case in SPHERES.iter().chain(&CYLINDERS).flat_map(|regime| regime.cases(SEED, PAIRS)) {
         let same = match case.shape {

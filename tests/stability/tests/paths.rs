@@ -1,4 +1,4 @@
-//! What must hold along whole paths, whatever the scene.
+//! Properties of secondary rays: a ray that leaves a surface does not hit it again from the wrong side.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
@@ -12,17 +12,17 @@ use stability::random::Random;
 const SHAPES: usize = 1_000;
 const RAYS: usize = 1_000;
 
-/// Rays leave at angles whose sine is a power of ten down to this one.
+/// Rays leave a surface at angles whose sine is at least 10 to this power.
 const LEAST_SLOPE_DECADE: f64 = -6.0;
 
-/// Whether the rounding of the ray's origin, not of the intersection, may put a ray below the surface for longer than
-/// the least lambda.
+/// Returns whether the rounding of the ray's origin may put a part of the ray beyond the smallest lambda on the wrong
+/// side of the surface. Then a wrong hit is no error of the intersection.
 fn starts_in_noise(origin: Vec3, slope: f64) -> bool {
     let largest = origin.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
     slope.abs() * LAMBDA_MIN < 16.0 * f64::EPSILON * largest
 }
 
-fn meet<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
+fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
     let (lambda, outward) = match shape {
         Shape::Sphere(sphere) => {
             let record = SphereRecord::new(sphere.center, sphere.radius);
@@ -39,7 +39,8 @@ fn meet<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
     Some((lambda, Hit::facing(ray.direction, ray.at(lambda), outward)))
 }
 
-/// The length of the way through a sphere at an angle with this sine; through a cylinder it is not known.
+/// Returns the length of the chord through a sphere at an angle with this sine. For a cylinder it returns 0, because
+/// the length is not known.
 fn chord(shape: &Shape, slope: f64) -> f64 {
     match shape {
         Shape::Sphere(sphere) => 2.0 * sphere.radius * slope.abs(),
@@ -47,7 +48,7 @@ fn chord(shape: &Shape, slope: f64) -> f64 {
     }
 }
 
-/// What became of the rays that left a surface again.
+/// Counts of rays that leave a surface: outwards, of these with a wrong hit, inwards, of these without the right hit.
 #[derive(Debug, Default)]
 struct Outcome {
     left: usize,
@@ -56,25 +57,25 @@ struct Outcome {
     lost_inside: usize,
 }
 
-/// Rays that meet a shape, and from there leave it outwards and inwards.
+/// Sends rays to a shape, lets each leave its hit point outwards or inwards, and counts the outcomes.
 fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: f64, outcome: &mut Outcome) {
     for _ in 0..RAYS {
         let origin = aim + random.unit() * distance;
         let ray = Ray { origin, direction: aim + random.cube(0.5) - origin };
-        let Some((_, hit)) = meet::<P>(shape, &ray) else { continue };
+        let Some((_, hit)) = intersect::<P>(shape, &ray) else { continue };
         let outward = if hit.front { hit.normal } else { -hit.normal };
         let slope = random.sign() * random.decades(LEAST_SLOPE_DECADE, 0.0);
         let scattered = random.perpendicular(outward) + outward * slope;
         if starts_in_noise(hit.point, slope) {
             continue;
         }
-        let again = meet::<P>(shape, &Ray { origin: hit.point, direction: scattered });
+        let again = intersect::<P>(shape, &Ray { origin: hit.point, direction: scattered });
         if slope > 0.0 {
             outcome.left += 1;
             outcome.met_from_outside += usize::from(again.is_some());
         } else {
             outcome.entered += 1;
-            // From inside, the way out is met, unless it is too near, and not the way in a second time.
+            // A ray inside must hit the surface from inside. A miss is right if the chord is below the smallest lambda.
             let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |(_, hit)| hit.front);
             outcome.lost_inside += usize::from(lost);
         }
@@ -84,7 +85,7 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
 fn spheres<P: Intersect>() -> Outcome {
     let (mut random, mut outcome) = (Random::new(17), Outcome::default());
     for _ in 0..SHAPES {
-        // The surface passes the middle of the scene, as a ground does.
+        // The surface passes through the origin of coordinates, like a ground.
         let radius = random.decades(-1.0, 9.0);
         let up = random.unit();
         let shape = Shape::Sphere(Sphere { center: up * -radius, radius });
@@ -111,8 +112,8 @@ fn rays_leaving_a_sphere_do_not_meet_it_again_from_the_wrong_side() {
     let outcome = spheres::<Exact>();
     assert!(outcome.left > SHAPES * RAYS / 10 && outcome.entered > SHAPES * RAYS / 10, "{outcome:?}");
     assert_eq!((outcome.met_from_outside, outcome.lost_inside), (0, 0), "{outcome:?}");
-    let textbook = spheres::<Plain>();
-    assert!(textbook.met_from_outside > 0, "the test is too mild to find the textbook's errors: {textbook:?}");
+    let plain = spheres::<Plain>();
+    assert!(plain.met_from_outside > 0, "the test is too mild to find the plain formulas' errors: {plain:?}");
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Ordinary pictures keep the textbook's bytes, and nearly all of its lambdas their bits.
+//! Ordinary pictures have the bytes that the plain formulas give, and nearly all lambdas have the bits of the plain
+//! formulas.
 
 use std::fs;
 use std::path::PathBuf;
@@ -19,7 +20,7 @@ fn read(case: &str) -> (Config, Scene) {
 }
 
 #[test]
-fn certified_pictures_have_the_digests_of_an_independent_program() {
+fn exact_pictures_have_the_digests_of_an_independent_program() {
     let sums = fs::read_to_string(cases().join("SHA256SUMS")).expect("the list of digests is there");
     let mut compared = 0;
     for line in sums.lines().filter(|line| !line.starts_with('#')) {

@@ -1,4 +1,4 @@
-//! The stress test at a smaller size; the binary `stress` of `gpu-check` runs it whole.
+//! The stress test with fewer rays. The binary `stress` of `gpu-check` runs the whole test.
 
 use stability::methods::{self, PROJECTED};
 use stability::regimes::{CYLINDERS, Regime, SPHERES};
@@ -18,22 +18,25 @@ fn row<'a>(sections: &'a [Section], regime: &str, method: &str) -> &'a stability
 }
 
 #[test]
-fn spheres_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
+fn spheres_are_met_rightly_in_every_regime_and_by_the_plain_formulas_not() {
     let sections = sections(&SPHERES, SEED, RAYS);
     assert_eq!(sections.len(), 9);
-    let textbook_wrong = run::check(&sections, [run::PROVEN_ERRORS[0]; 2]).expect("certified intersections are right");
-    assert!(textbook_wrong > RAYS / 2, "the regimes are no longer hard: the textbook is wrong {textbook_wrong} times");
+    let plain_wrong = run::check(&sections, [run::PROVEN_ERRORS[0]; 2]).expect("exact intersections are right");
+    assert!(plain_wrong > RAYS / 2, "the regimes are no longer hard: the plain formulas are wrong {plain_wrong} times");
     let ordinary = &sections[0];
     assert!(ordinary.fallbacks[0] < 0.005, "{:?}", ordinary.fallbacks);
     assert!(sections.iter().any(|section| section.fallbacks[1] > 0.01), "exact arithmetic was never needed");
 }
 
 #[test]
-fn cylinders_are_met_rightly_in_every_regime_and_by_the_textbook_not() {
+fn cylinders_are_met_rightly_in_every_regime_and_by_the_plain_formulas_not() {
     let sections = sections(&CYLINDERS, SEED, RAYS / 2);
     assert_eq!(sections.len(), 10);
-    let textbook_wrong = run::check(&sections, [1e-11, 1e-9]).expect("certified intersections are right");
-    assert!(textbook_wrong > RAYS / 10, "the regimes are no longer hard: the textbook is wrong {textbook_wrong} times");
+    let plain_wrong = run::check(&sections, [1e-11, 1e-9]).expect("exact intersections are right");
+    assert!(
+        plain_wrong > RAYS / 10,
+        "the regimes are no longer hard: the plain formulas are wrong {plain_wrong} times"
+    );
     assert!(sections[0].fallbacks[0] < 0.01, "{:?}", sections[0].fallbacks);
     assert!(sections.iter().any(|section| section.fallbacks[1] > 0.01), "exact arithmetic was never needed");
 }

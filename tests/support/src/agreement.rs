@@ -1,4 +1,4 @@
-//! The comparison "equals the reference": every layout and every instruction set of this machine must give the
+//! Checks that the renderer equals the reference: every layout and every instruction set of this machine must give the
 //! reference's bytes, and the bits of its means.
 
 use cpu::internals::layout::aos::AosImage;
@@ -14,17 +14,17 @@ pub const SCATTERS: [Scatter; 3] = [Scatter::Statement, Scatter::Published, Scat
 /// A picture of the reference.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Its bytes.
+    /// The bytes of the pixels.
     pub image: AosImage,
-    /// The bits of the means that the bytes come from. All NaNs have the same bits here.
+    /// The bits of the means from which the bytes are computed. Every NaN is stored as one bit pattern.
     pub means: Vec<[u64; 3]>,
 }
 
-/// Renders a scene by the reference, and by the renderer in both layouts with every instruction set of this machine.
-/// Returns the reference's picture, or `None` where both refuse the scene with the same message.
+/// Renders a scene with the reference, and with the renderer in both layouts and every instruction set of this machine.
+/// Returns the reference's picture, or `None` if both refuse the scene with equal messages.
 ///
 /// # Errors
-/// Says where the renderer differs from the reference first, with both files as text.
+/// The first difference between the renderer and the reference, with both files as text.
 pub fn equals_reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Option<Picture>, String> {
     let expected = reference(config, scene, scatter).map_err(|error| error.to_string());
     agrees::<Aos>(config, scene, scatter, &expected)
@@ -33,13 +33,14 @@ pub fn equals_reference(config: &Config, scene: &Scene, scatter: Scatter) -> Res
     Ok(expected.ok())
 }
 
-/// Both files as text, ready to be rendered.
+/// Returns both files as text that can be rendered again.
 #[must_use]
 pub fn files(config: &Config, scene: &Scene) -> String {
     format!("config.txt:\n{}scene.txt:\n{}", write::config(config), write::scene(scene))
 }
 
-/// How many pixels of two pictures of equal size differ, and which is the first; `None` where none does.
+/// Says how many pixels of two pictures differ, and which is the first, or that their sizes differ. Returns `None` if
+/// the pictures are equal.
 #[must_use]
 pub fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> {
     if actual.size() != expected.size() {
@@ -52,14 +53,14 @@ pub fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> 
     Some(format!("{} of {pixels} pixels differ; pixel {first} is {actual:?}, not {expected:?}", differing.len()))
 }
 
-/// The picture that the reference renders with exact intersections.
+/// Returns the picture that the reference renders with exact intersections.
 ///
 /// # Errors
-/// What the reference refuses.
+/// An error of the reference.
 pub fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
     let image = cpu::reference::render_with::<AosImage, Exact>(config, scene, scatter)?;
     let mut means = Vec::new();
-    cpu::reference::render_linear_with::<Exact>(config, scene, scatter, |_, mean| means.push(bits(mean)))?;
+    cpu::reference::render_counted::<Exact>(config, scene, scatter, |_, mean| means.push(bits(mean)))?;
     Ok(Picture { image, means })
 }
 
@@ -77,7 +78,7 @@ fn agrees<L: Layout>(
             return Err(format!("{:?} where the reference says {:?}", real.err(), reference.as_ref().err()));
         }
     };
-    for set in InstructionSet::ALL.into_iter().filter(|set| set.is_available()) {
+    for set in InstructionSet::available() {
         let image = render_with(&prepared, set).map_err(|error| error.to_string())?;
         let mut means = vec![[0; 3]; expected.means.len()];
         render_linear(&prepared, set, |index, mean| means[index] = bits(mean)).map_err(|error| error.to_string())?;
@@ -91,7 +92,7 @@ fn agrees<L: Layout>(
     Ok(())
 }
 
-/// The bits of a mean; all NaNs count as equal.
+/// Returns the bits of a mean, with one bit pattern for every NaN.
 fn bits(mean: Vec3) -> [u64; 3] {
     mean.to_array().map(|channel| if channel.is_nan() { f64::NAN.to_bits() } else { channel.to_bits() })
 }

@@ -1,11 +1,11 @@
-//! A program whose system calls fail one after the other, and which signals meet in each of them.
+//! Lets one system call of a program fail, or sends a signal during the call, and checks the program's output files.
 //!
-//! `strace` runs the program once to list the calls on the way of its output. Then the program runs again for each of
-//! them, which fails once or is met by a signal. After each run every file of the output is the old one or the new one,
-//! the status says which, and nothing else is in the folder.
+//! `strace` runs the program once to list its calls about files. Then the program runs again for each call, which fails
+//! or gets a signal. After each run, every output file must be the old one or the new one, the exit status must say
+//! which, and no other file may be in the folder.
 //!
-//! `strace` counts the calls of each thread, and disturbs the n-th of a name in every thread. So a program that works
-//! on a thread of its own is given a [gate](Job::gate): there it waits until `strace` watches that thread alone.
+//! `strace` counts calls by thread, and disturbs the n-th call of a name in every thread. So a program that does its
+//! work in a second thread gets a [gate](Job::gate), at which it waits until `strace` watches that thread alone.
 
 mod calls;
 mod check;
@@ -20,12 +20,14 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use calls::Call;
+#[cfg(feature = "programs")]
+pub use runs::run;
 pub use runs::{Runs, most, total};
 
-/// What each call fails with.
+/// The errors with which each call fails, one after the other.
 const ERRORS: [&str; 4] = ["EIO", "ENOSPC", "EPERM", "EINTR"];
 
-/// The signal that meets each call.
+/// The signal that is sent during each call.
 const SIGNAL: &str = "TERM";
 const SIGNAL_NUMBER: i32 = 15;
 
@@ -34,22 +36,22 @@ const SIGNAL_NUMBER: i32 = 15;
 pub struct Job {
     /// The program.
     pub program: PathBuf,
-    /// Its arguments, of which one names `folder` or a file in it.
+    /// The program's arguments. One of them names `folder` or a file in it.
     pub arguments: Vec<OsString>,
-    /// A folder of the job's own, in which the program writes and nothing else does. Its name is in no other path.
+    /// The output folder. Only the program writes into it, and no other path contains its name.
     pub folder: PathBuf,
-    /// What every file of the output holds before, if anything.
+    /// The old content of every output file; `None` if the files do not exist before.
     pub old: Option<Vec<u8>>,
-    /// Whether the program may go on to a good end after a request to stop. Else it ends by the signal at once.
+    /// Whether the program may finish its work after a signal. Otherwise the signal must end it at once.
     pub graceful: bool,
     /// An input of the program and its content. Calls before the program reads this input are not disturbed. Without a
     /// gate, calls whose name and number more than one thread makes are not disturbed.
     pub gate: Option<(PathBuf, Vec<u8>)>,
-    /// Whether only calls are disturbed that name `folder` or use a file in it. Else every call about files is, from
-    /// the first on that names `folder`.
+    /// If true, only calls that name `folder` or use a file in it are disturbed. Otherwise every call about files is
+    /// disturbed, beginning with the first that names `folder`.
     pub only_folder: bool,
-    /// How many calls of each name are disturbed at most: the first, the last, and others evenly between them. See
-    /// [`most`].
+    /// Largest number of calls of each name that are disturbed: the first, the last, and others evenly between them.
+    /// See [`most`].
     pub most: usize,
 }
 
@@ -58,15 +60,16 @@ pub struct Job {
 pub enum Disturbance {
     /// Each call fails with each error.
     Errors,
-    /// A request to stop comes in each call.
+    /// A signal is sent during each call.
     Signal,
-    /// The same where the program is process 1, which no signal ends by itself.
+    /// Like [`Disturbance::Signal`], but the program is process 1, which a signal does not end by default.
     SignalAsProcessOne,
-    /// As [`Disturbance::Errors`] and [`Disturbance::Signal`], on a file system that makes no files without a name.
+    /// Both [`Disturbance::Errors`] and [`Disturbance::Signal`], as on a file system without `O_TMPFILE`, where the
+    /// temporary file has a name.
     Named,
 }
 
-/// Why nothing can be disturbed here, if so.
+/// Returns why this machine cannot run a disturbance, or `None` if it can.
 #[must_use]
 pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
     let strace = ["strace", "-qq", "-o", "/dev/null", "-e", "inject=close:error=EIO:when=1000", "true"];
@@ -80,14 +83,14 @@ pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
     (disturbance == Disturbance::SignalAsProcessOne && !runs(&unshare)).then_some("needs the right to be process 1")
 }
 
-/// What the files of the output hold when the program has succeeded.
+/// Paths and contents of files.
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 impl Job {
     /// Disturbs one call after the other. Returns how many runs were made, which is not 0.
     ///
     /// # Errors
-    /// The first run after which a file is neither the old nor the new one, with what the program said.
+    /// The first run that fails a check, with the output of the program.
     pub fn disturb(&self, disturbance: Disturbance) -> Result<Runs, String> {
         self.prepare(&Files::new()).map_err(|error| error.to_string())?;
         let output = self.run(&Files::new(), false, &[])?;
@@ -105,7 +108,7 @@ impl Job {
                 let unnamed = unnamed.ok_or("no file without a name was made")?;
                 let inject = format!("inject=openat:error=EOPNOTSUPP:when={}", unnamed.number);
                 let first = ["-e", &inject[..]];
-                // strace disturbs a call by one rule only.
+                // strace applies only one rule to a call, and `first` is a rule for `openat`. So `openat` is left out.
                 let mut calls = self.calls(&new, &first)?;
                 if !calls.iter().any(|call| call.text.contains("O_EXCL")) {
                     return Err("no file with a name was made".to_owned());
@@ -121,7 +124,7 @@ impl Job {
         if runs.made == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
     }
 
-    /// Does `disturb` for the calls that are chosen. It makes as many runs for each call.
+    /// Chooses calls and runs `disturb` on them. `disturb` must make an equal number of runs for each call.
     fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<Runs, String> {
         let all = calls.len();
         let chosen = calls::spread(calls, self.most);
@@ -135,7 +138,7 @@ impl Job {
             let inject = format!("inject={}:error={error}:when={}", call.name, call.number);
             let output = self.run(new, false, &[more, &["-e", &inject]].concat())?;
             self.check(new, &output, false).map_err(|error| format!("{inject}: {error}"))?;
-            // Permissions that cannot be set are no reason to lose the picture.
+            // If the permissions cannot be set, the picture must be written nevertheless.
             if call.name == "fchmod" && !output.status.success() {
                 return Err(format!("{inject}: {output:?}"));
             }
@@ -149,7 +152,7 @@ impl Job {
         for call in calls {
             let inject = format!("inject={}:signal={SIGNAL}:when={}", call.name, call.number);
             let output = self.run(new, as_process_one, &[more, &["-e", &inject]].concat())?;
-            // strace ends as the program did.
+            // strace ends like the program: by the signal, or with the program's status.
             let ended = if as_process_one {
                 output.status.code() == Some(128 + SIGNAL_NUMBER)
             } else {
@@ -166,7 +169,7 @@ impl Job {
         Ok(runs)
     }
 
-    /// The calls to disturb, from a run that succeeds.
+    /// Runs the program undisturbed and returns the calls that can be disturbed.
     fn calls(&self, new: &Files, more: &[&str]) -> Result<Vec<Call>, String> {
         let output = self.run(new, false, more)?;
         if !output.status.success() {
@@ -178,19 +181,19 @@ impl Job {
         if calls.len() < 10 { Err(format!("only {} calls in {text}", calls.len())) } else { Ok(calls) }
     }
 
-    /// Where strace writes: beside the folder, in which only the program writes.
+    /// Returns the path of strace's log. It is beside the folder, because only the program may write into the folder.
     fn log(&self) -> PathBuf {
         self.folder.with_file_name("strace.log")
     }
 
-    /// Runs the program with the old files in their places.
+    /// Restores the old files and runs the program.
     fn run(&self, new: &Files, as_process_one: bool, more: &[&str]) -> Result<Output, String> {
         self.prepare(new).map_err(|error| error.to_string())?;
         let unshare: &[&str] = if as_process_one { &["unshare", "-pf"] } else { &[] };
         if let Some((gate, content)) = &self.gate {
             return gate::run(self, (gate, content), unshare, more);
         }
-        // As process 1 the program is the parent of strace, not its child.
+        // With -D the program is process 1, and strace is its grandchild. Without it strace would be process 1.
         let strace: &[&str] = if as_process_one { &["strace", "-D"] } else { &["strace"] };
         let tracer = [unshare, strace].concat();
         let mut command = Command::new(tracer[0]);

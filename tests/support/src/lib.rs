@@ -1,15 +1,17 @@
-//! What the tests of all crates share.
+//! Code that the tests of all crates share.
 //!
-//! [`agreement`] compares the renderer with the reference, [`generator`] makes scenes from a seed, [`write`](mod@write)
-//! turns scenes and configurations back into text, [`golden`] knows the pictures whose digests have an origin outside
-//! this project, [`digest`] computes digests, [`p3`] reads pictures without forgiving anything, and `injection` lets
+//! [`agreement`] compares the renderer with the reference, [`generator`] generates scenes from a seed, and
+//! [`write`](mod@write) turns scenes and configurations back into text. [`golden`] lists the pictures whose digests
+//! come from other programs, [`digest`] computes digests, [`p3`] is a strict reader of pictures, and `injection` lets
 //! system calls of a program fail.
 //!
-//! The tests of the built programs live in `cli/tests`, where Cargo builds the programs first; the ones that need the
-//! library alone live in `tests`.
+//! The tests of the built programs are in `cli/tests`, because Cargo builds the programs first there. The tests that
+//! need only the library are in `tests`.
 
 pub mod agreement;
 pub mod digest;
+#[cfg(feature = "programs")]
+pub mod folder;
 pub mod generator;
 pub mod golden;
 #[cfg(unix)]
@@ -19,14 +21,14 @@ pub mod write;
 
 use std::path::{Path, PathBuf};
 
-/// The folder that holds the workspace.
+/// Returns the folder of the workspace.
 #[must_use]
 pub fn project_root() -> PathBuf {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     package.ancestors().nth(2).expect("the package is in tests/support").to_owned()
 }
 
-/// `image` as a PPM file in memory.
+/// Returns the bytes of `image` as a PPM file.
 #[must_use]
 pub fn ppm(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();

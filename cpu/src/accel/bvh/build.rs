@@ -1,11 +1,12 @@
-//! Building the hierarchy: from the top down, by the surface area heuristic over bins (Wald, "On fast construction of
+//! Builds the tree: from the top down, by the surface area heuristic over bins (Wald, "On fast construction of
 //! SAH-based bounding volume hierarchies", 2007), binary splits gathered into nodes of up to 16 children.
 
-use crate::accel::bounds::Bounds;
-use crate::accel::bvh::collapsed_root;
-use crate::accel::bvh::node::{Child, Node, WIDTH};
-use crate::accel::object::ObjectId;
+use crate::accel::{
+    bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push,
+    object::ObjectId,
+};
 use crate::input::error::Error;
+use crate::layout::with_room;
 
 /// Bins along the axis of a split.
 const BINS: usize = 16;
@@ -39,32 +40,28 @@ impl Range {
     }
 }
 
-/// The nodes over objects with these bounds, at most `most` of them, the root first; none for no objects.
+/// Builds the nodes over at most `most` objects with these bounds. The root is first; without objects there is none.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`].
 pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> Result<Vec<Node>, Error> {
-    let out_of_memory = |_| Error::OutOfMemory { what: "the hierarchy over the objects" };
-    let mut items = Vec::new();
-    items.try_reserve_exact(most).map_err(out_of_memory)?;
+    let mut items = with_room(most)?;
     items.extend(objects.map(|(bounds, id)| Item { bounds, id }));
     let mut nodes = Vec::new();
     if items.is_empty() {
         return Ok(nodes);
     }
-    // If a level cannot be full, it is one of the first two, which lanes may test in one row.
-    let top = collapsed_root::planned(items.len());
+    // If a level cannot be full, it is one of the first two, which may be tested in one row.
+    let planned = collapsed_root::planned(items.len());
     // Nodes to be filled: their index, their items, their depth.
     let mut pending = Vec::new();
-    pending.try_reserve(1).map_err(out_of_memory)?;
-    nodes.try_reserve(1).map_err(out_of_memory)?;
-    pending.push((0, Range::new(&items, 0, items.len()), 0));
-    nodes.push(Node::EMPTY);
+    push(&mut pending, (0, Range::new(&items, 0, items.len()), 0))?;
+    push(&mut nodes, Node::EMPTY)?;
     while let Some((node, range, depth)) = pending.pop() {
-        let most = match top {
-            Some(top) if depth == 1 => {
-                // Their parts of the plan add up to it.
-                let part = |end: usize| top * end / items.len();
+        let most = match planned {
+            Some(planned) if depth == 1 => {
+                // The parts of the root's children add up to the plan.
+                let part = |end: usize| planned * end / items.len();
                 (part(range.to) - part(range.from)).clamp(2, WIDTH)
             }
             _ => WIDTH,
@@ -82,10 +79,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
             let target = if child.count() == 1 {
                 Child::object(items[child.from].id)
             } else {
-                nodes.try_reserve(1).map_err(out_of_memory)?;
-                pending.try_reserve(1).map_err(out_of_memory)?;
-                pending.push((nodes.len(), *child, depth + 1));
-                nodes.push(Node::EMPTY);
+                push(&mut pending, (nodes.len(), *child, depth + 1))?;
+                push(&mut nodes, Node::EMPTY)?;
                 Child::node((nodes.len() - 1) as u32)
             };
             nodes[node].set(lane, &child.bounds, target);
@@ -94,8 +89,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     Ok(nodes)
 }
 
-/// Splits the range in `children[0]`, always the child that costs most, until all slots are full or every child fits a
-/// node of objects; gives the number of children.
+/// Splits the range in `children[0]`, always the child that costs most, until all slots are full or every child has at
+/// most [`WIDTH`] objects. Returns the number of children.
 fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
@@ -115,19 +110,17 @@ fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -
 /// Splits a range in two, neither empty.
 fn split(items: &mut [Item], range: &Range, depth: u32) -> (Range, Range) {
     let part = &mut items[range.from..range.to];
-    let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-    for item in part.iter() {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(item.bounds.twice_middle(axis));
-            high[axis] = high[axis].max(item.bounds.twice_middle(axis));
-        }
-    }
-    let axis = (0..3).max_by(|&left, &right| (high[left] - low[left]).total_cmp(&(high[right] - low[right])));
-    let axis = axis.unwrap_or(0);
-    let scale = BINS as f32 / (high[axis] - low[axis]);
+    // The box around the middles of the items, times two.
+    let middles = part.iter().fold(Bounds::EMPTY, |all, item| {
+        let middle = [0, 1, 2].map(|axis| item.bounds.twice_middle(axis));
+        all.union(&Bounds { low: middle, high: middle })
+    });
+    let axis = middles.longest_axis();
+    let (low, high) = (middles.low[axis], middles.high[axis]);
+    let scale = BINS as f32 / (high - low);
     let bin_of = |item: &Item| {
         // A float-to-integer cast saturates, and turns "not a number" into 0.
-        (((item.bounds.twice_middle(axis) - low[axis]) * scale) as usize).min(BINS - 1)
+        (((item.bounds.twice_middle(axis) - low) * scale) as usize).min(BINS - 1)
     };
     let mut middle = 0;
     if depth < MOST_SAH_DEPTH

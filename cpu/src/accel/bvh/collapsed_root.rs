@@ -1,23 +1,23 @@
-//! The two highest levels of the tree in one row of boxes, for lanes that test 16 boxes at once.
+//! The collapsed root: the two highest levels of the tree in one row of boxes, for lanes that test 16 boxes at once.
 //!
-//! A traversal waits for one node after the other: which it goes on to is known at the end of some sixty cycles. With
-//! 512 bits a handful of nodes side by side take hardly longer than one, so a level less is worth several nodes more at
-//! its beginning. With 256 bits it is not, by measurement (docs/experiments.md).
+//! A traversal is bound by latency: the next node is known after some sixty cycles. With 512 bits up to four nodes
+//! tested together take hardly longer than one, so the row saves the time of a level. With 256 bits it saves none, by
+//! measurement (docs/experiments.md).
 
-use crate::accel::bounds::Bounds;
-use crate::accel::bvh::node::{Child, Node, WIDTH};
-use crate::accel::bvh::slab_ray::SlabRay;
-use crate::accel::object::room;
+use crate::accel::{
+    bounds::Bounds, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push, bvh::slab_ray::SlabRay,
+};
 use crate::counters::{Counter, add};
 use crate::input::error::Error;
+use crate::layout::with_room;
 use crate::math::vec3::Vec3;
 use crate::simd::SimdF32;
 
 /// Most children of the root's children: a bit each in a word.
 pub const MOST: usize = 64;
 
-/// How many children the root's children are to have together for all levels below them to be full, where the root's
-/// own children can be full too.
+/// The number of boxes for which all levels below the row are full. The builder gives the root's children as many
+/// children together. `None` if one node could hold all these boxes.
 pub fn planned(objects: usize) -> Option<usize> {
     let mut nodes = objects.div_ceil(WIDTH);
     while nodes > MOST {
@@ -26,16 +26,16 @@ pub fn planned(objects: usize) -> Option<usize> {
     (nodes > WIDTH).then_some(nodes)
 }
 
-/// The row: the children of the root's children, and those of the root's children that have objects themselves, sorted
-/// along an axis.
+/// The row of boxes, sorted along an axis. It holds the children of each child of the root. A child of the root that is
+/// an object, or has an object among its children, is in the row itself.
 #[derive(Debug)]
 pub struct CollapsedRoot {
-    /// 16 boxes each; none where there would be more than [`MOST`], or one node.
+    /// 16 boxes each. Empty if there would be at most 16 boxes, or more than [`MOST`].
     rows: Vec<Node>,
-    /// Where in the tree the nodes stand that they lead to, side by side: so none has to be looked up. Where there is
-    /// no row, the root's place.
-    begin: usize,
-    /// The axis.
+    /// The index of the node that the first box leads to. The nodes of the other boxes follow it in their order. If
+    /// there is no row, the root's index.
+    first_node: usize,
+    /// The axis along which the row is sorted.
     axis: usize,
 }
 
@@ -45,56 +45,52 @@ impl CollapsedRoot {
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub fn new(nodes: &mut Vec<Node>) -> Result<Self, Error> {
-        let out_of_memory = |_| Error::OutOfMemory { what: "the hierarchy over the objects" };
-        let mut boxes = Vec::new();
-        boxes.try_reserve(WIDTH * WIDTH).map_err(out_of_memory)?;
+        let mut boxes = with_room(WIDTH * WIDTH)?;
         for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
-            match child.as_object().is_none().then(|| &nodes[child.as_node() as usize]) {
+            match child.as_object().is_none().then(|| &nodes[child.index() as usize]) {
                 Some(node) if node.objects == 0 => boxes.extend(node.children()),
                 _ => boxes.push((bounds, child)),
             }
         }
         let all = boxes.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(bounds));
-        let mut top = Self { rows: Vec::new(), begin: 0, axis: all.longest_axis() };
+        let mut row = Self { rows: Vec::new(), first_node: 0, axis: all.longest_axis() };
         if !(WIDTH + 1..=MOST).contains(&boxes.len()) {
-            return Ok(top);
+            return Ok(row);
         }
-        let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(top.axis);
+        let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(row.axis);
         boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
-        top.rows.try_reserve(MOST / WIDTH).map_err(out_of_memory)?;
-        top.rows.resize(boxes.len().div_ceil(WIDTH), Node::EMPTY);
-        let mut below = Vec::new();
-        below.try_reserve(MOST).map_err(out_of_memory)?;
-        top.begin = 1;
+        row.rows = with_room(MOST / WIDTH)?;
+        row.rows.resize(boxes.len().div_ceil(WIDTH), Node::EMPTY);
+        let mut below = with_room(MOST)?;
+        row.first_node = 1;
         for (place, (bounds, mut child)) in boxes.into_iter().enumerate() {
             if child.as_object().is_some() {
-                let mut alone = Node::EMPTY;
-                alone.set(0, &bounds, child);
+                let mut single = Node::EMPTY;
+                single.set(0, &bounds, child);
                 child = Child::node(nodes.len() as u32);
-                nodes.try_reserve(1).map_err(out_of_memory)?;
-                nodes.push(alone);
+                push(nodes, single)?;
             }
-            below.push(child.as_node());
-            top.rows[place / WIDTH].set(place % WIDTH, &bounds, Child::node((top.begin + place) as u32));
+            below.push(child.index());
+            row.rows[place / WIDTH].set(place % WIDTH, &bounds, Child::node((row.first_node + place) as u32));
         }
         bring_forward(nodes, &below)?;
-        Ok(top)
+        Ok(row)
     }
 
-    /// The boxes that a ray meets within `farthest`, as bits; one for the root, whose box is not asked, where there is
-    /// no row.
+    /// The boxes that a ray hits within `farthest`, as bits. If there is no row, the bit of the root, whose box is not
+    /// tested.
     #[inline(always)]
-    pub fn met<F: SimdF32>(&self, box_ray: &SlabRay<F>, farthest: f32) -> u64 {
+    pub fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = u64::from(self.rows.is_empty());
         for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
-            let (_, met) = box_ray.meets(row, 0, F::splat(farthest));
-            bits |= u64::from(met) << (place * WIDTH);
+            let (_, hit) = slab_ray.intersect(row, 0, F::splat(farthest));
+            bits |= u64::from(hit) << (place * WIDTH);
         }
         bits
     }
 
-    /// Whether a ray along `direction` goes along the row from its end.
+    /// Whether a ray along `direction` passes the last box of the row first.
     #[inline(always)]
     pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
         let along = match self.axis {
@@ -105,14 +101,14 @@ impl CollapsedRoot {
         along < 0.0
     }
 
-    /// Takes the first of the boxes met, or the last, out of `bits`, which are not 0: where the node stands that it
-    /// leads to.
+    /// Removes the first of the boxes in `bits`, or the last, and returns the index of the node that it leads to.
+    /// `bits` is not 0.
     #[inline(always)]
-    pub fn take(&self, bits: &mut u64, backwards: bool) -> usize {
+    pub fn take_nearest(&self, bits: &mut u64, backwards: bool) -> usize {
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
         let place = if backwards { last } else { first };
         *bits ^= 1 << place;
-        self.begin + place as usize
+        self.first_node + place as usize
     }
 
     /// Its boxes.
@@ -122,10 +118,10 @@ impl CollapsedRoot {
     }
 }
 
-/// Puts the nodes at these places, none of them the root, side by side behind the root, which stays.
+/// Moves the nodes at these indices, none of them the root, to the places behind the root, in this order.
 fn bring_forward(nodes: &mut [Node], places: &[u32]) -> Result<(), Error> {
-    // Which node stands at a place, and at which place a node, by where they stood before.
-    let [mut at, mut place_of] = [room(nodes.len())?, room(nodes.len())?];
+    // The old index of the node at a place, and the new place of a node by its old index.
+    let [mut at, mut place_of] = [with_room(nodes.len())?, with_room(nodes.len())?];
     for list in [&mut at, &mut place_of] {
         list.extend(0..nodes.len() as u32);
     }
@@ -153,7 +149,7 @@ mod tests {
     fn objects(nodes: &[Node], node: &Node) -> Vec<u32> {
         let of_child = |child: Child| match child.as_object() {
             Some(id) => vec![id],
-            None => objects(nodes, &nodes[child.as_node() as usize]),
+            None => objects(nodes, &nodes[child.index() as usize]),
         };
         node.children().flat_map(|(_, child)| of_child(child)).collect()
     }
@@ -167,39 +163,39 @@ mod tests {
                 (Bounds { low, high: low.map(|value| value + 0.1) }, id)
             });
             let mut nodes = build(count, bounds).expect("it fits");
-            let top = CollapsedRoot::new(&mut nodes).expect("it fits");
-            let children = top.children().count();
+            let row = CollapsedRoot::new(&mut nodes).expect("it fits");
+            let children = row.children().count();
             if let Some(planned) = planned(count) {
                 assert!(
                     (planned / 2..=planned.max(2 * WIDTH)).contains(&children),
                     "{children} children, {planned} planned"
                 );
             }
-            let in_row = |child: Child| objects(&nodes, &nodes[child.as_node() as usize]);
-            let mut found: Vec<_> = top.children().flat_map(|(_, child)| in_row(child)).collect();
-            found.sort_unstable();
+            let in_row = |child: Child| objects(&nodes, &nodes[child.index() as usize]);
+            let mut actual: Vec<_> = row.children().flat_map(|(_, child)| in_row(child)).collect();
+            actual.sort_unstable();
             // Where there is no plan, there may be too many for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
-            let places = top.children().map(|(_, child)| child.as_node() as usize);
-            assert!(places.eq(top.begin..top.begin + children));
-            assert_eq!(top.begin, usize::from(children > 0));
-            assert!(found.into_iter().eq(expected), "{count} objects");
+            let places = row.children().map(|(_, child)| child.index() as usize);
+            assert!(places.eq(row.first_node..row.first_node + children));
+            assert_eq!(row.first_node, usize::from(children > 0));
+            assert!(actual.into_iter().eq(expected), "{count} objects");
             assert!(count != 20_000 || children == 0);
-            assert!(top.rows.iter().all(|row| row.objects == 0));
-            let bytes = (nodes.len() + top.rows.len()) * size_of::<Node>();
+            assert!(row.rows.iter().all(|row| row.objects == 0));
+            let bytes = (nodes.len() + row.rows.len()) * size_of::<Node>();
             assert!(count <= 256 || bytes < 100 * count, "{bytes} bytes for {count} objects");
-            let middles = top.children().map(|(bounds, _)| bounds.twice_middle(top.axis));
+            let middles = row.children().map(|(bounds, _)| bounds.twice_middle(row.axis));
             assert!(middles.is_sorted());
         }
     }
 
     #[test]
-    fn boxes_are_taken_from_the_end_that_the_ray_comes_from() {
-        let top = CollapsedRoot { rows: Vec::new(), begin: 1, axis: 1 };
+    fn boxes_are_taken_from_the_end_that_the_ray_passes_first() {
+        let row = CollapsedRoot { rows: Vec::new(), first_node: 1, axis: 1 };
         let all = |direction: [f64; 3]| {
             let (mut bits, mut taken) = (1 << 63 | 1 << 17 | 1 << 5 | 1, Vec::new());
             while bits != 0 {
-                taken.push(top.take(&mut bits, top.is_passed_backwards(direction.into())));
+                taken.push(row.take_nearest(&mut bits, row.is_passed_backwards(direction.into())));
             }
             taken
         };

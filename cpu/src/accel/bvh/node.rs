@@ -1,18 +1,28 @@
 //! A node of the tree: the boxes of 16 children, and what each leads to.
 
-use crate::accel::bounds::Bounds;
-use crate::accel::object::ObjectId;
+use crate::accel::{bounds::Bounds, object::ObjectId};
+use crate::input::error::Error;
 use crate::simd::SimdF32;
 
 /// Children of a node; every instruction set's lanes divide it.
 pub const WIDTH: usize = 16;
 
-/// What a lane of a node leads to.
+/// Appends to a list.
+///
+/// # Errors
+/// [`Error::OutOfMemory`].
+pub fn push<T>(list: &mut Vec<T>, item: T) -> Result<(), Error> {
+    list.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the hierarchy over the objects" })?;
+    list.push(item);
+    Ok(())
+}
+
+/// What a lane of a node leads to: an object or a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Child(u32);
 
 impl Child {
-    /// Set where it leads to an object.
+    /// The bit that is set if it leads to an object.
     pub const OBJECT: u32 = 1 << 31;
 
     /// The object at `id`.
@@ -27,17 +37,12 @@ impl Child {
 
     /// The object, if it leads to one.
     pub const fn as_object(self) -> Option<ObjectId> {
-        if self.0 & Self::OBJECT == 0 { None } else { Some(self.0 & !Self::OBJECT) }
+        if self.0 & Self::OBJECT == 0 { None } else { Some(self.index()) }
     }
 
-    /// The object that it leads to.
-    pub const fn as_id(self) -> ObjectId {
+    /// The number of the object or of the node.
+    pub const fn index(self) -> u32 {
         self.0 & !Self::OBJECT
-    }
-
-    /// The node, if it leads to one.
-    pub const fn as_node(self) -> u32 {
-        self.0
     }
 }
 
@@ -45,23 +50,23 @@ impl Child {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Node {
-    /// Their lowest corners and their highest, by axis.
+    /// The lowest corners of the boxes and the highest, by axis.
     pub corners: [[[f32; WIDTH]; 3]; 2],
-    /// What they lead to, as numbers.
+    /// What the lanes lead to, as numbers.
     children: [u32; WIDTH],
-    /// Lanes that lead to objects, as bits.
+    /// The lanes that lead to objects, as bits.
     pub objects: u32,
 }
 
 impl Node {
-    /// No children: boxes that no ray meets.
+    /// No children: boxes that no ray hits.
     pub const EMPTY: Self = Self {
         corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
         children: [0; WIDTH],
         objects: 0,
     };
 
-    /// Makes a child of a lane.
+    /// Sets the child of a lane.
     pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
         for axis in 0..3 {
             self.corners[0][axis][lane] = bounds.low[axis];
@@ -71,7 +76,7 @@ impl Node {
         self.objects |= u32::from(child.as_object().is_some()) << lane;
     }
 
-    /// Says where the nodes stand now that lanes lead to, by where they stood. Lanes without a child count as leading
+    /// Replaces the indices of nodes: `now` gives the new index for an old one. Lanes without a child count as leading
     /// to the root.
     pub fn relink(&mut self, now: impl Fn(u32) -> u32) {
         for child in self.children.iter_mut().filter(|child| Child(**child).as_object().is_none()) {

@@ -1,21 +1,19 @@
-//! Which boxes of the tree a ray meets.
+//! Which boxes of the tree a ray hits: a ray prepared for slab tests.
 //!
 //! A node's boxes are tested at once, in single precision: along each axis a plane at `p` is at the distance
 //! `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. Let `u = 2^-24`. By the rounding of
 //! origin, direction and reciprocal, of `o r`, and of what is multiplied and summed, fused or not, that distance is off
 //! by at most `5 u |p r|` and `7 u |o r|`. It is moved by `16 u (|p| + |o|) |r|`, more than twice as much, towards the
-//! side that lets the ray pass, with the farthest plane of the scene along that axis for `p`: what is computed for a
-//! plane where a ray comes in is not farther than it is, and for one where it goes out not nearer. So a ray that meets
-//! a box, ahead and not farther than the nearest hit so far, has come into all three pairs of planes when it leaves the
-//! first of them, also as computed.
+//! side on which the box is hit, with the farthest plane of the scene along that axis for `p`. So the computed distance
+//! of a plane where the ray enters is not too large, and that of a plane where it leaves is not too small. A ray that
+//! hits a box, not farther than the closest hit so far, has entered all three slabs before it leaves the first of them,
+//! also as computed.
 //!
 //! The direction must be [in scale](is_in_scale): then reciprocals are between 10^-31 and 10^28, and no product with a
-//! coordinate exceeds 10^38. Should a distance be NaN all the same, the maximum and the minimum return their other
-//! operand, which keeps the box.
+//! coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their other operand,
+//! which keeps the box.
 
-use crate::accel::bounds::Bounds;
-use crate::accel::bvh::node::{Node, WIDTH};
-use crate::accel::conservative::is_too_short;
+use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
 use crate::geometry::ray::Ray;
 use crate::simd::SimdF32;
 
@@ -34,43 +32,43 @@ const LEAST_STEP: f32 = 1e-10;
 /// NaN.
 const LONGEST: f64 = 1e60;
 
-/// Whether boxes can be tested for a direction of this length squared; false for what is not a number.
+/// Whether boxes can be tested for a direction of this length squared; false for NaN.
 #[inline(always)]
 pub fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST
 }
 
-/// How far planes are moved, by axis, for their own sake.
+/// The part of the planes' moves that grows with the planes, by axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Steps([f32; 3]);
 
 impl Steps {
-    /// For the planes of all boxes within these bounds.
+    /// The moves for the planes of all boxes within these bounds.
     pub fn new(bounds: &Bounds) -> Self {
         let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
         Self([0, 1, 2].map(|axis| farthest(axis) * STEP + LEAST_STEP))
     }
 }
 
-/// A ray as the boxes see it.
+/// A ray prepared for slab tests.
 pub struct SlabRay<F> {
-    /// Of its direction.
+    /// The reciprocal of its direction.
     reciprocal: [F; 3],
     /// Minus the origin times the reciprocal, moved.
     near_origin: [F; 3],
     far_origin: [F; 3],
-    /// Where in a node the planes are through which it comes in along each axis, and those through which it goes out.
+    /// Where in a node the planes are through which the ray enters along each axis, and those through which it leaves.
     near: [usize; 3],
     far: [usize; 3],
 }
 
 impl<F: SimdF32> SlabRay<F> {
-    // Without a branch on where the ray goes, which no processor could guess.
-    /// The ray, for boxes whose planes are moved by these steps.
+    /// The ray, for boxes whose planes are moved by these steps. There is no branch on the direction's signs, because
+    /// it would be mispredicted half of the time.
     #[inline(always)]
     pub fn new(ray: &Ray, Steps(steps): &Steps) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-        let mut box_ray = Self {
+        let mut slab_ray = Self {
             reciprocal: [F::splat(0.0); 3],
             near_origin: [F::splat(0.0); 3],
             far_origin: [F::splat(0.0); 3],
@@ -83,21 +81,21 @@ impl<F: SimdF32> SlabRay<F> {
             let magnitude = if magnitude < LARGEST_RECIPROCAL { magnitude } else { LARGEST_RECIPROCAL };
             let reciprocal = magnitude.copysign(narrow);
             let step = (minus_origin.abs() * STEP + steps[axis]) * magnitude;
-            let middle = minus_origin * reciprocal;
-            box_ray.reciprocal[axis] = F::splat(reciprocal);
-            box_ray.near_origin[axis] = F::splat(middle - step);
-            box_ray.far_origin[axis] = F::splat(middle + step);
-            // By the sign of the direction, so that the planes are there when the reciprocal is.
+            let distance = minus_origin * reciprocal;
+            slab_ray.reciprocal[axis] = F::splat(reciprocal);
+            slab_ray.near_origin[axis] = F::splat(distance - step);
+            slab_ray.far_origin[axis] = F::splat(distance + step);
+            // By the sign of the direction, which is known before the reciprocal.
             let backwards = (direction[axis].to_bits() as i64 >> 63) as usize & (3 * WIDTH);
-            box_ray.near[axis] = axis * WIDTH + backwards;
-            box_ray.far[axis] = (axis + 3) * WIDTH - backwards;
+            slab_ray.near[axis] = axis * WIDTH + backwards;
+            slab_ray.far[axis] = (axis + 3) * WIDTH - backwards;
         }
-        box_ray
+        slab_ray
     }
 
-    /// Distances to the boxes of a node, and which the ray meets within `farthest`.
+    /// The distances to the boxes of a node from `at` on, and the boxes that the ray hits within `farthest`, as bits.
     #[inline(always)]
-    pub fn meets(&self, node: &Node, at: usize, farthest: F) -> (F, u32) {
+    pub fn intersect(&self, node: &Node, at: usize, farthest: F) -> (F, u32) {
         let planes = node.corners.as_flattened().as_flattened();
         let mut near = F::splat(0.0);
         let mut far = farthest;
@@ -119,27 +117,27 @@ mod tests {
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
 
-    /// Asks every lane of a node, within a distance.
-    struct Meets<'a>(&'a Ray, &'a Node, Bounds, f32);
+    /// Tests every lane of a node, within a distance.
+    struct Intersect<'a>(&'a Ray, &'a Node, Bounds, f32);
 
-    impl Kernel for Meets<'_> {
+    impl Kernel for Intersect<'_> {
         type Output = u32;
 
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> u32 {
             let Self(ray, node, all, farthest) = self;
-            let box_ray = SlabRay::new(ray, &Steps::new(&all));
+            let slab_ray = SlabRay::new(ray, &Steps::new(&all));
             let lanes = (0..WIDTH).step_by(S::F32::LANES);
-            lanes.map(|at| box_ray.meets(node, at, S::F32::splat(farthest)).1 << at).sum()
+            lanes.map(|at| slab_ray.intersect(node, at, S::F32::splat(farthest)).1 << at).sum()
         }
     }
 
     fn sets() -> impl Iterator<Item = InstructionSet> {
-        InstructionSet::ALL.into_iter().filter(|set| set.is_available())
+        InstructionSet::available()
     }
 
     #[test]
-    fn a_ray_to_a_corner_meets_the_box_at_every_scale_and_one_beside_it_does_not() {
+    fn a_ray_to_a_corner_hits_the_box_at_every_scale_and_one_beside_it_does_not() {
         let mut draws = Uniform::new(5);
         let mut beside = 0;
         for _ in 0..4000 {
@@ -158,39 +156,39 @@ mod tests {
             let corner = Vec3::from(
                 [0, 1, 2].map(|axis| f64::from(if number(1.0) > 0.0 { bounds.low[axis] } else { bounds.high[axis] })),
             );
-            let way = Vec3::from([(); 3].map(|()| number(scale)));
-            if way.length() < 1e-9 * scale {
+            let offset = Vec3::from([(); 3].map(|()| number(scale)));
+            if offset.length() < 1e-9 * scale {
                 continue;
             }
             let lambda = 10.0_f64.powf(number(3.0));
-            let ray = Ray { origin: corner - way, direction: way / lambda };
+            let ray = Ray { origin: corner - offset, direction: offset / lambda };
             if !is_in_scale(ray.direction.dot(ray.direction)) {
                 continue;
             }
             let farthest = (lambda as f32).next_up();
             // Beside it by more than the box is long.
-            let aside = Vec3::new(way.y - way.z, way.z - way.x, way.x - way.y);
+            let aside = Vec3::new(offset.y - offset.z, offset.z - offset.x, offset.x - offset.y);
             let off = Ray { origin: ray.origin + aside / aside.length() * (0.6 * scale), ..ray };
             for set in sets() {
-                let meets = |ray: &Ray, farthest| set.run(Meets(ray, &node, bounds, farthest));
-                assert_eq!(meets(&ray, farthest), 1 << 3, "{}: {bounds:?}, {ray:?}", set.name());
+                let hits = |ray: &Ray, farthest| set.run(Intersect(ray, &node, bounds, farthest));
+                assert_eq!(hits(&ray, farthest), 1 << 3, "{}: {bounds:?}, {ray:?}", set.name());
                 if aside.length() > 0.0 {
-                    beside += u32::from(meets(&off, f32::INFINITY) == 0);
+                    beside += u32::from(hits(&off, f32::INFINITY) == 0);
                 }
-                let nearer = meets(&ray, farthest * 1e-3) == 0;
-                assert!(nearer || way.length() < scale, "{}: {bounds:?}, {ray:?}", set.name());
+                let nearer = hits(&ray, farthest * 1e-3) == 0;
+                assert!(nearer || offset.length() < scale, "{}: {bounds:?}, {ray:?}", set.name());
             }
         }
         assert!(beside > 4000, "{beside}");
     }
 
     #[test]
-    fn a_lane_without_a_box_is_never_met() {
+    fn a_lane_without_a_box_is_never_hit() {
         let directions = [[0.0, 0.0, 1e-6], [-0.0, 1e-300, -1.0], [5e29, -5e29, 5e29], [1e-40, 1.0, 1e-40]];
         for (direction, set) in directions.into_iter().flat_map(|direction| sets().map(move |set| (direction, set))) {
             let ray = Ray { origin: Vec3::new(1.0, 0.0, -2.0), direction: direction.into() };
             let all = Bounds { low: [-9.0; 3], high: [9.0; 3] };
-            assert_eq!(set.run(Meets(&ray, &Node::EMPTY, all, f32::INFINITY)), 0, "{}: {direction:?}", set.name());
+            assert_eq!(set.run(Intersect(&ray, &Node::EMPTY, all, f32::INFINITY)), 0, "{}: {direction:?}", set.name());
         }
     }
 }

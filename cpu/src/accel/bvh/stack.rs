@@ -1,31 +1,35 @@
-//! Nodes of the tree that wait to be visited.
+//! The traversal stack: the nodes that wait to be visited.
 
-/// Most nodes that wait during a traversal: 15 a level, and the builder bounds the levels.
-pub const MOST: usize = 512;
+/// Most entries during a traversal: 15 for each level, and the builder bounds the levels.
+pub const CAPACITY: usize = 512;
 
-/// Nodes that wait, with their distances; kept between rays, for clearing it would cost more than a visit.
+/// Indices and distances of nodes. The traversal keeps the number of entries. The stack is kept between rays, because
+/// clearing it would cost more than a visit.
 #[derive(Clone, Debug)]
-pub struct Stack(pub(super) Waiting);
-
-/// Their indices and distances; how many, a traversal counts.
-pub type Waiting = [(u32, f32); MOST];
+pub struct Stack([(u32, f32); CAPACITY]);
 
 impl Stack {
-    /// Nothing waits.
-    pub const EMPTY: Self = Self([(0, 0.0); MOST]);
-}
+    /// No entries.
+    pub const EMPTY: Self = Self([(0, 0.0); CAPACITY]);
 
-/// Puts a node on top of `waiting` others, but below those from `first` on that are nearer: so the nearest is taken
-/// first.
-#[inline(always)]
-pub fn wait(stack: &mut Waiting, waiting: &mut usize, first: usize, entry: (u32, f32)) {
-    let mut place = (*waiting).min(MOST - 1);
-    while place > first && stack[place - 1].1 < entry.1 {
-        stack[place] = stack[place - 1];
-        place -= 1;
+    /// Pushes a node below those entries from `first` on that are nearer, so that the nearest is popped first.
+    #[inline(always)]
+    pub fn push_sorted(&mut self, depth: &mut usize, first: usize, entry: (u32, f32)) {
+        let mut place = (*depth).min(CAPACITY - 1);
+        while place > first && self.0[place - 1].1 < entry.1 {
+            self.0[place] = self.0[place - 1];
+            place -= 1;
+        }
+        self.0[place] = entry;
+        *depth += 1;
     }
-    stack[place] = entry;
-    *waiting += 1;
+
+    /// Removes and returns the entry on top of a stack that is not empty.
+    #[inline(always)]
+    pub fn pop(&self, depth: &mut usize) -> (u32, f32) {
+        *depth -= 1;
+        self.0[*depth % CAPACITY]
+    }
 }
 
 #[cfg(test)]
@@ -33,14 +37,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_nearest_of_a_node_is_on_top_of_what_waited_before() {
-        let (Stack(mut stack), mut waiting) = (Stack::EMPTY, 0);
-        wait(&mut stack, &mut waiting, 0, (1, 0.5));
-        let first = waiting;
+    fn the_nearest_child_of_a_node_is_on_top_of_earlier_entries() {
+        let (mut stack, mut depth) = (Stack::EMPTY, 0);
+        stack.push_sorted(&mut depth, 0, (1, 0.5));
+        let first = depth;
         for entry in [(2, 3.0), (3, 1.0), (4, 2.0), (5, 1.0)] {
-            wait(&mut stack, &mut waiting, first, entry);
+            stack.push_sorted(&mut depth, first, entry);
         }
-        assert_eq!(waiting, 5);
-        assert_eq!(stack[..waiting], [(1, 0.5), (2, 3.0), (4, 2.0), (3, 1.0), (5, 1.0)]);
+        assert_eq!(depth, 5);
+        assert_eq!(stack.0[..depth], [(1, 0.5), (2, 3.0), (4, 2.0), (3, 1.0), (5, 1.0)]);
     }
 }

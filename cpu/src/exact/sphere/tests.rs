@@ -1,4 +1,4 @@
-//! Certain answers, doubtful ones, and what is out of scale.
+//! Certain and uncertain results, and rays that are out of scale.
 
 use crate::exact::sphere::*;
 
@@ -11,7 +11,7 @@ fn sphere(center: [f64; 3], radius: f64) -> SphereRecord {
 }
 
 #[test]
-fn a_plain_hit_and_a_plain_miss_are_the_textbooks() {
+fn a_clear_hit_and_a_clear_miss_are_those_of_the_plain_formula() {
     let unit = sphere([0.0; 3], 1.0);
     for (ray, expected) in [
         (ray([0.0, 0.0, -3.0], [0.0, 0.0, 0.5]), Some(4.0)),
@@ -51,7 +51,7 @@ fn the_limit_itself_counts_and_the_number_below_does_not() {
 }
 
 #[test]
-fn a_null_direction_and_numbers_that_are_none_are_the_textbooks() {
+fn a_null_direction_and_nan_give_what_the_plain_formula_gives() {
     let unit = sphere([0.0; 3], 1.0);
     assert_eq!(intersect(&unit, &ray([0.0; 3], [0.0; 3])), None);
     assert_eq!(intersect(&unit, &ray([0.0, 0.0, f64::NAN], [0.0, 0.0, 1.0])), None);

@@ -14,7 +14,6 @@ pub struct PositiveNan;
 impl Simd for PositiveNan {
     type F64 = <Portable as Simd>::F64;
     type F32 = F32;
-    const FUSES: bool = false;
 
     fn run<K: Kernel>(self, kernel: K) -> K::Output {
         kernel.call(self)

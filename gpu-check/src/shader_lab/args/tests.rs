@@ -1,4 +1,4 @@
-//! Command lines that are right, and what is said about others.
+//! Command lines that are accepted, and the messages for those that are not.
 
 use super::*;
 
@@ -16,7 +16,7 @@ fn options(text: &str) -> Options {
 }
 
 #[test]
-fn what_is_needed_is_asked_for() {
+fn a_missing_or_wrong_argument_is_named() {
     assert!(parsed("--config c").is_err_and(|message| message.contains("--template writes one")));
     assert_eq!(parsed("mine.wgsl --scene s --out o"), Err("--config is missing".to_owned()));
     assert_eq!(parsed("mine.wgsl --config"), Err("--config needs a file after it".to_owned()));
@@ -40,7 +40,7 @@ fn names_of_files_may_be_any_bytes() {
 }
 
 #[test]
-fn a_page_needs_no_modules() {
+fn serving_the_page_needs_no_modules() {
     let expected = Command::Serve { port: 8000, config: "c".into(), scene: "s".into() };
     assert_eq!(parsed("--serve 8000 --config c --scene s"), Ok(expected));
     assert_eq!(parsed("--serve x"), Err("--serve: [x] is not a port".to_owned()));

@@ -1,11 +1,11 @@
-//! Clients that are slower than the server waits. How long it waits is small here; nothing else of the code differs.
+//! Clients that are too slow. The server of these tests waits a shorter time; its code is that of the program.
 
 use super::*;
 
 /// Large enough that no buffer of the system holds it.
 const LARGE: usize = 64 << 20;
 
-fn hasty(patience: [Duration; 2]) -> Server {
+fn server_with(patience: [Duration; 2]) -> Server {
     let data = BTreeMap::from([("large".to_owned(), vec![b'x'; LARGE])]);
     Server { patience, ..Server::new(0, data).expect("a port is free") }
 }
@@ -13,10 +13,10 @@ fn hasty(patience: [Duration; 2]) -> Server {
 #[test]
 fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does() {
     let [short, long] = [50, 60_000].map(Duration::from_millis);
-    let server = hasty([short, long]);
+    let server = server_with([short, long]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     let (stream, _) = server.listener.accept().expect("there is a connection");
-    // Every byte comes in time, and all of them together never do.
+    // Each byte arrives in time, but the request never ends.
     let trickle = std::thread::spawn(move || {
         client.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nA: ").expect("it reads");
         while client.write_all(b"x").is_ok() {
@@ -28,7 +28,7 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
     stream.shutdown(Shutdown::Both).expect("it is open");
     trickle.join().expect("it ends when the connection does");
 
-    let server = hasty([long, long]);
+    let server = server_with([long, long]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     let (stream, _) = server.listener.accept().expect("there is a connection");
     client.write_all(get("/lab.css").as_bytes()).expect("it reads");
@@ -36,9 +36,9 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
 }
 
 #[test]
-fn an_answer_that_nobody_takes_is_given_up() {
+fn an_answer_that_the_client_does_not_read_is_given_up() {
     let [short, long] = [50, 60_000].map(Duration::from_millis);
-    let server = hasty([long, short]);
+    let server = server_with([long, short]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     let (stream, _) = server.listener.accept().expect("there is a connection");
     client.write_all(get("/data/large").as_bytes()).expect("it reads");

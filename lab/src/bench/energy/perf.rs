@@ -1,4 +1,4 @@
-//! The same counters through `perf stat`, which some machines allow where the files of powercap are root's alone.
+//! Reads the RAPL counters through `perf stat`. Some machines allow it although only root may read the powercap files.
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -10,12 +10,12 @@ use nix::unistd::Pid;
 #[derive(Debug)]
 pub struct Perf(PathBuf);
 
-/// A count that is going on.
+/// A `perf stat` that runs and counts.
 #[derive(Debug)]
 pub struct Counting(Child);
 
 impl Perf {
-    /// Tries `program` out.
+    /// Starts and stops `program` once, to see whether it can count.
     ///
     /// # Errors
     /// Why it cannot count, in words.
@@ -25,12 +25,13 @@ impl Perf {
         Ok(perf)
     }
 
-    /// Starts to count, on all processors.
+    /// Starts to count the energy of all processors.
     ///
     /// # Errors
-    /// It does not start.
+    /// The program does not start.
     pub fn start(&self) -> Result<Counting, String> {
-        // It ends when it is told to, and writes to standard error what it has counted. Its numbers have a point.
+        // `perf` counts until SIGINT ends it, then writes the count to standard error. LC_ALL=C makes the decimal
+        // separator a point.
         let child = Command::new(&self.0)
             .args(["stat", "-a", "-x", ",", "-e", "power/energy-pkg/", "sleep", "86400"])
             .env("LC_ALL", "C")
@@ -39,27 +40,27 @@ impl Perf {
             .stderr(Stdio::piped())
             .spawn()
             .map_err(|error| format!("no perf: {error}"))?;
-        // Until its counters run: nothing tells when they do.
+        // `perf` does not say when its counters run, so this waits 100 ms for them.
         std::thread::sleep(std::time::Duration::from_millis(100));
         Ok(Counting(child))
     }
 }
 
 impl Counting {
-    /// Joules since the start.
+    /// Stops `perf` and returns the joules since its start.
     ///
     /// # Errors
-    /// What `perf` says instead.
+    /// What `perf` wrote instead of a count.
     pub fn stop(self) -> Result<f64, String> {
         let process = i32::try_from(self.0.id()).map(Pid::from_raw).map_err(|error| error.to_string())?;
-        // It fails when it has ended already; its output says why.
+        // `kill` fails if `perf` has ended already. The output of `perf` then says why.
         let _ = kill(process, Signal::SIGINT);
         let output = self.0.wait_with_output().map_err(|error| format!("no perf: {error}"))?;
         joules(&String::from_utf8_lossy(&output.stderr))
     }
 }
 
-/// The sum over packages of lines like `12.34,Joules,power/energy-pkg/,1000000,100.00,,`.
+/// Returns the sum of the joules in lines like `12.34,Joules,power/energy-pkg/,1000000,100.00,,`, one for each package.
 fn joules(text: &str) -> Result<f64, String> {
     let lines: Vec<_> = text.lines().filter(|line| line.contains("power/energy-pkg/")).collect();
     let value = |line: &&str| line.split_once(",Joules,").and_then(|(number, _)| number.trim().parse::<f64>().ok());
@@ -75,8 +76,11 @@ fn joules(text: &str) -> Result<f64, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use std::os::unix::fs::PermissionsExt;
+
+    use test_support::folder::Folder;
+
+    use super::*;
 
     #[test]
     fn joules_are_those_of_all_packages() {
@@ -90,9 +94,10 @@ mod tests {
 
     #[test]
     fn counting_ends_with_what_was_counted() {
-        let folder = tempfile::tempdir().expect("the temporary folder is writable");
-        let program = folder.path().join("perf");
-        // A shell that is started with the signal ignored, as in the background, could not trap it.
+        let folder = Folder::new();
+        let program = folder.file("perf");
+        // A background job is started with SIGINT ignored, and a shell cannot trap a signal that was ignored when it
+        // started. So `env` restores the default action first.
         let script = "#!/usr/bin/env -S --default-signal=INT sh\ntrap 'echo 7.25,Joules,power/energy-pkg/,1,100.00,, >&2; exit 0' INT\n\
                       while true; do sleep 0.01; done\n";
         std::fs::write(&program, script).expect("the folder is writable");

@@ -1,13 +1,40 @@
-//! What results from a file must be before anything is computed from them.
+//! Checks results from a file before anything is computed from them.
+
+use serde::de::DeserializeOwned;
 
 use super::{Intersection, Results, Timing};
 
 /// Largest file of results, in bytes. The full matrix takes 270,000.
 pub const MAX_BYTES: u64 = 16 << 20;
 
-/// Most entries of each list, since joining and comparing them takes time that grows with the square of their number.
-/// The full matrix has 410.
+/// Most entries of each list. The limit is needed because the time to join and compare lists grows with the square of
+/// their length. The longest list of the full matrix has 410 entries.
 pub const MAX_ENTRIES: usize = 4096;
+
+/// Most values of all files together: numbers, names, lists and all else that JSON counts as one. A file of
+/// [`MAX_BYTES`] could hold eight million, which take far more memory once they are read. The full matrix has 9,000.
+pub const MAX_VALUES: usize = 1 << 20;
+
+/// Returns an upper bound on the number of values in `json`: each follows a comma or begins its list or object. Commas
+/// and brackets inside strings count too, so that the scan need not know where a string ends.
+#[must_use]
+pub fn values(json: &[u8]) -> usize {
+    json.iter().filter(|byte| b",[{".contains(byte)).count() + 1
+}
+
+/// Reads JSON, unless it has more than [`MAX_VALUES`] values together with the `values` of the files before it. Adds
+/// its own to `values`.
+///
+/// # Errors
+/// What is wrong, in words.
+pub fn parse<T: DeserializeOwned>(json: &[u8], values: &mut usize) -> Result<T, String> {
+    let others = if *values == 0 { "" } else { "with the files before it, " };
+    *values += self::values(json);
+    if *values > MAX_VALUES {
+        return Err(format!("{others}it has {values} values, more than {MAX_VALUES}"));
+    }
+    serde_json::from_slice(json).map_err(|error| error.to_string())
+}
 
 impl Results {
     /// Checks that no list has more than [`MAX_ENTRIES`], and that everything measured has a time.
@@ -59,17 +86,25 @@ mod tests {
     }
 
     #[test]
+    fn values_are_counted_in_lists_objects_and_the_file_itself() {
+        for (json, expected) in [("1", 1), ("[]", 2), ("[1, 2]", 3), (r#"{"a": [1, {"b": 2}], "c": 3}"#, 6)] {
+            let count = values(json.as_bytes());
+            assert_eq!(count, expected, "{json}");
+        }
+    }
+
+    #[test]
     fn what_was_measured_without_a_time_is_named() {
         let mut without = timing("a", 1, &[1.0]);
         without.seconds.clear();
         let message = results(vec![without]).check().expect_err("there is no time");
         assert_eq!(message, "the list \"seconds\" of a for grid is empty; measure it again");
 
-        let [object, rays, implementation] = ["sphere", "hard", "certified"].map(str::to_owned);
+        let [object, rays, implementation] = ["sphere", "hard", "exact f64"].map(str::to_owned);
         let trial = Trial { object, rays, implementation, seed: 1 };
         let median = Median::of(&[1.0]);
         let one = Intersection { trial, cases: 1, wrong: 0, lambda_error: [0.0; 3], nanoseconds: Vec::new(), median };
         let message = Results { intersections: vec![one], ..Results::default() }.check().expect_err("there is no time");
-        assert_eq!(message, "the list \"nanoseconds\" of certified for a sphere is empty; measure it again");
+        assert_eq!(message, "the list \"nanoseconds\" of exact f64 for a sphere is empty; measure it again");
     }
 }

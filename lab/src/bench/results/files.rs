@@ -1,26 +1,35 @@
-//! Results as files: JSON that holds everything, CSV for other programs.
+//! Reads and writes results: a JSON file that holds everything, and CSV files for other programs.
 
 use std::path::{Path, PathBuf};
 
-use cpu::internals::output::{Options, Output};
+use output::{Options, Output};
 
-use super::check::MAX_BYTES;
+use super::check::{self, MAX_BYTES};
 use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
 use crate::{Failure, sources, terminal};
 
 impl Results {
-    /// Results from a JSON file; `-` is standard input.
+    /// Reads results from a JSON file; `-` is standard input.
     ///
     /// # Errors
-    /// It cannot be read, or is something else.
+    /// The file cannot be read, does not hold valid results, or has more than [`check::MAX_VALUES`] values.
     pub fn read(path: &Path) -> Result<Self, Failure> {
+        Self::read_part(path, &mut 0)
+    }
+
+    /// Reads one of several files. `values` counts the values of the files read so far, this one included.
+    ///
+    /// # Errors
+    /// As [`Results::read`]; [`check::MAX_VALUES`] holds for all files together.
+    pub fn read_part(path: &Path, values: &mut usize) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
         let text =
             cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
-        let results: Self = serde_json::from_slice(&text).map_err(|error| explain(&error))?;
+        let mut results: Self = check::parse(&text, values).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
+        results.rename();
         Ok(results)
     }
 
@@ -32,12 +41,13 @@ impl Results {
     /// A file cannot be written. If one of the four cannot be opened, none is changed.
     pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
         let explain = |error: csv::Error| error.to_string();
-        let json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
+        let mut json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
         if path == Path::new("-") {
             return terminal::print(&json);
         }
+        json.push('\n');
         let contents = [
-            format!("{json}\n").into_bytes(),
+            json.into_bytes(),
             self.times_as_csv().map_err(explain)?,
             self.errors_as_csv().map_err(explain)?,
             self.intersections_as_csv().map_err(explain)?,
@@ -60,7 +70,7 @@ impl Results {
         Ok(Self::files(path).iter().try_for_each(|path| Output::open(path, options).map(drop))?)
     }
 
-    /// The files that [`Results::write`] writes for `path`, itself first.
+    /// Returns the files that [`Results::write`] writes for `path`. The first is `path` itself.
     #[must_use]
     pub fn files(path: &Path) -> [PathBuf; 4] {
         let stem = path.file_stem().unwrap_or_default();
@@ -127,18 +137,20 @@ impl Results {
 #[cfg(test)]
 mod tests {
     use super::super::tests::{results, timing};
+    use test_support::folder::Folder;
+
     use super::*;
 
     #[test]
     fn files_hold_what_was_measured() {
-        let folder = tempfile::tempdir().expect("the temporary folder is writable");
-        let path = folder.path().join("bench.json");
+        let folder = Folder::new();
+        let path = folder.file("bench.json");
         let mut results = results(vec![timing("a", 4, &[4.0, 5.0]), timing("a", 1, &[1.0])]);
         results.complete();
         results.write(&path, Options::default()).expect("the folder is writable");
         assert_eq!(Results::read(&path).expect("it was written"), results);
         assert!(Results::read(Path::new("/dev/zero")).is_err(), "it has no end");
-        let csv = std::fs::read_to_string(folder.path().join("bench.csv")).expect("it was written");
+        let csv = std::fs::read_to_string(folder.file("bench.csv")).expect("it was written");
         assert_eq!(csv.lines().nth(2), Some("scale,grid,samples,4,a,4.5,4.0,5.0,0.5,2"));
     }
 }

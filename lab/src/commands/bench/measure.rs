@@ -1,8 +1,8 @@
-//! Measures the tasks of a plan one after the other, and keeps what is done where that is interrupted.
+//! Measures the tasks of a plan one after the other, and keeps the results of finished tasks if it is interrupted.
 
 use std::time::Instant;
 
-use cpu::internals::output::Options;
+use output::Options;
 
 use crate::Failure;
 use crate::bench::machine::Machine;
@@ -20,7 +20,7 @@ impl How {
     /// What is wrong with a file or a task, or that it was interrupted.
     pub(super) fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
         let interrupt = Interrupt::listen();
-        // Before minutes are spent on figures that could not be kept.
+        // Checked first, because a measurement takes minutes and its figures would be lost.
         Results::check_writable(&self.out, options)?;
         let plan = Plan {
             quick: self.quick,
@@ -47,7 +47,7 @@ impl How {
                 continue;
             }
             say(progress::announcement(index + 1, tasks.len(), task, measured, start));
-            // A task that is interrupted adds nothing.
+            // The task gets a copy, so that an interrupted task adds nothing to the results that are kept.
             let mut results = partial.results.clone();
             match plan.run(task, &mut results, &interrupt) {
                 Err(Failure::Interrupted) if !partial.done.is_empty() && kept.is_some() => {
@@ -73,7 +73,7 @@ impl How {
         }
         results.write(&self.out, options)?;
         if let Some(path) = kept {
-            // It is there only where there was more than one task.
+            // If there was one task alone, the file does not exist, and the error is ignored.
             let _ = std::fs::remove_file(path);
         }
         say(format!(
@@ -85,7 +85,10 @@ impl How {
         Ok(())
     }
 
-    /// What there is to go on from: nothing, unless it is asked for and there.
+    /// Returns the results to go on from: with `--resume` those of the partial file if it exists, else none.
+    ///
+    /// # Errors
+    /// The partial file cannot be used, or exists although `--resume` was not given.
     fn begin(&self, request: &str) -> Result<Partial, Failure> {
         let fresh = Partial { request: request.to_owned(), ..Partial::default() };
         match Partial::path(&self.out).filter(|path| path.exists()) {

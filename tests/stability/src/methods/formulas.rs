@@ -1,4 +1,4 @@
-//! Formulas in Rust as types, so that a call of one is compiled into the loop that times it.
+//! Formulas in Rust as types, so that the compiler inlines them into the loop that times them.
 
 use std::marker::PhantomData;
 
@@ -13,15 +13,16 @@ use super::projected;
 
 /// Both intersections over one number type.
 pub trait Formulas {
-    /// What they calculate in.
+    /// The number type of the computation.
     type Number: Real<Mask = bool> + Into<f64>;
-    /// Its unit roundoff.
+    /// Unit roundoff of the number type.
     const UNIT_ROUNDOFF: f64;
 
-    /// The contract of [`SphereRecord::intersect`].
+    /// Intersects a ray with a sphere, with the contract of [`SphereRecord::intersect`].
     fn sphere(record: &SphereRecord<Self::Number>, ray: &Ray<Self::Number>) -> Option<Self::Number>;
 
-    /// The contract of [`CylinderRecord::intersect`]; `axis` is the file's.
+    /// Intersects a ray with a cylinder, with the contract of [`CylinderRecord::intersect`]. `axis` is the axis in the
+    /// scene file.
     fn cylinder(
         record: &CylinderRecord<Self::Number>,
         axis: &Vec3<Self::Number>,
@@ -29,7 +30,7 @@ pub trait Formulas {
     ) -> Option<(Self::Number, CylinderPart)>;
 }
 
-/// What a renderer in f64 may use.
+/// Intersections in f64 that the reference can render with.
 pub struct InDouble<P>(PhantomData<P>);
 
 impl<P: Intersect> Formulas for InDouble<P> {
@@ -45,7 +46,7 @@ impl<P: Intersect> Formulas for InDouble<P> {
     }
 }
 
-/// Exact intersections without their first step.
+/// Exact intersections without the filter in f64.
 pub enum Resolved {}
 
 impl Intersect for Resolved {
@@ -61,9 +62,9 @@ impl Intersect for Resolved {
 }
 
 /// The plain formulas in f32.
-pub enum TextbookSingle {}
+pub enum PlainSingle {}
 
-impl Formulas for TextbookSingle {
+impl Formulas for PlainSingle {
     type Number = f32;
     const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 

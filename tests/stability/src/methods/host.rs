@@ -1,4 +1,4 @@
-//! Formulas in Rust, asked and timed on this machine.
+//! Formulas in Rust as an implementation of [`Method`], run and timed on this machine.
 
 use std::hint::black_box;
 use std::marker::PhantomData;
@@ -43,19 +43,19 @@ impl<F: Formulas> Method for Host<F> {
                 Shape::Sphere(sphere) => {
                     let record = sphere_record(sphere);
                     let lambda = F::sphere(&record, &ray)?;
-                    Some(arrived(&ray, lambda, CylinderPart::Side, |point| record.outward(point)))
+                    Some(answer_at(&ray, lambda, CylinderPart::Side, |point| record.outward(point)))
                 }
                 Shape::Cylinder(cylinder) => {
                     let (record, axis) = cylinder_record(cylinder);
                     let (lambda, part) = F::cylinder(&record, &axis, &ray)?;
-                    Some(arrived(&ray, lambda, part, |point| record.outward(part, point)))
+                    Some(answer_at(&ray, lambda, part, |point| record.outward(part, point)))
                 }
             }
         };
         Ok(cases.iter().map(answer).collect())
     }
 
-    /// The objects' records are ready before the clock starts, as they are in the renderer.
+    /// The records of the objects are computed before the clock starts, as in the renderer.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
         let (mut spheres, mut cylinders) = (Vec::new(), Vec::new());
         for case in cases {
@@ -90,13 +90,13 @@ fn sphere_record<T: Real>(sphere: &Sphere) -> SphereRecord<T> {
     SphereRecord::new(vector(sphere.center), T::of(sphere.radius))
 }
 
-/// The record and the file's axis.
+/// Returns the record of a cylinder, and the axis in the scene file.
 fn cylinder_record<T: Real>(cylinder: &Cylinder) -> (CylinderRecord<T>, Vec3<T>) {
     let axis = vector(cylinder.axis);
     (CylinderRecord::new(vector(cylinder.center), T::of(cylinder.radius), axis), axis)
 }
 
-fn arrived<T: Real<Mask = bool> + Into<f64>>(
+fn answer_at<T: Real<Mask = bool> + Into<f64>>(
     ray: &Ray<T>,
     lambda: T,
     part: CylinderPart,

@@ -1,4 +1,4 @@
-//! What stands before a run, and what may stand after it.
+//! Prepares the files before a run, and checks them after it.
 
 use std::fs;
 use std::io;
@@ -7,7 +7,7 @@ use std::process::Output;
 
 use super::{Files, Job};
 
-/// All files in `folder` and the folders in it, with their contents.
+/// Returns all files in `folder` and in its subfolders, with their contents.
 pub fn files(folder: &Path) -> io::Result<Files> {
     let mut found = Files::new();
     for entry in fs::read_dir(folder)? {
@@ -23,7 +23,7 @@ pub fn files(folder: &Path) -> io::Result<Files> {
 }
 
 impl Job {
-    /// Puts the old files, if there are any, in the places of the new ones, and nothing else into the folder.
+    /// Empties the folder, and if there is an old content, writes it to the path of each output file in `new`.
     pub(super) fn prepare(&self, new: &Files) -> io::Result<()> {
         fs::remove_dir_all(&self.folder)?;
         fs::create_dir(&self.folder)?;
@@ -34,22 +34,22 @@ impl Job {
         Ok(())
     }
 
-    /// Checks what stands after a run, which a signal may have ended.
+    /// Checks the files after a run. `new` has the contents of a run that succeeds.
     pub(super) fn check(&self, new: &Files, output: &Output, ended_by_signal: bool) -> Result<(), String> {
         let found = files(&self.folder).map_err(|error| error.to_string())?;
-        let stands = |path: &PathBuf| found.get(path);
-        let is_old = |path: &PathBuf| stands(path) == self.old.as_ref();
-        let is_new = |path: &PathBuf| stands(path) == new.get(path);
+        let content_of = |path: &PathBuf| found.get(path);
+        let is_old = |path: &PathBuf| content_of(path) == self.old.as_ref();
+        let is_new = |path: &PathBuf| content_of(path) == new.get(path);
         let whole = new.keys().all(|path| is_old(path) || is_new(path));
-        let told = if output.status.success() {
+        let is_consistent = if output.status.success() {
             new.keys().all(is_new)
         } else if ended_by_signal {
             whole
         } else {
-            whole && says_which(&String::from_utf8_lossy(&output.stderr), new.keys().filter(|path| is_new(path)))
+            whole && agrees_with_files(&String::from_utf8_lossy(&output.stderr), new.keys().filter(|path| is_new(path)))
         };
         let alone = found.keys().all(|path| new.contains_key(path));
-        if told && alone {
+        if is_consistent && alone {
             return Ok(());
         }
         let states: Vec<_> = new.keys().map(|path| (path, is_old(path), is_new(path))).collect();
@@ -57,11 +57,11 @@ impl Job {
     }
 }
 
-/// Whether a message says that the run failed, and does not deny that the files `replaced` are new.
-fn says_which<'a>(message: &str, mut replaced: impl Iterator<Item = &'a PathBuf>) -> bool {
-    // What is uncertain about a new file is its way onto the disk, and the message says so.
+/// Returns whether a message reports an error, and agrees with the fact that the files `replaced` are new.
+fn agrees_with_files<'a>(message: &str, mut replaced: impl Iterator<Item = &'a PathBuf>) -> bool {
+    // If the file was replaced but not synced, the message says so.
     let is_uncertain = message.contains("the new file is there");
-    // A program that writes several files names the one that it could not write. Standard output is one of them.
+    // A program that writes several files names the one that it could not write. That may be standard output.
     let blames = |path: &PathBuf| message.contains(&format!("Cannot write file [{}]", path.display()));
     let blames_any = message.contains("Cannot write file [");
     message.contains("rror: ") && replaced.all(|path| is_uncertain || blames_any && !blames(path))

@@ -1,4 +1,4 @@
-//! A program that waits at an input until `strace` watches the thread that reads it.
+//! Runs a program that waits for an input until `strace` watches the thread that reads the input.
 
 use std::fs::{self, OpenOptions};
 use std::io::Write;
@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 
 use super::Job;
 
-/// How long each step of a program may take on a busy machine.
+/// The longest time to wait for each step of a program, on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A process that does not outlive a test that fails.
+/// A process that is killed when the value is dropped, so that it ends even if the test fails.
 struct Running(Option<Child>);
 
 impl Running {
@@ -28,22 +28,22 @@ impl Running {
 impl Drop for Running {
     fn drop(&mut self) {
         if let Some(mut child) = self.0.take() {
-            // A process that has ended already does not mind.
+            // An error means that the process has ended already.
             let _ = child.kill();
             let _ = child.wait();
         }
     }
 }
 
-/// Runs the program of `job`, by `prefix`. The gate becomes a pipe with a name. When the thread that reads it waits for
-/// its content, `strace` attaches to this thread alone, and only then the content comes.
+/// Runs the program of `job` with the command `prefix` before it. The gate becomes a named pipe. When a thread of the
+/// program waits for the pipe's content, `strace` attaches to this thread alone. Only then the content is written.
 pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[&str]) -> Result<Output, String> {
     let _ = fs::remove_file(gate);
     let made = Command::new("mkfifo").arg(gate).status();
     if !made.is_ok_and(|status| status.success()) {
         return Err("mkfifo failed".to_owned());
     }
-    // Linux opens a pipe for both at once without waiting; afterwards the program does not wait when it opens it.
+    // On Linux, opening a pipe for reading and writing does not block. Then the program's open does not block either.
     let mut pipe = OpenOptions::new().read(true).write(true).open(gate).map_err(|error| error.to_string())?;
     let mut command = match prefix {
         [] => Command::new(&job.program),
@@ -58,9 +58,10 @@ pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[
     let first = program.0.as_ref().map_or(0, Child::id);
     let thread = until("the program reads the gate", || {
         let process = if prefix.is_empty() { first } else { only_child(first)? };
-        reader(process, gate)
+        waiting_thread(process, gate)
     })?;
-    // What strace shows until then tells when it watches: the call in which the thread waits.
+    // When strace watches, it writes the call in which the thread waits. So a log that is not empty means that it
+    // watches.
     let log = job.log();
     fs::write(&log, "").map_err(|error| error.to_string())?;
     let mut strace = Command::new("strace");
@@ -74,7 +75,7 @@ pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[
     Ok(output)
 }
 
-/// Asks until there is an answer.
+/// Calls `ask` until it returns an answer, at most for [`PATIENCE`].
 fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> Result<T, String> {
     let start = Instant::now();
     while start.elapsed() < PATIENCE {
@@ -86,14 +87,14 @@ fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> Result<T, String>
     Err(format!("waited in vain until {what}"))
 }
 
-/// The only child of a process, which has one thread.
+/// Returns the only child of a process with one thread.
 fn only_child(process: u32) -> Option<u32> {
     fs::read_to_string(format!("/proc/{process}/task/{process}/children")).ok()?.trim().parse().ok()
 }
 
-/// The thread of `process` that started last, if the process has `gate` open and this thread sleeps: then it waits for
-/// the content of the gate.
-fn reader(process: u32, gate: &Path) -> Option<u32> {
+/// Returns the thread of `process` that started last, if the process has `gate` open and this thread sleeps. Then the
+/// thread waits for the content of the gate.
+fn waiting_thread(process: u32, gate: &Path) -> Option<u32> {
     let descriptors = fs::read_dir(format!("/proc/{process}/fd")).ok()?;
     let links = descriptors.filter_map(|entry| fs::read_link(entry.ok()?.path()).ok());
     let gate: PathBuf = fs::canonicalize(gate).ok()?;
@@ -104,6 +105,6 @@ fn reader(process: u32, gate: &Path) -> Option<u32> {
     let threads = tasks.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse::<u32>().ok());
     let thread = threads.max()?;
     let state = fs::read_to_string(format!("/proc/{process}/task/{thread}/stat")).ok()?;
-    // The name of the program comes before, in parentheses, and may contain any of them.
+    // The state follows the program's name in parentheses. The name may contain parentheses, so the last `)` is used.
     state.rsplit_once(") ")?.1.starts_with('S').then_some(thread)
 }

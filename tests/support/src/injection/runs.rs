@@ -1,17 +1,17 @@
-//! How many runs a test makes, of how many that it could.
+//! Counts the runs that a test makes, and the runs that it could make.
 
 use std::env;
 use std::fmt;
 use std::iter::Sum;
 use std::sync::{Mutex, PoisonError};
 
-/// The variable of the environment that asks for every run.
+/// The environment variable that asks for every run.
 const VARIABLE: &str = "RENDER_INJECTIONS";
 
-/// How many calls of each name to disturb: `some`, or all where `RENDER_INJECTIONS` is `all`.
+/// Returns how many calls of each name to disturb: `some`, or all if `RENDER_INJECTIONS` is `all`.
 ///
 /// # Panics
-/// `RENDER_INJECTIONS` has another value.
+/// If `RENDER_INJECTIONS` has another value.
 #[must_use]
 pub fn most(some: usize) -> usize {
     match env::var_os(VARIABLE) {
@@ -26,9 +26,9 @@ pub fn most(some: usize) -> usize {
 /// Runs of a program in which a call was disturbed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Runs {
-    /// Runs that were made.
+    /// Number of runs that were made.
     pub made: usize,
-    /// Runs that disturbing every call takes.
+    /// Number of runs in which every call would be disturbed.
     pub all: usize,
 }
 
@@ -45,7 +45,7 @@ impl fmt::Display for Runs {
     }
 }
 
-/// What [`total`] returns.
+/// The runs of this process so far, which [`total`] returns.
 static TOTAL: Mutex<Runs> = Mutex::new(Runs { made: 0, all: 0 });
 
 /// Adds to the total.
@@ -54,8 +54,18 @@ pub(super) fn add(runs: Runs) {
     *total = [*total, runs].into_iter().sum();
 }
 
-/// All runs of this process so far, for the last line of a test.
+/// Returns the runs of this process so far, for the last line of a test.
 #[must_use]
 pub fn total() -> Runs {
     *TOTAL.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Runs the trials of a test, tells how many runs of a program they made, and ends the process.
+#[cfg(feature = "programs")]
+pub fn run(trials: Vec<libtest_mimic::Trial>) -> ! {
+    let conclusion = libtest_mimic::run(&libtest_mimic::Arguments::from_args(), trials);
+    if conclusion.num_passed + conclusion.num_failed > 0 {
+        println!("in all {}", total());
+    }
+    conclusion.exit()
 }

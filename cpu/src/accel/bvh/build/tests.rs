@@ -1,9 +1,9 @@
-//! Trees of any number of boxes, also of boxes that cannot be told apart.
+//! Trees of any number of boxes, also of equal boxes.
 
 use crate::accel::bvh::build::*;
 use crate::sampling::uniform::Uniform;
 
-/// Checks that every object is in the tree once, inside all boxes above it; gives the depth.
+/// Checks that every object is in the tree once, inside all boxes above it; returns the depth.
 fn check(nodes: &[Node], bounds: &[Bounds]) -> u32 {
     let mut seen = vec![false; bounds.len()];
     let mut deepest = 0;
@@ -19,7 +19,7 @@ fn check(nodes: &[Node], bounds: &[Bounds]) -> u32 {
                     assert_eq!(inner, bounds[id as usize]);
                     assert!(!std::mem::replace(&mut seen[id as usize], true), "object {id} is there twice");
                 }
-                None => pending.push((child.as_node() as usize, inner, depth + 1)),
+                None => pending.push((child.index() as usize, inner, depth + 1)),
             }
         }
     }

@@ -1,0 +1,94 @@
+//! How the files of a folder are opened, as Linux reports it.
+
+use super::*;
+
+/// A folder for one test, which is removed at its end.
+struct Own(PathBuf);
+
+impl Own {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("render-folder-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).expect("the temporary folder is writable");
+        Self(path)
+    }
+
+    fn open(&self) -> Folder {
+        Folder::open(&self.0, false).expect("it is there")
+    }
+}
+
+impl Drop for Own {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// The flags with which a file is open.
+fn flags(file: &File) -> c_int {
+    let text = std::fs::read_to_string(format!("/proc/self/fdinfo/{}", file.as_raw_fd())).expect("it is open");
+    let line = text.lines().find_map(|line| line.strip_prefix("flags:")).expect("every file has flags");
+    c_int::from_str_radix(line.trim(), 8).expect("they are octal")
+}
+
+#[test]
+fn files_are_opened_only_for_writing_and_closed_when_a_program_is_started() {
+    let Some(Flags { write, close_on_exec, no_follow, nonblocking, .. }) = FLAGS else { return };
+    let own = Own::new("flags");
+    let folder = own.open();
+    let expected = write | close_on_exec | no_follow;
+    // 3 are the bits that tell whether a file is open for reading, writing or both.
+    let bits = 3 | close_on_exec | no_follow | nonblocking;
+    let created = folder.create(c"new", 0o600).expect("the name is free");
+    assert_eq!(flags(&created) & bits, expected);
+    let opened = folder.open_for_writing(c"new").expect("it is there");
+    assert_eq!(flags(&opened) & bits, expected | nonblocking);
+}
+
+#[test]
+fn a_new_file_does_not_get_the_name_of_an_existing_file_or_link() {
+    let own = Own::new("exclusive");
+    let folder = own.open();
+    std::os::unix::fs::symlink("nothing", own.0.join("link")).expect("links are allowed");
+    drop(folder.create(c"new", 0o600).expect("the name is free"));
+    for name in [c"new", c"link"] {
+        let error = folder.create(name, 0o600).expect_err("the name is taken");
+        assert_eq!(error.kind(), ErrorKind::AlreadyExists);
+    }
+    assert!(folder.open_for_writing(c"link").is_err(), "a link is not followed");
+    assert!(!own.0.join("nothing").exists());
+}
+
+#[test]
+fn a_file_may_be_replaced_but_no_folder_and_no_missing_file() {
+    let own = Own::new("replace");
+    let folder = own.open();
+    drop(folder.create(c"file", 0o600).expect("the name is free"));
+    folder.may_replace(c"file").expect("the folder is ours");
+    assert_eq!(folder.may_replace(c"missing").map_err(|error| error.kind()), Err(ErrorKind::NotFound));
+    std::fs::create_dir(own.0.join("full")).expect("the folder is writable");
+    std::fs::write(own.0.join("full/file"), "").expect("the folder is writable");
+    assert!(folder.may_replace(c"full").is_err());
+    assert!(own.0.join("file").exists() && own.0.join("full/file").exists());
+}
+
+#[test]
+fn the_right_to_write_is_checked_without_opening_the_file() {
+    let own = Own::new("may");
+    std::fs::write(own.0.join("file"), "").expect("the folder is writable");
+    may_write(&own.0.join("file")).expect("it is ours");
+    assert_eq!(may_write(&own.0.join("missing")).map_err(|error| error.kind()), Err(ErrorKind::NotFound));
+}
+
+#[test]
+fn a_file_on_another_mount_is_noticed() {
+    let own = Own::new("mounts");
+    let folder = own.open();
+    let file = folder.create(c"file", 0o600).expect("the name is free");
+    assert!(!folder.is_mount_point(&file).expect("both are open"));
+    // /proc is another file system on every Linux.
+    let other = File::open("/proc/self/status").expect("Linux has it");
+    assert!(folder.is_mount_point(&other).expect("both are open"));
+    let mounts = [mount_of(&file), mount_of(&other)];
+    assert!(mounts.iter().flatten().all(|number| number.parse::<u32>().is_ok()), "{mounts:?}");
+    assert!(mounts[0].is_some() && mounts[0] != mounts[1], "{mounts:?}");
+}

@@ -1,0 +1,177 @@
+//! Writes a file so that its name always has either the complete old file or the complete new one.
+//!
+//! The bytes of a regular file are written to a temporary file, which replaces the old file when it is complete.
+//! Devices and pipes such as `/dev/stdout` and `/dev/null` get the bytes directly. `docs/decisions.md` says what is
+//! promised and why. Begin with [`Output`].
+//!
+//! ```
+//! use output::{Options, Output};
+//!
+//! let path = std::env::temp_dir().join(format!("text-{}.txt", std::process::id()));
+//! let output = Output::open(&path, Options::default())?;
+//! // The long work comes here. Most reasons why the file could not be written have been found by `open`.
+//! output.fill(|file| file.write_all(b"text"))?;
+//! assert_eq!(std::fs::read(&path)?, b"text");
+//! # std::fs::remove_file(path)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod error;
+#[cfg(unix)]
+mod folder;
+#[cfg(unix)]
+mod place;
+#[cfg(unix)]
+mod stdout;
+#[cfg(unix)]
+pub mod stop;
+#[cfg(unix)]
+mod temporary;
+
+#[cfg(not(unix))]
+#[path = "elsewhere.rs"]
+mod place;
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+pub use crate::error::Error;
+use crate::place::Place;
+
+/// Options for writing a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Whether [`Output::commit`] waits until the file and its name are on the disk. Then the old or the new file is
+    /// complete even after a loss of power. Without it, that depends on the file system.
+    pub sync: bool,
+}
+
+/// An output that is being written: a regular file, a device or a pipe.
+///
+/// The bytes are not buffered, so write them in large pieces. If this is dropped without [`Output::commit`], a regular
+/// file is unchanged, and no temporary file is left.
+#[derive(Debug)]
+pub struct Output {
+    /// As the caller named it, for messages.
+    named: PathBuf,
+    place: Place,
+    /// The error of the first write that failed. It is kept because encoders such as `png` ignore errors of the bytes
+    /// that they write last.
+    failure: Option<io::Error>,
+}
+
+impl Output {
+    /// Checks as far as possible that `path` can be written, without changing the file. Call this before long work, so
+    /// that the work is not lost because the file cannot be written.
+    ///
+    /// # Errors
+    /// [`Error`] in these cases: `path` is a folder or a socket; its folder does not exist, or no file can be created
+    /// there; the file is read-only or mounted, or belongs to another user and may not be replaced; it is standard
+    /// output, which is closed.
+    pub fn open(path: &Path, options: Options) -> Result<Self, Error> {
+        let place = Place::find(path, options.sync).map_err(|cause| Error::new(path, cause))?;
+        Ok(Self { named: path.to_owned(), place, failure: None })
+    }
+
+    /// Replaces the old file by the new one, which is complete.
+    ///
+    /// # Errors
+    /// [`Error`] when the system fails, or when a write has failed, even if its error was ignored. A regular file is
+    /// then unchanged. The only exception is named in the message: the new file is in its place, but may not be on the
+    /// disk yet.
+    pub fn commit(self) -> Result<(), Error> {
+        let result = match (self.failure, self.place) {
+            (Some(cause), _) => Err(cause),
+            (None, Place::Regular(file)) => file.commit(),
+            // A pipe to which no bytes were written is opened and closed, since its reader waits for that.
+            (None, Place::Pipe(path)) => open_pipe(&path).map(drop),
+            (None, Place::Direct(_)) => Ok(()),
+        };
+        result.map_err(|cause| Error { path: self.named, cause })
+    }
+
+    /// Calls `write` with this output, and commits if it succeeds.
+    ///
+    /// # Errors
+    /// [`Error`] when `write` fails, or as [`Output::commit`].
+    pub fn fill(mut self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
+        match write(&mut self) {
+            Ok(()) => self.commit(),
+            Err(cause) => Err(Error { path: self.named, cause }),
+        }
+    }
+}
+
+impl Output {
+    /// Keeps the error of the first write that failed. An interruption is no failure, since callers repeat the write.
+    fn remember(&mut self, error: &io::Error) {
+        if error.kind() != io::ErrorKind::Interrupted && self.failure.is_none() {
+            self.failure = Some(error.raw_os_error().map_or(error.kind().into(), io::Error::from_raw_os_error));
+        }
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let result = self.place.write(bytes);
+        if let Err(error) = &result {
+            self.remember(error);
+        }
+        result
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        // There is no buffer to flush.
+        Ok(())
+    }
+}
+
+impl Place {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if let Self::Pipe(path) = self {
+            *self = Self::Direct(open_pipe(path)?);
+        }
+        match self {
+            Self::Regular(file) => file.write(bytes),
+            Self::Direct(file) => file.write(bytes),
+            Self::Pipe(_) => Err(io::ErrorKind::NotConnected.into()),
+        }
+    }
+}
+
+/// Opens a named pipe for writing, which waits for a reader.
+fn open_pipe(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).open(path)
+}
+
+/// Refuses an output that is the same file as one of the inputs, even under another name. Call this before the inputs
+/// are read. A device or a pipe may be both input and output.
+///
+/// # Errors
+/// [`Error`], which names the input.
+pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
+    match inputs.iter().find(|input| is_same_file(out, input)) {
+        None => Ok(()),
+        Some(input) => {
+            let name = input.as_os_str().to_string_lossy();
+            let text = format!("it is the same file as the input [{name}]; choose another file for the output");
+            Err(Error::new(out, io::Error::new(io::ErrorKind::InvalidInput, text)))
+        }
+    }
+}
+
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    match (fs::metadata(one), fs::metadata(other)) {
+        #[cfg(unix)]
+        (Ok(one), Ok(other)) => one.is_file() && folder::is_same(&one, &other),
+        #[cfg(not(unix))]
+        (Ok(metadata), Ok(_)) => {
+            metadata.is_file() && matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(a), Ok(b)) if a == b)
+        }
+        _ => false,
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests;

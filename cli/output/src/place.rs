@@ -1,0 +1,90 @@
+//! Finds out what the name of an output stands for, and opens it.
+
+use std::fs::{self, File, FileType, OpenOptions};
+use std::io::{self, ErrorKind};
+use std::os::unix::fs::FileTypeExt;
+use std::path::{Path, PathBuf};
+
+use crate::folder::{is_same, may_write};
+use crate::stdout;
+use crate::temporary::Temporary;
+
+/// What an output is written to. As far as possible it was found writable.
+#[derive(Debug)]
+pub enum Place {
+    /// Standard output, a device or a pipe, to which the bytes are written directly.
+    Direct(File),
+    /// A named pipe. It is opened at the first write, because opening it waits for a reader.
+    Pipe(PathBuf),
+    /// A regular file, to be replaced or created.
+    Regular(Temporary),
+}
+
+const STDOUT_NAMES: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+
+/// Most links that are followed, as on Linux.
+const MAX_LINKS: u32 = 40;
+
+impl Place {
+    /// Opens the place that `path` names.
+    ///
+    /// # Errors
+    /// Why it cannot be written, as far as that is known before writing.
+    pub fn find(path: &Path, sync: bool) -> io::Result<Self> {
+        if is_stdout(path) {
+            return stdout::open().map(Self::Direct);
+        }
+        // The system follows the links first, since it may refuse to follow links of other users.
+        let metadata = match fs::metadata(path) {
+            Ok(metadata) => Some(metadata),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        let target = follow(path)?;
+        if is_stdout(&target) {
+            return stdout::open().map(Self::Direct);
+        }
+        if let Some(kind) = metadata.as_ref().map(fs::Metadata::file_type).filter(|kind| !kind.is_file()) {
+            return special(path, kind);
+        }
+        let is_there = |metadata| fs::symlink_metadata(&target).is_ok_and(|found| is_same(&found, metadata));
+        if !metadata.as_ref().is_none_or(is_there) {
+            return Err(io::Error::new(ErrorKind::NotFound, "it is an open file that has lost its name"));
+        }
+        Temporary::new(&target, sync).map(Self::Regular)
+    }
+}
+
+fn is_stdout(path: &Path) -> bool {
+    STDOUT_NAMES.iter().any(|name| path == Path::new(name))
+}
+
+/// The path at the end of all links: a file that is no link, a free name, or standard output.
+fn follow(path: &Path) -> io::Result<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MAX_LINKS {
+        match fs::read_link(&target) {
+            Ok(next) if !is_stdout(&target) => target = target.parent().unwrap_or(Path::new("")).join(next),
+            // Not a link, or there is no such file. Other errors show when the file is created.
+            _ => return Ok(target),
+        }
+    }
+    Err(io::Error::other("too many links lead on from it"))
+}
+
+fn special(path: &Path, kind: FileType) -> io::Result<Place> {
+    if kind.is_dir() {
+        return Err(ErrorKind::IsADirectory.into());
+    }
+    if kind.is_socket() {
+        return Err(io::Error::new(ErrorKind::InvalidInput, "it is a socket"));
+    }
+    if kind.is_fifo() {
+        return may_write(path).map(|()| Place::Pipe(path.to_owned()));
+    }
+    let file = OpenOptions::new().write(true).open(path)?;
+    if file.metadata()?.is_file() {
+        return Err(io::Error::other("it was a device, and is a file now"));
+    }
+    Ok(Place::Direct(file))
+}

@@ -1,0 +1,144 @@
+//! Processes that get a signal while they write a file.
+
+use crate::stop::*;
+use std::fs::File;
+use std::os::fd::AsRawFd;
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::process::ExitStatusExt;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitStatus};
+
+/// Creates a file that a test may remove.
+fn file(name: &str) -> PathBuf {
+    let path = std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
+    std::fs::write(&path, "text").expect("the temporary folder is writable");
+    path
+}
+
+/// Remembers a file. Its folder stays open until the process ends.
+fn remember(path: &Path) -> Remembered {
+    let folder = File::open(path.parent().expect("it lies in a folder")).expect("it is readable");
+    let name = CString::new(path.file_name().expect("it is a file").as_bytes()).expect("it has no NUL");
+    let remembered = Remembered::new(folder.as_raw_fd(), &name).expect("there are slots enough");
+    std::mem::forget(folder);
+    remembered
+}
+
+#[test]
+fn a_file_that_is_dropped_is_removed_and_a_forgotten_one_is_not() {
+    let [dropped, forgotten] = ["dropped", "forgotten-2"].map(file);
+    let (one, other) = (remember(&dropped), remember(&forgotten));
+    drop(one);
+    other.forget();
+    assert!(!dropped.exists());
+    assert!(forgotten.exists());
+    std::fs::remove_file(forgotten).expect("it is there");
+}
+
+/// The work of the processes that the tests below start: raises a signal while it remembers files. The environment
+/// names the files and the signal.
+#[test]
+#[ignore = "ends its process: other tests start it"]
+fn a_process_raises_a_signal() {
+    let variable = |name| std::env::var(name).expect("another test started this one");
+    let number: c_int = variable("RENDER_STOP_SIGNAL").parse().expect("it is a number");
+    let before = variable("RENDER_STOP_BEFORE");
+    // Set explicitly, because the signal is inherited as ignored when the tests run under nohup.
+    // SAFETY: neither value runs any code of this process.
+    unsafe { signal(number, if before == "ignored" { IGNORE } else { DEFAULT }) };
+    match &before[..] {
+        "unhandled" => {}
+        "noted" => note_first_request(),
+        _ => remove_temporary_when_stopped(),
+    }
+    let files: Vec<Remembered> =
+        variable("RENDER_STOP_FILES").split(':').map(|path| remember(Path::new(path))).collect();
+    if before == "forgotten" {
+        files.into_iter().for_each(Remembered::forget);
+    } else {
+        // Never dropped, so that only the signal handler can remove the files.
+        std::mem::forget(files);
+    }
+    // SAFETY: the handler of the signal may run at any time.
+    assert_eq!(unsafe { raise(number) }, 0);
+    assert_eq!(requested(), before == "noted");
+    println!("it goes on");
+    if before == "noted" {
+        // SAFETY: the handler of the signal may run at any time.
+        assert_eq!(unsafe { raise(number) }, 0);
+    }
+}
+
+/// Runs a process that remembers `files` and gets the signal `number`. Returns how it ended, and whether it went on
+/// after the first signal.
+fn signalled(number: c_int, before: &str, files: &[&Path]) -> (ExitStatus, bool) {
+    let files: Vec<_> = files.iter().map(|file| file.to_str().expect("the name is ours")).collect();
+    let output = Command::new(std::env::current_exe().expect("this process has a program"))
+        .args(["--exact", "--ignored", "--nocapture", "stop::tests::a_process_raises_a_signal"])
+        .env("RENDER_STOP_SIGNAL", number.to_string())
+        .env("RENDER_STOP_BEFORE", before)
+        .env("RENDER_STOP_FILES", files.join(":"))
+        .output()
+        .expect("the program runs");
+    let went_on = String::from_utf8_lossy(&output.stdout).contains("it goes on");
+    assert!(went_on || !output.status.success(), "{output:?}");
+    (output.status, went_on)
+}
+
+#[test]
+fn every_signal_that_ends_a_process_removes_its_files() {
+    for &number in REQUESTS.iter().chain(&FATAL).chain(MORE) {
+        let [one, other] = ["one", "other"].map(|name| file(&format!("{name}-{number}")));
+        let (status, went_on) = signalled(number, "", &[&one, &other]);
+        assert_eq!((status.signal(), went_on), (Some(number), false));
+        assert!(!one.exists() && !other.exists(), "signal {number}");
+    }
+}
+
+/// Asks the system which signals end a process, so that the lists above miss none.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_lists_have_every_signal_that_ends_a_process() {
+    // Not in the lists: SIGKILL, faults of memory, the limit on file sizes, signals that only stop a process, and two
+    // that the C library reserves for itself.
+    let left_out = [7, 9, 11, 19, 20, 21, 22, 25, 32, 33];
+    for number in (1..=64).filter(|number| !left_out.contains(number)) {
+        let file = file(&format!("unhandled-{number}"));
+        let ends = signalled(number, "unhandled", &[&file]).0.signal() == Some(number);
+        let listed = REQUESTS.iter().chain(&FATAL).chain(MORE).any(|&listed| listed == number);
+        assert_eq!(listed, ends, "signal {number}");
+        std::fs::remove_file(file).expect("it is there");
+    }
+}
+
+#[test]
+fn a_file_that_has_its_final_name_stays() {
+    let file = file("forgotten");
+    assert_eq!(signalled(15, "forgotten", &[&file]).0.signal(), Some(15));
+    std::fs::remove_file(file).expect("it is there");
+}
+
+#[test]
+fn signals_that_were_ignored_stay_ignored() {
+    let file = file("ignored");
+    assert!(signalled(1, "ignored", &[&file]).0.success());
+    std::fs::remove_file(file).expect("it is there");
+}
+
+#[test]
+fn a_first_request_may_be_noted_and_a_second_ends_the_process() {
+    for number in REQUESTS {
+        let file = file(&format!("noted-{number}"));
+        let (status, went_on) = signalled(number, "noted", &[&file]);
+        assert_eq!((status.signal(), went_on), (Some(number), true));
+        assert!(!file.exists());
+    }
+}
+
+#[cfg(any(target_os = "linux", target_os = "macos"))]
+#[test]
+fn the_limit_on_file_sizes_ends_no_process() {
+    let file = file("size");
+    assert!(signalled(FILE_SIZE.expect("it has one"), "", &[&file]).0.success());
+    std::fs::remove_file(file).expect("it is there");
+}

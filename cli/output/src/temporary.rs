@@ -1,0 +1,242 @@
+//! A temporary file that replaces an old file when it is complete, and is removed when it is not.
+
+use std::ffi::{CStr, CString};
+use std::fs::{File, Permissions};
+use std::hash::{BuildHasher, RandomState};
+use std::io::{self, ErrorKind, Write};
+use std::os::fd::{AsFd, AsRawFd};
+use std::os::unix::ffi::OsStrExt;
+use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+use std::path::Path;
+
+use crate::folder::Folder;
+use crate::stop::Remembered;
+
+/// Reading and writing for the owner, nothing for all others.
+const PRIVATE: u32 = 0o600;
+/// Reading and writing for all users, except the permissions that the process' mask removes.
+const COMMON: u32 = 0o666;
+/// The bits with which a program runs with the rights of its owner or its group.
+const SET_USER: u32 = 0o4000;
+const SET_GROUP: u32 = 0o2000;
+
+/// Owner, group and permissions of a file.
+#[derive(Clone, Copy, Debug)]
+struct Rights {
+    user: u32,
+    group: u32,
+    mode: u32,
+}
+
+impl Rights {
+    fn of(file: &File) -> io::Result<Self> {
+        let metadata = file.metadata()?;
+        Ok(Self { user: metadata.uid(), group: metadata.gid(), mode: metadata.mode() })
+    }
+
+    /// The permissions for the file with the rights `new`, which replaces the file with these rights. With another
+    /// owner it gets no set-user-ID bit. With another group it gets no set-group-ID bit, and its group gets only the
+    /// permissions that all users have.
+    fn mode_for(self, new: Self) -> u32 {
+        let mut mode = self.mode & 0o7777;
+        if new.user != self.user {
+            mode &= !SET_USER;
+        }
+        if new.group != self.group {
+            mode &= !SET_GROUP & (!0o070 | (mode & 0o007) << 3);
+        }
+        mode
+    }
+}
+
+/// A file that is being written, and will get the name `target` in an open folder.
+///
+/// If the file system supports it, the file has no name until it is complete. Then no file is left, however the process
+/// ends. Otherwise the file has a hidden temporary name, and is removed when this is dropped or when a signal ends the
+/// process.
+#[derive(Debug)]
+pub struct Temporary {
+    // Stands before `folder` and so is dropped first, since removing the file needs the open folder.
+    name: Option<Name>,
+    file: File,
+    folder: Folder,
+    target: CString,
+    /// Rights of the file that is replaced, if there is one.
+    old: Option<Rights>,
+    /// The permissions that the file gets when it is complete, if it replaces no file and does not have them yet.
+    mode: Option<u32>,
+    sync: bool,
+}
+
+impl Temporary {
+    /// Checks that `target`, which is no link, may be created or replaced, and creates the temporary file.
+    ///
+    /// # Errors
+    /// Why `target` cannot be written, as far as that is known before writing.
+    pub fn new(target: &Path, sync: bool) -> io::Result<Self> {
+        Self::with(target, sync, Folder::create_unnamed)
+    }
+
+    /// A file with a temporary name, as on a file system that does not support files without a name.
+    #[cfg(test)]
+    pub fn named(target: &Path, sync: bool) -> io::Result<Self> {
+        Self::with(target, sync, |_, _| Err(ErrorKind::Unsupported.into()))
+    }
+
+    /// Creates the file by `unnamed`, or with a temporary name if `unnamed` fails.
+    fn with(target: &Path, sync: bool, unnamed: impl Fn(&Folder, u32) -> io::Result<File>) -> io::Result<Self> {
+        let name = file_name(target)?;
+        let folder = Folder::open(target.parent().unwrap_or(Path::new("")), sync)?;
+        let old = old_file(&folder, &name)?;
+        let mode = if old.is_some() { PRIVATE } else { COMMON };
+        if let Ok(file) = unnamed(&folder, mode) {
+            return Ok(Self { name: None, file, folder, target: name, old, mode: None, sync });
+        }
+        let (temporary, file) = Name::new(&folder, |name| folder.create(name, mode))?;
+        let mut this = Self { name: Some(temporary), file, folder, target: name, old, mode: None, sync };
+        if this.old.is_none() {
+            this.mode = Some(Rights::of(&this.file)?.mode);
+            // An error is ignored: some file systems, such as those of memory cards, have no permissions.
+            let _ = this.file.set_permissions(Permissions::from_mode(PRIVATE));
+        }
+        Ok(this)
+    }
+
+    /// Gives the file its final name, and so replaces the old file.
+    ///
+    /// # Errors
+    /// The error of the system. The old file is then unchanged, except if the folder cannot be synced: then the new
+    /// file has its name already, and the message says so.
+    pub fn commit(mut self) -> io::Result<()> {
+        if let Some(mode) = self.mode_at_last()? {
+            // An error is ignored, since a file with fewer permissions is better than none.
+            let _ = self.file.set_permissions(Permissions::from_mode(mode));
+        }
+        if self.name.is_none() && self.old.is_none() {
+            self.sync_file()?;
+            match self.folder.link(&self.file, &self.target) {
+                // Another process has created a file of this name meanwhile. It is replaced like an old file, if
+                // allowed.
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => self.folder.may_replace(&self.target)?,
+                result => return result.and_then(|()| self.sync_folder()),
+            }
+        }
+        if self.name.is_none() {
+            self.name = Some(Name::new(&self.folder, |name| self.folder.link(&self.file, name))?.0);
+        }
+        self.sync_file()?;
+        if let Some(name) = &self.name {
+            self.folder.rename(&name.name, &self.target)?;
+        }
+        // After renaming no file has the temporary name, so there is none to remove.
+        if let Some(name) = self.name.take() {
+            name.remembered.forget();
+        }
+        self.sync_folder()
+    }
+
+    /// Gives the new file the owner of the old one, if this process may do so. Returns the permissions that the new
+    /// file must get when it is complete, or `None` if it has them already.
+    ///
+    /// # Errors
+    /// The error of the system, if the rights of the new file cannot be read.
+    fn mode_at_last(&self) -> io::Result<Option<u32>> {
+        let Some(old) = self.old else { return Ok(self.mode) };
+        let mut new = Rights::of(&self.file)?;
+        if (new.user, new.group) != (old.user, old.group) {
+            // Root may change the owner. Other users may change only the group, to one that they belong to. If neither
+            // is allowed, the new file keeps the owner and group that it has.
+            let _ = fchown(&self.file, Some(old.user), Some(old.group))
+                .or_else(|_| fchown(&self.file, None, Some(old.group)));
+            new = Rights::of(&self.file)?;
+        }
+        Ok(Some(old.mode_for(new)))
+    }
+
+    fn sync_file(&self) -> io::Result<()> {
+        if self.sync { self.file.sync_all() } else { Ok(()) }
+    }
+
+    fn sync_folder(&self) -> io::Result<()> {
+        if !self.sync {
+            return Ok(());
+        }
+        let explain = |error| format!("the new file is there, but a loss of power may bring the old one back: {error}");
+        self.folder.sync().map_err(|error| io::Error::new(error.kind(), explain(error)))
+    }
+}
+
+impl Write for Temporary {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// The last part of a path, if it can name a file.
+fn file_name(path: &Path) -> io::Result<CString> {
+    let name = path.file_name().map(OsStrExt::as_bytes).unwrap_or_default();
+    // Refuses `folder/` and `folder/.`, whose `file_name` is `folder`.
+    if name.is_empty() || !path.as_os_str().as_bytes().ends_with(name) {
+        return Err(io::Error::new(ErrorKind::InvalidFilename, "it is not the name of a file"));
+    }
+    Ok(CString::new(name)?)
+}
+
+/// The rights of the file `name`, if there is one, after all checks that it can be replaced.
+fn old_file(folder: &Folder, name: &CStr) -> io::Result<Option<Rights>> {
+    let file = match folder.open_for_writing(name) {
+        Ok(file) => file,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error),
+    };
+    if !file.metadata()?.is_file() {
+        return Err(io::Error::other("it is no longer a regular file"));
+    }
+    if folder.is_mount_point(&file)? {
+        let text = "a file is mounted here, which cannot be replaced; write to another name and copy it";
+        return Err(io::Error::new(ErrorKind::ResourceBusy, text));
+    }
+    folder.may_replace(name)?;
+    Rights::of(&file).map(Some)
+}
+
+/// A hidden name in a folder. Its file is removed when this is dropped, and when a signal ends the process.
+#[derive(Debug)]
+struct Name {
+    name: CString,
+    remembered: Remembered,
+}
+
+impl Name {
+    /// Finds a free name, with which `make` succeeds, and returns it with the result of `make`.
+    fn new<T>(folder: &Folder, make: impl Fn(&CStr) -> io::Result<T>) -> io::Result<(Self, T)> {
+        const TRIES: u32 = 100;
+
+        let process = std::process::id();
+        for _ in 0..TRIES {
+            // The name does not contain the target's name, which may already have the largest length. The random number
+            // makes it differ from the names of processes on other machines, and from files that a killed process left.
+            let random = RandomState::new().hash_one(process);
+            let name = CString::new(format!(".render-{process}-{random:016x}.tmp"))?;
+            let remembered = Remembered::new(folder.as_fd().as_raw_fd(), &name)?;
+            match make(&name) {
+                Ok(made) => return Ok((Self { name, remembered }, made)),
+                Err(error) => {
+                    // No file was created, or the name belongs to a file of another process, which must not be removed.
+                    remembered.forget();
+                    if error.kind() != ErrorKind::AlreadyExists {
+                        return Err(error);
+                    }
+                }
+            }
+        }
+        Err(io::Error::new(ErrorKind::AlreadyExists, "no temporary name is free beside it; remove .render-*.tmp"))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,31 @@
+//! The permissions that a new file gets from the old one.
+
+use super::*;
+
+/// The permissions of a new file of `user` and `group` that replaces a file of user 1 and group 1 with `mode`.
+fn mode(mode: u32, user: u32, group: u32) -> u32 {
+    const REGULAR_FILE: u32 = 0o100_000;
+
+    let [old, new] = [(1, 1), (user, group)].map(|(user, group)| Rights { user, group, mode: REGULAR_FILE | mode });
+    old.mode_for(new)
+}
+
+#[test]
+fn the_same_owner_keeps_all_permissions() {
+    for kept in [0o644, 0o600, 0o7777, 0o4755, 0o2070] {
+        assert_eq!(mode(kept, 1, 1), kept);
+    }
+}
+
+#[test]
+fn another_user_does_not_get_the_set_user_id_bit() {
+    assert_eq!(mode(0o7775, 2, 1), 0o3775);
+    assert_eq!(mode(0o640, 2, 1), 0o640);
+}
+
+#[test]
+fn another_group_gets_no_set_group_id_bit_and_only_the_permissions_of_all_users() {
+    for (old, new) in [(0o7775, 0o5755), (0o2674, 0o644), (0o640, 0o600), (0o607, 0o607), (0o671, 0o611)] {
+        assert_eq!(mode(old, 1, 2), new, "{old:o}");
+    }
+}

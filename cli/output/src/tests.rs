@@ -1,0 +1,190 @@
+//! Files that are replaced whole or not at all.
+
+use std::fs::Permissions;
+use std::os::unix::fs::{PermissionsExt, symlink};
+
+use crate::*;
+
+mod failures;
+mod special;
+
+/// A folder for one test, which is removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("render-output-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("the temporary folder is writable");
+        Self(path)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("the folder exists");
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    open(path)?.fill(|out| out.write_all(text.as_bytes()))
+}
+
+fn open(path: &Path) -> Result<Output, Error> {
+    Output::open(path, Options::default())
+}
+
+fn mode(path: &Path) -> u32 {
+    fs::metadata(path).expect("it is there").permissions().mode() & 0o7777
+}
+
+#[test]
+fn a_file_is_created_and_replaced_whole() {
+    let folder = Folder::new("replace");
+    let path = folder.0.join("out.ppm");
+    write(&path, "a longer first text").expect("the folder is writable");
+    write(&path, "second").expect("the folder is writable");
+    assert_eq!(fs::read_to_string(&path).expect("written"), "second");
+    assert_eq!(folder.names(), ["out.ppm"]);
+}
+
+#[test]
+fn after_a_failure_only_the_old_file_is_left() {
+    let folder = Folder::new("failure");
+    let path = folder.0.join("out.ppm");
+    write(&path, "old").expect("the folder is writable");
+    let result = open(&path).expect("the folder is writable").fill(|out| {
+        out.write_all(b"half of the ne")?;
+        Err(io::ErrorKind::StorageFull.into())
+    });
+    assert!(matches!(result, Err(Error { .. })));
+    assert_eq!(fs::read_to_string(&path).expect("still there"), "old");
+    assert_eq!(folder.names(), ["out.ppm"]);
+}
+
+#[test]
+fn opening_changes_nothing() {
+    let folder = Folder::new("open");
+    let path = folder.0.join("out.ppm");
+    let output = open(&path).expect("the folder is writable");
+    drop(output);
+    assert!(folder.names().is_empty());
+    write(&path, "old").expect("the folder is writable");
+    let mut output = open(&path).expect("the folder is writable");
+    output.write_all(b"half").expect("the disk has room");
+    drop(output);
+    assert_eq!(fs::read_to_string(&path).expect("still there"), "old");
+    assert_eq!(folder.names(), ["out.ppm"]);
+}
+
+#[test]
+fn folders_and_missing_folders_are_refused_at_once() {
+    let folder = Folder::new("refused");
+    assert!(open(&folder.0).is_err());
+    assert!(open(&folder.0.join("missing/out.ppm")).is_err());
+    assert!(open(&folder.0.join("out.ppm/")).is_err());
+    assert!(open(&folder.0.join("out.ppm/.")).is_err());
+    assert!(open(Path::new("")).is_err());
+}
+
+#[test]
+fn only_the_owner_may_open_a_file_that_is_being_written() {
+    use crate::temporary::Temporary;
+
+    let folder = Folder::new("private");
+    let path = folder.0.join("out.ppm");
+    let half = |folder: &Folder| folder.names().into_iter().find(|name| name.starts_with(".render-"));
+    let common = {
+        File::create(folder.0.join("common")).expect("the folder is writable");
+        mode(&folder.0.join("common"))
+    };
+    // With and without a temporary name, for a file that is new and for one that replaces another.
+    for named in [true, false] {
+        for (old, new) in [(None, common), (Some(0o600), 0o600), (Some(0o640), 0o640), (Some(0o4755), 0o4755)] {
+            let _ = fs::remove_file(&path);
+            if let Some(old) = old {
+                fs::write(&path, "old").expect("the folder is writable");
+                fs::set_permissions(&path, Permissions::from_mode(old)).expect("it is ours");
+            }
+            let file = if named { Temporary::named(&path, false) } else { Temporary::new(&path, false) };
+            let mut file = file.expect("the folder is writable");
+            file.write_all(b"half").expect("the disk has room");
+            match half(&folder) {
+                Some(name) => assert_eq!(mode(&folder.0.join(name)), 0o600),
+                None => assert!(!named, "the temporary file has no name"),
+            }
+            file.commit().expect("the folder is writable");
+            assert_eq!(mode(&path), new);
+            assert_eq!(fs::read_to_string(&path).expect("written"), "half");
+            assert_eq!(half(&folder), None);
+        }
+    }
+}
+
+#[test]
+fn a_named_temporary_file_is_removed_when_it_is_dropped() {
+    use crate::temporary::Temporary;
+
+    let folder = Folder::new("named");
+    let path = folder.0.join("out.ppm");
+    // Half of the 16 slots for names of a process, since other tests of this process write files meanwhile.
+    let files: Vec<_> = (0..8).map(|_| Temporary::named(&path, true).expect("the folder is writable")).collect();
+    assert_eq!(folder.names().len(), 8);
+    drop(files);
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_file_that_another_process_creates_meanwhile_is_replaced() {
+    let folder = Folder::new("meanwhile");
+    let path = folder.0.join("out.ppm");
+    for sync in [false, true] {
+        let mut output = Output::open(&path, Options { sync }).expect("the folder is writable");
+        fs::write(&path, "another's").expect("the folder is writable");
+        output.write_all(b"new").expect("the disk has room");
+        output.commit().expect("the folder is writable");
+        assert_eq!(fs::read_to_string(&path).expect("written"), "new");
+        assert_eq!(folder.names(), ["out.ppm"]);
+        fs::remove_file(&path).expect("it is ours");
+    }
+}
+
+#[test]
+fn a_folder_that_is_renamed_meanwhile_gets_the_file() {
+    let folder = Folder::new("renamed");
+    let [before, after] = ["before", "after"].map(|name| folder.0.join(name));
+    fs::create_dir(&before).expect("the folder is writable");
+    let mut output = open(&before.join("out.ppm")).expect("the folder is writable");
+    fs::rename(&before, &after).expect("it is ours");
+    fs::create_dir(&before).expect("the folder is writable");
+    output.write_all(b"text").expect("the disk has room");
+    output.commit().expect("the folder is writable");
+    assert_eq!(fs::read_to_string(after.join("out.ppm")).expect("written"), "text");
+    assert_eq!(fs::read_dir(&before).expect("it is there").count(), 0);
+}
+
+#[test]
+fn an_output_that_is_an_input_is_refused_under_any_name() {
+    let folder = Folder::new("inputs");
+    let [scene, link, hard, other] = ["scene", "link", "hard", "other"].map(|name| folder.0.join(name));
+    fs::write(&scene, "text").expect("the folder is writable");
+    fs::write(&other, "text").expect("the folder is writable");
+    symlink("scene", &link).expect("links are allowed");
+    fs::hard_link(&scene, &hard).expect("links are allowed");
+    for out in [&scene, &link, &hard] {
+        let error = refuse_inputs(out, &[&other, &scene]).expect_err("it is the scene").to_string();
+        let expected =
+            format!("Cannot write file [{}]: it is the same file as the input [{}]", out.display(), scene.display());
+        assert!(error.starts_with(&expected), "{error}");
+    }
+    assert!(refuse_inputs(&other, &[&scene]).is_ok());
+    assert!(refuse_inputs(&folder.0.join("new"), &[&scene]).is_ok());
+    assert!(refuse_inputs(Path::new("/dev/null"), &[Path::new("/dev/null")]).is_ok());
+}

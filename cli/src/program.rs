@@ -1,0 +1,76 @@
+//! The work of the programs: reads the two files, renders, and writes the picture.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use cpu::{Config, Layout, Scatter, Scene};
+use output::{Options, Output};
+
+use crate::Error;
+
+/// Renders a scene into a file. The three arguments are the names `CONFIG`, `SCENE` and `OUT.ppm`.
+///
+/// # Errors
+/// The first of these: [`Error::ArgumentCount`]; an output that is also an input; a fault of the configuration, of the
+/// scene, of the picture, or of the output. The output file is then unchanged.
+pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
+    reserve_stack();
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let [config, scene, out] = &arguments[..] else {
+        return Err(Error::ArgumentCount(arguments.len()));
+    };
+    render_files::<L>(Path::new(config), Path::new(scene), Path::new(out), Scatter::Statement)
+}
+
+/// Makes the system give the stack all the memory that rendering needs, before other allocations use up the address
+/// space.
+///
+/// The stack grows on demand. If the address space is limited and used up, it cannot grow, and the process would end by
+/// SIGSEGV without a message. All other allocations that grow with the input report an error when they fail. The
+/// programs have only one thread.
+///
+/// Rendering 10,000 objects needs a stack of 384 KiB in test builds and of 288 KiB in release builds. These are the
+/// smallest values of `ulimit -s` with which the programs rendered them.
+#[inline(never)]
+fn reserve_stack() {
+    const BYTES: usize = 512 << 10;
+    std::hint::black_box(&mut [0_u8; BYTES]);
+}
+
+/// Renders `scene` with `config` into `out`.
+///
+/// # Errors
+/// As [`run`], except [`Error::ArgumentCount`].
+pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
+    output::refuse_inputs(out, &[config, scene])?;
+    let config_path = config;
+    let config = Config::read(config_path)?;
+    let scene = Scene::read(scene)?;
+    // A camera without a window is a fault of the configuration, so it is reported before faults of the output.
+    config.check_picture().map_err(|error| error.in_file(config_path))?;
+    let output = Output::open(out, Options::default())?;
+    let image = cpu::render::<L>(&config, &scene, scatter).map_err(|error| error.in_file(config_path))?;
+    Ok(output.fill(|file| cpu::write_ppm(&image, file))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use cpu::Aos;
+
+    use super::*;
+
+    #[test]
+    fn three_arguments_are_needed() {
+        for count in [0, 1, 2, 4, 9] {
+            let error = run::<Aos>(vec![OsString::from("x"); count]).expect_err("the number is wrong");
+            assert_eq!(error.to_string(), format!("Invalid number of arguments: {count}"));
+        }
+    }
+
+    #[test]
+    fn the_configuration_is_read_first() {
+        let names = ["/nowhere/config", "/nowhere/scene", "/nowhere/out"].map(OsString::from);
+        let error = run::<Aos>(names).expect_err("no file exists");
+        assert!(error.to_string().starts_with("Cannot read file [/nowhere/config]: "), "{error}");
+    }
+}

@@ -1,0 +1,169 @@
+//! Up to eight objects for the [conservative tests](crate::accel::conservative): many rays against one object after the
+//! other, or one ray against several objects at once, an object in each lane.
+
+use crate::accel::{
+    conservative::ConservativeRay, conservative::is_too_short, object::ObjectId, object::count, target::Target,
+};
+use crate::geometry::ray::Ray;
+use crate::layout::Objects;
+use crate::math::vec3::Vec3;
+use crate::simd::{LaneMask, SimdF64};
+
+/// Most objects; every instruction set's lanes divide it.
+pub const CAPACITY: usize = 8;
+
+/// A number for each object.
+type Row = [f64; CAPACITY];
+
+/// The objects by their [ids](ObjectId), a place each; places that are left over repeat the first object.
+#[derive(Clone, Debug)]
+pub struct ObjectLanes {
+    sphere_count: usize,
+    count: usize,
+    targets: Target<Row>,
+}
+
+impl ObjectLanes {
+    /// The first [`CAPACITY`] objects of a scene with this largest coordinate.
+    pub fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
+        let (sphere_count, count) = (objects.sphere_count().min(CAPACITY), count(objects).min(CAPACITY));
+        let row = |number: &dyn Fn(&Target) -> f64| -> Row {
+            std::array::from_fn(|place| match count {
+                0 => 0.0,
+                _ => number(&Target::of(objects, if place < count { place as ObjectId } else { 0 }, max_coordinate)),
+            })
+        };
+        let targets = Target {
+            center: Vec3::new(row(&|it| it.center.x), row(&|it| it.center.y), row(&|it| it.center.z)),
+            axis: Vec3::new(row(&|it| it.axis.x), row(&|it| it.axis.y), row(&|it| it.axis.z)),
+            radius_squared: row(&|it| it.radius_squared),
+            bounding_radius_squared: row(&|it| it.bounding_radius_squared),
+            half_height: row(&|it| it.half_height),
+        };
+        Self { sphere_count, count, targets }
+    }
+
+    /// The objects that one ray may hit: a bit for each.
+    #[inline(always)]
+    pub fn objects_may_hit<V: SimdF64>(&self, ray: &Ray) -> u32 {
+        let conservative = ConservativeRay::new(ray.lanes::<V>());
+        let all = (1 << self.count) - 1;
+        if is_too_short(conservative.length_squared).bits() != 0 {
+            return all;
+        }
+        let mut may_hit = 0;
+        // First the groups of lanes that hold only spheres, then the others.
+        let spheres = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
+        for at in (0..spheres).step_by(V::LANES) {
+            may_hit |= conservative.sphere(&self.targets.load::<V, false>(at)).bits() << at;
+        }
+        for at in (spheres..self.count).step_by(V::LANES) {
+            may_hit |= conservative.cylinder(&self.targets.load::<V, false>(at)).bits() << at;
+        }
+        may_hit & all
+    }
+
+    /// Whether each of several rays may hit the object at this place. The result has no meaning for directions that are
+    /// [too short](is_too_short).
+    #[inline(always)]
+    pub fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
+        if at < self.sphere_count {
+            conservative.sphere(&self.targets.load::<V, true>(at))
+        } else {
+            conservative.cylinder(&self.targets.load::<V, true>(at))
+        }
+    }
+
+    /// The objects that each of several rays may hit; all objects for the lanes of `too_short`, which are bits.
+    #[inline(always)]
+    pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
+        let conservative = ConservativeRay::new(*ray);
+        let mut may_hit = MayHitLanes::NOTHING;
+        for at in 0..self.count.min(CAPACITY) {
+            may_hit.add(at, self.may_hit(at, &conservative).bits() | too_short);
+        }
+        may_hit
+    }
+}
+
+/// Which of up to eight objects each of several rays may hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MayHitLanes {
+    /// Eight bits for each object, one for each ray.
+    bits: u64,
+    /// The rays that may hit any object.
+    any: u32,
+}
+
+impl MayHitLanes {
+    /// No ray may hit any object.
+    pub const NOTHING: Self = Self { bits: 0, any: 0 };
+
+    /// Adds the object at `id`, which the rays whose bits are set may hit.
+    #[inline(always)]
+    const fn add(&mut self, id: usize, rays: u32) {
+        self.bits |= (rays as u64) << (8 * id);
+        self.any |= rays;
+    }
+
+    /// The rays that may hit any object, as bits.
+    #[inline(always)]
+    pub const fn any(&self) -> u32 {
+        self.any
+    }
+
+    /// The objects that the ray in `lane` may hit: a bit for each, by [id](ObjectId).
+    #[inline(always)]
+    pub const fn of_lane(&self, lane: usize) -> u32 {
+        const FIRST_BIT_OF_EACH: u64 = 0x0101_0101_0101_0101;
+        // The product moves bit 8 i to bit 56 + i; its other bits stay below bit 56.
+        const GATHER: u64 = 0x0102_0408_1020_4080;
+        ((self.bits >> lane & FIRST_BIT_OF_EACH).wrapping_mul(GATHER) >> 56) as u32
+    }
+}
+
+// No closures here: they would be compiled without the instruction set.
+impl Target<Row> {
+    /// The objects from `at` on, one in each lane; or, if `SAME`, the object at `at` in every lane.
+    #[inline(always)]
+    fn load<V: SimdF64, const SAME: bool>(&self, at: usize) -> Target<V> {
+        Target {
+            center: vector::<V, SAME>(&self.center, at),
+            axis: vector::<V, SAME>(&self.axis, at),
+            radius_squared: number::<V, SAME>(&self.radius_squared, at),
+            bounding_radius_squared: number::<V, SAME>(&self.bounding_radius_squared, at),
+            half_height: number::<V, SAME>(&self.half_height, at),
+        }
+    }
+}
+
+#[inline(always)]
+fn number<V: SimdF64, const SAME: bool>(row: &Row, at: usize) -> V {
+    if SAME { V::of(row[at]) } else { V::load(&row[at..]) }
+}
+
+#[inline(always)]
+fn vector<V: SimdF64, const SAME: bool>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
+    Vec3::new(number::<V, SAME>(x, at), number::<V, SAME>(y, at), number::<V, SAME>(z, at))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ray_may_hit_the_objects_whose_bits_hold_its_lane() {
+        let mut draws = crate::sampling::uniform::Uniform::new(8);
+        for _ in 0..2000 {
+            let rays: [u32; CAPACITY] =
+                std::array::from_fn(|_| draws.draw(0.0, 256.0) as u32 & draws.draw(0.0, 256.0) as u32);
+            let mut may_hit = MayHitLanes::NOTHING;
+            (0..CAPACITY).for_each(|id| may_hit.add(id, rays[id]));
+            for lane in 0..8 {
+                let expected = (0..CAPACITY).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();
+                assert_eq!(may_hit.of_lane(lane), expected, "lane {lane} of {rays:?}");
+                assert_eq!(may_hit.any() >> lane & 1 == 1, expected != 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! The rule of a hit on a cylinder's cap, exact: the twin of [`crate::geometry::cap`], by which the programs decide.
+//!
+//! A ray certainly hits a cap, certainly misses it, or the cap is uncertain. [`Plane`] serves one ray and lanes, in
+//! `f64` and in double-double; [`filtered`] is its form for one ray. If double-double is uncertain too, `Setting::cap`
+//! of `exact/cylinder_exact.rs` decides without rounding. The reference has its literal copy in `cap` of
+//! `reference/nearest.rs`, and WGSL in `cylinder_cap` of `cylinder.wgsl`.
+
+use crate::exact::{
+    cylinder_side::LIMITS, cylinder_side::extent, cylinder_side::magnitude, cylinder_side::margin,
+    error_bound::Decision, error_bound::Outcome,
+};
+use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::LAMBDA_MIN, ray::Ray};
+use crate::math::{rounding::Rounding, vec3::Vec3};
+
+/// The hit of one ray with the cap that is the `part` around `center`.
+#[inline(always)]
+pub(super) fn filtered<T: Rounding<Mask = bool>>(
+    record: &CylinderRecord<T>,
+    ray: &Ray<T>,
+    center: Vec3<T>,
+    part: CylinderPart,
+) -> Decision<Option<(T, CylinderPart)>> {
+    let plane = Plane::new(record, ray, center);
+    if plane.fails {
+        return Decision::Certain(None);
+    }
+    let disc = plane.disc(record, ray);
+    match (disc.hits, disc.fails) {
+        (true, _) => Decision::Certain(Some((disc.lambda, part))),
+        (_, true) => Decision::Certain(None),
+        _ => Decision::Uncertain,
+    }
+}
+
+/// A cap's plane, and which results are certain before lambda is computed.
+pub(super) struct Plane<T: Rounding> {
+    center: Vec3<T>,
+    /// From the ray's origin to the plane along the axis.
+    to_plane: T,
+    /// The product of the ray's direction and the axis.
+    slope: T,
+    /// The plane is certainly not hit: it is parallel to the ray, behind its origin, or too near.
+    pub fails: T::Mask,
+    /// The ray is certainly not parallel to it.
+    steep: T::Mask,
+    /// Lambda can be computed with the accuracy of an accepted one.
+    accurate: T::Mask,
+}
+
+impl<T: Rounding> Plane<T> {
+    /// The plane of the cap around `center`.
+    #[inline(always)]
+    pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Self {
+        let condition = LIMITS.condition_limit::<T>();
+        let to_center = center - ray.origin;
+        let (to_plane, slope) = (to_center.dot(record.axis), ray.direction.dot(record.axis));
+        let (steepness, size_of_direction) = (slope.abs(), magnitude(ray.direction));
+        let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
+        let parallel = (steepness + slope_error).less(T::of(PARALLEL));
+        let steep = (T::of(PARALLEL) + slope_error).less(steepness);
+        // Positive in front of the ray.
+        let distance = to_plane.flipped_by(slope);
+        let size = extent(record) + magnitude(to_center);
+        let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
+        let too_near = (distance + distance_error).less((steepness - slope_error) * T::of(LAMBDA_MIN));
+        let accurate =
+            size.less(distance * T::of(4.0 * condition)) & size_of_direction.less(steepness * T::of(8.0 * condition));
+        Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate }
+    }
+
+    /// Whether the disc is hit.
+    #[inline(always)]
+    pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
+        let lambda = self.to_plane / self.slope;
+        let in_range = self.accurate & LIMITS.in_range(lambda);
+        let from_center = (ray.at(lambda) - self.center).length();
+        let margin = margin(record, ray, lambda);
+        let (within, beyond) = (from_center.less(record.radius - margin), (record.radius + margin).less(from_center));
+        Outcome { lambda, hits: self.steep & in_range & within, fails: self.fails | (self.steep & in_range & beyond) }
+    }
+}

@@ -1,0 +1,36 @@
+//! Mirror images (specification, section 10.2). The reference's copy is in `reference.rs` (`scatter`), and the copy in
+//! WGSL is `scatter.wgsl`.
+
+use crate::math::{real::Real, vec3::Vec3};
+
+/// The mirror image of `direction` in a surface.
+#[inline(always)]
+pub fn reflect<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
+    direction - normal * (direction.dot(normal) * T::of(2.0))
+}
+
+/// The direction, of length one, in which a metal surface without diffusion reflects light.
+#[inline(always)]
+pub fn mirror<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
+    reflect(direction, normal).unit()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    #[test]
+    fn a_mirror_image_leaves_at_the_angle_at_which_light_comes() {
+        let down = Vec3::new(3.0, -4.0, 0.0);
+        assert_eq!(reflect(down, UP), Vec3::new(3.0, 4.0, 0.0));
+        assert_eq!(mirror(down, UP), Vec3::new(0.6, 0.8, 0.0));
+    }
+
+    #[test]
+    fn a_normal_and_its_opposite_give_the_same_mirror_image() {
+        let (direction, normal) = (Vec3::new(3.0, -4.0, 0.3), Vec3::new(0.1, 0.9, -0.2));
+        assert_eq!(mirror(direction, normal), mirror(direction, -normal));
+    }
+}

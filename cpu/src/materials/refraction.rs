@@ -1,0 +1,85 @@
+//! Refraction (specification, section 10.3).
+//!
+//! With a normal of length one this is Snell's law: sine of incidence times the ratio of indices is sine of refraction.
+//! 1. A ray enters if the product of its direction and the outward normal is negative. The ratio is then `1 / rho`, and
+//!    otherwise `rho`.
+//! 2. Where the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
+//! 3. No random number is drawn, and the reflectance is 1 in every channel ([`Material::reflectance`]).
+//!
+//! The normal on the side of a cylinder has the length of the radius (section 9.2), and the same formula is used there.
+//! So the cosine is limited to 1, and the square root is that of a magnitude. `facing` in `geometry/ray.rs` decides
+//! whether a ray enters.
+//!
+//! [`Material::reflectance`]: crate::input::material::Material::reflectance
+//!
+//! The reference's copy is in `reference.rs` (`scatter`). The copy in WGSL is `scatter_refract` in `scatter.wgsl`.
+
+use crate::materials::reflection::reflect;
+use crate::math::{real::Real, vec3::Vec3};
+
+/// The ratios of indices of a refractive surface, for rays that enter and for rays that leave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IndexRatio {
+    /// `1 / rho`.
+    entering: f64,
+    /// `rho`.
+    leaving: f64,
+}
+
+impl IndexRatio {
+    /// The ratios of a material whose index is `rho`.
+    pub const fn new(rho: f64) -> Self {
+        Self { entering: 1.0 / rho, leaving: rho }
+    }
+
+    /// The ratio for a ray that hits the surface from outside where `front` holds, and from inside elsewhere.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, front: T::Mask) -> T {
+        T::select(front, T::of(self.entering), T::of(self.leaving))
+    }
+}
+
+/// The direction behind a refractive surface, or the mirror image beyond the critical angle. `normal` is on the side
+/// that the ray comes from, and `ratio` is the ratio of indices.
+#[inline(always)]
+pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {
+    let one = T::of(1.0);
+    let u = direction.unit();
+    let cos = -u.dot(normal);
+    let cos = T::select(cos.less(one), cos, one);
+    let sin = (one - cos * cos).sqrt();
+    let p = (u + normal * cos) * ratio;
+    let refracted = p - normal * (one - p.dot(p)).abs().sqrt();
+    Vec3::select(one.less(ratio * sin), reflect(u, normal), refracted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UP: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    #[test]
+    fn the_ratio_is_inverted_where_a_ray_enters() {
+        let ratio = IndexRatio::new(1.5);
+        assert_eq!((ratio.at::<f64>(true), ratio.at::<f64>(false)), (1.0 / 1.5, 1.5));
+    }
+
+    #[test]
+    fn light_is_bent_by_snells_law() {
+        let incoming = Vec3::new(3.0, -4.0, 0.0);
+        let bent = refract(incoming, UP, 1.0 / 1.5);
+        assert!((bent.length() - 1.0).abs() < 1e-15);
+        assert!((bent.x - 0.6 / 1.5).abs() < 1e-15, "sine of refraction is sine of incidence over the index");
+        assert!(bent.y < 0.0);
+    }
+
+    #[test]
+    fn straight_light_stays_straight_and_beyond_the_critical_angle_it_is_reflected() {
+        assert_eq!(refract(-UP, UP, 1.5), -UP);
+        assert_eq!(refract(Vec3::new(3.0, -4.0, 0.0), UP, 2.0), Vec3::new(0.6, 0.8, 0.0));
+        // At the critical angle itself, ratio sin = 1 is not beyond it: the light leaves along the surface.
+        let grazing = refract(Vec3::new(1.0, 0.0, 0.0), UP, 1.0);
+        assert_eq!(grazing, Vec3::new(1.0, 0.0, 0.0));
+    }
+}

@@ -1,0 +1,37 @@
+//! A value on the heap, whose allocation may fail.
+
+use std::ops::{Deref, DerefMut};
+
+use crate::input::error::{Error, with_room};
+
+/// A value on the heap, like `Box<T>`. `Box::new` ends the process if memory is short. [`Boxed::new`] returns an error.
+#[derive(Debug)]
+pub struct Boxed<T>(Vec<T>);
+
+impl<T> Boxed<T> {
+    /// Moves `value` to the heap.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(value: T) -> Result<Self, Error> {
+        let mut list = with_room(1, "the samples of a span")?;
+        list.push(value);
+        Ok(Self(list))
+    }
+}
+
+impl<T> Deref for Boxed<T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn deref(&self) -> &T {
+        &self.0[0]
+    }
+}
+
+impl<T> DerefMut for Boxed<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut T {
+        &mut self.0[0]
+    }
+}

@@ -1,0 +1,50 @@
+//! The data that the stages of a span share, and that remain from span to span. `render.rs` runs the stages.
+
+use crate::input::error::Error;
+use crate::layout::Layout;
+use crate::render::boxed::Boxed;
+use crate::render::{background_pixels::BackgroundPixels, frustum::Candidates, path::PathTracer};
+use crate::render::{prepared::Prepared, samples::Batch};
+use crate::sampling::draw_order::PixelJitter;
+
+/// The prepared scene, and the state of its rendering.
+pub struct SpanState<'a, L: Layout> {
+    /// The prepared scene.
+    pub prepared: &'a Prepared<L>,
+    /// The row of the span.
+    pub row: usize,
+    /// The objects that rays of the row and of the span may hit.
+    pub candidates: Candidates,
+    /// The stream of the samples' offsets.
+    pub pixel_jitter: PixelJitter,
+    /// Bounds of the pixels that no object can reach.
+    pub background_pixels: BackgroundPixels,
+    /// The samples of the span.
+    pub batch: Boxed<Batch>,
+    /// The paths of the span.
+    pub tracer: Boxed<PathTracer>,
+}
+
+impl<'a, L: Layout> SpanState<'a, L> {
+    /// The state before the first span.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn new(prepared: &'a Prepared<L>) -> Result<Self, Error> {
+        Ok(Self {
+            prepared,
+            row: 0,
+            candidates: Candidates::new(prepared)?,
+            pixel_jitter: PixelJitter::new(prepared.ray_seed),
+            background_pixels: BackgroundPixels::new(prepared),
+            batch: Batch::new()?,
+            tracer: PathTracer::new(prepared)?,
+        })
+    }
+
+    /// Begins a row: finds the objects that its rays may hit.
+    pub fn begin_row(&mut self, row: usize) {
+        self.row = row;
+        self.candidates.begin_row(self.prepared, row);
+    }
+}

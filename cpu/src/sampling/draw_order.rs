@@ -1,0 +1,109 @@
+//! The order of the random draws, which decides every byte (specification, sections 7.3 and 11).
+//!
+//! 1. Pixels go row by row, the samples of a pixel one after the other, each path to its end before the next begins.
+//! 2. A sample takes two draws of the generator of rays: its offset in the pixel to the right, then down.
+//!    [`PixelJitter`] draws them.
+//! 3. A hit on a matte or metal surface takes one scatter sample of the generator of materials: x, then y, then z. It
+//!    takes the sample even at the maximum depth, where no ray is sent. A refractive surface takes none.
+//!    [`ScatterSamples`](crate::sampling::scatter_stream::ScatterSamples) makes them.
+//!
+//! Where no number can change a byte, none is drawn: in deterministic mode, and if `needs_samples` of
+//! `render/prepared.rs` finds no material and depth for which a scatter sample matters. The reference's copy of the
+//! rule is in `reference.rs` (`render_counted` and `scatter`). WGSL has none: its numbers come from the CPU.
+//! `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this rule.
+
+use crate::counters::{Counter, add};
+use crate::sampling::block::BlockUniform;
+use crate::simd::SimdF64;
+use crate::simd::columns::Columns;
+
+/// Number of random draws for the position of one sample in its pixel: one to the right, one down.
+pub const DRAWS_OF_OFFSET: usize = 2;
+
+/// Number of random draws for one scatter sample. The published convention repeats these draws until their vector is in
+/// the unit ball (specification, section 11.2).
+pub const DRAWS_OF_SCATTER_SAMPLE: usize = 3;
+
+/// The stream of the samples' offsets in their pixels. Draws that are passed over are only counted. The next draw skips
+/// all of them at once.
+#[derive(Debug)]
+pub struct PixelJitter {
+    stream: BlockUniform,
+    passed_over: u64,
+}
+
+impl PixelJitter {
+    /// The beginning of the stream with this seed.
+    pub fn new(seed: u64) -> Self {
+        Self { stream: BlockUniform::new(seed), passed_over: 0 }
+    }
+
+    /// Passes over the draws of `samples` samples.
+    #[inline(always)]
+    pub fn pass_over(&mut self, samples: u64) {
+        let draws = DRAWS_OF_OFFSET as u64 * samples;
+        self.passed_over += draws;
+        add(Counter::RayDrawsSkipped, draws);
+    }
+
+    /// Draws the offsets of the next `count` samples, each in `[-1/2, 1/2)`. `draws` has room for the draws, and for
+    /// as many more as fill the last lanes. Offsets beyond the last sample are stale.
+    #[inline(always)]
+    pub fn draw<V: SimdF64, const LENGTH: usize>(
+        &mut self,
+        count: usize,
+        draws: &mut [f64],
+        offsets: &mut Columns<DRAWS_OF_OFFSET, LENGTH>,
+    ) {
+        add(Counter::RayDraws, (DRAWS_OF_OFFSET * count) as u64);
+        self.next_draws(&mut draws[..DRAWS_OF_OFFSET * count]);
+        // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing.
+        let half = V::of(0.5);
+        for at in (0..count).step_by(V::LANES) {
+            let next = &draws[DRAWS_OF_OFFSET * at..];
+            let (right, down) = V::load(next).unzip(V::load(&next[V::LANES..]));
+            offsets.store(at, [right - half, down - half]);
+        }
+    }
+
+    /// Skips what is passed over and fills `draws`.
+    #[inline(always)]
+    fn next_draws(&mut self, draws: &mut [f64]) {
+        if self.passed_over > 0 {
+            self.stream.skip(self.passed_over);
+            self.passed_over = 0;
+        }
+        self.stream.fill(draws);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::Simd;
+    use crate::simd::portable::Portable;
+
+    #[test]
+    fn draws_passed_over_are_skipped_before_the_next_is_made() {
+        let (mut jitter, mut stream) = (PixelJitter::new(5), BlockUniform::new(5));
+        jitter.pass_over(3);
+        jitter.pass_over(100);
+        stream.skip(206);
+        let (mut actual, mut expected) = ([0.0; 5], [0.0; 5]);
+        jitter.next_draws(&mut actual);
+        stream.fill(&mut expected);
+        assert_eq!(actual, expected);
+    }
+
+    #[test]
+    fn a_sample_is_placed_to_the_right_and_then_down() {
+        let (mut jitter, mut stream) = (PixelJitter::new(7), BlockUniform::new(7));
+        let (mut draws, mut offsets) = ([0.0; 32], Columns::<2, 16>::ZERO);
+        jitter.draw::<<Portable as Simd>::F64, 16>(11, &mut draws, &mut offsets);
+        for at in 0..11 {
+            let mut expected = [0.0; 2];
+            stream.fill(&mut expected);
+            assert_eq!(offsets.get(at), expected.map(|u| u - 0.5));
+        }
+    }
+}

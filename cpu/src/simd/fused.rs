@@ -1,0 +1,23 @@
+//! Runs the precise formulas of one ray with fused multiply-add.
+
+/// Runs an expression over references, compiled for [`fused`](crate::simd::instruction_set::InstructionSet::fused).
+///
+/// It is a macro, because a closure would be compiled without the instruction set: `mul_add` would call a function.
+macro_rules! run_fused {
+    (|$($name:ident: &$type:ty),+| -> $output:ty { $($body:tt)* }) => {{
+        struct Work<'a>($(&'a $type),+);
+
+        impl $crate::simd::Kernel for Work<'_> {
+            type Output = $output;
+
+            #[inline(always)]
+            fn call<S: $crate::simd::Simd>(self, _: S) -> $output {
+                let Self($($name),+) = self;
+                $($body)*
+            }
+        }
+        $crate::simd::instruction_set::InstructionSet::fused().run(Work($($name),+))
+    }};
+}
+
+pub(crate) use run_fused;

@@ -1,0 +1,208 @@
+//! `stress --out FOLDER`: runs the whole stress test of the intersections, in Rust and in WGSL, and writes its tables
+//! and plots into a folder. `stress --help` lists all options.
+
+mod document;
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use clap::Parser;
+use cpu::{Config, Scatter, Scene};
+use gpu_check::{Gpu, terminal};
+use output::{Options, Output};
+use stability::methods::{self, EXACT, PROJECTED};
+use stability::observed::Counts;
+use stability::regimes;
+use stability::report::{self, Picture, Section};
+use stability::run::{self, LargeSpheres};
+
+/// Compares the intersections, in Rust and in WGSL, with exact arithmetic, and writes tables and plots of the results.
+#[derive(Debug, Parser)]
+#[command(
+    name = "stress",
+    max_term_width = 120,
+    after_help = "\
+Examples:
+  stress --out /tmp/accuracy                 minutes; nothing else is written
+  stress --out /tmp/accuracy --rays 2000     seconds, to see what it writes
+  stress --out docs/accuracy --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
+                                             rewrites docs/accuracy/tables.md; name every case that it has
+
+Exit status: 0 all decisions are as they should be, 2 an error or a wrong decision"
+)]
+struct Arguments {
+    /// Folder for the results: tables.md, a CSV file and plots. In an existing tables.md only the tables are replaced
+    #[arg(long, value_name = "FOLDER")]
+    out: PathBuf,
+    /// Rays of each regime of spheres; a regime of cylinders gets three fifths of it
+    #[arg(long, default_value_t = 100_000, value_parser = count)]
+    rays: usize,
+    /// Seed of all random numbers
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// A picture to render beside those of tests/cases; may be repeated
+    #[arg(long, num_args = 3, value_names = ["NAME", "CONFIG", "SCENE"])]
+    case: Vec<String>,
+}
+
+/// Fewest rays of a regime. With fewer, some regimes would have no hit.
+const FEWEST_RAYS: usize = 1000;
+
+fn count(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|&count| count >= FEWEST_RAYS);
+    number.ok_or_else(|| format!("a whole number from {FEWEST_RAYS} on is needed"))
+}
+
+fn main() -> ExitCode {
+    gpu_check::runtime::ensure_folder();
+    // From here on a signal that ends the process leaves no temporary file.
+    output::stop::remove_temporary_when_stopped();
+    let result = match Arguments::try_parse() {
+        Ok(arguments) => run(&arguments),
+        Err(message) if message.use_stderr() => {
+            // The message repeats the arguments, so control characters in it must be escaped for the terminal.
+            terminal::note(message.render().to_string().trim_end());
+            return ExitCode::from(2);
+        }
+        Err(help) => terminal::print(&help.render().to_string()).map_err(Into::into),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            terminal::note(&format!("Error: {error}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let Arguments { out, rays, seed, case } = arguments;
+    let (rays, seed) = (*rays, *seed);
+    let tables = out.join("tables.md");
+    let text = document::text(&tables)?;
+    // Before minutes are spent on tables that would replace others.
+    document::check_that_no_row_goes(&text, case).map_err(|message| format!("{}: {message}", tables.display()))?;
+    let folder = out;
+    fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    Output::open(&tables, Options { sync: true })?;
+
+    let gpu = Gpu::open()?;
+    let device = gpu.to_string();
+    terminal::print(&format!("{device}\n"))?;
+    if !gpu.has_f64() {
+        terminal::print("it has no f64 in shaders: WGSL is held to exact arithmetic in f32 only\n")?;
+    }
+    let mut methods = methods::all();
+    methods.extend(gpu_check::methods::all(gpu)?);
+
+    let spheres = run::sections(&methods, &regimes::SPHERES, seed, rays)?;
+    let cylinders = run::sections(&methods, &regimes::CYLINDERS, seed, rays * 3 / 5)?;
+    print_costs(&spheres)?;
+    print_costs(&cylinders)?;
+    let kinds: [(&str, &[Section]); 2] = [("sphere", &spheres), ("cylinder", &cylinders)];
+    document::put(&folder.join("table.csv"), &report::csv(&kinds))?;
+    for (name, kind, sections) in [("sphere", "Spheres", &spheres), ("cylinder", "Cylinders", &cylinders)] {
+        let wrong =
+            run::plot(&format!("{kind}: wrong decisions (no mark: none)"), "share of rays", (-5, 0), sections, |row| {
+                row.wrong as f64 / row.cases as f64
+            });
+        document::put(&folder.join(format!("{name}-wrong.svg")), &wrong.svg())?;
+        let errors = run::plot(
+            &format!("{kind}: largest relative error of lambda where the decision is right"),
+            "relative error",
+            (-17, 3),
+            sections,
+            |row| row.lambda_error[2],
+        );
+        document::put(&folder.join(format!("{name}-lambda.svg")), &errors.svg())?;
+    }
+
+    let large = LargeSpheres::new(&methods, seed, rays)?;
+    document::put(&folder.join("large-spheres.svg"), &large.plot().svg())?;
+    let pictures = pictures(case)?;
+
+    let mut command =
+        format!("cargo run --release -p gpu-check --bin stress -- --out FOLDER --rays {rays} --seed {seed}");
+    for triple in case.chunks_exact(3) {
+        command += &format!(" --case {} CONFIG SCENE", triple[0]);
+    }
+    let limits = format!(
+        "Of {rays} rays that leave a sphere, these radii are the largest with no wrong decision, and with at most one in a\n\
+         thousand. Projected f32: {:.0} and {:.0}. Projected f32 in WGSL: {:.0} and {:.0}. Exact f64: {:.0e}, the largest \
+         tried, and the same.\n",
+        large.limit(PROJECTED, 0.0),
+        large.limit(PROJECTED, 1e-3),
+        large.limit(gpu_check::methods::PROJECTED, 0.0),
+        large.limit(gpu_check::methods::PROJECTED, 1e-3),
+        large.limit(EXACT, 0.0),
+    );
+    let today = String::from_utf8(Command::new("date").args(["-u", "+%F"]).output()?.stdout)?;
+    let mut text = text;
+    for (mark, block) in [
+        (
+            "command",
+            format!(
+                "    {command}\n\nRun on {}, the seed is {seed}. WGSL ran on this device:\n\n    {device}\n",
+                today.trim()
+            ),
+        ),
+        ("spheres", report::markdown(&spheres)),
+        ("cylinders", report::markdown(&cylinders)),
+        ("costs", report::costs(&kinds)),
+        ("large", limits),
+        ("pictures", report::pictures(&pictures)),
+    ] {
+        text = document::replaced(&text, mark, &block)?;
+    }
+    document::put(&tables, &text)?;
+    terminal::print(&format!("wrote {}\n", folder.display()))?;
+
+    for (kind, regimes, proven) in [
+        ("spheres", &regimes::SPHERES[..], run::PROVEN_ERRORS[0]),
+        ("cylinders", &regimes::CYLINDERS[..], run::PROVEN_ERRORS[1]),
+    ] {
+        let largest = run::climb(regimes, proven, seed, rays.div_ceil(1000), 1000)?;
+        terminal::print(&format!(
+            "{kind}: climbing reached an error of lambda of {largest:.2e}; {proven:.1e} is proven\n"
+        ))?;
+    }
+    let wrong = [run::check(&spheres, [run::PROVEN_ERRORS[0]; 2])?, run::check(&cylinders, [1e-11, 1e-9])?];
+    for row in [&spheres, &cylinders].into_iter().flat_map(|sections| run::parted_from_their_twins(sections)) {
+        let (regime, method) = (row.regime, row.method);
+        terminal::print(&format!("{regime}, {method}: not the figures of the same formulas in Rust\n"))?;
+    }
+    let [spheres, cylinders] = wrong;
+    let summary = format!("exact: 0 wrong; plain: {spheres} spheres and {cylinders} cylinders wrong\n");
+    Ok(terminal::print(&summary)?)
+}
+
+fn print_costs(sections: &[Section]) -> Result<(), output::Error> {
+    let rows = sections.iter().flat_map(|section| &section.rows);
+    let lines = rows.map(|row| format!("{:36} {:18} {:8.1} ns a test\n", row.regime, row.method, row.nanoseconds));
+    terminal::print(&lines.collect::<String>())
+}
+
+/// The counts of the pictures of `tests/cases` together, and of each picture given by `--case`.
+fn pictures(others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
+    let mut pictures = Vec::new();
+    let mut all = Picture { name: document::CASES_OF_THE_TESTS.into(), counts: Counts::default(), same_bytes: true };
+    for entry in fs::read_dir(gpu_check::scenes::repository("tests/cases"))? {
+        let path = entry?.path();
+        if path.is_dir() {
+            let picture = render("", &path.join("config.txt"), &path.join("scene.txt"))?;
+            all.counts = all.counts.with(&picture.counts);
+            all.same_bytes &= picture.same_bytes;
+        }
+    }
+    pictures.push(all);
+    for triple in others.chunks_exact(3) {
+        pictures.push(render(&triple[0], Path::new(&triple[1]), Path::new(&triple[2]))?);
+    }
+    Ok(pictures)
+}
+
+fn render(name: &str, config: &Path, scene: &Path) -> Result<Picture, cpu::Error> {
+    run::picture(name, &Config::read(config)?, &Scene::read(scene)?, Scatter::Statement)
+}

@@ -1,0 +1,118 @@
+//! Results of measurements that are too large, incomplete or odd.
+
+use std::fs;
+
+use lab::bench::results::check::MAX_VALUES;
+use test_support::folder::Folder;
+
+use crate::{bash, complaint, run};
+
+/// Writes the committed results with `from` replaced by `to`, and returns the file's name.
+fn results(folder: &Folder, from: &str, to: &str) -> String {
+    let path = test_support::project_root().join("docs/report/data/bench.json");
+    let text = fs::read_to_string(path).expect("it is committed");
+    assert!(text.contains(from), "{from}");
+    let name = folder.name("bench.json");
+    fs::write(&name, text.replace(from, to)).expect("the folder is writable");
+    name
+}
+
+#[test]
+fn endless_results_are_refused() {
+    let folder = Folder::new();
+    let out = folder.name("out");
+    for arguments in [&["report", "/dev/zero", "--out", &out][..], &["bench", "merge", "--out", &out, "/dev/zero"]] {
+        assert!(complaint(arguments).contains("/dev/zero: it is larger than 16777216 bytes"));
+        assert!(folder.names().is_empty());
+    }
+}
+
+/// Results of one picture that has been measured again and again, with `values` values in all.
+fn repeated(values: usize) -> String {
+    let text = serde_json::json!({
+        "quick": true, "machines": [], "curves": [], "energy": [], "omitted": [], "growth": [], "times_to_error": [],
+        "timings": [{
+            "suite": "scale", "scene": "grid", "parameter": "width", "value": 1, "engine": "aos-avx2", "digest": "d",
+            "median": { "median": 1.0, "low": 1.0, "high": 1.0, "confidence": 0.5 }, "seconds": [1.5],
+        }],
+    })
+    .to_string();
+    let missing = values - lab::bench::results::check::values(text.as_bytes());
+    text.replace("[1.5]", &format!("[1.5{}]", ",1".repeat(missing)))
+}
+
+#[test]
+fn as_many_repeats_as_the_limit_are_taken_and_one_more_is_refused_in_little_memory() {
+    let folder = Folder::new();
+    let half = MAX_VALUES / 2;
+    for (name, values) in [("full", MAX_VALUES), ("over", MAX_VALUES + 1), ("half", half), ("more", half + 1)] {
+        fs::write(folder.file(name), repeated(values)).expect("the folder is writable");
+    }
+    fs::write(folder.file("huge"), repeated(8_000_000)).expect("the folder is writable");
+    for line in ["bench merge --out all.json full", "bench merge --out all.json half half", "report full --out report"]
+    {
+        let output = bash(&folder, &format!("ulimit -v 200000; $lab {line}"));
+        assert!(output.status.success(), "{line}: {output:?}");
+    }
+    let refused = [
+        ("bench merge --out o over", "over: it has 1048577 values, more than 1048576"),
+        ("bench merge --out o half more", "more: with the files before it, it has 1048577 values, more than 1048576"),
+        ("bench merge --out o huge huge", "huge: it has 8000000 values, more than 1048576"),
+        ("report over --out o", "over: it has 1048577 values, more than 1048576"),
+        ("report huge --out o", "huge: it has 8000000 values, more than 1048576"),
+    ];
+    for (line, message) in refused {
+        let output = bash(&folder, &format!("ulimit -v 100000; $lab {line}"));
+        assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains(message), "{line}: {output:?}");
+        assert!(!folder.file("o").exists(), "{line}");
+    }
+}
+
+#[test]
+fn results_without_a_time_are_refused_with_a_reason() {
+    let folder = Folder::new();
+    let path = test_support::project_root().join("docs/report/data/bench.json");
+    let mut value: serde_json::Value =
+        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
+    value["intersections"][0]["nanoseconds"] = serde_json::json!([]);
+    let part = folder.name("part.json");
+    fs::write(&part, value.to_string()).expect("the folder is writable");
+    let message = complaint(&["bench", "merge", "--out", &folder.name("all.json"), &part, &part]);
+    assert!(message.contains("part.json: the list \"nanoseconds\" of "), "{message}");
+    assert_eq!(folder.names(), ["part.json"]);
+}
+
+#[test]
+fn a_bound_of_zero_does_not_make_an_endless_axis() {
+    let folder = Folder::new();
+    let path = test_support::project_root().join("docs/report/data/bench.json");
+    let mut value: serde_json::Value =
+        serde_json::from_slice(&fs::read(path).expect("it is committed")).expect("it is JSON");
+    for timing in value["timings"].as_array_mut().expect("it is a list") {
+        timing["median"]["low"] = serde_json::json!(0.0);
+    }
+    let data = folder.name("bench.json");
+    fs::write(&data, value.to_string()).expect("the folder is writable");
+    let output = run(&["report", &data, "--out", &folder.name("report")]);
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
+fn scenes_with_odd_names_stay_in_the_folder_and_in_valid_svg() {
+    let folder = Folder::new();
+    let data = results(&folder, "\"materials\"", r#""../../../x\u0000\u001b\"<""#);
+    let report = folder.name("deep/report");
+    let output = run(&["report", &data, "--out", &report]);
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(folder.names(), ["bench.json", "deep"]);
+    let mut charts = 0;
+    for entry in fs::read_dir(folder.file("deep/report/charts")).expect("it was made") {
+        let svg = fs::read_to_string(entry.expect("it is readable").path()).expect("it is text");
+        assert!(!svg.chars().any(|c| c.is_control() && c != '\n'), "{svg}");
+        charts += 1;
+    }
+    assert!(charts > 5, "{charts}");
+    let page = fs::read_to_string(folder.file("deep/report/index.html")).expect("it was written");
+    assert!(!page.chars().any(|c| c.is_control() && c != '\n'));
+}

@@ -1,0 +1,161 @@
+//! Every binary and example of the workspace says how it is used, and does nothing else when it is asked to.
+//!
+//! The list is Cargo's, so a new one is tested from the start. Only the evaluated programs are left out: the statement
+//! fixes what they say.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::SystemTime;
+
+use serde_json::Value;
+use test_support::folder::Folder;
+
+/// The programs whose usage the statement fixes.
+const EVALUATED: [&str; 2] = ["render-aos", "render-soa"];
+
+/// A binary or an example.
+#[derive(Debug)]
+struct Program {
+    package: String,
+    name: String,
+    /// `bin` or `example`.
+    kind: String,
+    /// Features that it is built with, parted by commas.
+    features: String,
+}
+
+fn cargo(arguments: &[&str]) -> Vec<Value> {
+    let mut command = Command::new(env!("CARGO"));
+    command.args(arguments).arg("--locked").current_dir(test_support::project_root());
+    let output = command.output().expect("cargo runs");
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    serde_json::Deserializer::from_slice(&output.stdout).into_iter().map(|value| value.expect("it is JSON")).collect()
+}
+
+/// The text of a field.
+fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_else(|| panic!("{value} is no text")).to_owned()
+}
+
+/// All entries of a list, of which there may be none.
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+/// All programs of the workspace.
+fn programs() -> Vec<Program> {
+    let metadata = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
+    let mut programs = Vec::new();
+    for package in list(&metadata[0]["packages"]) {
+        for target in list(&package["targets"]) {
+            let kind = text(&target["kind"][0]);
+            if kind == "bin" || kind == "example" {
+                let features: Vec<_> = list(&target["required-features"]).iter().map(text).collect();
+                let (package, name) = (text(&package["name"]), text(&target["name"]));
+                programs.push(Program { package, name, kind, features: features.join(",") });
+            }
+        }
+    }
+    programs
+}
+
+/// Builds the programs for the profile that tests are built for, and returns Cargo's messages. Most are built already.
+fn build(programs: &[Program]) -> Vec<Value> {
+    let mut messages = cargo(&["build", "--message-format", "json", "--workspace", "--bins", "--examples"]);
+    // Cargo leaves out programs whose features are not asked for.
+    for Program { package, name, kind, features } in programs.iter().filter(|program| !program.features.is_empty()) {
+        let kind = format!("--{kind}");
+        messages.extend(cargo(&["build", "--message-format", "json", "-p", package, &kind, name, "-F", features]));
+    }
+    messages
+}
+
+/// Where a program was built.
+fn path(program: &Program, messages: &[Value]) -> PathBuf {
+    let is_its = |message: &&Value| {
+        let target = &message["target"];
+        let [name, kind] = [&program.name, &program.kind].map(String::as_str);
+        target["name"] == name && target["kind"][0] == kind && message["executable"].is_string()
+    };
+    let message = messages.iter().find(is_its).unwrap_or_else(|| panic!("{program:?} was not built"));
+    PathBuf::from(text(&message["executable"]))
+}
+
+/// When each file of the project was changed last. Cargo's and git's own folders are left out.
+fn changes(folder: &Path, found: &mut BTreeMap<PathBuf, SystemTime>) {
+    for entry in std::fs::read_dir(folder).expect("the folder is readable") {
+        let path = entry.expect("the folder is readable").path();
+        let is_own = |name: &str| path.file_name().is_some_and(|own| own == name);
+        if path.is_dir() && !path.is_symlink() {
+            if !is_own("target") && !is_own(".git") {
+                changes(&path, found);
+            }
+        } else if let Ok(changed) = path.symlink_metadata().and_then(|metadata| metadata.modified()) {
+            found.insert(path, changed);
+        }
+    }
+}
+
+fn files(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
+    let mut found = BTreeMap::new();
+    changes(folder, &mut found);
+    found
+}
+
+/// What is wrong with a program's answer to `--help`, if anything is.
+fn fault(name: &str, output: &Output) -> Option<&'static str> {
+    let said = String::from_utf8_lossy(&output.stdout).replace("\r\n", "\n");
+    // An example is a line that is called one, and below it a command with the program's name.
+    let example = said.split_once("Example").map(|(_, rest)| rest);
+    if output.status.code() != Some(0) {
+        Some("the status is not 0")
+    } else if !output.stderr.is_empty() {
+        Some("it writes to standard error")
+    } else if !said.split("Example").next().is_some_and(|usage| usage.contains(name)) {
+        Some("its usage does not have its name")
+    } else if !example.is_some_and(|example| example.lines().skip(1).any(|line| line.contains(name))) {
+        Some("it has no example")
+    } else {
+        None
+    }
+}
+
+#[test]
+fn every_program_answers_help_and_writes_nothing() {
+    let root = test_support::project_root();
+    let programs: Vec<_> = programs().into_iter().filter(|it| !EVALUATED.contains(&it.name.as_str())).collect();
+    let messages = build(&programs);
+    let built: Vec<_> = programs.iter().map(|program| (program, path(program, &messages))).collect();
+    let folder = Folder::new();
+    let before = files(&root);
+    let mut faults = Vec::new();
+    for (program, path) in &built {
+        for place in [&*root, folder.path()] {
+            let output = Command::new(path).arg("--help").current_dir(place).output().expect("it starts");
+            let fault = fault(&program.name, &output);
+            faults.extend(fault.map(|fault| format!("{}: {fault}", program.name)));
+        }
+    }
+    faults.dedup();
+    assert_eq!(faults, [""; 0]);
+    assert_eq!(files(&root), before, "a program wrote into the project");
+    assert!(files(folder.path()).is_empty(), "a program wrote into its folder");
+    assert!(built.len() >= 10, "only {} programs were found", built.len());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_answer_that_lacks_something_is_noticed() {
+    use std::os::unix::process::ExitStatusExt;
+    let answer = |status: i32, said: &str, complaint: &str| {
+        let status = std::process::ExitStatus::from_raw(status << 8);
+        fault("tool", &Output { status, stdout: said.into(), stderr: complaint.into() })
+    };
+    assert_eq!(answer(0, "tool X\nDoes it.\n\nExample:\n  tool 3", ""), None);
+    assert_eq!(answer(2, "tool X\n\nExample:\n  tool 3", ""), Some("the status is not 0"));
+    assert_eq!(answer(0, "tool X\n\nExample:\n  tool 3", "oh"), Some("it writes to standard error"));
+    assert_eq!(answer(0, "Does it.\n\nExample:\n  tool 3", ""), Some("its usage does not have its name"));
+    assert_eq!(answer(0, "tool X\n", ""), Some("it has no example"));
+    assert_eq!(answer(0, "tool X\n\nExample:\n", ""), Some("it has no example"));
+}

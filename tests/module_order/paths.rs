@@ -1,0 +1,107 @@
+//! The paths that a source file writes.
+
+use syn::visit::{self, Visit};
+use syn::{Attribute, Item, ItemMod, ItemUse, Macro, UseTree, Visibility};
+
+/// Returns whether an item is compiled for tests alone.
+pub fn is_for_tests(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| {
+        attribute.path().is_ident("cfg")
+            && attribute.meta.require_list().is_ok_and(|list| list.tokens.to_string() == "test")
+    })
+}
+
+/// Collects the paths that a file writes: in `use` lines, in code and in the arguments of macros.
+#[derive(Default)]
+pub struct Paths {
+    pub paths: Vec<Vec<String>>,
+    /// Child modules that are for tests alone.
+    pub test_modules: Vec<String>,
+    /// Number of modules within this file around the current item. If it is not 0, `super` is the file itself.
+    depth: usize,
+}
+
+impl<'ast> Visit<'ast> for Paths {
+    fn visit_item(&mut self, item: &'ast Item) {
+        let attributes = match item {
+            Item::Fn(item) => &item.attrs,
+            Item::Impl(item) => &item.attrs,
+            Item::Use(item) => &item.attrs,
+            _ => &[][..],
+        };
+        if !is_for_tests(attributes) {
+            visit::visit_item(self, item);
+        }
+    }
+
+    fn visit_item_mod(&mut self, module: &'ast ItemMod) {
+        if is_for_tests(&module.attrs) {
+            self.test_modules.push(module.ident.to_string());
+        } else {
+            self.depth += 1;
+            visit::visit_item_mod(self, module);
+            self.depth -= 1;
+        }
+    }
+
+    /// Skips visibilities: `pub(super)` has a path, but uses nothing.
+    fn visit_visibility(&mut self, _: &'ast Visibility) {}
+
+    fn visit_item_use(&mut self, item: &'ast ItemUse) {
+        self.expand(Vec::new(), &item.tree);
+    }
+
+    fn visit_path(&mut self, path: &'ast syn::Path) {
+        self.add(path.segments.iter().map(|segment| segment.ident.to_string()).collect());
+        visit::visit_path(self, path);
+    }
+
+    fn visit_macro(&mut self, found: &'ast Macro) {
+        let tokens = found.tokens.to_string();
+        let mut words = tokens.split(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == ':'));
+        let mut path: Vec<String> = Vec::new();
+        // `to_string` puts blanks between tokens: `crate :: math :: vec3`.
+        for word in words.by_ref().filter(|word| !word.is_empty()) {
+            match path.last().map(String::as_str) {
+                Some("::") if word != "::" => {
+                    path.pop();
+                    path.push(word.into());
+                }
+                Some(_) if word == "::" => path.push(word.into()),
+                _ => {
+                    self.paths.push(std::mem::take(&mut path));
+                    path.push(word.into());
+                }
+            }
+        }
+        self.paths.push(path);
+    }
+}
+
+impl Paths {
+    /// Adds the paths of a `use` line, one for each name in braces.
+    fn expand(&mut self, mut before: Vec<String>, tree: &UseTree) {
+        match tree {
+            UseTree::Path(path) => {
+                before.push(path.ident.to_string());
+                self.expand(before, &path.tree);
+            }
+            UseTree::Group(group) => group.items.iter().for_each(|tree| self.expand(before.clone(), tree)),
+            UseTree::Name(name) => {
+                before.push(name.ident.to_string());
+                self.add(before);
+            }
+            UseTree::Rename(rename) => {
+                before.push(rename.ident.to_string());
+                self.add(before);
+            }
+            UseTree::Glob(_) => self.add(before),
+        }
+    }
+
+    fn add(&mut self, path: Vec<String>) {
+        if self.depth == 0 || path.first().is_none_or(|first| first != "super") {
+            self.paths.push(path);
+        }
+    }
+}

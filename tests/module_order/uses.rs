@@ -1,0 +1,98 @@
+//! Which modules of a crate use which.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use syn::visit::Visit;
+
+use crate::paths::Paths;
+
+/// The path of a module below the crate's root, as in `["accel", "bvh"]`.
+pub type Module = Vec<String>;
+
+/// The source text of each module of a crate.
+pub type Sources = BTreeMap<Module, String>;
+
+/// For each module, the modules that it uses.
+pub type Uses = BTreeMap<Module, BTreeSet<Module>>;
+
+/// Returns the modules that each module uses outside of its tests.
+pub fn uses(sources: &Sources) -> Uses {
+    let read: BTreeMap<&Module, Paths> = sources
+        .iter()
+        .map(|(module, source)| {
+            let mut paths = Paths::default();
+            paths.visit_file(&syn::parse_file(source).unwrap_or_else(|error| panic!("{module:?}: {error}")));
+            (module, paths)
+        })
+        .collect();
+    let is_test = |module: &Module| {
+        let (child, parent) = (module.last(), &module[..module.len().saturating_sub(1)]);
+        child.is_some_and(|child| {
+            child == "tests" || read.get(&parent.to_vec()).is_some_and(|paths| paths.test_modules.contains(child))
+        })
+    };
+    let mut uses = Uses::new();
+    for (&module, paths) in read.iter().filter(|(module, _)| !is_test(module)) {
+        let used = uses.entry(module.clone()).or_default();
+        for path in &paths.paths {
+            let absolute = match path.first().map(String::as_str) {
+                Some("crate") => path[1..].to_vec(),
+                // A path without `crate` leads to a child module, or out of this crate, where no source is found.
+                _ => [module.clone(), path.clone()].concat(),
+            };
+            assert!(path.first().is_none_or(|first| first != "super"), "{module:?}: begin {path:?} with `crate`");
+            let target = (1..=absolute.len())
+                .rev()
+                .map(|length| absolute[..length].to_vec())
+                .find(|it| sources.contains_key(it));
+            used.extend(target.filter(|target| target != module));
+        }
+    }
+    uses
+}
+
+/// Returns the uses of a folder by a folder before it, and all uses by folders that the order does not have.
+pub fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
+    let place = |module: &Module| order.iter().position(|&folder| Some(folder) == module.first().map(String::as_str));
+    let mut found = Vec::new();
+    for (module, used) in uses.iter().filter(|(module, _)| !module.is_empty()) {
+        for target in used {
+            if place(module).is_none() || place(module) < place(target) {
+                found.push(format!("{} uses {}", module.join("::"), target.join("::")));
+            }
+        }
+    }
+    found
+}
+
+/// Returns the modules that use each other in circles. A module that uses no module, or that no module uses, is in no
+/// circle. Such modules are removed until only circles, and modules between circles, are left.
+pub fn in_circles(uses: &Uses) -> Vec<String> {
+    let mut left: Uses = uses.clone();
+    left.remove(&Vec::new());
+    loop {
+        let used: BTreeSet<Module> = left.values().flatten().cloned().collect();
+        let before = left.len();
+        let names: BTreeSet<Module> = left.keys().cloned().collect();
+        left.retain(|module, targets| used.contains(module) && targets.iter().any(|target| names.contains(target)));
+        if left.len() == before {
+            return left.keys().map(|module| module.join("::")).collect();
+        }
+    }
+}
+
+/// Reads the sources below a folder into `sources`.
+pub fn read(folder: &Path, module: &Module, sources: &mut Sources) {
+    for entry in std::fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("the folder can be read").path();
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("names are plain").to_owned();
+        let below = [module.clone(), vec![name.clone()]].concat();
+        if path.is_dir() {
+            read(&path, &below, sources);
+        } else {
+            let key = if name == "lib" && module.is_empty() { Vec::new() } else { below };
+            sources.insert(key, std::fs::read_to_string(&path).expect("a source is text"));
+        }
+    }
+}
