@@ -1,4 +1,4 @@
-//! Notes which compiler builds the program, for the record beside measured times.
+//! Hands the compiler's version and the profile to the program, which stores them beside measured times.
 
 use std::process::Command;
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Looks for known faults of the dependencies: cargo deny check advisories, for the workspace and for tests/fuzz/targets.
 #
-#   tests/advisories.sh                            # without cargo-deny or the list: says so and succeeds
-#   ADVISORIES_REQUIRED=1 tests/advisories.sh      # without them: fails
+#   tests/advisories.sh                            # if cargo-deny or the list is missing: says so and succeeds
+#   ADVISORIES_REQUIRED=1 tests/advisories.sh      # if cargo-deny or the list is missing: fails
 #
-# Needs cargo-deny (cargo install cargo-deny --locked) and the list of faults, which cargo-deny gets from GitHub.
+# Needs cargo-deny (cargo install cargo-deny --locked) and the list of faults, which cargo-deny downloads from GitHub.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,7 +17,7 @@ ignored() {
 
 command -v cargo-deny >/dev/null || ignored "cargo-deny is missing; cargo install cargo-deny --locked"
 
-# Getting the list and judging by it are two steps: only the first may fail without a fault of ours.
+# The list is downloaded in a separate step, because a failed download is no fault of the project.
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 timeout 120 cargo deny fetch db >"$log" 2>&1 || ignored "the list cannot be had: $(awk 'NF { line = $0 } END { print substr(line, 1, 200) }' "$log")"

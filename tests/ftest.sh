@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# All functional tests: the built programs, whole pictures, properties, hard rays, and the shaders against the CPU; last the
-# digests of the programs as they are shipped.
+# Runs all functional tests: the built programs, whole pictures, properties, hard rays, and the shaders against the CPU.
+# The last command checks the digests of the programs in the release profile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,9 +1,10 @@
-//! Everything that grows with the input can be refused: an allocator refuses the requests of an action one after the
-//! other, and each time the action must say so. A request that nobody expects to be refused ends the process.
+//! Every allocation that grows with the input may fail, and then gives an error. An allocator refuses the requests of
+//! an action one after the other, and each time the action must return the error. If code does not handle a refused
+//! request, the process aborts, and the test fails.
 //!
-//! `cli/tests/faults/memory.rs` does the same from outside, where only the largest moment of a whole program counts.
+//! `cli/tests/faults/memory.rs` limits the memory of whole programs instead.
 
-// An allocator cannot be written without it.
+// An allocator cannot be written without unsafe code.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout as Request, System};
@@ -22,41 +23,42 @@ use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Size, Soa};
 #[global_allocator]
 static REFUSING: Refusing = Refusing { least: AtomicUsize::new(usize::MAX), left: AtomicUsize::new(0) };
 
-/// The system's allocator, but for one request.
+/// The system's allocator, which refuses one request.
 struct Refusing {
-    /// Requests for fewer bytes do not count.
+    /// Requests for fewer bytes are never refused, and not counted.
     least: AtomicUsize,
-    /// Requests until the one that is refused.
+    /// Number of counted requests before the one that is refused.
     left: AtomicUsize,
 }
 
 impl Refusing {
     fn refuses(&self, bytes: usize) -> bool {
-        // It wraps after the one that is refused, and none is for a long time.
+        // After the refused request the counter wraps around to the largest number, so that no second one is refused.
         bytes >= self.least.load(Ordering::Relaxed) && self.left.fetch_sub(1, Ordering::Relaxed) == 0
     }
 }
 
-// SAFETY: whatever is not refused is the system's; refusing is allowed, and nothing here allocates or panics.
+// SAFETY: every request that is not refused goes to the system's allocator. An allocator may refuse requests, and
+// nothing here allocates or panics.
 unsafe impl GlobalAlloc for Refusing {
     unsafe fn alloc(&self, request: Request) -> *mut u8 {
-        // SAFETY: the caller promises what the system's allocator asks for.
+        // SAFETY: the caller keeps the contract of `alloc`, which is that of the system's allocator.
         if self.refuses(request.size()) { ptr::null_mut() } else { unsafe { System.alloc(request) } }
     }
 
     unsafe fn dealloc(&self, block: *mut u8, request: Request) {
-        // SAFETY: as above, and all blocks are the system's.
+        // SAFETY: the caller keeps the contract of `dealloc`, and all blocks come from the system's allocator.
         unsafe { System.dealloc(block, request) }
     }
 
     unsafe fn realloc(&self, block: *mut u8, request: Request, bytes: usize) -> *mut u8 {
-        // SAFETY: as above.
+        // SAFETY: the caller keeps the contract of `realloc`, and all blocks come from the system's allocator.
         if self.refuses(bytes) { ptr::null_mut() } else { unsafe { System.realloc(block, request, bytes) } }
     }
 }
 
-/// Does `action` with its first request for `least` bytes or more refused, then its second, and so on until it asks for
-/// no more; gives how many it was.
+/// Runs `action` with its first request for `least` bytes or more refused, then with its second refused, and so on.
+/// Ends when no request is refused any more, and returns the number of requests.
 fn refused(what: &str, least: usize, action: impl Fn() -> Result<(), Error>) -> usize {
     for number in 0.. {
         REFUSING.left.store(number, Ordering::Relaxed);
@@ -74,7 +76,7 @@ fn refused(what: &str, least: usize, action: impl Fn() -> Result<(), Error>) -> 
     unreachable!("there is always one number more")
 }
 
-/// `count` materials, and as many spheres and cylinders.
+/// Returns the text of a scene with `count` materials, `count` spheres and `count` cylinders.
 fn text(count: usize) -> String {
     let mut text = String::new();
     for index in 0..count {
@@ -94,7 +96,7 @@ fn config() -> Config {
     Config { image_width: 4, aspect_ratio: [1, 1], samples_per_pixel: 1, ..Config::default() }
 }
 
-/// What comes before any ray, in a layout, for a scene of `count` objects of each kind.
+/// Checks the preparation in a layout, for a scene with `count` objects of each kind.
 fn preparation<L: Layout>(count: usize) {
     let (config, scene) = (config(), scene(count));
     let camera = config.image_size().and_then(|size| Camera::new(&config, size)).expect("there is a picture");
@@ -105,10 +107,11 @@ fn preparation<L: Layout>(count: usize) {
     assert!(refused("search", 1, || Accel::new(&objects, &extent).map(drop)) >= 1);
 }
 
-/// More than any block that a rendering takes whatever the scene is; those are not refused.
+/// Bytes of the smallest request that is refused while a picture is rendered. Blocks of fixed size are smaller; they do
+/// not grow with the input and are never refused.
 const LEAST: usize = 300_000;
 
-/// A whole rendering.
+/// Checks the preparation and the rendering of a whole picture.
 fn rendering<L: Layout>() {
     let (config, scene) = (config(), scene(80_000));
     let prepare = || Prepared::<L>::new(&config, &scene, Scatter::Statement);
@@ -124,7 +127,7 @@ fn rendering<L: Layout>() {
     assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 3);
 }
 
-/// A ray between mirrors, which meets as many surfaces as it may.
+/// Checks a ray inside a mirror, whose path reaches the maximum depth.
 fn between_mirrors() {
     let config = Config { image_width: 1, samples_per_pixel: 1, max_depth: 500_000, ..config() };
     let scene = Scene::parse(&b"metal: m 1 1 1 0\nsphere: 0 0 0 20 m\n"[..]).expect("the scene is valid");
@@ -135,7 +138,7 @@ fn between_mirrors() {
     assert!(refused("path of the reference", LEAST, reference) >= 3);
 }
 
-// One test: another beside it would have its requests refused.
+// There is only one test, because a test in another thread would have its requests refused.
 #[test]
 fn each_request_that_grows_with_the_input_may_be_refused() {
     let config = "image_width: 4\ngamma: 2\n".as_bytes();
@@ -150,7 +153,7 @@ fn each_request_that_grows_with_the_input_may_be_refused() {
     assert_eq!(refused("pixels together", 1, || <Aos as Layout>::Image::black(size).map(drop)), 1);
     assert_eq!(refused("pixels apart", 1, || <Soa as Layout>::Image::black(size).map(drop)), 3);
 
-    // Few, a filter's worth, and a tree's.
+    // Objects of each kind for a small scene, for a flat filter, and for a BVH.
     for count in [1, 20, 200] {
         preparation::<Aos>(count);
         preparation::<Soa>(count);

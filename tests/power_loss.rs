@@ -1,7 +1,8 @@
-//! A loss of power at any moment, simulated: the calls of a process that writes a file are recorded, and a model of a
-//! file system says what POSIX lets stand after each of them. With [`Options::sync`] it is the old file or the new one.
+//! Simulates a loss of power at any moment. The system calls of a process that writes a file are recorded. A model of a
+//! file system returns which contents POSIX allows if the power fails after each call. With [`Options::sync`] these are
+//! the old file and the new one.
 //!
-//! Where `strace` cannot run, these tests are shown as ignored.
+//! If `strace` cannot run, these tests are shown as ignored.
 
 #[cfg(target_os = "linux")]
 #[path = "power_loss/linux.rs"]

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# How many times as fast as the reference render-aos is: user time, the two in turn, the median of the rounds' ratios.
-# RUNS=11 has the program run 11 times a round, for one that is done much sooner, and counts the one in the middle.
+# Prints how many times as fast as the reference render-aos is: the median over rounds of the ratio of user times.
+# Each round runs both. With RUNS=11 a round runs render-aos 11 times and takes the median, for very small scenes.
 #
 #   tests/ratio.sh ROUNDS CONFIG SCENE [ROUNDS CONFIG SCENE ...]
 #
 #   tests/ratio.sh 5 scenes/spheres/config.txt scenes/spheres/scene.txt
 #
-# RENDER_INSTRUCTION_SET=portable|avx2|avx512|avx512-throughout forces an instruction set; PROGRAM and YARDSTICK replace
-# the two, by a command each, as in YARDSTICK="env RENDER_INSTRUCTION_SET=portable target/release/render-aos".
+# RENDER_INSTRUCTION_SET=portable|avx2|avx512|avx512-throughout forces an instruction set. PROGRAM and YARDSTICK replace
+# the two programs by commands, as in YARDSTICK="env RENDER_INSTRUCTION_SET=portable target/release/render-aos".
 set -euo pipefail
 
 if [ "${1:-}" = --help ]; then

@@ -1,5 +1,5 @@
-//! The reference, which every other renderer is held against, gives the pictures of a program that shares nothing with
-//! it.
+//! The reference gives the digests of the literal program, which shares no code with it. All other renderers are
+//! compared with the reference.
 
 use cpu::internals::layout::aos::AosImage;
 use cpu::{Config, Scene};

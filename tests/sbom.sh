@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Writes a bill of materials (CycloneDX 1.5, JSON) for each of render-aos, render-soa and render-lab, of the commit that
-# is checked out. It lists the packages that the program is made of.
+# Writes a bill of materials (CycloneDX 1.5, JSON) for each of render-aos, render-soa and render-lab at the commit that
+# is checked out. The bill lists the packages that are compiled into the program.
 #
 #   tests/sbom.sh FOLDER
 #
 #   tests/sbom.sh /tmp/materials     # writes /tmp/materials/render-aos.cdx.json and two others
 #
-# Needs cargo install --locked cargo-cyclonedx, which does not become a part of the project.
+# Needs cargo install --locked cargo-cyclonedx, which is no dependency of the project.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,11 +17,11 @@ mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 [ -z "$(git status --porcelain --untracked-files=no)" ] || { echo "tests/sbom.sh: there are changes that no commit has" >&2; exit 1; }
 
-# The tool writes beside every Cargo.toml.
+# cargo-cyclonedx writes its files beside every Cargo.toml, so it runs on a copy.
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 git archive HEAD | tar -x -C "$copy"
-# The commit's time instead of now, and no name of a folder that is gone: one commit gives the same bytes every time.
+# One commit gives the same bytes in every run: the time is that of the commit, and the name of the copy is replaced.
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 cargo cyclonedx --manifest-path "$copy/Cargo.toml" --describe binaries --format json --spec-version 1.5 --quiet

@@ -1,4 +1,4 @@
-//! The committed scenes show what their names say, and the generated ones are what the generator makes.
+//! The committed scenes hold what their names say, and the generated ones equal the output of the generator.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
-/// Every folder of `scenes`.
+/// The folders in `scenes`.
 const NAMES: [&str; 6] = ["cylinders", "grid", "listings", "materials", "spheres", "ten-thousand"];
 
 fn text(scene: &str, file: &str) -> String {
@@ -18,13 +18,13 @@ fn scene(name: &str) -> Scene {
     Scene::parse(text(name, "scene.txt").as_bytes()).expect("committed scenes are valid")
 }
 
-/// Numbers of spheres and cylinders.
+/// Returns the numbers of spheres and cylinders.
 fn kinds(scene: &Scene) -> (usize, usize) {
     let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
     (spheres, scene.objects.len() - spheres)
 }
 
-/// The options that the two generated scenes were made with; `CONTRIBUTING.md` has the commands.
+/// Returns the options of the two generated scenes. `CONTRIBUTING.md` has the commands that write them.
 fn generated() -> [(&'static str, Options); 2] {
     let grid = Options { arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };
     [

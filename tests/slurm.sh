@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Tries lab/slurm on a real Slurm of one node, which this script starts on this machine and stops at the end.
+# Tests lab/slurm on a real Slurm of one node, which this script starts on this machine and stops at the end.
 #
 #   tests/slurm.sh
 #
-# Two runs: one whose 21 tasks and join must end well, and one with a task that fails, whose join must be cancelled and
-# which is then finished as `submit` says. Needs root, and Debian's slurm-wlm and munge (tests/run --slurm installs them).
-# Nothing outside a temporary folder is written, except Slurm's folder for the host's groups of processes.
+# In run 1 all tasks and the join must succeed. In run 2 a task fails: the join must be cancelled, and the commands that
+# `submit` prints must finish the run. Needs root, and Debian's slurm-wlm and munge (tests/run --slurm installs them).
+# Writes only into a temporary folder, except for Slurm's folder of control groups (cgroups) on this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -29,7 +29,7 @@ drain() {
     return 1
 }
 
-# Ends the jobs before the daemons: a job goes on without its daemon.
+# Ends the jobs before the daemons, because a job goes on when its daemon has ended.
 stop() {
     if [ -n "$(squeue -h 2>/dev/null)" ]; then
         scancel --user=root 2>/dev/null || true
@@ -42,7 +42,7 @@ stop() {
 trap stop EXIT
 trap 'exit 130' INT TERM HUP
 
-# munged refuses folders that others may change, and slurm finds it by its socket.
+# munged refuses a folder that other users may write to. Slurm finds munged by its socket.
 chmod 755 "$work"
 install -d -m 755 "$work"/{munge,state,spool}
 dd if=/dev/urandom of="$work/munge/key" bs=1024 count=1 status=none
@@ -123,7 +123,7 @@ drain 300 || fail "the join waits for ever"
 [ ! -e "$work/bad/bench.json" ] || fail "run 2 was joined without its first task"
 touch "$work/healed"
 export RENDER_LAB="$work/render-lab"
-# As the submission said.
+# Runs the commands that `submit` printed.
 again=$(sed -n 's/^Run a failed task N again: *//p' "$work/said.log" | sed 's/--array=N/--array=1/')
 join=$(sed -n 's/^Then join them: *//p' "$work/said.log")
 bash -c "$again" && drain 600 && bash -c "$join" && drain 60 || fail "what submit says does not work: $again; $join"

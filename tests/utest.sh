@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All unit tests: those beside the functions they test, what is skipped by count, and the examples in the documentation.
+# Runs all unit tests: those beside the functions they test, those of the counters, and the examples in the comments.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,4 +1,4 @@
-//! Times of the kernels, and of a unit of each: `cargo bench -p bench --bench kernels [NAME]`.
+//! Measures the time of each kernel, and of one unit of its work: `cargo bench -p bench --bench kernels [NAME]`.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! Pieces of work by name, each on data that never change.
+//! The kernels: named pieces of work, each on fixed data.
 
 mod arithmetic;
 mod files;
@@ -6,11 +6,11 @@ mod spans;
 
 /// A piece of work that can be done again and again.
 pub trait Work {
-    /// What one turn works on, in its own unit: samples, rays, draws, pixels, lines, objects.
+    /// Number of units that one turn works on: samples, rays, draws, pixels, lines or objects.
     fn units(&self) -> u64;
-    /// Makes ready for a turn; not measured.
+    /// Prepares for a turn. This is not measured.
     fn prepare(&mut self) {}
-    /// One turn.
+    /// Does the work once.
     fn turn(&mut self);
 }
 
@@ -19,17 +19,17 @@ pub trait Work {
 pub struct Kernel {
     /// Its name.
     pub name: &'static str,
-    /// Makes the data and what works on them.
+    /// Makes the data, and the work on them.
     pub new: fn() -> Box<dyn Work>,
 }
 
-/// All of them.
+/// All kernels.
 #[must_use]
 pub fn all() -> Vec<Kernel> {
     [spans::KERNELS, arithmetic::KERNELS, files::KERNELS].concat()
 }
 
-/// Work without preparation: the number of its units, and a turn.
+/// Work without preparation: the number of its units, and the function that does one turn.
 struct Plain<F>(u64, F);
 
 impl<F: FnMut()> Work for Plain<F> {
@@ -41,7 +41,7 @@ impl<F: FnMut()> Work for Plain<F> {
     }
 }
 
-/// Puts work that needs no preparation where any work may be.
+/// Makes work without preparation from the number of its units and the function that does one turn.
 fn plain(units: usize, turn: impl FnMut() + 'static) -> Box<dyn Work> {
     Box::new(Plain(units as u64, turn))
 }

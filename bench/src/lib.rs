@@ -1,7 +1,7 @@
-//! What the benchmarks share.
+//! The shared code of the benchmarks.
 //!
-//! [`kernels`] are pieces of work small enough to be timed alone, or to have their instructions counted; [`time`]
-//! measures the time that this process computed, whatever else the machine does; [`record`] keeps dated times and
+//! [`kernels`] are pieces of work that are small enough to be timed alone, or to have their instructions counted.
+//! [`time`] measures user time, which does not include the time of other processes. [`record`] keeps dated times and
 //! compares them.
 
 pub mod kernels;

@@ -1,19 +1,19 @@
-//! User time, and the comparison of two ways to do the same.
+//! Measures user time, and compares two ways to do one thing.
 
 use nix::sys::resource::{UsageWho, getrusage};
 
-/// Shortest user time that is measured: shorter work is repeated, for the system's clock may be coarse.
+/// Shortest user time that is measured, in seconds. Shorter work is repeated, since the system's clock may be coarse.
 const SHORTEST: f64 = 0.05;
 
-/// Seconds that this process has spent computing.
+/// The user time of this process so far, in seconds.
 #[must_use]
 pub fn user_seconds() -> f64 {
-    // It fails for an unknown `who` alone.
+    // It fails only for an unknown `who`.
     let time = getrusage(UsageWho::RUSAGE_SELF).expect("a process may ask about itself").user_time();
     time.tv_sec() as f64 + time.tv_usec() as f64 * 1e-6
 }
 
-/// Seconds of one turn of `work`.
+/// The user time of one turn of `work`, in seconds.
 pub fn seconds_of(mut work: impl FnMut()) -> f64 {
     let before = user_seconds();
     let mut turns = 0.0;
@@ -27,7 +27,8 @@ pub fn seconds_of(mut work: impl FnMut()) -> f64 {
     }
 }
 
-/// Median seconds of two ways, measured in turn, and the median of the rounds' ratios.
+/// Measures two ways to do one thing, which alternate. Returns the median seconds of `one` and of `other`, and the
+/// median of the rounds' ratios `other / one`.
 pub fn compare(rounds: usize, mut one: impl FnMut(), mut other: impl FnMut()) -> [f64; 3] {
     let times: Vec<_> = (0..rounds).map(|_| [seconds_of(&mut one), seconds_of(&mut other)]).collect();
     let of = |value: fn(&[f64; 2]) -> f64| median(times.iter().map(value).collect());

@@ -1,6 +1,6 @@
-//! Outputs that fail for reasons of the machine: a full disk, a folder that takes no file.
+//! Outputs that cannot be written because of the machine: a full disk, a folder in which no file may be created.
 //!
-//! Some need rights that a test may lack; without them they are shown as ignored.
+//! Some tests need rights that the user may lack. Without them they are shown as ignored.
 
 #[cfg(unix)]
 #[path = "machine/unix.rs"]
@@ -8,7 +8,8 @@ mod unix;
 
 fn main() {
     let mut arguments = libtest_mimic::Arguments::from_args();
-    // One at a time: a program that was just copied is busy while another test is starting a process.
+    // One test at a time. A process that another test starts may hold a copied program open for writing for a moment,
+    // and then the copy cannot be started.
     arguments.test_threads = Some(1);
     #[cfg(unix)]
     let trials = unix::trials();

@@ -1,4 +1,4 @@
-//! A kernel's f32 results against f64, within the bound that [`crate::running`] derives case by case.
+//! Compares a kernel's f32 results with f64, within the bound that [`crate::running`] derives for each case.
 
 use std::fmt;
 
@@ -8,11 +8,11 @@ use crate::running::{self, Running};
 /// How far f32 is from f64, and how far it may be.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spread {
-    /// Cases looked at.
+    /// Number of cases.
     pub cases: usize,
-    /// Cases in which f32 takes the decisions of f64 for certain.
+    /// Cases in which f32 certainly takes the decisions of f64.
     pub decided: usize,
-    /// Numbers of these whose bound is finite: what is compared.
+    /// Numbers in the decided cases whose bound is finite: these are compared.
     pub compared: usize,
     /// Numbers farther from f64 than their bound.
     pub beyond: usize,
@@ -20,7 +20,7 @@ pub struct Spread {
     pub closest: f64,
 }
 
-/// Compares `results`, of f32, with the formula in f64.
+/// Compares the f32 `results` of `cases` with the formula in f64.
 #[must_use]
 pub fn spread(kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
     let mut spread = Spread::default();
@@ -43,11 +43,11 @@ pub fn spread(kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
 }
 
 impl Spread {
-    /// Adds one number.
+    /// Counts one number, which should be `wide` and is `actual`.
     fn add(&mut self, wide: Running, actual: f64) {
         let distance = (wide.value - actual).abs();
         self.compared += 1;
-        // A result that is not a number is not within, either.
+        // NaN compares false, so it counts as beyond the bound.
         let within = distance <= wide.bound;
         self.beyond += usize::from(!within);
         if distance > 0.0 {

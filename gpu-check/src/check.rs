@@ -1,4 +1,4 @@
-//! A kernel's results against its formula, bit by bit.
+//! Compares a kernel's results with its formula in Rust, bit by bit.
 
 use std::fmt;
 use std::time::Duration;
@@ -8,9 +8,9 @@ use shaders::Library;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Kernel, Pipeline};
 
-/// Cases in one run, unless the limit on a binding asks for fewer.
+/// Most cases in one run. The limit on a binding may allow fewer.
 const BATCH: u64 = 1 << 18;
-/// Differences that a tally keeps to show.
+/// Most differing cases that a tally keeps as text.
 const SHOWN: usize = 5;
 
 /// How many results were compared, and those that differ.
@@ -26,7 +26,7 @@ pub struct Tally {
     pub nonzero: usize,
     /// Cases in which a number differs.
     pub differing: usize,
-    /// The first of these, as text.
+    /// The first of the differing cases, as text.
     pub shown: Vec<String>,
 }
 
@@ -46,7 +46,7 @@ pub fn results<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases:
     Ok(timed_results(gpu, pipeline, kernel, cases)?.0)
 }
 
-/// The same, with the time that the device took, without the transfers.
+/// The results as [`results`] gives them, and the time that the device took, without the transfers.
 ///
 /// # Errors
 /// As [`Pipeline::run`].
@@ -94,7 +94,7 @@ pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     tally
 }
 
-/// Runs and compares at once.
+/// Runs the kernel for `cases` and compares its results with the formula's.
 ///
 /// # Errors
 /// As [`Pipeline::run`].
@@ -102,7 +102,7 @@ pub fn check<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &
     Ok(compare(kernel, cases, &results(gpu, pipeline, kernel, cases)?))
 }
 
-/// The case and the numbers that differ in it.
+/// The case and the numbers that differ in it, as text.
 fn show<T: Float>(kernel: &Kernel, case: &[T], expected: &[T], actual: &[T]) -> String {
     let mut text = format!("case {case:?}");
     for ((name, expected), actual) in kernel.outputs.iter().zip(expected).zip(actual) {

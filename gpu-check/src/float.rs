@@ -1,4 +1,4 @@
-//! The numbers that both sides calculate in.
+//! The number types that kernels and their formulas in Rust calculate in.
 
 use std::fmt::{Debug, Display};
 
@@ -7,12 +7,12 @@ use shaders::Precision;
 
 use crate::Kernel;
 
-/// `f32` or `f64`: a formula's number that fits in a buffer.
+/// `f32` or `f64`: a number type of formulas whose values can be put into buffers.
 pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debug + Send + Sync {
-    /// Its name in a composition.
+    /// The precision of a composition with this type as `real`.
     const PRECISION: Precision;
 
-    /// Its bits; those of `f32` in the lower half.
+    /// The bits of the number; those of an `f32` in the lower half.
     fn bits(self) -> u64;
 
     /// The same value as `f64`, exactly.
@@ -21,8 +21,8 @@ pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debu
     /// The kernel's formula in this precision.
     fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]);
 
-    /// Whether both have the same bits, or neither is a number: which of its many codes a "not a number" has is left
-    /// open by IEEE 754.
+    /// Whether both have the same bits, or both are NaN. IEEE 754 leaves open which of the many bit patterns of NaN an
+    /// operation returns.
     fn same(self, other: Self) -> bool {
         self.bits() == other.bits() || (self.wide().is_nan() && other.wide().is_nan())
     }

@@ -1,14 +1,15 @@
-//! f32 whose subnormal numbers are zeros, as WGSL allows a driver to have it.
+//! f32 arithmetic in which subnormal numbers are replaced by zeros, as WGSL allows a driver to do.
 //!
-//! Operands and results of arithmetic are flushed, and operands of comparisons; loads, stores, signs and choices leave
-//! a number as it is. So does a processor of the x86 family with its two flags set, on which SwiftShader runs: a result
-//! is flushed when it would be subnormal if exponents had no end, which is decided before it is rounded to one.
+//! Operands and results of arithmetic are flushed to zero, and so are operands of comparisons. Loads, stores, changes
+//! of sign and selections leave a number as it is. An x86 processor with the flags DAZ and FTZ set does so too, and
+//! SwiftShader runs on one. A result is flushed when its magnitude is below the smallest normal number after rounding
+//! to 24 bits with an unlimited exponent range.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use cpu::internals::math::real::Real;
 
-/// A number in such arithmetic.
+/// A number in this arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flushed(pub f32);
 
@@ -18,14 +19,16 @@ fn operand(number: Flushed) -> f64 {
     f64::from(if value.is_subnormal() { 0.0_f32.copysign(value) } else { value })
 }
 
-/// A result that is exact in f64, or so near that f32 rounds it alike; zero with its sign where it is tiny.
+/// Rounds a result to f32, or to a zero with its sign where it is tiny. `value` must be exact, or so close to the exact
+/// result that f32 rounds both to the same number.
 fn rounded(value: f64) -> Flushed {
-    // Halfway between the smallest normal number and what lies below it, if exponents had no end.
+    // Halfway between the smallest normal number and the number below it, if the exponent range were unlimited.
     const TINY: f64 = f32::MIN_POSITIVE as f64 * (1.0 - f32::EPSILON as f64 / 4.0);
     Flushed(if value.abs() < TINY { 0.0_f32.copysign(value as f32) } else { value as f32 })
 }
 
-// Sum, product, quotient and root of f32 may be rounded by way of f64: it has more than twice the digits and two.
+// Sums, products, quotients and roots of f32 may be computed in f64 and rounded again. The second rounding is harmless
+// because f64 has 53 bits, more than twice the 24 bits of f32 plus two.
 
 impl Add for Flushed {
     type Output = Self;
@@ -114,9 +117,9 @@ mod tests {
         assert_eq!((subnormal * Flushed(1e30)).0.to_bits(), (-0.0_f32).to_bits());
         assert_eq!((Flushed(1.0) / subnormal).0, f32::NEG_INFINITY);
         assert!(!subnormal.less(Flushed(0.0)) && Flushed(0.0).less_equal(subnormal));
-        // Not touched by arithmetic, it stays.
+        // A change of sign is no arithmetic, so the number stays subnormal.
         assert_eq!((-subnormal).0, 1e-40);
-        // Tiny before it is rounded up to a normal number.
+        // The exact product is below the smallest normal number, and f32 would round it up to that number.
         assert_eq!((small * Flushed(1.0_f32.next_down())).0, 0.0);
     }
 }

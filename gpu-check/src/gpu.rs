@@ -1,4 +1,4 @@
-//! A device, its limits and its faults.
+//! A device: how it is opened, its limits, and its errors.
 
 use std::fmt;
 use std::sync::{Arc, Mutex};
@@ -27,11 +27,11 @@ pub const PATIENCE: Duration = Duration::from_secs(120);
 /// most of it. With less, the driver or its compiler may end the process when a request for memory is refused.
 const ROOM: usize = 768 << 20;
 
-/// Asks for [`ROOM`] and gives it back.
+/// Reserves [`ROOM`] bytes and frees them, to find out whether there is so much address space.
 fn check_room() -> Result<(), Error> {
     let mut room = Vec::<u8>::new();
     let asked = room.try_reserve_exact(ROOM);
-    // Otherwise the compiler leaves out a request that nothing uses.
+    // Without this the compiler removes the request, since the memory is not used.
     std::hint::black_box(&room);
     asked.map_err(|_| Error::OutOfMemory {
         cause: format!("the driver needs {} MiB of address space, see ulimit -v", ROOM >> 20),
@@ -47,7 +47,7 @@ impl Gpu {
         check_room()?;
         let adapter = adapter::choose()?;
         let info = adapter.get_info();
-        // The limits of WebGPU's standard, as a browser would give: 128 MiB a binding among them.
+        // The limits of the WebGPU standard, which a browser gives too. One of them is 128 MiB for a binding.
         let descriptor = DeviceDescriptor {
             required_features: adapter.features() & Features::SHADER_F64,
             required_limits: Limits::default(),
@@ -65,7 +65,7 @@ impl Gpu {
         Ok(Self { device, queue, info, lost, patience: PATIENCE })
     }
 
-    /// The device with another limit on the time of a run than [`PATIENCE`].
+    /// The device with the limit `patience` on the time of a run, instead of [`PATIENCE`].
     #[must_use]
     pub fn with_patience(self, patience: Duration) -> Self {
         Self { patience, ..self }
@@ -82,7 +82,7 @@ impl Gpu {
         &self.info.name
     }
 
-    /// Whether the driver is the one that `docs/gpu.md` speaks of.
+    /// Whether the driver is lavapipe, which `docs/gpu.md` describes.
     #[must_use]
     pub fn is_lavapipe(&self) -> bool {
         self.info.driver == "llvmpipe"
@@ -100,14 +100,14 @@ impl Gpu {
         self.device.limits().max_storage_buffer_binding_size
     }
 
-    /// Gives the device back: what is asked of it later is an [`Error::DeviceLost`].
+    /// Destroys the device. Later runs end with [`Error::DeviceLost`].
     pub fn close(&self) {
         self.device.destroy();
-        // The news arrives with the next poll, which has nothing else to tell.
+        // This poll calls the callback for lost devices. Its own result does not matter.
         let _ = self.device.poll(PollType::Poll);
     }
 
-    /// Does `work` and turns what wgpu finds wrong with it into an error.
+    /// Does `work` and returns an error if wgpu reports one meanwhile.
     pub(crate) fn scoped<R>(&self, work: impl FnOnce() -> R) -> Result<R, Error> {
         let validation = self.device.push_error_scope(ErrorFilter::Validation);
         let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
@@ -124,7 +124,7 @@ impl Gpu {
         }
     }
 
-    /// An error once the device is gone.
+    /// Returns an error once the device is lost.
     pub(crate) fn check_lost(&self) -> Result<(), Error> {
         let lost = self.lost.lock().map(|lost| lost.clone()).unwrap_or_else(|_| Some("unknown".to_owned()));
         match lost {

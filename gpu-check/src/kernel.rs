@@ -1,6 +1,6 @@
-//! What is compared: a formula in Rust, its kernel in WGSL, and the cases to try both on.
+//! A kernel: a formula in Rust, its module in WGSL, and the cases on which both are compared.
 //!
-//! A case is a row of numbers and so is a result, flags included, so that one comparison serves all kernels.
+//! A case is a row of numbers, and so is a result. Flags are numbers too, so that one comparison serves all kernels.
 
 use cpu::Vec3;
 use cpu::internals::math::real::Real;
@@ -21,13 +21,13 @@ pub trait Formula {
 
     /// The formula, as `cpu` has it.
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]);
-    /// Cases at which something changes or ends, row after row.
+    /// The edge cases, at which a decision changes or a number overflows or underflows, row after row.
     fn edges() -> Vec<f64>;
     /// Fills `case` from a stream of random numbers.
     fn random(draws: &mut Uniform, case: &mut [f64]);
 }
 
-/// A formula as a value.
+/// A [`Formula`] as a value, so that kernels can be listed.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     /// The kernel's module in `shaders`.
@@ -61,7 +61,7 @@ impl Kernel {
         }
     }
 
-    /// What the formula makes of a case in f32 without subnormal numbers.
+    /// The result of a case in f32 arithmetic that flushes subnormal numbers to zero.
     #[must_use]
     pub fn flushed(&self, case: &[f32]) -> Vec<f32> {
         let case: Vec<_> = case.iter().copied().map(Flushed).collect();
@@ -76,7 +76,7 @@ impl Kernel {
         (self.edges)().into_iter().map(T::of).collect()
     }
 
-    /// `count` random cases, row after row; the same for the same seed.
+    /// `count` random cases, row after row. Equal seeds give equal cases.
     #[must_use]
     pub fn random_cases<T: Float>(&self, count: usize, seed: u64) -> Vec<T> {
         let mut draws = Uniform::new(seed);
@@ -90,7 +90,7 @@ impl Kernel {
     }
 }
 
-/// Reads a row of numbers from its start.
+/// Reads numbers and vectors from a row, one after another.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a, T>(pub &'a [T]);
 

@@ -16,9 +16,9 @@ use cpu::internals::math::real::Real;
 
 use crate::Kernel;
 
-/// Ray against sphere, as the specification has it.
+/// Ray against sphere, by the plain formula.
 pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere>();
-/// Ray against cylinder, as the specification has it.
+/// Ray against cylinder, by the plain formula.
 pub const CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder>();
 /// Ray against sphere in the projected form.
 pub const PROJECTED_SPHERE: Kernel = Kernel::of::<projected::Sphere>();
@@ -44,7 +44,7 @@ pub const KERNELS: [Kernel; 11] = [
 const HIT_REPORT: &[&str] =
     &["some", "lambda", "part", "front", "point.x", "point.y", "point.z", "normal.x", "normal.y", "normal.z"];
 
-/// Writes the report of a hit, or of none.
+/// Writes the report of a hit, or zeros for a miss.
 fn report<T: Real>(hit: Option<(T, u32, Hit<T>)>, result: &mut [T]) {
     let Some((lambda, part, hit)) = hit else {
         return result.fill(T::of(0.0));

@@ -1,18 +1,18 @@
-//! Runs the WGSL port of the renderer's mathematics and holds it against `cpu`, bit by bit.
+//! Runs the WGSL port of the renderer's mathematics and compares it with `cpu`, bit by bit.
 //!
-//! The port ([`shaders`]) is a second, independent implementation: another language, another compiler, another set of
-//! instructions. What both give to the last bit, neither has wrong by accident. On Mesa's lavapipe, a Vulkan driver
-//! that calculates on the CPU, f64 agrees exactly; `docs/gpu.md` says what cannot and why.
+//! The port ([`shaders`]) is a second, independent implementation in another language, by another compiler, with other
+//! instructions. A result that both give to the last bit is not wrong by accident. On Mesa's lavapipe, a Vulkan driver
+//! that calculates on the CPU, f64 agrees exactly; `docs/gpu.md` says what cannot agree and why.
 //!
 //! - [`adapter`] and [`gpu`] open a device and run a kernel;
-//! - [`kernel`] and [`kernels`] list what is compared, formula by formula, and [`check`] compares it;
-//! - [`methods`] has `stability` hold the intersections against exact arithmetic;
-//! - [`running`] derives how far f32 may be from f64, [`flushed`] what f32 is without subnormal numbers;
+//! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
+//! - [`methods`] lets `stability` compare the intersections with exact arithmetic;
+//! - [`running`] bounds how far f32 may be from f64, and [`flushed`] is f32 without subnormal numbers;
 //! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
-//! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a person's own modules;
-//! - [`web`] has the same shader run in a browser, by another compiler;
-//! - [`rewrites`] finds out what a driver does to formulas;
-//! - [`mutants`] are faults that all this must notice.
+//! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a user's own modules;
+//! - [`web`] serves a page that runs the f32 shader in a browser, which has another compiler;
+//! - [`rewrites`] finds out how a driver rewrites formulas;
+//! - [`mutants`] are faults that these checks must notice.
 //!
 //! ```no_run
 //! use gpu_check::{Gpu, Picture, Renderer, features_of};

@@ -1,8 +1,8 @@
 //! Faults that the checks must notice: one operator, sign, comparison or constant changed in a module.
 //!
-//! A check that finds nothing wrong proves something only if it would find what is wrong. Each mutant replaces a text
-//! that stands in its module exactly once; [`Examiner`] runs what the suite runs, with fewer cases, and tells which
-//! check was the first to notice.
+//! A check that finds no fault proves something only if it finds the faults that there are. Each mutant replaces a text
+//! that stands in its module exactly once. [`Examiner`] runs the suite's checks with fewer cases, and tells which check
+//! was the first to notice the mutant.
 
 mod examiner;
 mod table;
@@ -17,9 +17,9 @@ use shaders::Library;
 pub struct Mutant {
     /// The module's name.
     pub module: &'static str,
-    /// What stands there.
+    /// The text that is replaced.
     pub from: &'static str,
-    /// What stands there instead.
+    /// The text that replaces it.
     pub to: &'static str,
 }
 
@@ -30,7 +30,7 @@ impl Mutant {
     /// [`shaders::Error::UnknownModule`].
     ///
     /// # Panics
-    /// When the text to replace does not stand in the module exactly once: the mutant would not be what it says.
+    /// When the text to replace does not stand in the module exactly once.
     pub fn library(&self) -> Result<Library, shaders::Error> {
         let mut library = Library::standard();
         let source = library.source(self.module)?;

@@ -1,6 +1,7 @@
-//! Values as the bytes that WGSL's structures have.
+//! Packs values into the bytes of the WGSL structures that shaders read.
 //!
-//! Those are made of scalars alone, 4 or 8 bytes each, without a gap: a value's bytes are its numbers' bytes, in order.
+//! These structures have only scalar fields of 4 or 8 bytes and no padding. So a value's bytes are the bytes of its
+//! numbers, in order.
 
 use cpu::Vec3;
 use cpu::internals::Camera;
@@ -12,7 +13,7 @@ use cpu::internals::render::background::Background;
 use crate::Float;
 use crate::picture::PackedMaterial;
 
-/// A value that WGSL reads.
+/// A value that shaders read.
 pub trait Packed {
     /// Appends the value's bytes.
     fn pack(&self, bytes: &mut Vec<u8>);

@@ -1,4 +1,4 @@
-//! A kernel ready to run, and its runs.
+//! Compiles kernels for a device and runs them.
 
 mod buffers;
 
@@ -15,21 +15,21 @@ use wgpu::{
 use crate::{Error, Gpu};
 use buffers::{SENTINEL, create, layout_entry, wait};
 
-/// Invocations in a workgroup, as all kernels have it.
+/// Invocations in a workgroup of every kernel.
 const WORKGROUP: u64 = 64;
 /// Most invocations in one run: WebGPU allows 65,535 workgroups along a dimension.
 pub const MAX_INVOCATIONS: u64 = 65_535 * WORKGROUP;
 
-/// What is bound at one number.
+/// The content of the buffer that is bound at one number.
 #[derive(Clone, Copy, Debug)]
 pub enum Content<'a> {
     /// Bytes that the kernel reads.
     Input(&'a [u8]),
-    /// Bytes that the kernel reads, other ones in each of several runs that follow each other.
+    /// Bytes that the kernel reads, one entry for each of several consecutive runs.
     Inputs(&'a [Vec<u8>]),
-    /// This many bytes for the kernel to note things in.
+    /// A buffer of this many bytes for the kernel's intermediate values.
     Scratch(u64),
-    /// This many bytes that the kernel has to write, all of them.
+    /// A buffer of this many bytes, all of which the kernel must write.
     Output(u64),
 }
 
@@ -40,21 +40,21 @@ pub struct Pipeline {
     precision: Precision,
     pipeline: ComputePipeline,
     layout: BindGroupLayout,
-    /// Buffers that the kernel binds.
+    /// Number of buffers that the kernel binds.
     bindings: usize,
 }
 
-/// What a run gives.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// The outputs in the order of their numbers.
     pub outputs: Vec<Vec<u8>>,
-    /// From handing the work to the device until it was done, without the transfers.
+    /// The time from submitting the work until the device has done it, without the transfers.
     pub time: Duration,
 }
 
 impl Content<'_> {
-    /// Runs that the content is for.
+    /// Number of runs that the content is for.
     const fn runs(&self) -> usize {
         match self {
             Self::Inputs(each) => each.len(),
@@ -73,7 +73,7 @@ impl Pipeline {
         Self::with_constants(gpu, composition, constants.as_ref().map_or(&[], |constants| &constants[..]))
     }
 
-    /// The same with any pipeline-overridable constants, by name.
+    /// Compiles as [`Self::new`] does, with any pipeline-overridable constants by name.
     ///
     /// # Errors
     /// As [`Self::new`], and [`Error::Refused`] for a name that the shader does not declare.
@@ -107,8 +107,8 @@ impl Pipeline {
         })
     }
 
-    /// Has the driver compile the kernel to the end, and runs nothing. lavapipe makes machine code only for a run, even
-    /// for one of no invocations.
+    /// Has the driver compile the kernel to machine code, and runs no invocation. A run without invocations is needed,
+    /// because lavapipe makes machine code only for a run.
     ///
     /// # Errors
     /// [`Error::Timeout`], or what the driver finds wrong.
@@ -118,7 +118,8 @@ impl Pipeline {
         gpu.scoped(|| self.dispatch(gpu, &contents, 0))?.1.map(drop)
     }
 
-    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on: once, or as often as an [`Content::Inputs`] says.
+    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on: once, or once for each entry of a
+    /// [`Content::Inputs`].
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or what the driver finds wrong.
@@ -157,7 +158,8 @@ impl Pipeline {
         Ok(())
     }
 
-    /// Does the work; the buffers are the contents' in the first run, those of outputs ready to be read.
+    /// Creates the buffers and does all runs. Returns the buffers of the first run, of which outputs can be read, and
+    /// the time.
     fn dispatch(
         &self,
         gpu: &Gpu,
@@ -206,7 +208,7 @@ impl Pipeline {
             let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some(self.name) });
             encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
             gpu.queue.submit([encoder.finish()]);
-            // A failure to map shows when the range is asked for.
+            // A failure to map is reported by `get_mapped_range` below.
             staging.map_async(MapMode::Read, .., |_| ());
             staging
         })?;
@@ -215,7 +217,7 @@ impl Pipeline {
         Ok(range.to_vec())
     }
 
-    /// An error when a number of the output still is as it was before the run.
+    /// Returns an error if a number of the output still has the bytes from before the run.
     fn check_written(&self, bytes: &[u8]) -> Result<(), Error> {
         let width = match self.precision {
             Precision::F32 => size_of::<f32>(),

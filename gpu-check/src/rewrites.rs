@@ -1,8 +1,8 @@
-//! What a driver does to formulas behind the author's back.
+//! Finds out how a driver rewrites formulas.
 //!
-//! Vulkan lets a driver treat floating point numbers as real numbers unless the shader forbids it, and naga's shaders
-//! do not. [`observe`] finds out which laws a driver applies; [`require_barrier`] is the self-test that formulas which
-//! use the barrier of `exact.wgsl` can rely on it.
+//! Vulkan allows a driver to rewrite floating-point formulas by the laws of real numbers unless the shader forbids it,
+//! and naga's shaders do not forbid it. [`observe`] finds out which laws a driver applies. [`require_barrier`] is a
+//! self-test: when it passes, formulas can rely on the barrier of `exact.wgsl`.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use shaders::Library;
 use crate::pipeline::{Content, Pipeline};
 use crate::{Error, Float, Gpu, check, kernels, special};
 
-/// Cases of each kind: enough that no rewriting goes unnoticed.
+/// Number of random cases: enough that every rewriting changes a result.
 const CASES: usize = 4096;
 /// Numbers in a case, and in its result.
 const NUMBERS: usize = 5;
@@ -28,7 +28,7 @@ pub struct Rewrites {
     pub squares_roots: bool,
     /// `x + 0` is taken to be `x`, though `-0 + 0` is `0`.
     pub drops_zeros: bool,
-    /// `x != x` is taken to be false, though it holds for what is no number.
+    /// `x != x` is taken to be false, though it is true for NaN.
     pub forgets_nan: bool,
 }
 
@@ -60,10 +60,10 @@ pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error
     Ok(Rewrites { cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan })
 }
 
-/// Passes when sums behind the barrier keep their rounding errors, bit for bit.
+/// Checks that sums with the barrier have the rounding errors that Rust computes, bit for bit.
 ///
 /// # Errors
-/// [`Error::BarrierBroken`], or as [`Pipeline::new`] and [`Pipeline::run`].
+/// [`Error::BarrierBroken`] when one differs, or as [`Pipeline::new`] and [`Pipeline::run`].
 pub fn require_barrier<T: Float>(gpu: &Gpu, library: &Library) -> Result<(), Error> {
     let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/barrier").expect("it is listed");
     let pipeline = check::compile::<T>(gpu, library, kernel)?;

@@ -1,5 +1,5 @@
-//! The scenes that whole pictures are compared on: those of the repository, random ones, and ones made to tell twins
-//! apart.
+//! The scenes of which whole pictures are compared: the scenes of the repository, random scenes, and edge cases that
+//! are made to show differences between two implementations.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use crate::{Error, special};
 /// A scene, how to render it, and its name in messages.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// Where it comes from.
+    /// Its name in messages: its folder, or what is special about it.
     pub name: String,
     /// How to render it.
     pub config: Config,
@@ -21,11 +21,11 @@ pub struct Case {
     pub scene: Scene,
 }
 
-/// Every scene below `folder`: each of its folders that holds `config.txt` and `scene.txt`, in the order of their
-/// names. None when there is no such folder.
+/// Every scene in `folder`: each subfolder that holds `config.txt` and `scene.txt`, in the order of the names. The list
+/// is empty when `folder` does not exist.
 ///
 /// # Errors
-/// [`Error::File`] or [`Error::Scene`] for one that cannot be read.
+/// [`Error::File`] or [`Error::Scene`] for a scene that cannot be read.
 pub fn in_folder(folder: &Path) -> Result<Vec<Case>, Error> {
     if !folder.exists() {
         return Ok(Vec::new());
@@ -45,15 +45,15 @@ fn read(folder: &Path) -> Result<Case, Error> {
     Ok(Case { name: format!("{}/{}", parts[1], parts[0]), config, scene })
 }
 
-/// The repository's folder of this name.
+/// The path of `folder`, which is relative to the root of the repository.
 #[must_use]
 pub fn repository(folder: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder)
 }
 
 impl Case {
-    /// The same with fewer pixels, where all pixels times all objects would be more than `tests`. A pixel costs
-    /// something without any object, too: as much as a hundred of them.
+    /// The case with fewer pixels, if the pixels times the objects were more than `tests`. A pixel counts 100 objects
+    /// more than there are, because it takes time even without objects.
     #[must_use]
     pub fn within(mut self, tests: usize) -> Self {
         let objects = self.scene.objects.len() + 100;
@@ -66,8 +66,8 @@ impl Case {
     }
 }
 
-/// A scene in which twins that differ in a decision differ in pixels: objects at the same place with different
-/// materials in either order, a camera inside an object, rays along an axis and in the plane of a cap.
+/// Scenes in which two implementations that decide differently give different pixels. They have objects of different
+/// materials at one place, a camera inside an object, and rays along an axis and in the plane of a cap.
 #[must_use]
 pub fn edges() -> Vec<Case> {
     const MATERIALS: &str = "matte: red .9 .1 .2\nmatte: green .1 .8 .3\nmetal: mirror .9 .8 .7 .1\nrefractive: glass 1.5\n\
@@ -96,7 +96,7 @@ pub fn edges() -> Vec<Case> {
         .collect()
 }
 
-/// A random scene with all materials, all shapes and a depth of up to 50; the same for the same seed.
+/// A random scene with all materials, all shapes and a maximum depth of up to 50. Equal seeds give equal scenes.
 #[must_use]
 pub fn random(seed: u64) -> Case {
     let mut draws = Uniform::new(seed);

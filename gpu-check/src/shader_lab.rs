@@ -1,11 +1,11 @@
-//! Trying one's own WGSL: what the program `shader-lab` does, in parts that tests can call.
+//! The parts of the program `shader-lab`, which renders with WGSL modules of the user.
 //!
-//! - [`args`] reads the command line, [`files`] and [`sources`] the person's files;
-//! - [`guard`] compiles them in a process whose memory and time are limited;
+//! - [`args`] reads the command line, [`files`] and [`sources`] read the user's files;
+//! - [`guard`] compiles the modules in a process whose memory and time are limited;
 //! - [`truth`] is the picture by the CPU, computed once for many trials;
-//! - [`trial`] renders with the modules and measures the distance from it, [`differences`] shows it in colours;
-//! - [`view`] shows in false colours what a ray meets, [`pixel`] one pixel's way on both sides;
-//! - [`watch`] does it again when a file has changed.
+//! - [`trial`] renders with the modules and compares the picture with the CPU's, [`differences`] shows the differences;
+//! - [`view`] shows in false colours what a ray hits, [`pixel`] shows one pixel's path by WGSL and by the CPU;
+//! - [`watch`] renders again when a file has changed.
 
 pub mod args;
 pub mod differences;

@@ -1,9 +1,9 @@
-//! Numbers and vectors at which floating point shows its teeth, and random ones of every size.
+//! Numbers and vectors that are hard for floating-point formulas, and random ones of every size.
 
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
 
-/// Zeros, subnormals, the smallest, the largest and what is no number, for f64 and f32 alike.
+/// Zeros, subnormal, very small and very large numbers of f64 and of f32, ordinary ones, and infinity.
 pub const NUMBERS: [f64; 21] = [
     0.0,
     -0.0,
@@ -28,7 +28,7 @@ pub const NUMBERS: [f64; 21] = [
     f64::INFINITY,
 ];
 
-/// Directions along axes, with components that are zero, tiny, huge, of very different size, and none at all.
+/// Directions along axes, directions with tiny, huge and very different components, the null vector, and one with NaN.
 pub const DIRECTIONS: [[f64; 3]; 22] = [
     [0.0, 0.0, 1.0],
     [0.0, 0.0, -2.0],
@@ -54,18 +54,18 @@ pub const DIRECTIONS: [[f64; 3]; 22] = [
     [f64::NAN, 1.0, 0.0],
 ];
 
-/// A number of either sign whose size is anywhere between `10^low` and `10^high`.
+/// A random number of either sign whose magnitude lies between `10^low` and `10^high`.
 pub fn of_any_size(draws: &mut Uniform, low: f64, high: f64) -> f64 {
     let size = 10.0_f64.powf(draws.draw(low, high));
     if draws.canonical() < 0.5 { -size } else { size }
 }
 
-/// A vector in the cube of half side `extent`.
+/// A random vector in the cube around the origin with sides of `2 * extent`.
 pub fn in_cube(draws: &mut Uniform, extent: f64) -> Vec3 {
     Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)))
 }
 
-/// A unit vector in any direction; one in eight lies along an axis or in a plane of two.
+/// A random unit vector. About one in seven lies in the xy plane or in the yz plane.
 pub fn direction(draws: &mut Uniform) -> Vec3 {
     loop {
         let mut vector = in_cube(draws, 1.0);
@@ -80,12 +80,12 @@ pub fn direction(draws: &mut Uniform) -> Vec3 {
     }
 }
 
-/// `true` once in `times`.
+/// A random choice that is true once in `times`.
 pub fn once_in(draws: &mut Uniform, times: f64) -> bool {
     draws.canonical() * times < 1.0
 }
 
-/// Writes vectors and numbers into a row, in order.
+/// A row of numbers, to which vectors and numbers are added in order.
 #[derive(Debug, Default)]
 pub struct Row(pub Vec<f64>);
 

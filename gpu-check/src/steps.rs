@@ -1,4 +1,4 @@
-//! A pixel's way through the scene, step by step, on a device and in Rust: to see where the two part.
+//! Records a pixel's path through the scene step by step, on a device and in Rust, to find the first difference.
 
 use std::marker::PhantomData;
 
@@ -36,17 +36,17 @@ pub const NAMES: [&str; 21] = [
     "light.b",
 ];
 
-/// A ray and what it meets.
+/// One ray of a path and its hit, as the numbers that [`NAMES`] names.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<T>(pub [T; NAMES.len()]);
 
 impl<T: Copy> Step<T> {
-    /// One where the ray meets an object, zero where it sees the background, minus one after the way's end.
+    /// One when the ray hits an object, zero when it escapes to the background, minus one after the end of the path.
     pub const fn is_hit(&self) -> T {
         self.0[0]
     }
 
-    /// How far the object is.
+    /// The lambda of the hit.
     pub const fn lambda(&self) -> T {
         self.0[1]
     }
@@ -61,25 +61,25 @@ impl<T: Copy> Step<T> {
         self.0[3]
     }
 
-    /// One where the ray comes from outside the object.
+    /// One when the ray comes from outside the object.
     pub const fn front(&self) -> T {
         self.0[4]
     }
 
-    /// The normal that faces the ray.
+    /// The normal on the side that the ray comes from.
     pub const fn normal(&self) -> [T; 3] {
         [self.0[15], self.0[16], self.0[17]]
     }
 }
 
-/// The place of the first number in which two steps differ.
+/// The index of the first number in which two steps differ.
 #[must_use]
 pub fn first_difference<T: Float>(one: &Step<T>, other: &Step<T>) -> Option<usize> {
     one.0.iter().zip(&other.0).position(|(one, other)| !one.same(*other))
 }
 
 impl<T: Real<Mask = bool>> Picture<T> {
-    /// The steps of the pixel at `index`, in Rust: as many as a ray may meet surfaces.
+    /// The steps of the pixel at `index`, computed in Rust. There are as many as the maximum depth.
     #[must_use]
     pub fn steps(&self, index: usize) -> Vec<Step<T>> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
@@ -121,7 +121,7 @@ fn store<T: Copy>(vector: Vec3<T>, place: &mut [T]) {
     place[..3].copy_from_slice(&vector.to_array());
 }
 
-/// A pipeline that writes steps down.
+/// A pipeline that records the steps of pixels on a device.
 #[derive(Debug)]
 pub struct Follower<'a, T> {
     gpu: &'a Gpu,
@@ -131,7 +131,8 @@ pub struct Follower<'a, T> {
 }
 
 impl<'a, T: Float> Follower<'a, T> {
-    /// Compiles the kernel from `library`; steps are followed to the depth of the features.
+    /// Compiles `kernels/steps` from `library`. It records as many steps as the maximum depth of `features`. `own` are
+    /// the values of constants that a replaced module declares.
     ///
     /// # Errors
     /// As [`Pipeline::with_constants`].
@@ -145,7 +146,7 @@ impl<'a, T: Float> Follower<'a, T> {
     /// Hands the steps of `count` pixels from `first` to `each`, pixel by pixel.
     ///
     /// # Errors
-    /// [`Error::TooManyIterations`] for a way that takes more than one run, else as [`Pipeline::run`].
+    /// [`Error::TooManyIterations`] for paths that take more than one run, else as [`Pipeline::run`].
     pub fn follow(
         &self,
         picture: &Picture<T>,
@@ -174,7 +175,7 @@ impl<'a, T: Float> Follower<'a, T> {
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
                 Content::Input(&materials),
-                // What only the picture's own kernel writes.
+                // The attenuations, pixels and paths, which only `kernels/image` writes.
                 Content::Scratch(0),
                 Content::Scratch(0),
                 Content::Scratch(0),

@@ -1,5 +1,5 @@
-//! The limits on memory and time of compiling and running a shader: each is reached with a small value, and not with a
-//! larger one. No time is asserted, only which limit ends what.
+//! The limits on memory and time for compiling and running a shader. Each limit ends the work when its value is small,
+//! and does not when it is larger. No times are asserted, only which limit ends the work.
 
 mod common;
 
@@ -16,7 +16,7 @@ fn check(limits: Limits, text: String) -> Result<(), Error> {
     check_within(program, limits, &Composition::of_text(text, Precision::F32), &[])
 }
 
-/// A kernel that makes a number of each invocation's own.
+/// A kernel that computes a number for each invocation. `before` is put before the function, `body` into it.
 fn kernel(before: &str, body: &str) -> String {
     format!(
         "@group(0) @binding(0) var<storage, read_write> numbers: array<f32>;\n{before}\n\
@@ -25,7 +25,7 @@ fn kernel(before: &str, body: &str) -> String {
     )
 }
 
-/// naga holds and compares this many elements, of some 16 bytes each, and finds the comparison wrong.
+/// A kernel that makes naga hold and compare `count` elements of some 16 bytes each. naga refuses the comparison.
 fn many_elements(count: usize) -> String {
     kernel(&format!("const many = array<i32, {count}>();\nconst_assert many == many;"), "")
 }
@@ -42,7 +42,7 @@ fn compiling_ends_at_the_limit_on_memory() {
     let text = || many_elements(20_000_000);
     let limits = |memory: u64| Limits { memory: memory << 20, ..Limits::STANDARD };
     assert_ended(check(limits(384), text()), "at most 384 MiB of memory");
-    // The process comes back with what naga says of the text, which is told when the text is compiled again.
+    // naga refuses the text here too, but that is no error of this process: the text is compiled again to report it.
     check(limits(2048), text()).expect("this is enough");
 }
 

@@ -1,4 +1,4 @@
-//! The checks' own check: every fault put into the WGSL is noticed, and without a fault nothing is.
+//! A test of the checks: they notice every fault that is put into the WGSL, and none where there is no fault.
 
 mod common;
 

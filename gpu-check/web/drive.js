@@ -1,4 +1,4 @@
-// What the test in tests/browser.rs has the page do: a person's steps, each with its result handed to the server.
+// Drives the page for the test in tests/browser.rs: does what a user would do, and posts each result to the server.
 
 import { tabulate } from "./lab.js";
 
@@ -18,7 +18,7 @@ const canvas = () => {
     return find("here").getContext("2d").getImageData(0, 0, width, height).data;
 };
 
-// The width that the page takes and the one that it has, on a phone, with pictures wider than that.
+// The width that the page needs and the width of the window, on a phone, with pictures that are wider than the window.
 async function onPhone() {
     const frame = document.createElement("iframe");
     frame.style = "width: 390px; height: 844px; border: 0";
@@ -33,7 +33,7 @@ async function onPhone() {
     return [scrollWidth, clientWidth];
 }
 
-// The width that the page's icon is drawn at: 0 where there is none.
+// The width of the page's icon; 0 if there is none.
 async function iconWidth() {
     const icon = new Image();
     icon.src = document.querySelector("link[rel=icon]").href;

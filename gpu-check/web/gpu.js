@@ -1,7 +1,7 @@
-// WebGPU: a shader's text in, its results out. Nothing here knows the page.
+// Compiles and runs shaders by WebGPU. This file does not use the page.
 
 const STORAGE = 0x80, COPY_SRC = 0x4, COPY_DST = 0x8, MAP_READ = 0x1;
-// What an empty buffer is given, since none may be empty: more than any structure takes.
+// Least size of a buffer in bytes, since no buffer may be empty. It is more than any structure takes.
 const SMALLEST = 256;
 
 export async function openDevice() {
@@ -12,7 +12,7 @@ export async function openDevice() {
     return { device: await adapter.requestDevice(), name };
 }
 
-// A fault of the shader's author, with the place in the whole text.
+// A fault in a shader, with its place in the composed text.
 export class ShaderFault extends Error {
     constructor(message, line, column) {
         super(message);
@@ -46,8 +46,8 @@ export async function compile(device, code, entry, written, constants) {
     return { pipeline, layout };
 }
 
-// Runs it with a buffer for each of `contents`, bytes to read or a count of bytes to be written; gives the bytes of the
-// one numbered `output`.
+// Runs a pipeline with a buffer for each of `contents`, which is either the bytes to read or the number of bytes that
+// the shader writes. Returns the bytes of the buffer numbered `output`.
 export async function run(device, { pipeline, layout }, contents, output, invocations) {
     const buffers = contents.map((content) => {
         const bytes = typeof content === "number" ? null : content;

@@ -1,4 +1,4 @@
-// The lab without its page: modules, pictures and kernel tables, as the server hands them out.
+// The lab without its page: fetches modules, pictures and kernels from the server, and runs them.
 
 import { compile, openDevice, run, ShaderFault } from "./gpu.js";
 
@@ -20,7 +20,7 @@ export async function openLab() {
     return { device, name, picture, parts, kernels, inputs, native: new Float32Array(native) };
 }
 
-// Renders with `parts`, each a file's path and its text; a fault is traced to the file it is in.
+// Renders with `parts`, each of which is a file's path and text. An error message gives the file in which the fault is.
 export async function render(lab, parts) {
     const { pixels, depth, constants } = lab.picture;
     const written = [false, false, false, false, true, true, true];
@@ -28,12 +28,13 @@ export async function render(lab, parts) {
     const pipeline = await compile(lab.device, code, "image", written, constants).catch((error) => {
         throw error instanceof ShaderFault ? new Error(located(error, parts)) : error;
     });
-    // As renderer.rs sizes them: the materials that attenuate each path, the colours, and where rays are between two runs.
+    // Sizes as in renderer.rs: the materials that attenuate each path, the colours, and the states of paths between
+    // runs.
     const contents = [...lab.inputs, pixels * depth * 4, pixels * 12, pixels * 32];
     return new Float32Array(await run(lab.device, pipeline, contents, 5, pixels));
 }
 
-// The results of the kernel for all its cases, and the cases.
+// The results of the kernel for all its cases.
 export async function tabulate(lab, { module, entry, inputs, outputs }) {
     const [code, cases] = [await (await fetched(`wgsl/${module}`)).text(), await bytes(`cases/${module}`)];
     const pipeline = await compile(lab.device, code, entry, [false, true], {});
@@ -41,7 +42,7 @@ export async function tabulate(lab, { module, entry, inputs, outputs }) {
     return new Float32Array(await run(lab.device, pipeline, [cases, rows * outputs * 4], 1, rows));
 }
 
-// Numbers of two rows of f32 whose bits differ; what is no number in both does not.
+// Indices at which the bits of two rows of f32 differ. Two NaN do not differ.
 export function differing(one, other) {
     const [a, b] = [one, other].map((row) => new Uint32Array(row.buffer, row.byteOffset, row.length));
     const places = [];
@@ -51,8 +52,8 @@ export function differing(one, other) {
     return places;
 }
 
-// Rows of `outputs` numbers by a kernel, counted: those as Rust's f32 has them, those as f32 has them whose subnormal
-// numbers are zeros, which WGSL allows, and all others.
+// Counts a kernel's rows of `outputs` numbers. `flushed` counts the rows that differ from Rust's f32, but are as in f32
+// with subnormal numbers flushed to zero, which WGSL allows. `otherwise` counts all other rows that differ.
 export function compared(results, expected, flushed, outputs) {
     const counts = { rows: results.length / outputs, flushed: 0, otherwise: 0 };
     const rows = new Set(differing(results, expected).map((i) => Math.floor(i / outputs)));
@@ -65,7 +66,7 @@ export function compared(results, expected, flushed, outputs) {
 
 const ended = (text) => (text.endsWith("\n") ? text : `${text}\n`);
 
-// File, line, column, message, and the line with a caret.
+// The error message: file, line, column and message, and the line with a caret under the fault.
 function located({ message, line, column }, parts) {
     let first = 1;
     for (const { path, source } of parts) {

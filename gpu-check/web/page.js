@@ -25,7 +25,7 @@ async function start() {
     parts.forEach((part, i) => select.add(new Option(part.path, i)));
     const choose = () => { find("source").value = parts[select.value].source; };
 
-    // The newest text counts: a rendering that was overtaken shows nothing.
+    // Only the newest rendering is shown. One that ends after a newer one has begun is dropped.
     let newest = 0;
     async function refresh() {
         const own = ++newest;
@@ -79,5 +79,5 @@ async function start() {
 
 const started = start();
 started.catch((error) => show("error", error.message));
-// A test drives the page as a person would.
+// A test drives the page as a user would.
 if (location.search === "?drive") import("./drive.js").then(({ drive }) => drive(started));

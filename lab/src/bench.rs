@@ -1,9 +1,9 @@
-//! Measuring: user time of interleaved repeats, error against a converged picture, energy where there is a meter.
+//! Measures user time of interleaved repeats, error against a converged picture, and energy where there is a meter.
 //!
 //! [`matrix`] says what is measured, [`timing`], [`error`], [`intersections`] and [`energy`] measure it, [`results`]
-//! keeps it with the machine that it was measured on, and [`statistics`], [`fit`] and [`gain`] say what follows. Times
-//! are this process' user time: rendering has one thread, so nobody else's work is in it, though noisy neighbours still
-//! slow it down.
+//! keeps the figures with the machine, and [`statistics`], [`fit`] and [`gain`] derive other figures from them. Times
+//! are the user time of this process, which has one thread. Work of other processes is not counted, but a busy machine
+//! still makes the times longer.
 
 pub mod energy;
 pub mod error;

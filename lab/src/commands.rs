@@ -16,7 +16,7 @@ use crate::{Failure, terminal};
 /// Writes a value as JSON to standard output.
 ///
 /// # Errors
-/// Standard output takes no more.
+/// Standard output cannot be written.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     terminal::print(&serde_json::to_string_pretty(value).map_err(|error| error.to_string())?)
 }

@@ -1,41 +1,41 @@
-//! How far two pictures differ (specification, section 12), and by measures that other fields use.
+//! Measures how far two pictures differ: as the course does (specification, section 12), and by common other measures.
 
 use serde::Serialize;
 
 use crate::picture::Picture;
 
-/// Largest pixel difference that the course does not accept any more.
+/// The course accepts a picture whose largest pixel difference is below this bound.
 pub const MAXIMUM_BOUND: f64 = 150.0;
 
-/// RMSE that the course does not accept any more.
+/// The course accepts a picture whose RMSE is below this bound.
 pub const RMSE_BOUND: f64 = 10.0;
 
-/// What there is to say about two pictures of one size. A pixel's difference is the mean of its channels' absolute
-/// differences, in levels from 0 to 255.
+/// The differences between two pictures of one size. A pixel's difference is the mean of the absolute differences of
+/// its channels, in levels from 0 to 255.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
     /// Root of the mean square of the pixels' differences.
     pub rmse: f64,
-    /// The largest of them.
+    /// The largest difference of a pixel.
     pub maximum: f64,
-    /// Their mean.
+    /// The mean of the pixels' differences.
     pub mae: f64,
     /// Peak signal-to-noise ratio over all channels in decibels; `None` (infinite) for identical pictures.
     pub psnr: Option<f64>,
-    /// Mean FLIP error, 0 to 1, where this was built with it.
+    /// Mean FLIP error, from 0 to 1; `None` if the program was built without the feature `flip`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flip: Option<f64>,
-    /// Pixels that differ at all.
+    /// Number of pixels that differ.
     pub differing: usize,
-    /// Pixels compared.
+    /// Number of pixels compared.
     pub pixels: usize,
     /// The smallest rectangle that holds all differing pixels: column, row, width, height.
     pub bounding_box: Option<[usize; 4]>,
-    /// Whether the course accepts it.
+    /// Whether the course accepts the difference.
     pub accepted: bool,
 }
 
-/// The difference of one pixel.
+/// Returns the difference of two pixels.
 #[must_use]
 pub fn of_pixels(first: [u8; 3], second: [u8; 3]) -> f64 {
     f64::from(channels(first, second).iter().sum::<u32>()) / 3.0
@@ -49,7 +49,7 @@ impl Difference {
     /// Compares two pictures.
     ///
     /// # Errors
-    /// Their sizes, when they differ.
+    /// The pictures have different sizes.
     pub fn between(first: &Picture, second: &Picture) -> Result<Self, String> {
         if (first.width, first.height) != (second.width, second.height) {
             let [a, b] = [first, second].map(|picture| format!("{} x {}", picture.width, picture.height));
@@ -57,7 +57,7 @@ impl Difference {
         }
         let pixels = first.pixels.len();
         let (mut differing, mut maximum, mut sum, mut squares) = (0, 0.0_f64, 0.0, 0.0);
-        // Over channels, exact: 2^30 pixels of three times 255^2 fit.
+        // The exact sum over channels. It cannot overflow: 2^30 pixels times 3 times 255^2 is below 2^48.
         let mut channel_squares = 0_u64;
         let mut corners: Option<[usize; 4]> = None;
         for (index, (&a, &b)) in first.pixels.iter().zip(&second.pixels).enumerate() {
@@ -90,7 +90,7 @@ impl Difference {
     }
 }
 
-/// The mean of the FLIP map at 67 pixels a degree, the default of its authors.
+/// Returns the mean of the FLIP map at 67 pixels a degree, which is the default of FLIP's authors.
 #[cfg(feature = "flip")]
 fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
     let size = [u32::try_from(reference.width).ok()?, u32::try_from(reference.height).ok()?];

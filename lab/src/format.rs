@@ -1,11 +1,11 @@
-//! The two input files as a table: every line's fields, what they mean and what they may be.
+//! Describes the two input files as tables: the fields of every line, their meaning and their allowed values.
 //!
-//! `cpu` decides what is valid. This table explains it: `render-lab help config` and `help scene` print it, messages
-//! point at the field that is wrong, and tests hold it to the parsers of `cpu`.
+//! `cpu` decides what is valid; these tables explain it. `render-lab help config` and `help scene` print them, and
+//! messages use them to point at the wrong field. Tests check that the tables agree with the parsers of `cpu`.
 
 use cpu::internals::input::text;
 
-/// What a field may be.
+/// The kind of value that a field may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
     /// A material's name: anything without blanks.
@@ -25,7 +25,7 @@ pub enum Field {
 }
 
 impl Field {
-    /// Whether `token` is such a field.
+    /// Returns whether `token` is a valid value of this kind.
     #[must_use]
     pub fn accepts(self, token: &[u8]) -> bool {
         let real = |is_right: fn(f64) -> bool| text::parse_real(token).is_some_and(is_right);
@@ -40,7 +40,7 @@ impl Field {
         }
     }
 
-    /// What is needed, for a message.
+    /// Returns the name of this kind of value, for a message.
     #[must_use]
     pub const fn wanted(self) -> &'static str {
         match self {
@@ -58,15 +58,15 @@ impl Field {
 /// A kind of line.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// Its first word, with the colon.
+    /// First word of the line, with the colon.
     pub tag: &'static str,
-    /// What follows, in order.
+    /// Kinds of the values after the tag, in order.
     pub fields: &'static [Field],
     /// The values as the table shows them.
     pub values: &'static str,
-    /// What counts without such a line, as it would be written; empty in a scene.
+    /// The default value as a file would write it; empty for lines of a scene.
     pub default: &'static str,
-    /// What it means, with its unit.
+    /// Meaning of the line, with its unit.
     pub meaning: &'static str,
 }
 
@@ -126,14 +126,14 @@ pub const SCENE: [Line; 5] = [
     ),
 ];
 
-/// The configuration's keys as a table in Markdown that reads well as plain text too.
+/// Returns the keys of a configuration as a table in Markdown, with padded columns for reading as plain text.
 #[must_use]
 pub fn config_table() -> String {
     let rows = CONFIG.iter().map(|line| [line.tag, line.values, line.default, line.meaning]);
     table(["key", "values", "default", "meaning"], rows)
 }
 
-/// The scene's lines as such a table.
+/// Returns the lines of a scene as a table like that of [`config_table`].
 #[must_use]
 pub fn scene_table() -> String {
     table(["line", "values", "meaning"], SCENE.iter().map(|line| [line.tag, line.values, line.meaning]))
@@ -141,7 +141,7 @@ pub fn scene_table() -> String {
 
 fn table<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [&'static str; N]>) -> String {
     let rows: Vec<_> = rows.map(|cells| cells.map(|cell| cell.to_owned())).collect();
-    // Words of the files themselves are set as code.
+    // The first column has words of the files, which Markdown shows as code.
     let coded = |(place, cell): (usize, &String)| match place {
         0 => format!("`{cell}`"),
         _ => cell.clone(),
@@ -176,7 +176,7 @@ mod tests {
             config.set(format!("{} {}", line.tag, line.default).as_bytes()).expect("the table is right");
         }
         assert_eq!(config, Config::default());
-        // One key fewer would leave its value as it was.
+        // Here every value differs from its default, so a key that is missing in the table would leave a difference.
         let mut changed = Config {
             aspect_ratio: [1, 1],
             image_width: 1,
@@ -198,7 +198,7 @@ mod tests {
         assert_eq!(changed, Config::default());
     }
 
-    /// A line with `token` in the field at `place` and something valid in all others.
+    /// Returns a line with `token` in the field at `place`, and a valid value in all other fields.
     fn with(line: &Line, place: usize, token: &str) -> String {
         let value = |field: &Field| if *field == Name { "m" } else { "1" };
         let mut tokens: Vec<_> = line.fields.iter().map(value).collect();

@@ -1,4 +1,4 @@
-//! `render-lab`: see it, compare it, measure it. `render-lab --help` says how.
+//! The program `render-lab`. `render-lab --help` lists its commands.
 
 use std::process::ExitCode;
 

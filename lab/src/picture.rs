@@ -1,7 +1,7 @@
-//! Pictures from files, whoever wrote them: PPM (P3 and P6) and PNG.
+//! Reads and writes pictures: PPM (P3 and P6) and PNG.
 //!
-//! `test_support::p3` accepts what the renderer writes and nothing else, which is right for a test; a comparison must
-//! take any valid picture, so this reader follows the PPM format with its comments and free white space.
+//! `test_support::p3` is for tests and accepts only what the renderer writes. This module reads any valid PPM file,
+//! with comments and free white space, because `compare` gets pictures from other programs.
 
 pub mod kind;
 
@@ -13,28 +13,31 @@ use cpu::{Error, Image, Rgb, Size};
 
 use crate::{Failure, terminal};
 
-/// Largest file that is read, in bytes: more than the longest PPM text of [`MAX_PIXELS`].
+/// Largest file that is read, in bytes. A P3 file of [`MAX_PIXELS`] without comments needs 12 bytes a pixel, which is
+/// less.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 
-/// Most pixels of a picture from a file, for a PNG of a few thousand bytes may announce any number: 8192 x 8192.
+/// Most pixels of a picture from a file: 8192 x 8192. The limit is needed because a PNG of a few thousand bytes can
+/// announce any number of pixels.
 pub const MAX_PIXELS: usize = 1 << 26;
 
-/// Most that deflate can grow: a PNG that announces more pixels than this holds lies about them.
+/// The largest factor by which deflate can compress. A PNG that announces more bytes of pixels than its size times this
+/// factor cannot hold them.
 const DEFLATE_GROWTH: usize = 1032;
 
-/// A picture of bytes.
+/// A picture with 8 bits a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// Pixels in a row.
     pub width: usize,
-    /// Rows.
+    /// Number of rows.
     pub height: usize,
-    /// Red, green and blue, row by row from the top left.
+    /// Red, green and blue of each pixel, row by row from the top left.
     pub pixels: Vec<[u8; 3]>,
 }
 
 impl Picture {
-    /// The picture in a file; its first bytes say what it is.
+    /// Reads a picture from a file, whose first bytes tell the format.
     ///
     /// # Errors
     /// The file cannot be read, is larger than [`MAX_FILE_BYTES`], or is neither PPM nor an 8-bit PNG.
@@ -44,10 +47,10 @@ impl Picture {
         read().map_err(|reason| format!("{}: {reason}", terminal::name(path)).into())
     }
 
-    /// The picture that `bytes` are the file of.
+    /// Reads a picture from the bytes of a file.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// What is wrong with the bytes.
     pub fn parse(bytes: &[u8]) -> Result<Self, String> {
         match bytes {
             [0x89, b'P', b'N', b'G', ..] => from_png(bytes),
@@ -56,7 +59,7 @@ impl Picture {
         }
     }
 
-    /// What the renderer made.
+    /// Copies the image that the renderer made.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -71,10 +74,10 @@ impl Picture {
         Ok(Self { width: size.width(), height: size.height(), pixels })
     }
 
-    /// The part of it that starts at column `x`, row `y`.
+    /// Copies the part of the picture that starts at column `x`, row `y`.
     ///
     /// # Panics
-    /// When it goes beyond the picture.
+    /// If the part does not lie within the picture.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -88,27 +91,27 @@ impl Picture {
         Ok(Self { width, height, pixels })
     }
 
-    /// Writes it as PNG.
+    /// Writes the picture as PNG.
     ///
     /// # Errors
-    /// What `out` returns.
+    /// An error of `out`.
     pub fn write_png(&self, out: impl Write) -> io::Result<()> {
         let side = |pixels: usize| u32::try_from(pixels).map_err(io::Error::other);
         let mut encoder = png::Encoder::new(out, side(self.width)?, side(self.height)?);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         let mut writer = encoder.write_header()?;
-        // In pieces, so that the compressed picture is not held in memory.
+        // Writes pieces of `PIECE` bytes, so that the whole compressed picture is never in memory.
         let mut stream = writer.stream_writer_with_size(PIECE)?;
         stream.write_all(self.pixels.as_flattened())?;
         stream.finish()?;
         Ok(writer.finish()?)
     }
 
-    /// Writes it as the renderer writes PPM.
+    /// Writes the picture as PPM (P3), with the renderer's writer.
     ///
     /// # Errors
-    /// What `out` returns.
+    /// An error of `out`.
     pub fn write_ppm(&self, out: impl Write) -> io::Result<()> {
         let explain = |error: cpu::internals::input::error::Picture| io::Error::other(error.to_string());
         let size = Size::new(self.width as u64, self.height as u64).map_err(explain)?;
@@ -125,11 +128,12 @@ const PIECE: usize = 1 << 16;
 
 const NEITHER: &str = "neither PPM (P3 or P6) nor PNG";
 
-/// The bytes of a file that begins as a picture does. One that does not, such as `/dev/zero`, is not read to its end.
+/// Reads a file that begins like a picture. A file that begins differently, such as `/dev/zero`, is refused after four
+/// bytes, because it may have no end.
 fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let mut read = |limit, bytes: &mut Vec<u8>| {
-        // `read_to_end` reports it as an error where memory is short.
+        // If memory is short, `read_to_end` returns an error.
         (&mut file).take(limit).read_to_end(bytes).map_err(|error| error.to_string())
     };
     read(4, &mut bytes)?;
@@ -140,14 +144,15 @@ fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// An empty list with room for `count` items, or words where memory is short.
+/// Returns an empty list with room for `count` items, or a message if memory is short.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
     list.try_reserve_exact(count).map_err(|_| "not enough memory for the picture".to_owned())?;
     Ok(list)
 }
 
-/// The number of pixels that a picture announces, unless it is more than [`MAX_PIXELS`].
+/// Returns the number of pixels that a picture announces, or an error if it is more than [`MAX_PIXELS`]. `None` stands
+/// for a number that overflows.
 fn check_pixels(announced: Option<usize>) -> Result<usize, String> {
     let is_allowed = |count: &usize| *count <= MAX_PIXELS;
     announced.filter(is_allowed).ok_or_else(|| format!("it has more than {MAX_PIXELS} pixels"))
@@ -157,7 +162,7 @@ fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    // Before any memory is taken for it: a few bytes can announce a picture of any size.
+    // Checked before memory is allocated for the pixels, because a few bytes can announce a picture of any size.
     let info = reader.info();
     check_pixels((info.width as usize).checked_mul(info.height as usize))?;
     if reader.output_color_type().1 != png::BitDepth::Eight {
@@ -167,7 +172,7 @@ fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     if announced > bytes.len().saturating_mul(DEFLATE_GROWTH) {
         return Err(format!("a PNG that announces {announced} bytes of pixels and cannot hold them"));
     }
-    // png 0.18.1 panics over one.
+    // png 0.18.1 panics on a palette whose length is no multiple of 3.
     if reader.info().palette.as_ref().is_some_and(|palette| palette.len() % 3 != 0) {
         return Err("a PNG whose palette ends within a colour".to_owned());
     }
@@ -198,7 +203,7 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
     }
     let mut pixels;
     if bytes[1] == b'6' {
-        // One white-space byte ends the header.
+        // Exactly one white-space byte ends the header.
         let Some((true, data)) = rest.split_first().map(|(end, data)| (end.is_ascii_whitespace(), data)) else {
             return Err("a PPM whose header does not end in white space".to_owned());
         };
@@ -209,7 +214,7 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
         pixels = with_room(count)?;
         pixels.extend_from_slice(colors);
     } else {
-        // Each pixel takes at least six bytes: a size that lies is found before memory is taken for it.
+        // Each pixel needs at least six bytes. So a size that is larger than the file allows takes no memory.
         pixels = with_room(count.min(rest.len() / 6 + 1))?;
         for _ in 0..count {
             let mut byte = || u8::try_from(number(&mut rest)?).map_err(|_| "a value over 255".to_owned());
@@ -223,7 +228,7 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
     Ok(Picture { width, height, pixels })
 }
 
-/// The next number of a PPM header or of P3 pixels, after white space and comments, of which there must be some.
+/// Returns the next number of a PPM header or of P3 pixels. White space or a comment must stand before the number.
 fn number(rest: &mut &[u8]) -> Result<usize, String> {
     let before = rest.len();
     *rest = rest.trim_ascii_start();

@@ -1,4 +1,4 @@
-//! What this process has used so far.
+//! Time and memory that this process has used so far.
 
 use nix::sys::resource::{UsageWho, getrusage};
 use nix::sys::time::TimeVal;
@@ -6,22 +6,22 @@ use nix::sys::time::TimeVal;
 /// Seconds.
 pub type Seconds = f64;
 
-/// Time that the process has spent computing, and the most memory it had.
+/// Processor time of the process, and its largest use of memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Usage {
-    /// User time: its own instructions.
+    /// User time: time in the program's instructions.
     pub user: Seconds,
-    /// The system's work for it.
+    /// System time: time in the kernel on behalf of the process.
     pub system: Seconds,
-    /// Largest resident set in bytes; of the whole process, since its start.
+    /// Largest resident set in bytes since the start of the process.
     pub peak_memory: u64,
 }
 
 impl Usage {
-    /// Until now.
+    /// Returns the usage from the start of the process until now.
     #[must_use]
     pub fn now() -> Self {
-        // It fails for an unknown `who` alone.
+        // `getrusage` fails only for an unknown `who`.
         let usage = getrusage(UsageWho::RUSAGE_SELF).expect("a process may ask about itself");
         let kibibytes = u64::try_from(usage.max_rss()).unwrap_or(0);
         Self { user: seconds(usage.user_time()), system: seconds(usage.system_time()), peak_memory: kibibytes * 1024 }

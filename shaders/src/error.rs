@@ -1,4 +1,4 @@
-//! What can go wrong between a module and a target's code.
+//! Why a module cannot be composed, validated or translated.
 
 use crate::{Diagnostic, Precision, Target};
 
@@ -8,7 +8,7 @@ pub enum Error {
     /// No module has this name.
     #[error("there is no WGSL module [{name}]; there are: {known}", known = known())]
     UnknownModule {
-        /// The name asked for.
+        /// The unknown name.
         name: String,
     },
     /// naga does not accept the text.
@@ -21,7 +21,7 @@ pub enum Error {
     NoStack {
         /// Bytes of the stack.
         bytes: usize,
-        /// The system's words.
+        /// The system's message.
         cause: String,
     },
     /// The target cannot calculate in this precision.
@@ -39,7 +39,7 @@ pub enum Error {
     Write {
         /// The target.
         target: Target,
-        /// naga's words.
+        /// naga's message.
         message: String,
     },
 }

@@ -1,6 +1,7 @@
 //! What a scene needs, as values of the pipeline-overridable constants in `features.wgsl`.
 
-/// The switches of a pipeline. What is off costs nothing; what is on and not needed costs a test that never holds.
+/// The features that a pipeline is compiled with. A feature that is off costs nothing. One that is on and not needed
+/// costs a comparison that is never true.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Features {
     /// Whether any object is a sphere.
@@ -13,7 +14,7 @@ pub struct Features {
     pub has_metal: bool,
     /// Whether any object is of a refractive material.
     pub has_refraction: bool,
-    /// The most surfaces that a ray may meet.
+    /// The most surfaces that a path may hit.
     pub max_depth: u32,
 }
 

@@ -1,13 +1,14 @@
 //! The renderer's mathematics in WGSL.
 //!
-//! One module per piece of maths, each the twin of a file in `cpu`: the same names, the same steps in the same order.
-//! They are written over `real`, so that one text composes to `f64`, which a driver with that type runs to the bit like
-//! `cpu`, and to `f32`, which every target of naga takes.
+//! Each module with formulas is the twin of a file in `cpu`: it has that file's names, and its steps in their order.
+//! Where the comment of a WGSL function begins with a Rust name, as in `Ray::at: ...`, that name is its twin. The
+//! modules use the number type `real`, so that one text composes to `f64` and to `f32`. In `f64` the lavapipe driver
+//! gives the bits of `cpu`. Every target of naga takes the text in `f32`.
 //!
 //! - [`module`] lists the modules and what each needs;
-//! - [`compose`] puts a module and its needs into one text, with any of them replaced;
+//! - [`compose`] puts a module and the modules that it needs into one text, and can replace any of them;
 //! - [`validate`] has naga read and check that text, and points at faults in the module's own file;
-//! - [`limits`] bounds what naga is given;
+//! - [`limits`] bounds the size and the nesting of the texts that naga is given;
 //! - [`features`] are the scene's needs as pipeline-overridable constants;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!

@@ -13,26 +13,26 @@ pub const MAX_NESTING: usize = 500;
 /// Stack of the thread that naga runs on, in bytes. At both limits naga needed less than 8 MiB in a debug build.
 pub const STACK_BYTES: usize = 64 << 20;
 
-/// Where a text goes beyond a limit, and beyond which.
+/// The place where a text exceeds a limit, and the message about it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Excess {
     /// Offset of the first token beyond the limit, in bytes.
     pub offset: usize,
-    /// What there is too much of, and the remedy.
+    /// The message: what there is too much of, and what to do about it.
     pub message: String,
 }
 
 /// Nesting of the statement or expression that a bracket holds.
 #[derive(Clone, Copy, Debug, Default)]
 struct Level {
-    /// Of what has been read since the last separator.
+    /// Nesting of the part that has been read since the last separator.
     current: usize,
-    /// The largest before that separator.
+    /// The largest nesting of the parts before that separator.
     largest: usize,
 }
 
 impl Level {
-    /// The part that was being read is complete; the next one starts from nothing.
+    /// Ends the part that is being read. The next part starts with a nesting of zero.
     fn separate(&mut self) {
         self.largest = self.largest.max(self.current);
         self.current = 0;
@@ -45,7 +45,7 @@ impl Level {
 /// The first place beyond a limit.
 pub fn check(source: &str) -> Result<(), Excess> {
     let mut levels = vec![Level::default()];
-    // Nesting around the innermost bracket.
+    // Nesting outside the innermost open bracket.
     let mut outside = 0;
     let mut after_block = false;
     for (count, (offset, token)) in tokens(source.as_bytes()).enumerate() {
@@ -68,7 +68,7 @@ pub fn check(source: &str) -> Result<(), Excess> {
             [end @ (b')' | b']' | b'}')] => {
                 level.separate();
                 let inner = level.largest;
-                // naga reports a bracket too many.
+                // A closing bracket too many is no excess: naga reports it.
                 if levels.len() > 1 {
                     levels.pop();
                     if let Some(level) = levels.last_mut() {
@@ -94,7 +94,8 @@ pub fn check(source: &str) -> Result<(), Excess> {
     Ok(())
 }
 
-/// Words, and single bytes of anything else but blanks and comments, with their offsets.
+/// The tokens of `source` with their offsets: words, and single bytes of anything else. Blanks and comments are
+/// skipped.
 fn tokens(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     let mut at = 0;
     std::iter::from_fn(move || {

@@ -1,15 +1,15 @@
-//! The modules, and what each needs.
+//! The list of the WGSL modules, and of the modules that each one needs.
 
 /// One WGSL file.
 #[derive(Clone, Copy, Debug)]
 pub struct Module {
-    /// Its name: the file's, without folder and ending.
+    /// Its name: the file's path below `wgsl`, without the ending, as in `kernels/image`.
     pub name: &'static str,
-    /// Where the file is, from the crate's folder.
+    /// The file's path from the crate's folder.
     pub path: &'static str,
     /// Its text.
     pub source: &'static str,
-    /// Modules that it names things of. What these need in turn is not listed again.
+    /// The modules whose names its text uses. The modules that these need in turn are not listed again.
     pub needs: &'static [&'static str],
 }
 

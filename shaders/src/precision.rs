@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Precision {
     /// 32 bits: every target has it.
     F32,
-    /// 64 bits: the renderer's own; few targets have it.
+    /// 64 bits, as in the renderer; few targets have it.
     F64,
 }
 

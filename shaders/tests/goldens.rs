@@ -1,7 +1,7 @@
-//! The f32 compositions in five languages, against the copies in `goldens/`.
+//! Compares the f32 compositions in five languages with the copies in `goldens/`.
 //!
-//! A change of a module, of naga or of its options shows as a difference of these files. When it is meant, run the test
-//! with `BLESS=1` and commit what it writes.
+//! A change of a module, of naga or of its options shows as a difference of these files. When the change is intended,
+//! run the test with `BLESS=1` and commit what it writes.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,7 @@ use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
 use shaders::{Features, Library, Precision, Target, Translation, translate};
 
-/// Everything that a pipeline of the f32 port may run.
+/// The modules of all kernels.
 fn kernels() -> Vec<&'static str> {
     let names = MODULES.iter().map(|module| module.name);
     names.filter(|name| name.starts_with("kernels/") && !name.ends_with("hit_report")).collect()

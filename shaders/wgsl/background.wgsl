@@ -1,6 +1,6 @@
-// The colour of a ray that meets nothing: a gradient along y; twin of cpu/src/render/background.rs.
+// The colour of a ray that hits no object: a gradient along y; twin of cpu/src/render/background.rs.
 
-// Background: the two ends of the gradient, linear colours.
+// Background: the two ends of the gradient, as linear colours: `dark` along +y and `light` along -y.
 struct Background {
     dark: vec3<real>,
     light: vec3<real>,

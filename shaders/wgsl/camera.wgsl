@@ -1,8 +1,9 @@
 // The rays through the projection window's pixels; twin of cpu/src/geometry/camera.rs.
 //
-// The window itself is prepared on the CPU: it needs a tangent, and drivers have no exact one.
+// The CPU prepares the window, because that takes a tangent, and the tangent of a driver is not exact.
 
-// Camera: everything a primary ray needs.
+// Camera: the point where all camera rays start, the middle of the top left pixel, and the steps to the next pixels to
+// the right and below.
 struct Camera {
     position: vec3<real>,
     origin: vec3<real>,

@@ -16,7 +16,8 @@ fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
     return !closest.some || lambda < closest.lambda || (lambda == closest.lambda && order > closest.order);
 }
 
-// Option<(Hit, MaterialId)>, and how it was found, which only the debug views read.
+// The surface that a ray hits first, if `some` is true. Only steps.wgsl and debug views read `lambda`, `order` and
+// `part`.
 struct SurfaceHit {
     some: bool,
     hit: Hit,
@@ -26,7 +27,7 @@ struct SurfaceHit {
     part: u32,
 }
 
-// closest: where the ray first meets an object, and of what material.
+// plain: the closest hit of the ray, by a loop over all objects.
 fn closest_hit(ray: Ray) -> SurfaceHit {
     var closest: ClosestHit;
     if has_spheres {

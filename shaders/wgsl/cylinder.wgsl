@@ -1,6 +1,6 @@
 // Ray against closed cylinder; twin of cpu/src/geometry/cylinder.rs, which has the equations.
 
-// CylinderRecord: a cylinder with what its rays need computed once.
+// CylinderRecord: a cylinder, and the values that every intersection with it needs, computed once.
 struct CylinderRecord {
     center: vec3<real>,
     axis: vec3<real>,
@@ -11,12 +11,12 @@ struct CylinderRecord {
     half_height: real,
 }
 
-// CylinderPart: the part of a cylinder that a ray meets.
+// CylinderPart: the part of a cylinder that a ray hits.
 const SIDE: u32 = 0u;
 const TOP: u32 = 1u;
 const BOTTOM: u32 = 2u;
 
-// CylinderRecord::new: the cylinder whose `axis` is as long as it is high.
+// CylinderRecord::new: the record of a cylinder. The length of `axis` is the height.
 fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderRecord {
     let unit = vec3_unit_and_length(axis);
     let half_height = unit.length / real(2.0);
@@ -26,7 +26,8 @@ fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderR
     return CylinderRecord(center, unit.direction, top, bottom, radius, radius * radius, half_height);
 }
 
-// CylinderView: what the rays from one point share.
+// CylinderView: the values that all rays from one origin share. Rust computes the distances to the caps in
+// CylinderRecord::intersect instead.
 struct CylinderView {
     // From the centre to the origin, perpendicular to the axis.
     r_c: vec3<real>,
@@ -68,8 +69,8 @@ fn cylinder_within_height(cylinder: CylinderRecord, ray: Ray, lambda: real) -> b
     return abs(vec3_dot(ray_at(ray, lambda) - cylinder.center, cylinder.axis)) <= cylinder.half_height;
 }
 
-// CylinderRecord::side: the smaller root that is in range and between the caps, else the larger; and whether that
-// counts.
+// The part of CylinderRecord::intersect that tries the side: the smaller root that is in range and between the caps,
+// else the larger. `some` tells whether one of them counts.
 fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadratic) -> Root {
     let root = sqrt(quadratic.discriminant);
     let near = (-quadratic.h - root) / quadratic.a;
@@ -79,7 +80,8 @@ fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadrati
     return Root(near_counts || far_counts, select(far, near, near_counts));
 }
 
-// CylinderRecord::cap: the disc around `center`, `distance` along the axis from the ray's origin; PARALLEL is 1e-8.
+// The part of CylinderRecord::intersect that tries a cap: the disc around `center`, whose plane is `distance` along the
+// axis from the ray's origin. The limit 1e-8 is PARALLEL.
 fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, distance: real) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
     let lambda = distance / slope;
@@ -87,7 +89,7 @@ fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, distance
     return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
 }
 
-// CylinderRecord::outward: the normal at `point` that leaves `part`. The side's is as long as the radius.
+// CylinderRecord::outward: the outward normal of `part` at `point`. Its length is the radius on the side, one on a cap.
 fn cylinder_outward(cylinder: CylinderRecord, part: u32, point: vec3<real>) -> vec3<real> {
     switch part {
         case SIDE: {
@@ -102,14 +104,15 @@ fn cylinder_outward(cylinder: CylinderRecord, part: u32, point: vec3<real>) -> v
     }
 }
 
-// Option<(T, CylinderPart)>
+// Option<(T, CylinderPart)>: the lambda and the part of a hit, if there is one.
 struct CylinderRoot {
     some: bool,
     lambda: real,
     part: u32,
 }
 
-// CylinderRecord::intersect: the side, then the top cap, then the bottom cap; of equals the later.
+// CylinderRecord::intersect: the closest hit of the side, the top cap and the bottom cap. Of hits at the same lambda,
+// the later in this order counts.
 fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let view = cylinder_seen_from(cylinder, ray.origin);
     let quadratic = cylinder_quadratic(cylinder, view, ray.direction);

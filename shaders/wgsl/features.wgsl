@@ -1,4 +1,5 @@
-// What a scene needs, decided once for a pipeline: a pipeline specialised to its scene has no code for the rest.
+// The features that a scene needs. The values are set when a pipeline is compiled, so that it has no code for the
+// features that are off.
 
 // Whether any object is a sphere.
 override has_spheres: bool = true;
@@ -10,5 +11,5 @@ override has_matte: bool = true;
 override has_metal: bool = true;
 // Whether any object is of a refractive material.
 override has_refraction: bool = true;
-// Config::max_depth: the most surfaces that a ray may meet.
+// Config::max_depth: the most surfaces that a path may hit.
 override max_depth: u32 = 5u;

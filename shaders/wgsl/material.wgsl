@@ -1,6 +1,6 @@
-// What surfaces are made of; twin of cpu/src/input/material.rs.
+// The materials of surfaces; twin of cpu/src/input/material.rs.
 
-// Material: `kind` tells the variant.
+// The values of Material.kind, one for each variant of the Rust type.
 const MATTE: u32 = 0u;
 const METAL: u32 = 1u;
 const REFRACTIVE: u32 = 2u;
@@ -8,7 +8,8 @@ const REFRACTIVE: u32 = 2u;
 struct Material {
     // Material::reflectance: what the colour of the scattered ray is multiplied by; one in a refractive material.
     reflectance: vec3<real>,
-    // Of a refractive material: sine of incidence to sine of refraction for light that enters.
+    // The index of a refractive material: the sine of the angle of incidence divided by the sine of the angle of
+    // refraction, for light that enters. Zero for other materials.
     index: real,
     kind: u32,
 }

@@ -1,6 +1,6 @@
-// What a picture is made from, as the CPU prepares it; structures as in layout.wgsl.
+// The buffers that a picture is rendered from and into. Their structures have only scalar fields, as in layout.wgsl.
 
-// cpu::sphere::SphereRecord<T>, then `order` and `material` of cpu::layout::Placed
+// cpu::internals::layout::Placed<SphereRecord<T>>
 struct PlacedSphere {
     center: PackedVec3,
     radius: real,
@@ -13,7 +13,7 @@ fn sphere_load(sphere: PlacedSphere) -> SphereRecord {
     return SphereRecord(vec3_load(sphere.center), sphere.radius, sphere.radius_squared);
 }
 
-// cpu::cylinder::CylinderRecord<T>, then `order` and `material` of cpu::layout::Placed
+// cpu::internals::layout::Placed<CylinderRecord<T>>
 struct PlacedCylinder {
     center: PackedVec3,
     axis: PackedVec3,
@@ -38,7 +38,8 @@ fn cylinder_load(cylinder: PlacedCylinder) -> CylinderRecord {
     );
 }
 
-// cpu::Material: gpu_check::picture::PackedMaterial<T>
+// gpu_check::picture::PackedMaterial<T>, which is made from cpu::Material. `unused` makes the size a multiple of 8
+// bytes, as f64 needs it.
 struct PackedMaterial {
     reflectance: PackedVec3,
     index: real,
@@ -50,7 +51,7 @@ fn material_load(material: PackedMaterial) -> Material {
     return Material(vec3_load(material.reflectance), material.index, material.kind);
 }
 
-// cpu::Camera<T>
+// cpu::internals::Camera<T>
 struct PackedCamera {
     position: PackedVec3,
     origin: PackedVec3,
@@ -58,18 +59,18 @@ struct PackedCamera {
     delta_y: PackedVec3,
 }
 
-// cpu::background::Background<T>
+// cpu::internals::render::background::Background<T>
 struct PackedBackground {
     dark: PackedVec3,
     light: PackedVec3,
 }
 
-// gpu_check::picture::Picture<T>
+// gpu_check::picture::Picture<T> without its lists, and the pixels and depths of one run; gpu_check::renderer packs it.
 struct Picture {
     camera: PackedCamera,
     background: PackedBackground,
-    // Null in deterministic mode, yet loaded: a driver that knew the zero would drop the sum, and with it the sign of
-    // a zero component.
+    // The offset from the middle of a pixel and the scatter vector: zero in deterministic mode. They are loaded all the
+    // same, since a driver that knew the zeros would drop the additions. But -0 + 0 is 0, and without the addition -0.
     offset_x: real,
     offset_y: real,
     scatter_vector: PackedVec3,
@@ -78,13 +79,14 @@ struct Picture {
     pixel_count: u32,
     sphere_count: u32,
     cylinder_count: u32,
-    // The surfaces that this run may meet, of all that a ray may: from `first_depth` up to `end_depth`.
+    // This run follows paths from depth `first_depth` to before `end_depth`. Long paths take several runs (trace.wgsl).
     first_depth: u32,
     end_depth: u32,
     unused: u32,
 }
 
-// Where a ray is when a run ends before its way does.
+// The state of a path between two runs: its next ray, and the number of its attenuations so far. `ended` is one when
+// the path has ended and its pixel has its colour.
 struct PackedPath {
     ray: PackedRay,
     attenuation_count: u32,
@@ -97,9 +99,9 @@ struct PackedPath {
 @group(0) @binding(3) var<storage, read> materials: array<PackedMaterial>;
 // The materials that attenuate each invocation's path, first hit first: max_depth places for each invocation.
 @group(0) @binding(4) var<storage, read_write> attenuations: array<u32>;
-// A pixel's linear colour.
+// The linear colour of each pixel.
 @group(0) @binding(5) var<storage, read_write> pixels: array<PackedVec3>;
-// Each invocation's ray between two runs.
+// The state of each invocation's path between two runs.
 @group(0) @binding(6) var<storage, read_write> paths: array<PackedPath>;
 
 fn picture_camera() -> Camera {

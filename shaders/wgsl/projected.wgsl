@@ -1,9 +1,10 @@
-// The projected form of both intersections, the best that one precision can do; twin of
-// tests/stability/src/methods/projected.rs. It starts from the point of the line nearest to the centre or the axis and
-// goes half a chord to each side: what cancels is only as large as the miss distance, not as the way there.
+// The projected form of both intersections, the most accurate one in a single precision; twin of
+// tests/stability/src/methods/projected.rs. It takes the point of the line that is nearest to the centre or the axis,
+// and goes half a chord from there to each side. So the numbers that cancel are as large as the distance from the line
+// to the centre, and not as large as the distance from the ray's origin.
 
-// crossings: both lambdas at which a line crosses a round surface, given its direction and the way from its start to
-// the centre, both without what runs along the axis if there is one.
+// crossings: both lambdas at which a line crosses a sphere or an infinite cylinder. The arguments are the direction of
+// the line and the vector from its start to the centre; for a cylinder, their components perpendicular to the axis.
 struct Crossings {
     some: bool,
     near: real,
@@ -22,7 +23,7 @@ fn projected_crossings(direction: vec3<real>, r_c: vec3<real>, radius_squared: r
     return Crossings(true, middle - half, middle + half);
 }
 
-// projected::sphere
+// projected::sphere: the smaller lambda that is in range, else the larger, and whether that is in range.
 fn projected_sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     let crossings = projected_crossings(ray.direction, sphere.center - ray.origin, sphere.radius_squared);
     let lambda = select(crossings.far, crossings.near, in_range(crossings.near));
@@ -37,7 +38,8 @@ fn projected_cap(cylinder: CylinderRecord, ray: Ray, cap: vec3<real>) -> Root {
     return Root(real(1e-8) <= abs(slope) && in_range(lambda) && on_disc, lambda);
 }
 
-// projected::cylinder: the side, then the top cap, then the bottom cap; of equals the later.
+// projected::cylinder: the closest hit of the side, the top cap and the bottom cap. Of hits at the same lambda, the
+// later in this order counts.
 fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let r_c = vec3_perpendicular_to(cylinder.center - ray.origin, cylinder.axis);
     let along = vec3_perpendicular_to(ray.direction, cylinder.axis);

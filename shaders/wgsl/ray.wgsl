@@ -1,4 +1,4 @@
-// Rays, and what is known of a point where one meets a surface; twin of cpu/src/geometry/ray.rs.
+// Rays, and their hits on surfaces; twin of cpu/src/geometry/ray.rs.
 
 // Ray: a half-line from `origin` along `direction`, which need not have length one.
 struct Ray {
@@ -11,12 +11,12 @@ fn ray_at(ray: Ray, lambda: real) -> vec3<real> {
     return ray.origin + ray.direction * lambda;
 }
 
-// in_range: whether a hit at `lambda` counts (LAMBDA_MIN is 1e-3); something that is not a number never does.
+// in_range: whether a hit at `lambda` counts: it is at least LAMBDA_MIN, which is 1e-3. NaN never counts.
 fn in_range(lambda: real) -> bool {
     return real(1e-3) <= lambda;
 }
 
-// Option<T>: where a ray meets a surface, if it does.
+// Option<T>: the lambda of a hit, if `some` is true.
 struct Root {
     some: bool,
     lambda: real,
@@ -26,7 +26,8 @@ fn root_none() -> Root {
     return Root(false, real(0.0));
 }
 
-// Hit: a point where a ray meets a surface.
+// Hit: a point where a ray hits a surface, and the normal on the side that the ray comes from. `front` tells whether
+// that is the outside.
 struct Hit {
     point: vec3<real>,
     normal: vec3<real>,

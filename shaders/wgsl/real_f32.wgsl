@@ -1,7 +1,6 @@
-// The number that all formulas are written over; twin of the parameter T in cpu/src/math/real.rs. In this composition:
-// f32.
+// The number type of all formulas, here f32; twin of the parameter T in cpu/src/math/real.rs.
 alias real = f32;
 
-// No square is smaller: vectors are never scaled before they are normalised.
+// No square is less than zero, so vectors are never scaled before they are normalised.
 const SHORT_SQUARED: real = 0.0;
 const SHORT_SCALE: real = 1.0;

@@ -1,7 +1,7 @@
-// The number that all formulas are written over; twin of the parameter T in cpu/src/math/real.rs. In this composition:
-// f64.
+// The number type of all formulas, here f64; twin of the parameter T in cpu/src/math/real.rs.
 alias real = f64;
 
-// Vectors with a smaller square are multiplied by SHORT_SCALE, its reciprocal, before they are normalised: 2^-600.
+// A vector whose square is less than SHORT_SQUARED = 2^-600 is multiplied by SHORT_SCALE = 2^600 before it is
+// normalised.
 const SHORT_SQUARED: real = 2.409919865102884e-181lf;
 const SHORT_SCALE: real = 4.149515568880993e180lf;

@@ -1,6 +1,6 @@
 // Ray against sphere; twin of cpu/src/geometry/sphere.rs, which has the equations.
 
-// SphereRecord: a sphere with what its rays need computed once.
+// SphereRecord: a sphere, and the square of its radius, computed once.
 struct SphereRecord {
     center: vec3<real>,
     radius: real,
@@ -12,7 +12,7 @@ fn sphere_new(center: vec3<real>, radius: real) -> SphereRecord {
     return SphereRecord(center, radius, radius * radius);
 }
 
-// SphereView: what the rays from one point share.
+// SphereView: the values that all rays from one origin share.
 struct SphereView {
     // From the origin to the centre.
     r_c: vec3<real>,
@@ -37,7 +37,7 @@ fn sphere_quadratic(view: SphereView, direction: vec3<real>, a: real) -> SphereQ
     return SphereQuadratic(h, h * h - a * view.c);
 }
 
-// SphereRecord::first_root: the smaller root that is in range, else the larger, and whether that is in range.
+// The end of SphereRecord::intersect: the smaller root that is in range, else the larger, and whether that is in range.
 fn sphere_first_root(a: real, h: real, discriminant: real) -> Root {
     let root = sqrt(discriminant);
     let near = (h - root) / a;
@@ -46,12 +46,12 @@ fn sphere_first_root(a: real, h: real, discriminant: real) -> Root {
     return Root(in_range(lambda), lambda);
 }
 
-// SphereRecord::outward: the normal at `point` that leaves the sphere, of length one.
+// SphereRecord::outward: the outward normal at `point`, of length one.
 fn sphere_outward(sphere: SphereRecord, point: vec3<real>) -> vec3<real> {
     return (point - sphere.center) / sphere.radius;
 }
 
-// SphereRecord::intersect: where the ray meets the sphere, if it does.
+// SphereRecord::intersect: the lambda at which the ray hits the sphere, if it does.
 fn sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     let a = vec3_dot(ray.direction, ray.direction);
     let quadratic = sphere_quadratic(sphere_seen_from(sphere, ray.origin), ray.direction, a);

@@ -1,8 +1,8 @@
 // The colour that arrives along one path; twin of Path::color in cpu/src/reference.rs.
 
 // Path::color: writes the colour that arrives along `primary`; `slot` is the invocation's place in `attenuations`,
-// `paths` and `pixels`. Drivers bound the iterations that the loops of an invocation may have together (lavapipe:
-// 65,535), so a long path takes several runs, each of which continues where the last one ended.
+// `paths` and `pixels`. Drivers limit the iterations of all loops of an invocation together (lavapipe: to 65,535), so a
+// long path takes several runs. Each run continues where the run before it ended.
 fn trace_path(primary: Ray, slot: u32) {
     var ray = primary;
     let scatter_vector = vec3_load(picture.scatter_vector);
@@ -30,7 +30,7 @@ fn trace_path(primary: Ray, slot: u32) {
         }
         ray = scatter_ray(ray, surface.hit, material, scatter_vector);
     }
-    // Black, unless another run goes on.
+    // A path that has reached the maximum depth contributes black. If it has not, a later run writes the colour.
     pixels[slot] = vec3_store(vec3<real>());
     paths[slot] = PackedPath(ray_store(ray), attenuation_count, 0u);
 }
@@ -54,7 +54,8 @@ fn scatter_ray(ray: Ray, hit: Hit, material: Material, scatter_vector: vec3<real
     return Ray(hit.point, direction);
 }
 
-// `color`, attenuated by all surfaces of the path, from the last to the first, as the recursion returns.
+// Returns `color` attenuated by the surfaces of the path, from the last to the first, as the specification's recursion
+// does. Their materials start at `first` in `attenuations`.
 fn trace_attenuated(color: vec3<real>, first: u32, attenuation_count: u32) -> vec3<real> {
     var attenuated = color;
     for (var left = attenuation_count; left > 0u; left--) {

@@ -1,7 +1,7 @@
 // Three-component vectors, for points, directions and colours alike; twin of cpu/src/math/vec3.rs.
 //
-// The products are written out: WGSL leaves the order of operations inside its own dot, cross and length to the driver,
-// and here the order is part of the result.
+// The formulas are written out, because WGSL lets the driver choose the order of operations inside its own dot, cross
+// and length. Here the bits of the result depend on that order.
 
 // Vec3::dot: scalar product, summed left to right.
 fn vec3_dot(a: vec3<real>, b: vec3<real>) -> real {
@@ -18,7 +18,7 @@ fn vec3_unit(v: vec3<real>) -> vec3<real> {
     return v / vec3_length(v);
 }
 
-// Vec3::perpendicular_to: the part perpendicular to `axis`, a unit vector.
+// Vec3::perpendicular_to: the component of `v` perpendicular to the unit vector `axis`.
 fn vec3_perpendicular_to(v: vec3<real>, axis: vec3<real>) -> vec3<real> {
     return v - axis * vec3_dot(v, axis);
 }

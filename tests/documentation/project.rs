@@ -1,9 +1,9 @@
-//! The files of the project.
+//! Lists and reads the files of the project.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Folders that are not of the project: what is built, and what git keeps.
+/// Names of folders that are skipped: build output, git's data, and output of commands.
 const SKIPPED: [&str; 3] = ["target", ".git", "out"];
 
 /// The files and folders of the project, by their paths from its root with slashes.
@@ -25,18 +25,18 @@ impl Project {
         Self { root, paths, folders }
     }
 
-    /// Whether there is a file or a folder of this path.
+    /// Returns whether the project has a file or a folder with this path.
     pub fn has(&self, path: &str) -> bool {
         path.is_empty() || self.paths.contains(path.trim_end_matches('/'))
     }
 
-    /// Whether there is a file or a folder whose path is this one, or ends with it.
+    /// Returns whether the project has a file or a folder whose path is `path` or ends with `/` and `path`.
     pub fn has_ending_with(&self, path: &str) -> bool {
         let path = path.trim_end_matches('/');
         self.paths.iter().any(|known| known.strip_suffix(path).is_some_and(|it| it.is_empty() || it.ends_with('/')))
     }
 
-    /// The files whose names have one of these endings.
+    /// Returns the files whose names have one of these endings.
     pub fn with_endings(&self, endings: &[&str]) -> impl Iterator<Item = &str> {
         self.paths.iter().map(String::as_str).filter(move |path| {
             let ending = path.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
@@ -44,13 +44,13 @@ impl Project {
         })
     }
 
-    /// The text of a file.
+    /// Reads a file.
     pub fn text(&self, path: &str) -> String {
         std::fs::read_to_string(self.root.join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
     }
 }
 
-/// Adds what is in a folder to `paths`, with `prefix` before each name.
+/// Adds all files and folders below `folder` to `paths`, with `prefix` before each path.
 fn list(folder: &Path, prefix: &str, paths: &mut BTreeSet<String>) {
     for entry in std::fs::read_dir(folder).expect("the folder is there") {
         let entry = entry.expect("the folder can be read");
@@ -66,7 +66,7 @@ fn list(folder: &Path, prefix: &str, paths: &mut BTreeSet<String>) {
     }
 }
 
-/// The path that `link` means in the file `from`.
+/// Returns the path to which `link` leads from the file `from`.
 pub fn join(from: &str, link: &str) -> String {
     let mut parts: Vec<&str> = from.split('/').collect();
     parts.pop();

@@ -1,6 +1,7 @@
-// The definition line by line, as one would write it down: brute force, recursion, nothing hoisted by hand. A yardstick
-// for times, and a second opinion on bytes. It takes valid files and checks nothing. With `published` behind the names,
-// surfaces scatter as in the published images: a vector of length one, by rejection.
+// The renderer of the specification, written line by line in the simplest way: every ray is tested on every object,
+// rays are traced by recursion, and nothing is computed ahead. Its times are a yardstick, and its bytes a second
+// opinion. It takes valid files and checks nothing. With `published` after the names, surfaces scatter as in the
+// published images: by a vector of length one, found by rejection.
 //
 //     g++ -std=c++20 -O3 -ffp-contract=off tests/literal/literal.cpp -o literal
 //     ./literal CONFIG SCENE OUT.ppm [published]

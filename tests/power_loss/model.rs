@@ -1,33 +1,34 @@
-//! A file system that forgets: what a process did to one folder, and what of it may be there after a loss of power.
+//! A model of a file system that loses what is not synced: what a folder may hold after a loss of power.
 //!
-//! POSIX promises that what was done to a file before `fsync` of the file is on the disk, and what was done to the
-//! names in a folder before `fsync` of the folder. All else may be there or not, in any combination. A renaming happens
-//! as a whole or not at all, on which every file system with a journal agrees.
+//! POSIX promises that changes of a file before `fsync` of the file are on the disk. It also promises this for changes
+//! of the names in a folder before `fsync` of the folder. Each later change may be lost or not, in any combination. A
+//! renaming is done as a whole or not at all, as in every file system with a journal.
 
 use std::collections::{BTreeSet, HashMap};
 
-/// What a process did.
+/// A change that a process made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// The name leads to the file from now on.
+    /// The file gets this name.
     Name { name: String, file: usize },
-    /// The file of one name gets the other.
+    /// The file with the name `from` gets the name `to`.
     Rename { from: String, to: String },
-    /// These bytes are added to the file.
+    /// These bytes are appended to the file.
     Write { file: usize, bytes: Vec<u8> },
-    /// The file is on the disk.
+    /// `fsync` of the file: its bytes so far are on the disk.
     SyncFile(usize),
-    /// The names are on the disk.
+    /// `fsync` of the folder: its names so far are on the disk.
     SyncFolder,
 }
 
-/// What a file of the folder may hold: nothing is there, or these bytes.
+/// The content under a name: these bytes, or `None` if there is no file.
 type Content = Option<Vec<u8>>;
 
-/// All that may stand under `name` when the power goes after these events. Before them `old` stood there, whole.
+/// Returns every content that may be under `name` if the power fails after these events. Before the events, the content
+/// was `old`, and it was on the disk.
 pub fn outcomes(events: &[Event], name: &str, old: &Content) -> BTreeSet<Content> {
     let last_sync = events.iter().rposition(|event| *event == Event::SyncFolder);
-    // Names first: which files may the name lead to?
+    // First, find the files that may have the name.
     let changes: Vec<_> = events
         .iter()
         .enumerate()
@@ -36,7 +37,8 @@ pub fn outcomes(events: &[Event], name: &str, old: &Content) -> BTreeSet<Content
     let sure = changes.iter().filter(|(index, _)| Some(*index) < last_sync).count();
     let mut leads_to = BTreeSet::new();
     for chosen in 0..1_u32 << (changes.len() - sure) {
-        // Where a file is renamed, what had its name is known whether or not that name is on the disk.
+        // `known` follows all changes, because a renaming moves the file that has the name at that moment, even if the
+        // name is not on the disk.
         let (mut known, mut on_disk) = (HashMap::new(), None);
         for (number, (_, event)) in changes.iter().enumerate() {
             let happens = number < sure || chosen >> (number - sure) & 1 == 1;
@@ -58,7 +60,8 @@ pub fn outcomes(events: &[Event], name: &str, old: &Content) -> BTreeSet<Content
         .collect()
 }
 
-/// All that the file may hold: each write since the last sync is there, or half of it, or nothing but the room for it.
+/// Returns every content that the file may have. Of each write after the last sync, all bytes may be there, half of
+/// them followed by zeros, only zeros, or nothing.
 fn contents(events: &[Event], file: usize) -> BTreeSet<Content> {
     let last_sync = events.iter().rposition(|event| *event == Event::SyncFile(file));
     let mut contents = BTreeSet::from([Vec::new()]);
@@ -76,7 +79,7 @@ fn contents(events: &[Event], file: usize) -> BTreeSet<Content> {
     contents.into_iter().map(Some).collect()
 }
 
-/// The model itself: what is known of a careless program and of a careful one.
+/// Checks the model on a program that does not sync and on one that does, for which the answers are known.
 pub fn is_right() -> Result<(), libtest_mimic::Failed> {
     let write = Event::Write { file: 1, bytes: b"new!".to_vec() };
     let (make, rename) =

@@ -1,7 +1,7 @@
-//! Properties that hold for every scene and every input, tried on random ones.
+//! Checks properties that hold for every scene and every input, on random cases.
 //!
-//! Each run tries the same cases, unless the environment says otherwise: `RENDER_PROPERTY_SEED` chooses others,
-//! `RENDER_PROPERTY_CASES` how many. A failure shows the smallest case found that still fails, with its seeds.
+//! Every run tries the same cases. `RENDER_PROPERTY_SEED` chooses other cases, and `RENDER_PROPERTY_CASES` their
+//! number. A failure shows the smallest failing case that was found, with its seeds.
 
 mod odd_scenes;
 mod renderers_agree;

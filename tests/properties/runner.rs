@@ -1,11 +1,11 @@
-//! How many cases are tried, and which.
+//! Runs a property on random cases. The environment may set their number and their seed.
 
 use std::cell::Cell;
 
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
-/// Checks `property` on values of `strategy`, `cases` of them unless `RENDER_PROPERTY_CASES` says how many.
+/// Checks `property` on `cases` values of `strategy`. `RENDER_PROPERTY_CASES` overrides `cases`.
 pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -> TestCaseResult) {
     let cases =
         from_environment("RENDER_PROPERTY_CASES").map_or(cases, |cases| u32::try_from(cases).unwrap_or(u32::MAX));
@@ -14,7 +14,7 @@ pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -
     let config = Config {
         cases,
         rng_seed: RngSeed::Fixed(seed),
-        // The seed says it all; a file of old failures would be one more thing to keep.
+        // The seed reproduces a failure, so no file of old failures is kept.
         failure_persistence: None,
         max_shrink_iters: 2_000,
         ..Config::default()

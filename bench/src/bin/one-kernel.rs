@@ -1,11 +1,11 @@
-//! `one-kernel [NAME]`: does a kernel's work once, inside a function that callgrind can be told to count; without a
-//! name, prints all names. bench/instructions runs it.
+//! `one-kernel [NAME]`: runs one turn of a kernel in a function of its own, so that callgrind can count its
+//! instructions. Without a name it prints all names. bench/instructions runs it.
 
 use std::process::ExitCode;
 
 use bench::kernels::{self, Work};
 
-/// What is counted.
+/// The function whose instructions bench/instructions counts.
 #[inline(never)]
 fn counted_work(work: &mut dyn Work) {
     work.turn();
@@ -32,7 +32,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let mut work = (kernel.new)();
-    // The first turn finds out what the machine has, and makes room.
+    // The first turn finds out which instructions the machine has, and allocates memory. It is not counted.
     work.prepare();
     work.turn();
     work.prepare();

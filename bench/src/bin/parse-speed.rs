@@ -1,4 +1,5 @@
-//! `parse-speed [LINES]`: prints what a line of a generated scene costs to read, best of five, a million by default.
+//! `parse-speed [LINES]`: prints how long a line of a generated scene takes to read: the shortest of five times, for a
+//! million lines by default.
 
 use std::hint::black_box;
 use std::process::ExitCode;

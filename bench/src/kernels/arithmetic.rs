@@ -1,4 +1,4 @@
-//! Arithmetic alone: the background, random numbers, bytes, and certified intersections.
+//! Kernels of arithmetic: the background, random numbers, quantising, and exact intersections.
 
 use std::hint::black_box;
 
@@ -30,13 +30,13 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "cylinder-exact", new: || cylinders(true, exact::cylinder::precise) },
 ];
 
-/// Work on this many at a turn.
+/// Number of rays, directions or means in one turn.
 const COUNT: usize = 1024;
 
-/// Where a sphere of radius one is that most of [`rays`] meet.
+/// The centre of a sphere of radius one that more than a quarter of [`rays`] hit.
 const SPHERE: Vec3 = Vec3::new(0.3, -0.2, 0.1);
 
-/// Rays from around (0, 0, -10) to around the origin.
+/// Random rays from points near (0, 0, -10) to points near the origin.
 fn rays() -> Vec<Ray> {
     let mut draws = Uniform::new(5);
     let mut near = |middle: Vec3, size: f64| middle + Vec3::from([(); 3].map(|()| draws.draw(-size, size)));
@@ -47,7 +47,7 @@ fn rays() -> Vec<Ray> {
     (0..COUNT).map(ray).collect()
 }
 
-/// The background along many directions.
+/// Computes the background along [`COUNT`] directions.
 struct Colors<'a> {
     background: &'a Background,
     directions: &'a [Vec<f64>; 3],
@@ -82,7 +82,7 @@ fn background() -> Box<dyn Work> {
     })
 }
 
-/// Draws in bulk.
+/// Fills a slice with random numbers.
 struct Draws<'a>(&'a mut BlockUniform, &'a mut [f64]);
 
 impl simd::Kernel for Draws<'_> {
@@ -94,7 +94,7 @@ impl simd::Kernel for Draws<'_> {
     }
 }
 
-/// Draws passed over.
+/// Skips this number of random numbers.
 struct Skip<'a>(&'a mut BlockUniform, u64);
 
 impl simd::Kernel for Skip<'_> {
@@ -140,8 +140,8 @@ fn quantize_interval() -> Box<dyn Work> {
     })
 }
 
-/// Rays against a sphere of radius one. Rays that touch the one at (1, 1, 1) to the last bit take its place at that
-/// centre.
+/// Intersects rays with a sphere of radius one. At [`SPHERE`] the rays are random. At the centre (1, 1, 1) every ray
+/// is exactly tangent to the sphere.
 fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> + 'static) -> Box<dyn Work> {
     let sphere = SphereRecord::new(center, 1.0);
     let tangent = |at: f64| Ray { origin: Vec3::new(0.0, 1.0, -at), direction: Vec3::new(0.0, 0.0, 1.0) };
@@ -153,7 +153,8 @@ fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> 
     })
 }
 
-/// Rays that are in doubt against a ground of radius 10,000, for they start one above it.
+/// Intersects rays with a ground of radius 10,000, by the compensated formula. The rays start one above the ground, so
+/// the plain formula does not decide them.
 fn ground() -> Box<dyn Work> {
     let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
     let mut draws = Uniform::new(5);
@@ -170,7 +171,7 @@ fn ground() -> Box<dyn Work> {
     })
 }
 
-/// Rays against a cylinder; through its rim to the last bit if wanted.
+/// Intersects rays with a cylinder. If `through_rim`, every ray passes exactly through the rim of a cap.
 fn cylinders(
     through_rim: bool,
     intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::internals::geometry::cylinder::CylinderPart)>

@@ -1,5 +1,5 @@
-//! What the world may do to the programs: kill them, take their disk and their memory, and hand them files that are no
-//! files. The old picture stands or the new one does, and every refusal is a message and a status.
+//! Faults from outside: signals, little memory, places that vanish, and inputs that are not files. Afterwards the
+//! output is the complete old picture or the complete new one, and every error is a message and an exit status.
 
 #![cfg(unix)]
 

@@ -1,6 +1,7 @@
-//! The built programs, as their users see them: arguments, messages, exit status, files.
+//! The built programs as their users see them: arguments, messages, exit status and files.
 //!
-//! Every check runs both programs. What needs certain rights is in `machine.rs`, whole pictures in `digests.rs`.
+//! Every check runs both programs. Tests that need special rights are in `machine.rs`, those of whole pictures in
+//! `digests.rs`.
 
 mod arguments;
 mod bench;

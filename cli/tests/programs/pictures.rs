@@ -1,4 +1,4 @@
-//! Pictures at the edges of what can be asked for. Whole pictures with a digest are in `digests.rs`.
+//! Pictures of unusual configurations and scenes. Pictures with a digest are in `digests.rs`.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ fn render(config: &str, scene: &str) -> Picture {
     p3::read(&Bench::new(config, scene).render()).expect("the picture is well formed")
 }
 
-/// A sphere that fills the view from (0, 0, -10).
+/// A sphere that fills a narrow view from (0, 0, -10).
 const WALL: &str = "matte: grey .5 .5 .5\nsphere: 0 0 50 49 grey\n";
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-/// Without zeros at the upper end.
+/// Removes zero limbs at the upper end.
 fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
     while limbs.last() == Some(&0) {
         limbs.pop();
@@ -10,12 +10,12 @@ fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
     limbs
 }
 
-/// Which of two is the larger.
+/// Compares two numbers.
 pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-/// `a + b`, or `a - b`, where `a` is not the smaller.
+/// `a + b`, or `a - b` if `is_difference`; then `b` is at most `a`.
 pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
     let limb = |list: &[u64], index: usize| i128::from(list.get(index).copied().unwrap_or(0));
     let mut carry = 0;

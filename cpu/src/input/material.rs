@@ -1,4 +1,4 @@
-//! What surfaces are made of (specification, section 4.1). How they scatter light is in [`crate::materials::scatter`].
+//! What surfaces are made of (specification, section 4.1). How they scatter light is in [`crate::materials`].
 
 use crate::math::vec3::Vec3;
 
@@ -10,14 +10,14 @@ pub enum Material {
         /// Share of the light that comes back, a channel each, in `[0, 1]`.
         reflectance: Vec3,
     },
-    /// Mirrors, spread by the diffusion.
+    /// Scatters around the mirror direction, as widely as the diffusion says.
     Metal {
         /// Share of the light that comes back, a channel each, in `[0, 1]`.
         reflectance: Vec3,
-        /// Half the side of the cube that the spread is drawn from, at least 0.
+        /// Half the side of the cube of the random vector, at least 0.
         diffusion: f64,
     },
-    /// Lets light through, bent.
+    /// Refracts light.
     Refractive {
         /// Sine of incidence to sine of refraction for light that enters, positive.
         index: f64,
@@ -25,7 +25,7 @@ pub enum Material {
 }
 
 impl Material {
-    /// What the colour of the scattered ray is multiplied by.
+    /// The factor of the scattered ray's colour.
     #[must_use]
     pub const fn reflectance(&self) -> Vec3 {
         match *self {

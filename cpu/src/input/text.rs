@@ -22,7 +22,7 @@ pub fn for_each_line<E: From<io::Error>>(
 ) -> Result<(), E> {
     let mut input = input.take(MAX_FILE_BYTES + 1);
     let mut line = Vec::new();
-    // All at once, where it can still be refused; what no line needs is never touched.
+    // Room for the longest line, so that too little memory is an error here. Unused pages take no memory.
     line.try_reserve_exact(MAX_LINE_BYTES + 2).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
     let mut total = 0_u64;
     for number in 1_u64.. {

@@ -152,8 +152,8 @@ impl<T: Real<Mask = bool>> Vec3<T> {
     }
 }
 
-/// What the components of a matte surface's scattered direction are smaller than where it is replaced by the normal
-/// (specification, section 10.1).
+/// If all components of a matte surface's scattered direction are smaller than this in magnitude, the normal replaces
+/// the direction (specification, section 10.1).
 pub const NEGLIGIBLE: f64 = 1e-8;
 
 impl<T: Copy> From<[T; 3]> for Vec3<T> {

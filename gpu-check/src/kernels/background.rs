@@ -1,4 +1,4 @@
-//! The colour of a ray that meets nothing.
+//! The colour of a ray that hits no object.
 
 use cpu::internals::math::real::Real;
 use cpu::internals::render::background::Background;

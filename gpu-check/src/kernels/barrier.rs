@@ -8,8 +8,8 @@ use crate::special::{self, NUMBERS, Row};
 
 pub enum Barrier {}
 
-/// The sum of two numbers and its rounding error: `sum + error` is `a + b` exactly, short of overflow (Knuth, TAOCP
-/// 4.2.2, theorem B). Rust keeps the operations as they stand, so it needs no barrier.
+/// The rounded sum of two numbers and its error: `sum + error` is exactly `a + b`, unless the sum overflows (Knuth,
+/// TAOCP 4.2.2, theorem B). Rust does not rewrite floating-point operations, so it needs no barrier.
 pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
     let sum = a + b;
     let b_part = sum - a;

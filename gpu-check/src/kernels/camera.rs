@@ -1,4 +1,4 @@
-//! A pixel's ray.
+//! The camera ray of a pixel.
 
 use cpu::internals::geometry::camera::Camera;
 use cpu::internals::math::real::Real;
@@ -52,7 +52,7 @@ impl Formula for CameraRay {
             ..Config::default()
         };
         let size = config.image_size().expect("the width is small");
-        // A north along the view makes no window, once in a very long while; then any vectors serve.
+        // A random north is almost never parallel to the view, which makes no window. Then any camera will do.
         let camera = Camera::new(&config, size).unwrap_or(Camera {
             position: Vec3::ZERO,
             origin: Vec3::ONE,

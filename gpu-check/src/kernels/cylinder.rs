@@ -12,7 +12,7 @@ use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 pub enum Cylinder {}
 
-/// Where rays start around an upright cylinder of radius 1 and height 4.
+/// Origins of rays around an upright cylinder of radius 1 and height 4.
 const ORIGINS: [[f64; 3]; 25] = [
     [0.0, 0.0, 0.0],  // at the centre
     [0.0, 0.0, -3.0], // beside, before and behind
@@ -26,7 +26,7 @@ const ORIGINS: [[f64; 3]; 25] = [
     [0.0, 2.0, -3.0], // level with the caps
     [0.0, -2.0, -3.0],
     [0.0, 2.000_000_000_000_000_4, -3.0],
-    [0.0, 4.0, -3.0], // a slope of one from the rim
+    [0.0, 4.0, -3.0], // rays at 45 degrees hit the rim
     [0.0, -4.0, -3.0],
     [0.0, 4.5, -3.0],
     [0.0, 2.0, 0.5], // on a cap, on the side, on the rim
@@ -37,16 +37,16 @@ const ORIGINS: [[f64; 3]; 25] = [
     [0.5, 1.0, -0.25],          // inside
     [-0.5, 2.000_000_001, 0.0], // just above a cap, for directions nearly in its plane
     [-0.5, -2.000_000_001, 0.0],
-    [0.0, 2.001, 0.25], // a thousandth above
+    [0.0, 2.001, 0.25], // a thousandth above a cap
     [1e-20, 1e6, -1e150],
 ];
 
 const CENTERS: [[f64; 3]; 3] = [[0.0; 3], [1.0, -2.0, 0.5], [1e-40, 1e6, 0.1]];
-/// Axes, as long as the cylinders are high.
+/// Axes, whose lengths are the heights of the cylinders.
 const AXES: [[f64; 3]; 10] = [
     [0.0, 4.0, 0.0],
     [0.0, -4.0, 0.0],
-    [0.0, 0.002, 0.0], // its top cap is exactly at the least distance that counts
+    [0.0, 0.002, 0.0], // from the centre, the top cap is exactly at the smallest lambda in range
     [4.0, 0.0, 0.0],
     [0.0, 0.0, 1e-6],
     [1.0, 2.0, -2.0],
@@ -106,7 +106,8 @@ impl Formula for Cylinder {
         let (radius, height) = (size * draws.draw(0.1, 3.0), size * draws.draw(0.1, 6.0));
         let center = special::in_cube(draws, 10.0 * size);
         let axis = special::direction(draws);
-        // A point of the side, of a cap or of the inside, in the cylinder's own directions.
+        // The ray aims at a point on the side, on a cap, on a rim or inside. `out` and `along` are its distances from
+        // the axis and the centre, in radii and heights.
         let across = special::direction(draws).perpendicular_to(axis);
         let across = across / across.length().max(1e-9);
         let place = draws.canonical();

@@ -1,4 +1,4 @@
-//! Ray against sphere and cylinder in the projected form, on the cases of the textbook's.
+//! Ray against sphere and cylinder in the projected form, with the cases of the plain formulas.
 
 use cpu::Ray;
 use cpu::internals::Hit;

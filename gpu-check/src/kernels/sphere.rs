@@ -12,7 +12,7 @@ use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 pub enum Sphere {}
 
-/// Where rays start, in radii from the centre.
+/// Origins of rays relative to the centre, in radii.
 const ORIGINS: [[f64; 3]; 20] = [
     [0.0, 0.0, 0.0],  // at the centre
     [0.0, 0.0, -3.0], // outside, before and behind
@@ -26,7 +26,7 @@ const ORIGINS: [[f64; 3]; 20] = [
     [0.0, 0.0, -1.001], // a thousandth before the surface, and behind it
     [0.0, 0.0, 1.001],
     [0.0, 0.0, -0.999],
-    [1.0, 0.0, -3.0], // tangent, and a unit in the last place beside it
+    [1.0, 0.0, -3.0], // tangent, and one unit in the last place inside and outside
     [0.999_999_999_999_999_9, 0.0, -3.0],
     [1.000_000_000_000_000_2, 0.0, -3.0],
     [0.999_999_94, 0.0, -3.0],
@@ -81,7 +81,7 @@ impl Formula for Sphere {
         let ordinary = draws.canonical() < 0.7;
         let radius = if ordinary { draws.draw(0.1, 5.0) } else { special::of_any_size(draws, -6.0, 9.0).abs() };
         let center = special::in_cube(draws, if ordinary { 10.0 } else { radius * 3.0 });
-        // From the surface, from inside, from near and from far.
+        // The ray starts on the surface, inside, near or far away.
         let place = draws.canonical();
         let distance = match place {
             _ if place < 0.2 => radius,
@@ -90,7 +90,7 @@ impl Formula for Sphere {
             _ => radius + special::of_any_size(draws, -2.0, 12.0).abs(),
         };
         let origin = center + special::direction(draws) * distance;
-        // Towards the sphere, most of the time; sometimes just past its edge, sometimes anywhere.
+        // The ray aims at a point inside the sphere in 8 of 10 cases, at its surface in one, and anywhere in one.
         let aim = draws.canonical();
         let spread = if aim < 0.1 { 1.0 } else { draws.canonical() };
         let towards = center + special::direction(draws) * (radius * spread) - origin;

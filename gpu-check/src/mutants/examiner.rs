@@ -1,4 +1,4 @@
-//! The suite's checks with fewer cases, in an order in which the first to notice a fault ends the search.
+//! Runs the suite's checks with fewer cases, one after another, until one of them notices a fault.
 
 use cpu::{Scatter, Vec3, reference};
 use shaders::{Library, Precision};
@@ -13,7 +13,7 @@ use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
 const RANDOM_CASES: usize = 1 << 14;
 /// Random scenes.
 const RANDOM_SCENES: u64 = 6;
-/// Most pixels times objects of one picture.
+/// Limit on the pixels times the objects of one picture; see [`Case::within`].
 const TESTS: usize = 500_000;
 
 /// Cases, prepared once for all mutants.
@@ -37,15 +37,15 @@ impl<'a> Examiner<'a> {
         Ok(Self { gpu, kernels, pictures })
     }
 
-    /// The first check that notices `mutant`; nothing when none does.
+    /// The first check that notices `mutant`; `None` when no check does.
     ///
     /// # Errors
-    /// A fault of the device or of the mutant's WGSL, which is no notice.
+    /// A fault of the device, or of the mutant's WGSL: then no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
         self.examine(&mutant.library()?, mutant.module)
     }
 
-    /// The first check of those that run `module` to find `library` at fault.
+    /// The first of the checks which run `module` that notices a fault in `library`; `None` when no check does.
     ///
     /// # Errors
     /// A fault of the device or of the library's WGSL.
@@ -64,7 +64,7 @@ impl<'a> Examiner<'a> {
         }
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
-            // In steps, so that a fault in going on shows.
+            // In several runs, so that a fault in continuing paths shows.
             let renderer = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2);
             let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
             let found = difference(&rendering.pixels, expected);
@@ -76,14 +76,14 @@ impl<'a> Examiner<'a> {
     }
 }
 
-/// The reference's picture of a case.
+/// The case and its picture by the reference.
 fn expected(case: Case) -> Result<(Case, Vec<Vec3>), Error> {
     let mut means = Vec::new();
     reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| means.push(mean))?;
     Ok((case, means))
 }
 
-/// Whether `module` is part of what `kernel` runs.
+/// Whether `kernel` needs `module`.
 fn runs(kernel: &str, module: &str) -> Result<bool, Error> {
     const MARK: &str = "// This module is part of it.";
     let mut marked = Library::standard();

@@ -1,4 +1,4 @@
-//! Buffers: how they are bound and filled, and waiting for what is written into them.
+//! Binds and fills buffers, and waits until the device has written them.
 
 use wgpu::{
     BindGroupLayoutEntry, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, PollType,
@@ -8,9 +8,10 @@ use wgpu::{
 use super::Content;
 use crate::{Error, Gpu};
 
-/// What an output holds before the kernel writes it: no formula gives this by accident.
+/// The value of every byte of an output before the kernel writes it. No formula gives a number of these bytes by
+/// accident.
 pub const SENTINEL: u8 = 0xA5;
-/// What an empty buffer is given, since none may be empty: more than any structure takes.
+/// Size in bytes of a buffer without content, since no buffer may be empty. It is more than any structure takes.
 const SMALLEST: usize = 256;
 
 /// How a binding of the shader is bound.
@@ -27,7 +28,8 @@ pub fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
     }
 }
 
-/// A buffer with its content. It is written through the queue and not mapped: mapping panics on a lost device.
+/// A buffer with its content for the run number `run`. The content is written through the queue, since mapping the
+/// buffer would panic on a lost device.
 pub fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
     let filler;
     let (size, bytes) = match content {
@@ -50,7 +52,7 @@ pub fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
     buffer
 }
 
-/// Waits until the device has done all that it was given.
+/// Waits until the device has done all submitted work, or the limit on its time is reached.
 pub fn wait(gpu: &Gpu) -> Result<(), Error> {
     let poll = PollType::Wait { submission_index: None, timeout: Some(gpu.patience()) };
     match gpu.device.poll(poll) {

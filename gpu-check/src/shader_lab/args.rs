@@ -37,21 +37,21 @@ Examples:
 
 Exit status: 0 done, 1 --check and a bit differs, 2 an error or a command line that is not understood, 130 interrupted";
 
-/// Constants that a person's module declares, by name.
+/// Names and values of the constants that a user's module declares.
 pub type Own<'a> = Vec<(&'a str, f64)>;
 
-/// What is to be done.
+/// What the program is asked to do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Print [`USAGE`].
     Help,
-    /// Write a module to start from.
+    /// Write the template to this file.
     Template(PathBuf),
-    /// Render.
+    /// Render a picture.
     Render(Options),
     /// Serve the page for browsers.
     Serve {
-        /// At which port of this machine.
+        /// The port on this machine.
         port: u16,
         /// The configuration's file.
         config: PathBuf,
@@ -75,22 +75,22 @@ pub struct Options {
     pub precision: Precision,
     /// Pipeline constants, by name.
     pub constants: Vec<(String, f64)>,
-    /// What to show in place of the picture.
+    /// The view to show in place of the picture.
     pub view: Option<View>,
-    /// Column and row of a pixel to follow.
+    /// Column and row of a pixel whose path is printed.
     pub pixel: Option<[usize; 2]>,
-    /// Whether to go on when files change.
+    /// Whether to render again when files change.
     pub watch: bool,
     /// Whether to wait until pictures are on the disk.
     pub sync: bool,
-    /// Whether a picture that differs from the CPU's in a bit has an exit status of its own.
+    /// Whether the exit status is 1 for a picture that differs from the CPU's in a bit.
     pub check: bool,
 }
 
 /// Reads the arguments that follow the program's name. Names of files may be any bytes.
 ///
 /// # Errors
-/// A message for the person who typed them.
+/// A message for the user.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
@@ -154,14 +154,14 @@ fn shown(argument: &OsStr) -> String {
     argument.to_string_lossy().into_owned()
 }
 
-/// Names standard input, as elsewhere: `-`.
+/// The path to open: for `-` it is that of standard input.
 fn input(path: PathBuf) -> PathBuf {
     if path.as_os_str() == "-" { PathBuf::from("/dev/stdin") } else { path }
 }
 
-/// That an option is not known, with the one that is most like it.
+/// The message for an option that does not exist. It suggests the most similar option, if there is one.
 fn unknown(option: &str) -> String {
-    /// Of Jaro and Winkler.
+    /// The smallest similarity of Jaro and Winkler with which an option is suggested.
     const LIKE: f64 = 0.8;
     let known = OPTIONS.iter().map(|known| (strsim::jaro_winkler(option, known), known));
     let nearest = known.filter(|(likeness, _)| *likeness > LIKE).max_by(|one, other| one.0.total_cmp(&other.0));
@@ -198,7 +198,7 @@ fn constant(text: &str) -> Result<(String, f64), String> {
 }
 
 impl Options {
-    /// The scene's features with those set that have a name among them, and the constants that do not.
+    /// Returns the scene's features, changed by the constants that name a feature, and all other constants.
     ///
     /// # Errors
     /// A message, when a feature cannot have its value.

@@ -1,8 +1,8 @@
-//! A shader is compiled by a process of its own first, whose memory and time are limited.
+//! Compiles a shader first in a separate process, whose memory and time are limited.
 //!
-//! A short module can make naga or the driver's compiler take any amount of memory or time, as by comparing arrays of
-//! 500,000,000 elements. Neither can be stopped from inside the process. So `shader-lab` starts itself again with
-//! [`FLAG`], hands over the text, and goes on only when that process has come to an end by itself.
+//! A short module can make naga or the driver's compiler take any amount of memory or time, for example by comparing
+//! arrays of 500,000,000 elements. Neither can be stopped from inside the process. So `shader-lab` starts itself again
+//! with [`FLAG`] and hands over the text. It compiles the text itself only if that process has ended within the limits.
 
 use std::ffi::OsString;
 use std::io::{self, Read, Write};
@@ -14,10 +14,10 @@ use shaders::{Composition, Precision};
 
 use crate::{Error, Gpu, Pipeline};
 
-/// The argument by which the program knows that it is the process to compile in.
+/// The first argument of the separate process. With it the program only compiles.
 pub const FLAG: &str = "--compile-standard-input";
 
-/// What the process may take.
+/// The limits of the separate process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Address space, in bytes.
@@ -29,19 +29,19 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Those of the program. The largest of the project's own shaders needs a quarter of the memory. A machine with
-    /// more to do may be six times slower.
+    /// The limits that `shader-lab` uses. The largest of the project's own shaders needs a quarter of the memory. The
+    /// limit on wall-clock time is six times that on processor time, for a busy machine.
     pub const STANDARD: Self = Self { memory: 4 << 30, seconds: 20, patience: Duration::from_secs(120) };
 }
 
-/// Status of the process when the device had too little memory. The parent process, whose memory has no limit, must not
-/// try again.
+/// Exit status of the separate process when the device had too little memory. The parent process, whose memory has no
+/// limit, must not compile the shader then.
 const OUT_OF_MEMORY: i32 = 3;
 
-/// Largest text that the process reads, in bytes: all modules of a composition.
+/// Largest text that the separate process reads, in bytes: all modules of a composition.
 const MAX_TEXT: u64 = 1 << 26;
 
-/// Compiles `composition` in a process of its own, within [`Limits::STANDARD`].
+/// Compiles `composition` in a separate process, within [`Limits::STANDARD`].
 ///
 /// # Errors
 /// As [`check_within`].
@@ -56,7 +56,7 @@ fn failed(cause: io::Error) -> Error {
 
 /// Compiles `composition` in a process of `program`, which is `shader-lab`, within `limits`.
 ///
-/// What is wrong with the text is no error here: compiling it once more tells it better.
+/// A fault in the text is no error here. The caller compiles the text again, and then reports the fault with its place.
 ///
 /// # Errors
 /// [`Error::Request`] when the process was ended by a limit or a fault, or could not be started.
@@ -73,11 +73,11 @@ pub fn check_within(
     command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
     let mut child = command.spawn().map_err(failed)?;
     if let Some(mut input) = child.stdin.take() {
-        // A process that has ended reads nothing; its status says why.
+        // Writing fails if the process has ended already. Its status says why it ended.
         let _ = input.write_all(composition.source().as_bytes());
     }
     let status = wait(&mut child, limits.patience).map_err(failed)?;
-    // 2 stands for an error in words; a panic has another status.
+    // 2 stands for an error message; a panic has another status.
     if status.is_some_and(|status| matches!(status.code(), Some(0 | 2))) {
         return Ok(());
     }
@@ -91,7 +91,7 @@ pub fn check_within(
     Err(Error::Request { message })
 }
 
-/// How the process ended; `None` when it had to be ended.
+/// Waits for the process. Returns its status, or `None` when it was killed after `patience`.
 fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>> {
     let start = Instant::now();
     while start.elapsed() < patience {
@@ -105,10 +105,10 @@ fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>>
     Ok(None)
 }
 
-/// What the process does: limits itself, reads the text on standard input and compiles it.
+/// The work of the separate process: limits itself, reads the text from standard input and compiles it.
 ///
 /// # Errors
-/// What naga or the driver says, or that it was started in another way than by [`check`].
+/// The error of naga or of the driver, or that the arguments are not those of [`check`].
 pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
     let wrong = |message: &str| Error::Request { message: message.to_owned() };
     let mut arguments = arguments.into_iter().map(|argument| argument.to_string_lossy().into_owned());
@@ -125,7 +125,7 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     let mut text = String::new();
     io::stdin().take(MAX_TEXT).read_to_string(&mut text).map_err(|error| wrong(&error.to_string()))?;
     let composition = Composition::of_text(text, precision);
-    // Before the driver is there, so that its memory does not count.
+    // Validated before the driver is loaded, so that the driver's memory does not count.
     composition.validate()?;
     let compiled = || {
         let gpu = Gpu::open()?;
@@ -150,8 +150,8 @@ fn limit_this_process(memory: u64, seconds: u64) -> Result<(), Error> {
     Ok(())
 }
 
-/// Does nothing: systems other than Unix have no such limits, so only the parent's limit on wall-clock time ends the
-/// process.
+/// Does nothing, since systems other than Unix have no such limits. There only the parent's limit on wall-clock time
+/// ends the process.
 #[cfg(not(unix))]
 fn limit_this_process(_memory: u64, _seconds: u64) -> Result<(), Error> {
     Ok(())

@@ -1,4 +1,4 @@
-//! One rendering with a person's modules: the pictures it writes and what it has to say.
+//! One rendering with the user's modules: the pictures that it writes, and its report.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -19,29 +19,29 @@ use crate::steps::Follower;
 use crate::terminal;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
 
-/// What one trial is made from.
+/// The inputs of one trial.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
-    /// Where it runs.
+    /// The device that renders.
     pub gpu: &'a Gpu,
-    /// What was asked for.
+    /// The options of the command line.
     pub options: &'a Options,
-    /// The person's modules.
+    /// The user's modules.
     pub modules: &'a [UserModule],
-    /// What it is held against.
+    /// The picture by the CPU, with which the trial's picture is compared.
     pub truth: &'a Truth,
 }
 
-/// What a trial found.
+/// The result of a trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
-    /// The report for a person.
+    /// The report for the user.
     pub report: String,
     /// Whether a bit of the picture differs from the CPU's in the same precision.
     pub differs: bool,
 }
 
-/// A precision that trials are made in: where to find what it is held against.
+/// A precision in which trials can be made, since the truth has a picture in it.
 pub trait Held: Float {
     /// The CPU's picture in this precision.
     fn picture(truth: &Truth) -> &[Vec3<Self>];
@@ -60,10 +60,10 @@ impl Held for f32 {
 }
 
 impl Trial<'_> {
-    /// Renders, writes the pictures and gives the report.
+    /// Renders, writes the pictures and returns the report.
     ///
     /// # Errors
-    /// [`Error::Shader`] with the place in the person's file, or what the device finds wrong.
+    /// [`Error::Shader`] with the place in the user's file, or an error of the device.
     pub fn run<T: Held>(&self, places: Places) -> Result<Outcome, Error> {
         let Self { gpu, options, modules, truth } = *self;
         let Places { out, difference: beside, view: both } = places;
@@ -71,7 +71,7 @@ impl Trial<'_> {
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
         guard::check(&library.compose("kernels/image", T::PRECISION)?, &constants(&features, &own))?;
-        // Now that reading the modules is known to end.
+        // Parses the modules in this process, which is safe after the guarded process has done so within its limits.
         self.check_constants::<T>(&own)?;
         let start = Instant::now();
         let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
@@ -135,7 +135,7 @@ impl Trial<'_> {
         Ok(Outcome { report, differs: apart.differing > 0 })
     }
 
-    /// Writes a view of both sides and where their numbers differ.
+    /// Writes a view by WGSL, and a picture of the view by WGSL, by the CPU and of the pixels that differ.
     fn show<T: Held>(
         &self,
         view: View,
@@ -175,14 +175,14 @@ impl Trial<'_> {
         Ok(report)
     }
 
-    /// A follower by the person's modules, compiled in the guarded process first.
+    /// A follower with the user's modules, which are compiled in the guarded process first.
     fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
         let library = files::library(self.modules)?;
         guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
         Follower::new(self.gpu, &library, features, own)
     }
 
-    /// The way of the pixel at `index` on both sides.
+    /// The path of the pixel at `index` by the CPU and by WGSL, as text.
     fn follow<T: Held>(
         &self,
         index: usize,
@@ -197,7 +197,7 @@ impl Trial<'_> {
         Ok(text)
     }
 
-    /// An error for a constant that no module declares.
+    /// Returns an error for a constant that no module declares.
     fn check_constants<T: Held>(&self, own: &[(&str, f64)]) -> Result<(), Error> {
         let shader = files::library(self.modules)?.compose("kernels/image", T::PRECISION)?.validate()?;
         let known: Vec<_> =

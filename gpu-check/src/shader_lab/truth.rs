@@ -1,4 +1,4 @@
-//! The picture as the CPU has it, computed once and kept while the person's modules change.
+//! The picture by the CPU, computed once and kept while the user's modules change.
 
 use std::cell::OnceCell;
 use std::time::{Duration, Instant};
@@ -7,7 +7,7 @@ use cpu::{Config, Scatter, Scene, Vec3, reference};
 
 use crate::{Error, Picture};
 
-/// Most pixels of a picture here, which is held a dozen times: as many as 4K has, and a little more.
+/// Most pixels of a picture, a little more than 4K has. About a dozen copies of a picture are in memory at once.
 pub const MAX_PIXELS: usize = 1 << 23;
 
 /// Refuses a configuration whose picture has more than [`MAX_PIXELS`].
@@ -24,23 +24,23 @@ pub fn check_size(config: &Config) -> Result<(), Error> {
     Err(Error::Request { message })
 }
 
-/// A configuration, a scene, and the picture of it in deterministic mode.
+/// A configuration, a scene, and its picture in deterministic mode.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// The configuration.
     pub config: Config,
     /// The scene.
     pub scene: Scene,
-    /// Linear colours in f64, by the definition.
+    /// Linear colours in f64, by the reference.
     pub wide: Vec<Vec3>,
-    /// The scene for f32, and its picture once that is asked for.
+    /// The scene for f32, and its picture once [`Self::single`] has computed it.
     single: (Picture<f32>, OnceCell<Vec<Vec3<f32>>>),
-    /// What the first took, on one core.
+    /// The time that `wide` took on one core.
     pub time: Duration,
 }
 
 impl Truth {
-    /// Renders.
+    /// Renders the picture in f64 by the reference.
     ///
     /// # Errors
     /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than
@@ -55,8 +55,8 @@ impl Truth {
         Ok(Self { config, scene, wide, single, time })
     }
 
-    /// The picture with every formula in f32: what a device may at best give in f32. Computed when it is first asked
-    /// for: with many objects it takes as long as the one in f64.
+    /// The picture with every formula in f32, which is the best that a device can give in f32. It is computed at the
+    /// first call, since with many objects it takes as long as the picture in f64.
     #[must_use]
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;

@@ -1,7 +1,7 @@
-//! Rendering again when a file has changed.
+//! Renders again when a file has changed.
 //!
-//! Texts are compared, several times a second, and not the times of their last change: every editor and every file
-//! system is noticed that way, and saving without a change renders nothing.
+//! The contents of the files are compared several times a second, and not the times of their last change. That works
+//! with every editor and every file system, and saving a file without a change renders nothing.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -16,10 +16,10 @@ use super::trial::{Outcome, Trial};
 use super::truth::Truth;
 use crate::{Error, Gpu, terminal};
 
-/// How often files are looked at.
+/// Time between two readings of the files.
 const INTERVAL: Duration = Duration::from_millis(150);
 
-/// A shader lab between two renderings.
+/// The state that is kept between two renderings.
 #[derive(Debug)]
 pub struct Lab {
     options: Options,
@@ -36,10 +36,10 @@ impl Lab {
         Self { options, gpu: None, truth: None, texts: None }
     }
 
-    /// Renders once and gives the report.
+    /// Renders once and returns the report.
     ///
     /// # Errors
-    /// A message that names the person's file.
+    /// A message that names the user's file.
     pub fn render(&mut self) -> Result<Outcome, String> {
         self.render_from(&Sources::read(&self.options, None))
     }
@@ -54,7 +54,7 @@ impl Lab {
     }
 
     fn render_with(&mut self, modules: &[UserModule], sources: &Sources) -> Result<Outcome, Error> {
-        // Before anything long: a place that cannot be written ends the trial.
+        // Opened first, so that a file that cannot be written ends the trial before it takes long.
         let places = Places::open(&self.options, modules)?;
         if self.truth.is_none() || self.texts.as_ref() != Some(&sources.texts) {
             self.truth = None;
@@ -74,7 +74,7 @@ impl Lab {
         }
     }
 
-    /// Hands a report or a message to `say` now and after every change, until `say` answers no.
+    /// Hands a report or a message to `say` now and after every change, until `say` returns false.
     pub fn watch(&mut self, mut say: impl FnMut(Result<Outcome, String>) -> bool) {
         let mut sources = Sources::read(&self.options, None);
         loop {
@@ -93,7 +93,7 @@ impl Lab {
     }
 }
 
-/// The error's own words; where they point elsewhere than to a person's file, that file too.
+/// The error's message. If it does not begin with one of the user's files, these files are added.
 fn explain(error: &Error, modules: &[UserModule]) -> String {
     let mut message = error.to_string();
     if !matches!(error, Error::Shader(_) | Error::Refused { .. } | Error::Unwritten { .. }) {

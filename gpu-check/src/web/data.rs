@@ -1,4 +1,5 @@
-//! What the page asks for: the picture's buffers, the shader's files, and the formulas' tables, all in f32.
+//! The data that the page fetches: the picture's buffers, the shader's files, and the formulas' cases and results, all
+//! in f32.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +14,7 @@ use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
 /// Random cases of a formula, after its edge cases.
 const RANDOM: usize = 1 << 14;
 
-/// Everything for a page that shows `scene`, by name.
+/// All data of a page that shows `scene`, by name.
 ///
 /// # Errors
 /// As [`Renderer::render`].
@@ -24,7 +25,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
     let rendering = Renderer::<f32>::new(gpu, &library, &features)?.render(&picture)?;
     let (width, height, pixels) = (picture.size.width(), picture.size.height(), picture.size.pixels());
     let constants: Vec<_> = features.constants().iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
-    // What Rust shows of a text with {:?} is JSON too, as long as it has no control characters but line ends and tabs.
+    // Rust's {:?} of a text is valid JSON, if the text has no control characters other than line ends and tabs.
     let facts = format!(
         "{{\"width\": {width}, \"height\": {height}, \"pixels\": {pixels}, \"gamma\": {}, \"depth\": {}, \
          \"driver\": {:?}, \"constants\": {{{}}}}}",
@@ -57,7 +58,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
     Ok(data)
 }
 
-/// The cases that the page has of a formula, row after row.
+/// The edge cases of a formula and some random cases, row after row.
 #[must_use]
 pub fn cases(kernel: &Kernel) -> Vec<f32> {
     let mut cases = kernel.edge_cases::<f32>();
@@ -65,7 +66,7 @@ pub fn cases(kernel: &Kernel) -> Vec<f32> {
     cases
 }
 
-/// What Rust's f32 makes of them.
+/// The results of the cases in Rust's f32.
 #[must_use]
 pub fn expected(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
     let mut results = vec![0.0; cases.len() / kernel.inputs * kernel.outputs.len()];
@@ -75,7 +76,7 @@ pub fn expected(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
     results
 }
 
-/// What f32 whose subnormal numbers are zeros makes of them: WGSL allows a driver to have it so.
+/// The results of the cases in f32 with subnormal numbers flushed to zero, as WGSL allows a driver to do.
 #[must_use]
 pub fn flushed(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
     cases.chunks(kernel.inputs).flat_map(|case| kernel.flushed(case)).collect()

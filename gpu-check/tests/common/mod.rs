@@ -1,8 +1,9 @@
-//! What all tests on a device share.
+//! Opens the device for all tests that need one.
 
 use gpu_check::Gpu;
 
-/// The device, its driver and version printed; without one the test fails with the line that says what to install.
+/// Opens the device and prints its name, driver and version. If there is none, the test fails with the message that
+/// says what to install.
 pub fn gpu() -> Gpu {
     let gpu = Gpu::open().unwrap_or_else(|error| panic!("{error}"));
     println!("{gpu}");

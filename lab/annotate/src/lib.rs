@@ -19,7 +19,7 @@ pub type Color = [u8; 3];
 pub const PAPER: Color = [255; 3];
 /// Colour of words.
 pub const INK: Color = [32; 3];
-/// Height of a line of words with the room around it, in pixels.
+/// Height of a line of words with the space above and below it, in pixels.
 pub const LINE: usize = 17;
 
 /// A picture to draw on.
@@ -32,10 +32,10 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// An empty sheet.
+    /// Returns a canvas on which every pixel is [`PAPER`].
     ///
     /// # Errors
-    /// There is too little memory for it.
+    /// There is too little memory for the canvas.
     pub fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
         let mut pixels = Vec::new();
         // A number of pixels that does not fit in a `usize` does not fit in memory either.
@@ -45,27 +45,27 @@ impl Canvas {
         Ok(Self { width, pixels })
     }
 
-    /// Rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn height(&self) -> usize {
         self.pixels.len().checked_div(self.width).unwrap_or(0)
     }
 
-    /// Sets a pixel; one outside the canvas changes nothing.
+    /// Sets a pixel. A pixel outside the canvas is ignored.
     pub fn set(&mut self, x: usize, y: usize, color: Color) {
         if x < self.width && y < self.height() {
             self.pixels[y * self.width + x] = color;
         }
     }
 
-    /// Puts a picture, `width` pixels wide, with its top left corner at `x` and `y`.
+    /// Draws a picture, `width` pixels wide, with its top left corner at `x` and `y`.
     pub fn paste(&mut self, (x, y): (usize, usize), picture: &[Color], width: usize) {
         for (index, color) in picture.iter().enumerate() {
             self.set(x + index % width, y + index / width, *color);
         }
     }
 
-    /// Writes words with their top left corner at `x` and `y`; what does not fit is cut.
+    /// Writes words with their top left corner at `x` and `y`. Pixels outside the canvas are left out.
     pub fn write(&mut self, (x, y): (usize, usize), words: &str) {
         let [red, green, blue] = INK;
         let style = MonoTextStyle::new(&FONT_7X13, Rgb888::new(red, green, blue));
@@ -74,18 +74,18 @@ impl Canvas {
     }
 }
 
-/// Width of words in pixels.
+/// Returns the width of words in pixels.
 #[must_use]
 pub fn width_of(words: &str) -> usize {
     let style = MonoTextStyle::new(&FONT_7X13, Rgb888::BLACK);
     Text::new(words, Point::zero(), style).bounding_box().size.width as usize
 }
 
-/// Panels of one size below each other, each with its caption above it. The canvas is as wide as the widest caption
-/// needs.
+/// Draws panels below each other, each with its caption above it. All panels are `width` pixels wide. The canvas is as
+/// wide as the panels or the widest caption.
 ///
 /// # Errors
-/// There is too little memory for it.
+/// There is too little memory for the canvas.
 pub fn panels(panels: &[(&str, &[Color])], width: usize) -> Result<Canvas, TryReserveError> {
     let widest = panels.iter().map(|(caption, _)| width_of(caption) + 4).max().unwrap_or(0);
     let height: usize = panels.iter().map(|(_, picture)| LINE + picture.len() / width).sum();
@@ -99,7 +99,8 @@ pub fn panels(panels: &[(&str, &[Color])], width: usize) -> Result<Canvas, TryRe
     Ok(canvas)
 }
 
-/// A bar of colours, left to right, with a number below each fifth of it.
+/// Draws a bar of colours from left to right, with five numbers below it: at its ends and at each quarter. `color` and
+/// `number` return the colour and the text at a share of the bar, from 0 to 1.
 pub fn color_bar(
     canvas: &mut Canvas,
     (x, y): (usize, usize),
@@ -118,7 +119,7 @@ pub fn color_bar(
         let middle = x + last * step / STEPS;
         (height..height + 4).for_each(|row| canvas.set(middle, y + row, INK));
         let words = number(share);
-        // Within the canvas at both ends.
+        // The first and the last number are moved until they lie within the canvas.
         let most = canvas.width.saturating_sub(width_of(&words));
         canvas.write((middle.saturating_sub(width_of(&words) / 2).min(most), y + height + 4), &words);
     }

@@ -1,8 +1,8 @@
-//! How far a picture of few samples is from the converged one.
+//! Measures how far a picture of few samples is from the converged one.
 //!
-//! In linear light, before gamma and truncation, where the error of a mean of n independent samples falls as n^(-1/2);
-//! and as the course measures it, in levels of the finished picture. The error does not depend on the implementation,
-//! for all make the same picture; the time to get there does.
+//! The error is measured in two ways. In linear light, before gamma and truncation, the error of a mean of n
+//! independent samples falls as n^(-1/2). The course measures it in levels (0 to 255) of the finished picture. All
+//! implementations make the same picture, so the error does not depend on them; only the time does.
 
 use cpu::internals::image::quantize::quantize;
 use cpu::{Config, Error, Scene, Vec3};
@@ -32,22 +32,22 @@ pub struct ErrorCurve {
     pub scene: String,
     /// Samples a pixel of the converged picture.
     pub reference_samples: u64,
-    /// The converged picture's own error in linear light, from its two halves.
+    /// Error of the converged picture in linear light, estimated from its two halves.
     pub reference_error: f64,
     /// By rising number of samples.
     pub points: Vec<ErrorPoint>,
 }
 
-/// Seeds of the converged picture's halves, far from any that is measured.
+/// Seeds of the two halves of the converged picture, far from the seeds of the measured pictures, which begin at 1.
 const REFERENCE_SEEDS: [u64; 2] = [0x5eed_0001, 0x5eed_0002];
 
 fn with_seed(config: &Config, samples: u64, seed: u64) -> Config {
-    // Two generators, two seeds.
+    // The renderer has two random generators, so `seed` becomes two different seeds.
     let (ray_rng_seed, material_rng_seed) = (2 * seed, 2 * seed + 1);
     Config { samples_per_pixel: samples, ray_rng_seed, material_rng_seed, ..config.clone() }
 }
 
-/// Root of the mean square difference over channels.
+/// Returns the root of the mean square difference over channels.
 fn rmse(first: &[Vec3], second: &[Vec3]) -> f64 {
     let squares = first.iter().zip(second).map(|(&a, &b)| (a - b).dot(a - b));
     (squares.sum::<f64>() / (3 * first.len()) as f64).sqrt()
@@ -62,11 +62,11 @@ fn course_rmse(first: &[[u8; 3]], second: &[[u8; 3]]) -> f64 {
     (squares.sum::<f64>() / first.len() as f64).sqrt()
 }
 
-/// Measures the error for each of `samples`, on pictures of `seeds` different seeds, against one of
-/// `reference_samples`.
+/// Measures the error for each number of samples in `samples`: renders pictures with the seeds 1 to `seeds` and
+/// compares them with a picture of `reference_samples`.
 ///
 /// # Errors
-/// What the renderer says, or [`Failure::Interrupted`].
+/// An error of the renderer, or [`Failure::Interrupted`].
 pub fn curve(
     name: &str,
     config: &Config,
@@ -94,7 +94,8 @@ pub fn curve(
         }
         points.push(ErrorPoint { samples, linear: Median::of(&linear), course: Median::of(&course) });
     }
-    // Halves are independent: their difference has twice the variance of one, and their mean half of it.
+    // The halves are independent, each with variance v. Their difference has variance 2v and their mean v/2, so the
+    // error of the mean is half of the RMSE between the halves.
     let reference_error = rmse(&first, &second) / 2.0;
     Ok(ErrorCurve { scene: name.to_owned(), reference_samples, reference_error, points })
 }
@@ -113,7 +114,7 @@ mod tests {
         let points: Vec<_> = curve.points.iter().map(|point| (point.samples as f64, point.linear.median)).collect();
         let law = PowerLaw::through(&points).expect("four points");
         assert!((law.exponent + 0.5).abs() < 0.05, "{law:?}");
-        // The converged picture keeps the law as well: its error is that of its samples.
+        // The error of the converged picture is what the law predicts for its 4,096 samples.
         let ratio = curve.reference_error / law.at(4096.0);
         assert!((0.7..1.4).contains(&ratio), "{ratio}");
         assert!(curve.points.is_sorted_by(|a, b| a.course.median > b.course.median), "{:?}", curve.points);

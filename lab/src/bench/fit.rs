@@ -1,22 +1,23 @@
-//! Power laws through measured points.
+//! Fits power laws through measured points, and interpolates between points.
 
 use serde::{Deserialize, Serialize};
 
-/// `y = factor * x^exponent`, by least squares on logarithms.
+/// The law `y = factor * x^exponent`, fitted by least squares on logarithms.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PowerLaw {
     /// The slope on logarithmic axes.
     pub exponent: f64,
-    /// Standard error of the exponent from the scatter about the line; none with two points.
+    /// Standard error of the exponent, from the residuals; `None` with two points, which leave no residual.
     pub exponent_error: Option<f64>,
     /// `y` at `x = 1`.
     pub factor: f64,
-    /// Points that it goes through.
+    /// Number of points that were fitted.
     pub points: usize,
 }
 
 impl PowerLaw {
-    /// The law through points with positive coordinates; `None` for fewer than two different ones.
+    /// Fits the law through those of `points` whose coordinates are positive. Returns `None` if these have fewer than
+    /// two different `x`.
     #[must_use]
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let logs: Vec<_> = points.iter().filter(|(x, y)| *x > 0.0 && *y > 0.0).map(|(x, y)| (x.ln(), y.ln())).collect();
@@ -38,15 +39,15 @@ impl PowerLaw {
         })
     }
 
-    /// Its value at `x`.
+    /// Returns the law's `y` at `x`.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
         self.factor * x.powf(self.exponent)
     }
 }
 
-/// Where a curve through points, straight between them on logarithmic axes, comes down to `y`; `None` outside the
-/// points. The points are ordered by falling `y`.
+/// Returns the `x` at which a curve through `points` falls to `y`, or `None` if `y` lies outside the points. Between
+/// two points the curve is straight on logarithmic axes. The points must be ordered by falling `y`.
 #[must_use]
 pub fn reaches(points: &[(f64, f64)], y: f64) -> Option<f64> {
     points.windows(2).find_map(|pair| {
@@ -73,7 +74,8 @@ mod tests {
 
     #[test]
     fn scatter_about_the_law_is_its_error() {
-        // Logarithms 0, 1, 2 against 0, 1.5, 2: slope 1, residuals -1/6, 1/3, -1/6, their squares 1/6; 1/6 / 1 / 2.
+        // The logarithms of x are 0, 1, 2 and those of y 0, 1.5, 2. The slope is 1; the residuals are -1/6, 1/3, -1/6,
+        // and the sum of their squares is 1/6. Divided by 3 - 2 points and by the variance 2, that is 1/12.
         let e = std::f64::consts::E;
         let law = PowerLaw::through(&[(1.0, 1.0), (e, e.powf(1.5)), (e * e, e * e)]).expect("three points");
         assert!((law.exponent - 1.0).abs() < 1e-12);

@@ -1,4 +1,4 @@
-//! What measured times depend on beside the program.
+//! Describes the machine on which times are measured.
 
 use std::fs;
 use std::process::Command;
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 pub struct Machine {
     /// Day of the measurement, in UTC, as in `2026-01-31`.
     pub date: String,
-    /// The processor as it calls itself.
+    /// Name of the processor, as the processor reports it.
     pub processor: String,
     /// Processors that the system offers.
     pub processors: usize,
@@ -20,7 +20,7 @@ pub struct Machine {
     pub instruction_set: String,
     /// System and its version.
     pub system: String,
-    /// Average number of processes that wanted to run in the minute before: how noisy it was.
+    /// Average number of processes that wanted to run in the minute before the measurement.
     pub load: Option<f64>,
     /// Compiler that built the program.
     pub compiler: String,
@@ -31,7 +31,7 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// This one, now.
+    /// Describes this machine at this moment.
     #[must_use]
     pub fn here() -> Self {
         let file = |path: &str| fs::read_to_string(path).unwrap_or_default();
@@ -68,8 +68,8 @@ fn today() -> String {
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// Year, month and day of a number of days since 1970-01-01, counted from the first of March of year 0, so that the
-/// leap day is a year's last.
+/// Converts a number of days since 1970-01-01 to year, month and day. Internally years begin on the first of March, so
+/// that a leap day is the last day of its year.
 fn civil(days: u64) -> [u64; 3] {
     let days = days + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);

@@ -1,4 +1,4 @@
-//! What `bench all` measures, cut into tasks of which a cluster can take one each.
+//! Lists what `bench all` measures, as tasks that the nodes of a cluster can run one each.
 
 mod times;
 
@@ -21,7 +21,7 @@ use crate::{Failure, sources};
 pub enum Task {
     /// Time against a parameter: `width`, `samples`, `depth`, `objects` or `density`.
     Scale(&'static str),
-    /// Error against samples, and every engine's time for each number of them, for a scene.
+    /// For a scene: error against samples, and the time of every engine for each number of samples.
     Error(&'static str),
     /// Cost and error of intersections with a kind of object.
     Intersection(&'static str),
@@ -52,14 +52,15 @@ const BOARD: &str = "board";
 /// The course's four cases, from a folder that is no part of this project.
 const CASES: [&str; 4] = ["case-1", "case-2", "case-3", "case-4"];
 
-/// What the parameters are varied on, except objects, which are generated.
+/// The scene on which width, samples and depth are varied. For objects and density, scenes are generated.
 const SCALED: &str = "materials";
 
-/// The parameters of [`Task::Scale`]. With `objects` the camera stays among the objects, of which more are farther
-/// away; with `density` it stays where it is, and they shrink as they multiply.
+/// The parameters of [`Task::Scale`]. With `objects`, the camera keeps a distance of a few squares from the near edge
+/// of the board, so additional objects are farther away. With `density`, the camera does not move, and more objects
+/// mean smaller ones in the same view.
 pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "density"];
 
-/// Every task, in an order that never changes: parts of the matrix are told by their numbers.
+/// Returns every task. The order is fixed, because `--part` chooses tasks by their position.
 #[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
@@ -89,12 +90,13 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Width of pictures whose width is not what varies.
+    /// Returns the width of pictures in all tasks that do not vary the width.
     const fn width(&self) -> u64 {
         if self.quick { 96 } else { 320 }
     }
 
-    /// The longest that one picture of the literal renderer may be expected to take.
+    /// Returns the longest time in seconds that one picture may take. A picture that is expected to take longer is left
+    /// out.
     const fn patience(&self) -> f64 {
         if self.quick { 0.7 } else { 10.0 }
     }
@@ -120,7 +122,7 @@ impl Plan {
         Ok((sources::config(&folder.join("config.txt"), &[])?, sources::scene(&folder.join("scene.txt"))?))
     }
 
-    /// Measures a task into `results`.
+    /// Measures a task and adds its figures to `results`.
     ///
     /// # Errors
     /// A scene cannot be read, pictures differ, or [`Failure::Interrupted`].
@@ -160,7 +162,7 @@ impl Plan {
         let (config, scene) = self.scene(name)?;
         let config = Config { image_width: self.width(), ..config };
         let samples: Vec<u64> = (0..=if self.quick { 6 } else { 8 }).map(|power| 1 << power).collect();
-        // Sixty-four times the samples of the finest picture: an eighth of its error.
+        // The reference has 64 times the samples of the finest picture, so its error is an eighth of that picture's.
         let reference = 64 * samples.iter().max().copied().unwrap_or(1);
         results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference, interrupt)?);
         let pictures = samples.into_iter().map(|samples| {
@@ -183,7 +185,7 @@ impl Plan {
             (Some(index), Some(folder)) => {
                 let file = |kind: &str| folder.join(format!("{kind}{}.txt", index + 1));
                 let (config, scene) = (sources::config(&file("config"), &[])?, sources::scene(&file("scene"))?);
-                // Whole, if there is time.
+                // The full matrix renders the course's cases in their own size and with their own samples.
                 let small = Config { image_width: self.width(), samples_per_pixel: samples, ..config.clone() };
                 (if self.quick { small } else { config }, scene)
             }
@@ -212,7 +214,7 @@ impl Plan {
     }
 }
 
-/// A ground with objects on the squares of a board, seen from near its edge.
+/// Returns a scene of `objects` on the squares of a board, and a camera near the edge of the board.
 fn board(objects: u64, width: u64) -> (Config, Scene) {
     let objects = usize::try_from(objects).unwrap_or(usize::MAX);
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };

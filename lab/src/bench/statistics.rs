@@ -1,34 +1,35 @@
-//! What repeated measurements say.
+//! The median of repeated measurements, with its bounds.
 
 use serde::{Deserialize, Serialize};
 
-/// The middle of some measurements, and between which bounds the true median lies.
+/// The median of some measurements, and bounds between which the true median lies.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Median {
-    /// The middle one, or the mean of the two middle ones.
+    /// The middle measurement, or the mean of the two middle ones.
     pub median: f64,
     /// Lower bound.
     pub low: f64,
     /// Upper bound.
     pub high: f64,
-    /// Probability that the bounds hold the true median, whatever the distribution; at least 0.95 from six
-    /// measurements on, less with fewer.
+    /// Probability that the true median lies between the bounds, for any distribution. It is at least 0.95 with six or
+    /// more measurements, and less with fewer.
     pub confidence: f64,
 }
 
 impl Median {
-    /// The median of `values` with the bounds that order statistics give: the k-th smallest and the k-th largest hold
-    /// the true median unless fewer than k of the values fall on one side of it.
+    /// Returns the median of `values` with bounds from order statistics. The true median lies between the k-th smallest
+    /// and the k-th largest value, unless fewer than k values fall on one side of it.
     ///
     /// # Panics
-    /// Without values.
+    /// If `values` is empty.
     #[must_use]
     pub fn of(values: &[f64]) -> Self {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
         let count = sorted.len();
         assert!(count > 0, "nothing was measured");
-        // Chances of i values of `count` below the median: binomial, each half.
+        // `chance` is the probability that exactly `index` of the values lie below the true median: binomial, with
+        // probability 1/2 for each value.
         let mut chance = 0.5_f64.powi(i32::try_from(count).unwrap_or(i32::MAX));
         let (mut below, mut best) = (chance, (0, 1.0 - 2.0 * chance));
         for index in 1..count / 2 {
@@ -44,14 +45,14 @@ impl Median {
         Self { median, low: sorted[outside], high: sorted[count - 1 - outside], confidence }
     }
 
-    /// Whether the bounds are worth a conclusion: they hold the true median with a probability of at least 0.75, which
-    /// takes three measurements. One has no bounds at all, and those of two are no better than a coin.
+    /// Returns whether the bounds allow a conclusion: the true median lies between them with a probability of at least
+    /// 0.75. That needs three measurements: the probability is 0 with one, and 0.5 with two.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
         self.confidence >= 0.75
     }
 
-    /// Width of the bounds as a share of the median.
+    /// Returns the width of the bounds as a share of the median.
     #[must_use]
     pub fn spread(&self) -> f64 {
         (self.high - self.low) / self.median
@@ -66,7 +67,7 @@ mod tests {
     fn few_measurements_are_bounded_by_their_extremes() {
         let median = Median::of(&[3.0, 1.0, 2.0, 5.0, 4.0]);
         assert_eq!((median.median, median.low, median.high), (3.0, 1.0, 5.0));
-        // All five on one side of the true median: 2 in 32.
+        // The bounds fail if all five lie on one side of the true median, which has a probability of 2 in 32.
         assert_eq!(median.confidence, 1.0 - 2.0 / 32.0);
         let one = Median::of(&[7.0]);
         assert_eq!((one.median, one.low, one.high, one.confidence), (7.0, 7.0, 7.0, 0.0));
@@ -77,7 +78,7 @@ mod tests {
     #[test]
     fn many_measurements_are_bounded_closer() {
         let values: Vec<f64> = (1..=20).map(f64::from).collect();
-        // The table of binomial confidence intervals has the 6th and the 15th of 20, 95.9 %.
+        // Tables of binomial confidence intervals give the 6th and the 15th of 20 values, with 95.9 %.
         let median = Median::of(&values);
         assert_eq!((median.median, median.low, median.high), (10.5, 6.0, 15.0));
         assert!((median.confidence - 0.9586).abs() < 1e-4, "{}", median.confidence);

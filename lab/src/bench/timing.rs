@@ -1,8 +1,8 @@
-//! User time of engines on one picture, repeats interleaved, answers checked.
+//! Measures the user time of engines on one picture, with interleaved repeats, and checks that the pictures are equal.
 //!
-//! Repeats go round: every engine once, then again, starting with another one each time, so that a machine that slows
-//! down for a while slows all of them. A picture that takes less than [`SHORTEST`] is rendered several times a repeat.
-//! All engines must make the same bytes: a fast wrong one would not be worth a time.
+//! Each round measures every engine once and starts with another engine, so that a machine that is slow for a while
+//! slows all engines. A picture that takes less than [`SHORTEST`] is rendered several times in a repeat. All engines
+//! must write the same bytes, because the time of a wrong picture means nothing.
 
 use cpu::{Config, Scene};
 use test_support::digest::sha256;
@@ -12,22 +12,22 @@ use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 use crate::usage::{Seconds, Usage};
 
-/// Shortest user time that is measured, for the system's clock of user time may be coarse.
+/// The shortest user time that one measurement may take. The system's clock of user time may be coarse.
 pub const SHORTEST: Seconds = 0.05;
 
 /// Times of engines on one picture.
 #[derive(Clone, Debug)]
 pub struct Times {
-    /// Each engine with the seconds a picture took it, in the order measured.
+    /// Each engine with its seconds for one picture, one entry a repeat, in the order measured.
     pub of: Vec<(Engine, Vec<Seconds>)>,
-    /// SHA-256 of the picture that all of them made.
+    /// SHA-256 of the picture, which is equal for all engines.
     pub digest: String,
 }
 
 /// Measures `engines` on a picture.
 ///
 /// # Errors
-/// What the renderer says, an engine whose picture is another, or [`Failure::Interrupted`].
+/// An error of the renderer, an engine whose picture differs, or [`Failure::Interrupted`].
 pub fn measure(
     engines: &[Engine],
     repeats: usize,
@@ -39,7 +39,7 @@ pub fn measure(
     let mut turns = Vec::new();
     for &engine in engines {
         interrupt.check()?;
-        // The first picture warms caches up, is checked, and says how many make a repeat.
+        // The first picture warms the caches and is checked. Its time says how many pictures make one repeat.
         let before = Usage::now().user;
         let picture = engine.ppm(config, scene)?;
         let seconds = Usage::now().user - before;
@@ -59,7 +59,7 @@ pub fn measure(
     Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
 }
 
-/// How often to do something that takes `seconds` for the time to be long enough to be measured.
+/// Returns how often work that takes `seconds` must be repeated so that its time is at least [`SHORTEST`]; at most 500.
 #[must_use]
 pub fn turns_of(seconds: Seconds) -> u32 {
     (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
@@ -69,7 +69,7 @@ pub fn turns_of(seconds: Seconds) -> u32 {
 /// `index` of `turns` is the number of calls that one measurement takes the mean of.
 ///
 /// # Errors
-/// What `work` says, or [`Failure::Interrupted`].
+/// An error of `work`, or [`Failure::Interrupted`].
 pub fn interleaved(
     repeats: usize,
     turns: &[u32],

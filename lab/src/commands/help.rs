@@ -1,4 +1,4 @@
-//! `render-lab help`: a command's help, or a table of what a file may have.
+//! `render-lab help`: prints the help of a command, or a table of the lines that an input file may have.
 
 use clap::Args;
 
@@ -20,7 +20,7 @@ impl Arguments {
     /// Prints the help.
     ///
     /// # Errors
-    /// There is no such topic, or standard output takes no more.
+    /// There is no such topic, or standard output cannot be written.
     pub fn run(&self, mut command: clap::Command) -> Result<(), Failure> {
         let text = match self.topic.iter().map(String::as_str).collect::<Vec<_>>()[..] {
             ["config"] => format!(

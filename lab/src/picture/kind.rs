@@ -1,4 +1,4 @@
-//! Which kind of file a picture becomes: the ending of its name decides.
+//! Chooses the format of a picture's file by the ending of its name.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -16,8 +16,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// The kind by the ending of the file's name. A name without an ending, as of a device or `-`, has the kind
-    /// `otherwise`.
+    /// Returns the kind for the ending of the file's name. A name without an ending, such as `/dev/stdout` or `-`, has
+    /// the kind `otherwise`.
     ///
     /// # Errors
     /// The name has another ending.
@@ -36,10 +36,10 @@ impl Kind {
 }
 
 impl Picture {
-    /// Writes it as a file of this kind.
+    /// Writes the picture as a file of this kind.
     ///
     /// # Errors
-    /// What `out` returns.
+    /// An error of `out`.
     pub fn write(&self, kind: Kind, out: impl Write) -> io::Result<()> {
         match kind {
             Kind::Ppm => self.write_ppm(out),

@@ -1,4 +1,4 @@
-//! Pictures of both formats as they are read, and what is refused.
+//! Tests of reading pictures in both formats, and of files that are refused.
 
 use super::*;
 
@@ -55,7 +55,7 @@ fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
     let mut png = Vec::new();
     let wide = Picture { width: 3, height: 1, pixels: vec![[1; 3]; 3] };
     wide.write_png(&mut png).expect("memory takes all bytes");
-    // The sides stand in the first chunk: two thousand million each, and its checksum made right again.
+    // The first chunk holds width and height. Both become 2^31 - 1; the checksum is corrected below.
     png[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
     assert!(Picture::parse(&png).is_err(), "the checksum is wrong");
     let checksum = crc32(&png[12..29]).to_be_bytes();
@@ -83,14 +83,14 @@ fn a_palette_that_ends_within_a_colour_is_refused() {
     }
 }
 
-/// The checksum of a PNG's chunk, bit by bit.
+/// Returns the checksum of a PNG chunk, computed bit by bit.
 fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })
     })
 }
 
-/// A grey PNG of one bit a pixel, all black: far smaller than its pixels.
+/// Returns a black grey-scale PNG with one bit a pixel, whose file is far smaller than its pixels.
 fn black_png(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);

@@ -1,4 +1,4 @@
-//! A chart with logarithmic axes, as SVG: lines with markers and bounds, or a column of dots.
+//! Draws a chart with logarithmic axes as SVG: lines with markers and bounds, or rows of dots.
 
 mod draw;
 
@@ -6,40 +6,41 @@ use plotters::prelude::*;
 
 use super::style::printable;
 
-/// What a chart shows.
+/// A chart: its words, its axes and its data.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// Name of its file.
     pub name: String,
     /// Heading.
     pub title: String,
-    /// What the horizontal axis has, with its unit.
+    /// The horizontal axis.
     pub x: Axis,
-    /// What the vertical axis has, with its unit.
+    /// The vertical axis.
     pub y: Axis,
-    /// What is drawn, in the order of the legend.
+    /// The series that are drawn, in the order of the legend.
     pub series: Vec<Series>,
-    /// Names of the rows of a column of dots, whose `y` counts rows from the top; empty for lines.
+    /// Names of the rows in a chart of dots; empty in a chart of lines. In a chart of dots, `y` of a point is the
+    /// number of its row, from 1 at the top.
     pub rows: Vec<String>,
 }
 
-/// An axis: its words, and how its numbers are written.
+/// An axis: its label, and the format of its numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
-    /// What it has, with its unit.
+    /// The quantity on the axis, with its unit.
     pub label: &'static str,
-    /// A number in words.
+    /// Formats a number for a tick.
     pub format: fn(f64) -> String,
 }
 
-/// Points that belong together.
+/// Points that are drawn in one colour and joined by a line.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: String,
-    /// Which of [`super::style::SERIES`]' colours, and which marker, it has.
+    /// Index of the colour in [`super::style::SERIES`], and of the marker.
     pub color: usize,
-    /// A guide to the eye: a thin dashed line without markers.
+    /// Whether it is no data but a guide to the eye: a thin dashed line without markers.
     pub is_guide: bool,
     /// The points.
     pub points: Vec<Point>,
@@ -48,27 +49,28 @@ pub struct Series {
 /// A measured point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// Horizontal.
+    /// Horizontal coordinate.
     pub x: f64,
-    /// Vertical.
+    /// Vertical coordinate.
     pub y: f64,
-    /// Bounds of what was measured.
+    /// Bounds of the measured coordinate.
     pub bounds: Option<Bounds>,
 }
 
 /// Lower and upper bound of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bounds {
-    /// Of the horizontal one.
+    /// Bounds of the horizontal coordinate.
     Horizontal(f64, f64),
-    /// Of the vertical one.
+    /// Bounds of the vertical coordinate.
     Vertical(f64, f64),
 }
 
 impl Point {
-    /// Both ends of the bar that shows its bounds; both the point itself without any.
+    /// Returns both ends of the bar that shows the bounds; without bounds, both are the point itself.
     ///
-    /// A bound that a logarithmic axis cannot show, as 0, is replaced by the point: the bar has one half only.
+    /// A bound that a logarithmic axis cannot show, such as 0, is replaced by the point, so that half of the bar is
+    /// left.
     #[must_use]
     pub fn ends(&self) -> [(f64, f64); 2] {
         let shown = |bound: f64, point: f64| if bound > 0.0 && bound.is_finite() { bound } else { point };
@@ -84,14 +86,14 @@ const WIDTH: u32 = 600;
 const LEGEND_ROW: u32 = 22;
 const TITLE: u32 = 34;
 const LEFT: i32 = 14;
-/// Width of a letter, near enough: only the legend's line breaks depend on it.
+/// Approximate width of a letter in pixels. Only the line breaks of the legend depend on it.
 const LETTER: i32 = 8;
 
 impl Chart {
-    /// The chart as SVG.
+    /// Returns the chart as SVG.
     ///
     /// # Errors
-    /// It has no point, or something that a logarithmic axis cannot show.
+    /// The chart has no point, or a coordinate that is not positive and finite.
     pub fn draw(&self) -> Result<String, String> {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let is_shown = |value: f64| value > 0.0 && value.is_finite();
@@ -104,7 +106,7 @@ impl Chart {
         self.with_printable_text().draw_checked()
     }
 
-    /// The chart without characters that SVG does not have.
+    /// Returns the chart with a replacement for each character that SVG does not allow.
     fn with_printable_text(&self) -> Self {
         let mut chart = self.clone();
         chart.title = printable(&chart.title);
@@ -117,7 +119,7 @@ impl Chart {
         let legend = self.legend();
         let rows = legend.iter().map(|&(row, _)| row + 1).max().unwrap_or(0);
         let head = TITLE + LEGEND_ROW * rows;
-        // Room in each row for a marker of every series.
+        // Each row is high enough for the markers of all series, 11 pixels each.
         let row = (11 * self.series.len() as u32).max(34);
         let body = if self.rows.is_empty() { 330 } else { 80 + row * self.rows.len() as u32 };
         let mut svg = String::new();
@@ -129,13 +131,13 @@ impl Chart {
                 .map_err(|error| error.to_string())?;
             root.present().map_err(|error| error.to_string())?;
         }
-        // Scaled to where it is shown, and named for those who do not see it.
+        // Without a fixed size, a browser scales the chart to its container. Screen readers read the label.
         let size = format!("width=\"{WIDTH}\" height=\"{}\" ", head + body);
         let title = self.title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
         Ok(svg.replacen(&size, "role=\"img\" ", 1).replacen("viewBox", &format!("aria-label=\"{title}\" viewBox"), 1))
     }
 
-    /// Row and left end of each entry of the legend.
+    /// Returns the row and the left end of each entry of the legend.
     fn legend(&self) -> Vec<(u32, i32)> {
         let (mut row, mut x) = (0, LEFT);
         let mut places = Vec::new();

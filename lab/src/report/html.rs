@@ -1,4 +1,4 @@
-//! The page: words, charts and tables in one file that needs no other.
+//! Writes the HTML page: sentences, charts and tables in one file that needs no other file.
 
 use std::fmt::Write;
 
@@ -20,7 +20,7 @@ th.t,td.t{text-align:left}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
 figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem}.scenes figure{margin:0}\
 .scenes img{display:block;width:14rem;max-width:100%;height:auto}footer{margin-top:2rem;font-size:.9rem}";
 
-/// The page about `results`, with its charts as SVG.
+/// Returns the page about `results`, with its charts as SVG.
 #[must_use]
 pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)], pictures: &[Thumbnail]) -> String {
     let mut page = format!(
@@ -58,7 +58,7 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
     page
 }
 
-/// A heading that the contents lead to.
+/// Adds a heading with an anchor, to which the table of contents links.
 fn heading(page: &mut String, words: &str) {
     put(page, format_args!("<h2 id=\"{}\">{}</h2>\n", anchor(words), escape(words)));
 }
@@ -69,7 +69,7 @@ fn anchor(words: &str) -> String {
     letters.collect()
 }
 
-/// A list of the headings of `body`.
+/// Adds a table of contents: links to the headings of `body`.
 fn contents(page: &mut String, body: &str) {
     page.push_str("<nav aria-label=\"Contents\"><ol>\n");
     for piece in body.split("<h2 id=\"").skip(1) {
@@ -81,7 +81,7 @@ fn contents(page: &mut String, body: &str) {
     page.push_str("</ol></nav>\n");
 }
 
-/// The scenes that were measured, as small pictures.
+/// Adds small pictures of the scenes that were measured.
 fn scenes(page: &mut String, pictures: &[Thumbnail]) {
     if pictures.is_empty() {
         return;
@@ -96,7 +96,7 @@ fn scenes(page: &mut String, pictures: &[Thumbnail]) {
     page.push_str("</div>\n");
 }
 
-/// What the names of implementations mean.
+/// Adds a table that explains the names of the implementations.
 fn implementations(page: &mut String, results: &Results) {
     let timed = results.timings.iter().map(|timing| timing.setting.engine.as_str());
     let engines: std::collections::BTreeSet<_> =
@@ -105,7 +105,7 @@ fn implementations(page: &mut String, results: &Results) {
     table(page, "Implementations", &["name", "what it is"], rows);
 }
 
-/// What a chart shows, below it.
+/// Returns the caption below a chart.
 fn caption(chart: &Chart) -> String {
     let what = match chart.name.split('-').next().unwrap_or_default() {
         "scale" => {
@@ -182,13 +182,13 @@ fn machines(page: &mut String, results: &Results) {
     table(page, "Where it was measured", &head, rows);
 }
 
-/// A table under a heading, or nothing without rows.
+/// Adds a table under a heading, or nothing if there are no rows.
 fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let rows: Vec<_> = rows.collect();
     let is_number = |cell: &String| cell.starts_with(|first: char| first.is_ascii_digit() || first == '-');
     let is_words = |place: usize| !rows.iter().any(|row| row.get(place).is_some_and(is_number));
     let line = |cells: &mut dyn Iterator<Item = &str>, tag: &str| -> String {
-        // A column stands to the left where it has words in any row, so that numbers stand below numbers.
+        // A column without any number is aligned to the left. All other columns are aligned to the right.
         let class = |place: usize| if is_words(place) { " class=\"t\"" } else { "" };
         let cells = cells.enumerate().map(|(place, cell)| format!("<{tag}{}>{}</{tag}>", class(place), escape(cell)));
         format!("<tr>{}</tr>\n", cells.collect::<String>())
@@ -202,7 +202,7 @@ fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item
 }
 
 fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
-    // A string takes all text.
+    // Writing to a `String` does not fail.
     let _ = page.write_fmt(text);
 }
 

@@ -1,4 +1,4 @@
-//! Small pictures of the scenes that were measured, inside the page.
+//! Renders small pictures of the scenes that were measured, for the page.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -11,7 +11,7 @@ use cpu::{Aos, Config, Error, Scatter, Scene};
 use crate::bench::results::Results;
 use crate::picture::Picture;
 
-/// A picture as an address that holds all of it.
+/// A picture as a `data:` address, which holds the whole picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Thumbnail {
     /// The scene's name.
@@ -20,11 +20,11 @@ pub struct Thumbnail {
     pub address: String,
 }
 
-/// Pixels in a row, twice what the page shows: some screens have more.
+/// Width in pixels. It is twice the width on the page, because some screens have two pixels for one of CSS.
 const WIDTH: u64 = 448;
 const SAMPLES: u64 = 24;
 
-/// Thumbnails of the scenes in `results` that are in `folder`; others, such as generated ones, have none.
+/// Renders thumbnails of those scenes in `results` that `folder` has. Other scenes, such as generated ones, get none.
 ///
 /// # Errors
 /// [`Error::Read`] when a scene is there but cannot be read.
@@ -33,7 +33,7 @@ pub fn of(results: &Results, folder: &Path) -> Result<Vec<Thumbnail>, Error> {
     names.extend(results.curves.iter().map(|curve| curve.scene.as_str()));
     names.sort_unstable();
     names.dedup();
-    // A name is one of a folder in the project, and never a path out of it.
+    // The name comes from the data. Only letters, digits and `-` are allowed, so that it is no path to another folder.
     let is_plain = |name: &&str| name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
     let thumbnail = |scene: &str| {
         let address = address(&folder.join(scene)).transpose()?;

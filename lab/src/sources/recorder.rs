@@ -1,13 +1,13 @@
-//! A reader that remembers the line that was read last, so that a message can show it.
+//! A reader that keeps the last line read, so that a message can show it.
 
 use std::io::{self, BufRead, Read};
 
 use cpu::internals::input::text::Tokens;
 
-/// Most names of materials that are kept, to suggest one in place of another.
+/// Most names of materials that are kept. Messages suggest one of them for a name that is not defined.
 const MOST_NAMES: usize = 10_000;
 
-/// Hands on what it reads, and keeps the last line with its number.
+/// Passes on what it reads, and keeps the last line with its number.
 #[derive(Debug)]
 pub struct Recorder<R> {
     inner: R,
@@ -18,18 +18,18 @@ pub struct Recorder<R> {
 }
 
 impl<R: BufRead> Recorder<R> {
-    /// A recorder of what `inner` gives.
+    /// Returns a recorder that reads from `inner`.
     pub const fn new(inner: R) -> Self {
         Self { inner, line: Vec::new(), number: 1, is_complete: false, names: Vec::new() }
     }
 
-    /// The last line that was read, without its line end, and its number from 1.
+    /// Returns the number of the last line that was read, counted from 1, and the line without its line end.
     pub fn last_line(&self) -> (u64, &[u8]) {
         let line = self.line.strip_suffix(b"\n").unwrap_or(&self.line);
         (self.number, line.strip_suffix(b"\r").unwrap_or(line))
     }
 
-    /// Names of materials that were read, up to a limit.
+    /// Returns the names of materials that were read, at most 10,000.
     pub fn names(&self) -> &[Vec<u8>] {
         &self.names
     }
@@ -66,7 +66,7 @@ impl<R: BufRead> BufRead for Recorder<R> {
     }
 
     fn consume(&mut self, count: usize) {
-        // What is consumed lies in the buffer, so nothing is read here.
+        // The consumed bytes are still in the buffer, so this `fill_buf` does not read from the file.
         let piece = self.inner.fill_buf().map(|buffer| buffer[..count.min(buffer.len())].to_vec());
         if let Ok(piece) = piece {
             self.record(&piece);

@@ -1,6 +1,7 @@
-//! Bytes of files as text that is safe to print, one character for each of theirs: carets stand below the right ones.
+//! Converts bytes of a file to text that is safe to print. No character is added or removed, so that carets in the next
+//! line stand below the right characters.
 
-/// A piece of a line: a character for each of its own, a question mark for each that a terminal would obey.
+/// Returns a piece of a line with a space for each tab, and a question mark for each other control character.
 #[must_use]
 pub fn line(bytes: &[u8]) -> String {
     let tame = |character: char| match character {

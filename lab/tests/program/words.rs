@@ -1,4 +1,4 @@
-//! What the program says about itself.
+//! The help of the program, and its status for a wrong command line.
 
 use crate::{complaint, printed, run};
 

@@ -7,7 +7,7 @@ use naga::{Module, ResourceBinding, ShaderStage};
 
 use crate::validate::{Binding, bindings};
 
-/// One entry point, its constants settled.
+/// A module with one entry point, in which the pipeline-overridable constants have their values.
 pub struct Input<'a> {
     pub module: &'a Module,
     pub info: &'a ModuleInfo,

@@ -1,4 +1,4 @@
-// One direction's background an invocation.
+// Each invocation computes the background of one direction.
 
 struct BackgroundCase {
     dark: PackedVec3,

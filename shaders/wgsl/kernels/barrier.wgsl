@@ -1,4 +1,4 @@
-// One exact sum an invocation.
+// Each invocation computes one sum and its rounding error.
 
 struct BarrierCase {
     a: real,

@@ -1,4 +1,4 @@
-// One pixel's ray an invocation.
+// Each invocation computes the camera ray of one pixel.
 
 struct CameraCase {
     position: PackedVec3,

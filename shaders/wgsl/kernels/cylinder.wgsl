@@ -1,4 +1,4 @@
-// One ray and one cylinder an invocation.
+// Each invocation intersects one ray with one cylinder.
 
 struct CylinderCase {
     ray: PackedRay,

@@ -1,10 +1,12 @@
-// What a kernel reports of a ray and a surface: all numbers, so that a row of the output is a row of reals.
+// What a kernel reports of one ray and one object. All fields are numbers, so that each row of the output is a row of
+// reals.
 
 struct HitReport {
-    // One for a hit; a miss leaves zeros, which no kernel's output holds before it is written.
+    // One for a hit; for a miss all fields are zero. Before the kernel writes it, an output holds the bytes 0xA5, so
+    // a missing report is not taken for a miss.
     some: real,
     lambda: real,
-    // cpu::cylinder::Part; zero for a sphere.
+    // The number of the CylinderPart; zero for a sphere.
     part: real,
     front: real,
     point: PackedVec3,

@@ -1,4 +1,4 @@
-// One matte scatter an invocation.
+// Each invocation scatters one ray at a matte surface.
 
 struct MatteCase {
     normal: PackedVec3,

@@ -1,4 +1,4 @@
-// One metal scatter an invocation.
+// Each invocation scatters one ray at a metal surface.
 
 struct MetalCase {
     direction: PackedVec3,

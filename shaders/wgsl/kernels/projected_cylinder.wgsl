@@ -1,4 +1,4 @@
-// One ray and one cylinder an invocation, by the projected form.
+// Each invocation intersects one ray with one cylinder, by the projected form.
 
 struct ProjectedCylinderCase {
     ray: PackedRay,

@@ -1,4 +1,4 @@
-// One ray and one sphere an invocation, by the projected form.
+// Each invocation intersects one ray with one sphere, by the projected form.
 
 struct ProjectedSphereCase {
     ray: PackedRay,

@@ -1,4 +1,4 @@
-// One mirror image an invocation.
+// Each invocation reflects one direction.
 
 struct ReflectionCase {
     direction: PackedVec3,

@@ -1,4 +1,4 @@
-// One refraction an invocation.
+// Each invocation refracts one direction.
 
 struct RefractionCase {
     direction: PackedVec3,

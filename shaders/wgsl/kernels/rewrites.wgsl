@@ -1,10 +1,11 @@
-// Expressions that drivers are known to rewrite by the laws of real numbers, as they stand and without a barrier.
+// Expressions that some drivers rewrite by the laws of real numbers, written here without a barrier. The self-test
+// gpu_check::rewrites compares their results with those of Rust.
 
 struct RewriteCase {
     x: real,
     y: real,
     z: real,
-    // Loaded, so that the driver does not know them: minus zero, and what is no number.
+    // Minus zero and NaN. They are loaded at run time, so that the driver does not know their values.
     minus_zero: real,
     not_a_number: real,
 }
@@ -16,9 +17,9 @@ struct RewriteReport {
     common_factor: real,
     // sqrt(x) sqrt(x), which is x.
     root_squared: real,
-    // -0 + 0, which is 0, and not the -0 that adding nothing leaves.
+    // -0 + 0, which is 0. A driver that drops the addition gives -0.
     zero_added: real,
-    // One when what is no number is not itself.
+    // One when NaN != NaN holds, as it must; zero when the driver takes every x for equal to itself.
     is_not_itself: real,
 }
 

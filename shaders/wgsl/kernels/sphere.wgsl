@@ -1,4 +1,4 @@
-// One ray and one sphere an invocation.
+// Each invocation intersects one ray with one sphere.
 
 struct SphereCase {
     ray: PackedRay,

@@ -1,8 +1,9 @@
-// Every step of a pixel's way, written down: for debug views and for comparing two implementations step by step.
+// Records every step of a pixel's path, for debug views and to compare two implementations step by step.
 
-// A ray and what it meets; twin of gpu_check::steps::Step. Numbers throughout, so that one comparison serves all.
+// One ray of a path and its hit; twin of gpu_check::steps::Step. All fields are numbers, so that one comparison covers
+// them all.
 struct Step {
-    // One where the ray meets an object, zero where it sees the background, minus one after the way's end.
+    // One when the ray hits an object, zero when it escapes to the background, minus one after the end of the path.
     is_hit: real,
     lambda: real,
     object: real,
@@ -13,11 +14,11 @@ struct Step {
     direction: PackedVec3,
     point: PackedVec3,
     normal: PackedVec3,
-    // The background's colour, where the ray sees it.
+    // The colour of the background, when the ray escapes.
     light: PackedVec3,
 }
 
-// `max_depth` places an invocation.
+// Each invocation writes `max_depth` steps.
 @group(0) @binding(7) var<storage, read_write> ways: array<Step>;
 
 @compute @workgroup_size(64)

@@ -1,13 +1,14 @@
-//! Any bytes as a configuration file.
+//! The fuzz target `config`: reads any bytes as a configuration file.
 
 use cpu::Config;
 
 use crate::plain;
 
-/// The real parser gives what the plain one gives, value or message; and a value survives being written and read.
+/// Checks that the real parser returns the value or the message of the plain parser. Also checks that a value stays
+/// equal when it is written and read again.
 ///
 /// # Panics
-/// When it does not hold.
+/// If a check fails.
 pub fn check(bytes: &[u8]) {
     let real = Config::parse(bytes);
     match (real, plain::config::parse(bytes)) {
@@ -15,7 +16,7 @@ pub fn check(bytes: &[u8]) {
             assert_eq!(real, plain);
             let written = test_support::write::config(&real);
             assert_eq!(Config::parse(written.as_bytes()).ok(), Some(real.clone()), "{written}");
-            // Whatever its values, asking for its size and its camera gives an answer.
+            // For every valid configuration, `image_size` and `Camera::new` return a value or an error.
             if let Ok(size) = real.image_size() {
                 assert!(size.pixels() as u64 <= cpu::internals::input::error::MAX_PIXELS);
                 let _ = cpu::internals::geometry::camera::Camera::new(&real, size);

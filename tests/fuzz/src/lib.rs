@@ -1,12 +1,12 @@
-//! What any bytes are put through, and what must hold afterwards.
+//! The bodies of the fuzz targets, with their oracles.
 //!
-//! Each function of [`TARGETS`] takes bytes that nobody vouches for and panics when a promise is broken. The folder
-//! `targets` hands them to libFuzzer; `tests/smoke.rs` runs them over the committed seeds and some thousand seeded
-//! [mutations](mutate) of these, on any toolchain.
+//! Each function of [`TARGETS`] takes any bytes, and panics if the code under test breaks a promise. The folder
+//! `targets` hands the functions to libFuzzer. `tests/smoke.rs` calls them on any toolchain, with the committed seeds
+//! and thousands of seeded [mutations](mutate) of the seeds.
 //!
-//! An oracle is never the code under test: the two parsers are held to [`plain`] ones, written from
-//! docs/specification.md alone, the fast renderer to `cpu::reference`, the reader of pictures to a plain
-//! reader and to what a writer makes of it.
+//! An oracle is never the code under test. The parsers are compared with [`plain`] ones, written from
+//! docs/specification.md alone, and the fast renderer with `cpu::reference`. The reader of pictures is compared with a
+//! plain reader, and must read back what the writers write.
 
 pub mod config;
 pub mod mutate;
@@ -19,10 +19,10 @@ pub mod wgsl;
 use std::fs;
 use std::path::PathBuf;
 
-/// A fuzz target: its name, and what bytes are put through.
+/// A fuzz target: its name, and the function that checks an input.
 pub type Target = (&'static str, fn(&[u8]));
 
-/// All of them.
+/// All fuzz targets.
 pub const TARGETS: [Target; 5] = [
     ("config", config::check),
     ("scene", scene::check),
@@ -31,10 +31,10 @@ pub const TARGETS: [Target; 5] = [
     ("wgsl", wgsl::check),
 ];
 
-/// The files of a folder of inputs (`seeds` or `regressions`) of a target, sorted by name.
+/// Reads the inputs of a target from the folder `seeds` or `regressions`, sorted by name.
 ///
 /// # Panics
-/// When the folder, or a file in it, cannot be read.
+/// If the folder, or a file in it, cannot be read.
 #[must_use]
 pub fn inputs(folder: &str, target: &str) -> Vec<(PathBuf, Vec<u8>)> {
     let folder = fuzz_folder().join(folder).join(target);
@@ -44,10 +44,11 @@ pub fn inputs(folder: &str, target: &str) -> Vec<(PathBuf, Vec<u8>)> {
     paths.into_iter().map(|path| (path.clone(), fs::read(path).expect("it is readable"))).collect()
 }
 
-/// The tokens of a target's dictionary, in libFuzzer's format: one quoted text a line, `\xNN` for a byte.
+/// Reads the tokens of a target's dictionary. Its format is libFuzzer's: one quoted text a line, with `\xNN` for a
+/// byte.
 ///
 /// # Panics
-/// When there is none, or a line of it is wrong.
+/// If the dictionary does not exist, or a line of it is wrong.
 #[must_use]
 pub fn dictionary(target: &str) -> Vec<Vec<u8>> {
     let path = fuzz_folder().join("dictionaries").join(format!("{target}.dict"));

@@ -1,11 +1,11 @@
-//! Seeded mutations of inputs: what a fuzzer does, without its guidance, the same on every machine.
+//! Seeded mutations of inputs. They are like those of a fuzzer, but not guided by coverage, and equal on every machine.
 
-/// Numbers from a seed (splitmix64).
+/// A stream of random numbers from a seed (splitmix64).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// The numbers of this seed.
+    /// Returns the stream of this seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
@@ -19,18 +19,19 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// Any byte.
+    /// Returns a random byte.
     pub fn byte(&mut self) -> u8 {
         (self.next() >> 56) as u8
     }
 
-    /// A number below `count`, which is not 0.
+    /// Returns a random number below `count`, which must not be 0.
     pub fn below(&mut self, count: usize) -> usize {
         (self.next() % count as u64) as usize
     }
 }
 
-/// `input` changed in one to four places: bytes changed, removed, doubled, or taken from `others` and `tokens`.
+/// Returns `input` with one to four changes: bytes are changed, removed, doubled, or replaced by bytes from `others` or
+/// a token.
 #[must_use]
 pub fn mutate(random: &mut Random, input: &[u8], others: &[Vec<u8>], tokens: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = input.to_vec();

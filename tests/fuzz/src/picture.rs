@@ -1,17 +1,18 @@
-//! Any bytes as a picture that `render-lab compare` is given.
+//! The fuzz target `picture`: reads any bytes as a picture, with the reader of `render-lab compare`.
 
 use lab::picture::Picture;
 
 use crate::plain;
 
-/// How many bytes of pixels a byte of a PNG can stand for: deflate's 1032, eight pixels a byte, three channels each.
+/// Bound of the pixels that one byte of a PNG can hold: deflate compresses by at most 1032, and a byte has at most
+/// eight pixels. The factor 3 for the channels is not needed and makes the bound looser.
 const LARGEST_GROWTH: usize = 1032 * 8 * 3;
 
-/// A PPM is read exactly as the plain reader does; whatever is read is no larger than its file can hold, and is written
-/// and read again without a change.
+/// Checks that a PPM is read exactly as the plain reader reads it. Also checks that a picture has no more pixels than
+/// its file can hold, and stays equal when it is written and read again.
 ///
 /// # Panics
-/// When it does not hold.
+/// If a check fails.
 pub fn check(bytes: &[u8]) {
     let read = Picture::parse(bytes);
     if matches!(bytes, [b'P', b'3' | b'6', ..]) {
@@ -23,7 +24,7 @@ pub fn check(bytes: &[u8]) {
     assert!(picture.width > 0 && picture.height > 0);
     assert_eq!(picture.pixels.len(), picture.width * picture.height);
     assert!(picture.pixels.len() <= LARGEST_GROWTH * bytes.len());
-    // Most pictures are small; a large one takes the time of many small ones and shows nothing new.
+    // A large picture takes the time of many small ones and finds nothing more, so it is not written.
     if picture.pixels.len() > 1 << 16 {
         return;
     }

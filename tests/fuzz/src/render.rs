@@ -1,8 +1,7 @@
-//! Any bytes as a tiny scene, rendered every way there is.
+//! The fuzz target `render`: turns any bytes into a tiny scene, and renders it in every layout and instruction set.
 //!
-//! The bytes choose: a menu of hard numbers (0, the smallest and the largest, what is nearly 1), or any number at all.
-//! So every input is a valid scene and a valid configuration, and libFuzzer spends its time on geometry and not on
-//! grammar.
+//! The bytes are choices among hard numbers (0, the smallest, the largest, nearly 1) and arbitrary ones. Every input
+//! gives a valid scene and a valid configuration, so libFuzzer spends its time on geometry and not on grammar.
 
 mod choices;
 
@@ -11,14 +10,14 @@ use test_support::agreement::{SCATTERS, equals_reference};
 
 pub use choices::Choices;
 
-/// Both layouts give the reference's bytes with every instruction set of the machine, or the reference's refusal.
+/// Checks that both layouts give the bytes or the error of the reference, with every instruction set of the machine.
 ///
 /// # Panics
-/// When they do not; the message has both files.
+/// If they do not. The message has both files.
 pub fn check(bytes: &[u8]) {
     let mut choices = Choices::new(bytes);
     let scatter: Scatter = SCATTERS[choices.below(3)];
-    // A choice that is no longer there; read on, so that inputs kept from earlier runs make the same scenes.
+    // This choice has no meaning any more. It is still read, so that inputs of earlier runs give the same scenes.
     let _ = choices.below(2);
     let (config, scene) = (choices.config(), choices.scene());
     if let Err(difference) = equals_reference(&config, &scene, scatter) {

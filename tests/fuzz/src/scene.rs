@@ -1,13 +1,14 @@
-//! Any bytes as a scene file.
+//! The fuzz target `scene`: reads any bytes as a scene file.
 
 use cpu::Scene;
 
 use crate::plain;
 
-/// The real parser gives what the plain one gives, value or message; and a value survives being written and read.
+/// Checks that the real parser returns the value or the message of the plain parser. Also checks that a value stays
+/// equal when it is written and read again.
 ///
 /// # Panics
-/// When it does not hold.
+/// If a check fails.
 pub fn check(bytes: &[u8]) {
     match (Scene::parse(bytes), plain::scene::parse(bytes)) {
         (Ok(real), Ok(plain)) => {

@@ -1,23 +1,23 @@
-//! Any bytes as a module that stands in for one of the project's own, as `shader-lab` takes it.
+//! The fuzz target `wgsl`: uses any bytes as a WGSL module in place of one of the project, as `shader-lab` does.
 //!
-//! The device is left out: everything before it is here, from the person's text to what a driver would be handed.
+//! It runs every step from the user's text to the translations that a driver would get. Nothing is run on a device.
 
 use naga::ShaderStage;
 use naga::back::pipeline_constants::process_overrides;
 use shaders::module::MODULES;
 use shaders::{Error, Features, Library, Precision, Target, Validated, translate};
 
-/// What a person calls the file.
+/// The name of the user's file.
 const FILE: &str = "mine.wgsl";
 
-/// A text is refused with a place that exists, or it is valid; a valid one takes any constants and is translated, or
-/// refused in words, for every target.
+/// Checks that a text is valid, or is refused with a place that exists. A valid text must accept any constants without
+/// a panic, and for every target be translated or refused with a message.
 ///
-/// The first byte chooses the module, the second the precision, whether the text replaces the module or is added to it,
-/// and a value for its constants.
+/// The first byte chooses the module. The second byte chooses the precision, whether the text replaces the module or is
+/// added to it, and a value for the constants.
 ///
 /// # Panics
-/// When it does not hold.
+/// If a check fails.
 pub fn check(bytes: &[u8]) {
     let [which, how, text @ ..] = bytes else { return };
     let module = &MODULES[usize::from(*which) % MODULES.len()];
@@ -50,19 +50,19 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// What a constant may be set to on the command line.
+/// Returns one of eight values for a constant of a shader, as a user may give them by `--set NAME=VALUE`.
 fn value(choice: u8) -> f64 {
     const VALUES: [f64; 8] = [0.0, 1.0, -1.0, 1e308, f64::NAN, f64::INFINITY, 4_294_967_295.0, 0.1];
     VALUES[usize::from(choice) % VALUES.len()]
 }
 
-/// Gives every constant the same value, as `--set` may.
+/// Sets every constant of a shader to `value`, as `--set` can.
 fn specialise(shader: &Validated, value: f64) {
     let names = shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.clone());
     let constants = names.map(|name| (name, value)).collect();
     for entry in shader.entry_points() {
         let entry = Some((ShaderStage::Compute, entry));
-        // A value that a constant's type does not have is refused, not a panic.
+        // A value that the type of a constant cannot hold must give an error, not a panic.
         let _ = process_overrides(&shader.module, &shader.info, entry, &constants);
     }
 }

@@ -1,11 +1,11 @@
-//! Every target over its seeds, over what was once found, and over some thousand mutations of both.
+//! Runs every fuzz target on its seeds, on its regressions, and on thousands of mutations of both.
 //!
-//! `RENDER_SMOKE_CASES` says how many mutations a target gets, `RENDER_SMOKE_SEED` which.
+//! `RENDER_SMOKE_CASES` sets the number of mutations for each target, `RENDER_SMOKE_SEED` their seed.
 
 use fuzz_oracles::mutate::{Random, mutate};
 use fuzz_oracles::{TARGETS, dictionary, inputs};
 
-/// Shows the input that a check did not survive: what to keep as a regression.
+/// Prints its input if the check panics, so that the input can be kept as a regression.
 struct Tried<'a>(&'a str, &'a [u8]);
 
 impl Drop for Tried<'_> {

@@ -1,4 +1,4 @@
-//! One ray and one object, as exact numbers: what the oracle and every implementation are asked about.
+//! A case: one ray and one object, whose numbers are taken as exact. The oracle and every implementation intersect it.
 
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
@@ -8,25 +8,25 @@ use cpu::{Ray, Vec3};
 pub struct Case {
     /// The object.
     pub shape: Shape,
-    /// The ray that is tried on it.
+    /// The ray that is intersected with the object.
     pub ray: Ray,
 }
 
 impl Case {
-    /// A ray from `origin` along `direction`, and a sphere.
+    /// Returns the case of a ray from `origin` along `direction` and a sphere.
     #[must_use]
     pub fn sphere(center: Vec3, radius: f64, origin: Vec3, direction: Vec3) -> Self {
         Self { shape: Shape::Sphere(Sphere { center, radius }), ray: Ray { origin, direction } }
     }
 
-    /// A ray from `origin` along `direction`, and a cylinder.
+    /// Returns the case of a ray from `origin` along `direction` and a cylinder.
     #[must_use]
     pub fn cylinder(cylinder: Cylinder, origin: Vec3, direction: Vec3) -> Self {
         Self { shape: Shape::Cylinder(cylinder), ray: Ray { origin, direction } }
     }
 
-    /// The case with every number rounded to single precision. To an implementation in single precision these are
-    /// the exact inputs.
+    /// Returns the case with every number rounded to single precision. These are the exact inputs of an implementation
+    /// in single precision.
     #[must_use]
     pub fn single(&self) -> Self {
         let round = |vector: Vec3| vector.map(|component| f64::from(component as f32));
@@ -42,7 +42,7 @@ impl Case {
         Self { shape, ray: Ray { origin: round(self.ray.origin), direction: round(self.ray.direction) } }
     }
 
-    /// The object's centre.
+    /// Returns the object's centre.
     #[must_use]
     pub fn center(&self) -> Vec3 {
         match self.shape {
@@ -51,7 +51,7 @@ impl Case {
         }
     }
 
-    /// `S`, the size of what an intersection has to resolve: distance of the origin from the centre, radius, height.
+    /// Returns `S`, the size of the case: the sum of the origin's distance from the centre, the radius and the height.
     #[must_use]
     pub fn size(&self) -> f64 {
         let distance = (self.ray.origin - self.center()).length();

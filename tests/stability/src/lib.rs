@@ -1,9 +1,9 @@
-//! Holds the intersections of [`cpu`] against exact arithmetic.
+//! Compares the intersections of [`cpu`] with exact arithmetic.
 //!
-//! An [oracle] knows what is true of a ray and an object; [regimes] draw cases that are hard each for another reason;
-//! [methods] are the implementations; [measure] counts how often and by how much each is wrong. The binary `stress` of
-//! `gpu-check`, which adds the same formulas in WGSL, runs all of it and writes `docs/accuracy/`; the tests run a part
-//! and assert what must hold.
+//! An [oracle] computes the exact intersection of a ray and an object. [regimes] draw cases, each family hard for
+//! another reason. [methods] are the implementations, and [measure] counts how often and by how much each is wrong. The
+//! binary `stress` of `gpu-check` adds the formulas in WGSL, runs everything and writes `docs/accuracy/`. The tests run
+//! a part of it and assert what must hold.
 
 pub mod case;
 pub mod climb;

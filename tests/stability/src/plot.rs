@@ -1,38 +1,38 @@
-//! Plots as SVG, small enough to write by hand: grouped marks over a logarithmic scale, and lines.
+//! Draws plots as SVG without a library: groups of marks over a logarithmic scale, or lines.
 
 use std::fmt::Write;
 
-/// One implementation's marks, in the order of the categories; none where there is nothing to show.
+/// The marks of one implementation.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub name: String,
-    /// Its colour.
+    /// Colour.
     pub color: &'static str,
-    /// A value a category, or a value an abscissa.
+    /// A value for each category of the plot; `None` if there is no mark.
     pub values: Vec<Option<f64>>,
-    /// The series around whose marks these are drawn as rings, since they should have its values. Rings stand behind
-    /// all marks in [`Plot::series`].
+    /// The index of the series that should have equal values, or `None`. The marks are then rings around the marks of
+    /// that series. Series of rings come after all other series in [`Plot::series`].
     pub around: Option<usize>,
 }
 
-/// Colours that differ in brightness too.
+/// Colours of the series. They differ in brightness too, for colour-blind readers.
 pub const COLORS: [&str; 4] = ["#d62728", "#1f4fb4", "#f0a030", "#59a14f"];
 
-/// What is shown and how.
+/// A plot: its words, its scale and its series.
 #[derive(Clone, Debug)]
 pub struct Plot {
-    /// Above the plot.
+    /// Title above the plot.
     pub title: String,
-    /// What the values are.
+    /// Label of the vertical axis.
     pub axis: String,
-    /// Decades from the lowest to the highest that is shown. What is lower is drawn at the bottom.
+    /// The lowest and the highest power of ten on the vertical axis. Smaller values are drawn at the bottom.
     pub decades: (i32, i32),
-    /// Names of the categories or of some abscissae.
+    /// Names of the categories, from left to right. A name may be empty.
     pub categories: Vec<String>,
-    /// What is compared.
+    /// The series.
     pub series: Vec<Series>,
-    /// Whether marks are joined, which makes categories abscissae.
+    /// Whether the marks of a series are joined by a line. Categories are then positions on a horizontal axis.
     pub joined: bool,
 }
 
@@ -54,7 +54,7 @@ impl Plot {
         LEFT + (category as f64 + 0.5) * (WIDTH - LEFT - RIGHT) / self.categories.len() as f64
     }
 
-    /// The plot as a file.
+    /// Returns the text of the SVG file.
     #[must_use]
     pub fn svg(&self) -> String {
         let mut text = format!(
@@ -73,7 +73,7 @@ impl Plot {
     }
 
     fn scale(&self, text: &mut String) {
-        // Writing to a string cannot fail.
+        // Writing to a `String` does not fail, so errors are ignored.
         for decade in self.decades.0..=self.decades.1 {
             let y = self.height_of(10.0_f64.powi(decade));
             let _ = writeln!(text, "<path d=\"M{LEFT} {y:.1}H{}\" stroke=\"#ddd\"/>", WIDTH - RIGHT);
@@ -102,7 +102,7 @@ impl Plot {
         }
     }
 
-    /// The column of a series in the legend and beside the others of a category.
+    /// Returns the column of a series in the legend and in each group of marks.
     fn column(&self, index: usize) -> f64 {
         self.series[index].around.unwrap_or(index) as f64
     }
@@ -142,7 +142,7 @@ impl Plot {
     }
 }
 
-/// A dot, or a ring around one.
+/// Draws a dot, or a ring around a dot.
 fn mark(text: &mut String, (x, y): (f64, f64), series: &Series) {
     let color = series.color;
     let look = match series.around {

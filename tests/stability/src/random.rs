@@ -3,43 +3,43 @@
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
 
-/// A stream of draws.
+/// A stream of random numbers.
 #[derive(Clone, Debug)]
 pub struct Random(Uniform);
 
 impl Random {
-    /// The stream of a seed.
+    /// Returns the stream of a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(Uniform::new(seed))
     }
 
-    /// Uniform in `[low, high)`.
+    /// Returns a number that is uniform in `[low, high)`.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
 
-    /// `10^k`, with `k` uniform in `[low, high)`.
+    /// Returns `10^k`, with `k` uniform in `[low, high)`.
     pub fn decades(&mut self, low: f64, high: f64) -> f64 {
         10.0_f64.powf(self.uniform(low, high))
     }
 
-    /// One of `count` numbers from 0, all equally likely.
+    /// Returns an integer from 0 to `count - 1`, all equally likely.
     pub fn below(&mut self, count: usize) -> usize {
         (self.uniform(0.0, count as f64) as usize).min(count - 1)
     }
 
-    /// 1 or -1.
+    /// Returns 1 or -1.
     pub fn sign(&mut self) -> f64 {
         if self.uniform(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// A vector in the cube `[-extent, extent)`.
+    /// Returns a vector whose components are in `[-extent, extent)`.
     pub fn cube(&mut self, extent: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| self.uniform(-extent, extent)))
     }
 
-    /// A vector of length one, to rounding; all directions equally likely.
+    /// Returns a vector of length one, up to rounding. All directions are equally likely.
     pub fn unit(&mut self) -> Vec3 {
         loop {
             let vector = self.cube(1.0);
@@ -50,7 +50,7 @@ impl Random {
         }
     }
 
-    /// A vector of length one perpendicular to `axis`, to rounding.
+    /// Returns a vector of length one that is perpendicular to `axis`, up to rounding.
     pub fn perpendicular(&mut self, axis: Vec3) -> Vec3 {
         loop {
             let across = axis.unit().cross(self.unit());
@@ -60,7 +60,7 @@ impl Random {
         }
     }
 
-    /// The vector with its components exchanged in one of the six ways, so that no axis is special.
+    /// Returns the vector with its components in a random order, so that no coordinate axis is special.
     pub fn shuffled(&mut self, vector: Vec3) -> Vec3 {
         let mut components = vector.to_array();
         for last in (1..3).rev() {
@@ -69,7 +69,8 @@ impl Random {
         components.into()
     }
 
-    /// The number or one of its neighbours, up to `most` steps away. Beside zero steps are as wide as beside 2^-40.
+    /// Returns a number at most `most` steps from `value`. A step is one unit in the last place; from 0 it is one unit
+    /// in the last place of 2^-40.
     pub fn nudged(&mut self, value: f64, most: usize) -> f64 {
         let steps = self.below(2 * most + 1) as i64 - most as i64;
         if value == 0.0 {

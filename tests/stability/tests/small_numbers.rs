@@ -1,5 +1,5 @@
-//! Rays and objects of small whole numbers: tangents, rims, surfaces through the origin and the least lambda come up
-//! all the time, and the answer is known to the last bit.
+//! Rays and objects of small whole numbers. Tangents, rims and origins on a surface are frequent, and the oracle's
+//! answer is exact.
 
 use cpu::Vec3;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
@@ -16,7 +16,7 @@ fn whole(random: &mut Random, most: usize) -> Vec3 {
     Vec3::from([(); 3].map(|()| random.below(2 * most + 1) as f64 - most as f64))
 }
 
-/// A vector of whole numbers that is not null.
+/// Returns a vector of whole numbers other than zero.
 fn some_direction(random: &mut Random, most: usize) -> Vec3 {
     loop {
         let vector = whole(random, most);
@@ -26,7 +26,7 @@ fn some_direction(random: &mut Random, most: usize) -> Vec3 {
     }
 }
 
-/// Whole numbers at another scale: all lengths times a power of two, and directions times another.
+/// Returns two random powers of two: a factor for all lengths, and one for directions.
 fn scales(random: &mut Random) -> [f64; 2] {
     [(); 2].map(|()| 2.0_f64.powi(random.below(41) as i32 - 20))
 }
@@ -69,7 +69,7 @@ fn cylinders_of_small_numbers_are_met_rightly() {
     for _ in 0..CASES {
         let [scale, length] = scales(&mut random);
         let radius = (random.below(4) + 1) as f64 * scale;
-        // Half of them along a coordinate axis, where rims are hit.
+        // Half of the axes are parallel to a coordinate axis, so that rays hit rims.
         let axis = if random.below(2) == 0 {
             let along = Vec3::new(0.0, (random.below(4) + 1) as f64 * 2.0, 0.0);
             random.shuffled(along)

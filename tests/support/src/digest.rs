@@ -1,10 +1,10 @@
-//! SHA-256 digests and the lists of them that `sha256sum` writes.
+//! Computes SHA-256 digests, and reads lists of them in the format of `sha256sum`.
 
 use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
 
-/// The SHA-256 digest of `bytes` in lower-case hexadecimal.
+/// Returns the SHA-256 digest of `bytes` in lower-case hexadecimal.
 ///
 /// ```
 /// let digest = test_support::digest::sha256(b"");
@@ -19,10 +19,10 @@ pub fn sha256(bytes: &[u8]) -> String {
     text
 }
 
-/// The `(name, digest)` pairs of a `SHA256SUMS` file; lines that start with `#` are comments.
+/// Returns the `(name, digest)` pairs of a `SHA256SUMS` file. Lines that start with `#` are comments.
 ///
 /// # Errors
-/// The first line that is neither.
+/// The first line that is neither a pair nor a comment.
 pub fn read_sums(text: &str) -> Result<Vec<(String, String)>, String> {
     text.lines().filter(|line| !line.starts_with('#')).map(read_line).collect()
 }
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn the_digest_of_abc_is_the_standards() {
-        // FIPS 180-4, example of one block.
+        // The one-block example of FIPS 180-4.
         let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(sha256(b"abc"), expected);
     }

@@ -1,9 +1,9 @@
-//! Scenes from a seed: the same options give the same scene on every machine, for ever.
+//! Generates scenes from a seed. The same options give the same scene on every machine, for ever.
 //!
-//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]) and go only
-//! through operations that IEEE 754 defines exactly, so no library of elementary functions can change a digit.
-//! Everything is proportional to [`Options::extent`]; the objects of a scene are those of a larger one with the same
-//! options, as far as they go, unless they stand on a [grid](Arrangement::Grid).
+//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]). They go only
+//! through operations that IEEE 754 defines exactly, so they do not depend on a library of elementary functions. All
+//! lengths are proportional to [`Options::extent`]. With a larger number of objects, the first shapes stay the same,
+//! except on a [grid](Arrangement::Grid).
 
 mod arrange;
 mod draws;
@@ -13,36 +13,37 @@ use cpu::{Config, Material, Scene, Vec3};
 
 use draws::Draws;
 
-/// Materials in every scene, each kind as often as the options say.
+/// Number of random materials in every scene. The options set the probability of each kind.
 const PALETTE: usize = 24;
 
-/// What the ground of a grid is made of: a warm grey that leaves the colours to the objects.
+/// Material of the ground of a grid: a warm grey.
 const GROUND: Material = Material::Matte { reflectance: Vec3::new(0.5, 0.47, 0.42) };
 
 /// Where objects are put.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arrangement {
-    /// Anywhere in the cube, of any size that suits it.
+    /// Anywhere in the cube, with sizes from 3 % to 20 % of the extent.
     #[default]
     Scattered,
-    /// On the ground, one on each square of a board, with the ground itself as the first object.
+    /// On a ground, one on each square of a board. The ground is the first object.
     Grid,
-    /// Where arithmetic is hard: copies, touching and nested objects, common axes and planes, the huge beside the tiny.
+    /// Arranged so that arithmetic is hard: copies, touching and nested objects, common axes and planes, huge objects
+    /// beside tiny ones.
     Degenerate,
 }
 
-/// What to generate.
+/// Options of the generator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Where all random numbers come from.
+    /// Seed of all random numbers.
     pub seed: u64,
-    /// How many objects.
+    /// Number of objects.
     pub objects: usize,
-    /// The share of cylinders among them, from 0 to 1; the others are spheres.
+    /// Share of cylinders among the objects, from 0 to 1. The other objects are spheres.
     pub cylinders: f64,
     /// Weights of matte, metal and refractive materials.
     pub materials: [f64; 3],
-    /// Half the side of the cube that the objects' centres lie in.
+    /// Half the side of the cube that contains the objects' centres.
     pub extent: f64,
     /// Where objects are put.
     pub arrangement: Arrangement,
@@ -55,7 +56,7 @@ impl Default for Options {
     }
 }
 
-/// The scene that `options` describe. A scene without objects has its materials all the same.
+/// Generates the scene that `options` describe. A scene without objects has materials too.
 ///
 /// ```
 /// use test_support::generator::{Options, scene};
@@ -78,12 +79,13 @@ pub fn scene(options: &Options) -> Scene {
     Scene { materials, objects }
 }
 
-/// A configuration that shows such a scene as a small picture.
+/// Returns a configuration for a small picture of the scene that `options` describe.
 #[must_use]
 pub fn view(options: &Options) -> Config {
     let [position, target] = match options.arrangement {
         Arrangement::Grid => {
-            // From before the near edge, a few squares up, so that a board of any size is seen from among its objects.
+            // The camera is 2.6 squares before the near edge and 3.2 squares above the ground. So the nearest objects
+            // have one size in the picture for every size of the board.
             let square = 2.0 / arrange::squares_a_side(options.objects) as f64;
             [[0.7 * square, 3.2 * square, -1.0 - 2.6 * square], [0.0, 0.0, -1.0 + 2.8 * square]]
         }
@@ -110,7 +112,7 @@ fn material(draws: &mut Draws, weights: [f64; 3]) -> Material {
         Material::Matte { reflectance: draws.color(0.05) }
     } else if kind < matte + metal {
         let reflectance = draws.color(0.5);
-        // Every other metal is a mirror.
+        // Half of the metals are perfect mirrors.
         let diffusion = if draws.chance(0.5) { 0.0 } else { draws::round(draws.between(0.0, 0.6)) };
         Material::Metal { reflectance, diffusion }
     } else {

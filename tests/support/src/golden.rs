@@ -1,8 +1,8 @@
-//! Pictures whose digests have an origin outside this project, and where they are.
+//! Lists pictures whose digests come from other programs than the renderer.
 //!
-//! Two sets. `tests/cases` holds 16 small scenes, whose digests come from an independent literal program in C++, and is
-//! part of the project. The reference folder holds the course's four cases and is not: it is looked for beside the
-//! project, or where the environment variable `RENDER_REFERENCE_DIR` says.
+//! There are two sets. `tests/cases` holds 16 small scenes, whose digests come from the literal program in C++. The
+//! reference folder holds the course's four cases and is not part of the project. It is looked for beside the project,
+//! or where the environment variable `RENDER_REFERENCE_DIR` says.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,26 +14,26 @@ use crate::digest::read_sums;
 /// The two conventions (specification, section 11), with their names in the lists of digests.
 const CONVENTIONS: [(&str, Scatter); 2] = [("statement", Scatter::Statement), ("published", Scatter::Published)];
 
-/// A picture and where its digest is written.
+/// A picture: its input files, and the list with its digest.
 #[derive(Clone, Debug)]
 pub struct Golden {
-    /// Its name in the list of digests, such as `statement/07.ppm`.
+    /// Name in the list of digests, such as `statement/07.ppm`.
     pub name: String,
-    /// How surfaces scatter light in it.
+    /// How surfaces scatter light in the picture.
     pub scatter: Scatter,
-    /// Its configuration file.
+    /// Path of the configuration file.
     pub config: PathBuf,
-    /// Its scene file.
+    /// Path of the scene file.
     pub scene: PathBuf,
-    /// The list of digests.
+    /// Path of the list of digests.
     pub sums: PathBuf,
 }
 
 impl Golden {
-    /// The digest of the whole PPM file.
+    /// Returns the digest of the whole PPM file.
     ///
     /// # Errors
-    /// The list of digests cannot be read or does not have the picture.
+    /// The list of digests cannot be read, or does not have the picture.
     pub fn digest(&self) -> Result<String, String> {
         let sums = sums(&self.sums)?;
         let found = sums.into_iter().find(|(name, _)| *name == self.name);
@@ -41,7 +41,7 @@ impl Golden {
     }
 }
 
-/// The 16 scenes of `tests/cases` in both conventions.
+/// Returns the 16 scenes of `tests/cases` in both conventions.
 #[must_use]
 pub fn cases() -> Vec<Golden> {
     let folder = crate::project_root().join("tests/cases");
@@ -49,7 +49,7 @@ pub fn cases() -> Vec<Golden> {
     goldens(&folder, names, |case, file| format!("{case}/{file}.txt"))
 }
 
-/// The four cases of the reference folder in both conventions.
+/// Returns the four cases of the reference folder in both conventions.
 #[must_use]
 pub fn reference(folder: &Path) -> Vec<Golden> {
     let names = (1..=4).map(|number: u32| number.to_string());
@@ -72,17 +72,17 @@ fn goldens(
     names.flat_map(both).map(golden).collect()
 }
 
-/// The names and digests that the list at `path` has.
+/// Returns the names and digests in the list at `path`.
 ///
 /// # Errors
-/// It cannot be read.
+/// The list cannot be read, or has a wrong line.
 pub fn sums(path: &Path) -> Result<Vec<(String, String)>, String> {
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     read_sums(&text)
 }
 
-/// Where the reference folder should be: `RENDER_REFERENCE_DIR`, from the project's root if relative, or
-/// `../shared/reference` beside it.
+/// Returns the path where the reference folder should be: `RENDER_REFERENCE_DIR` or `../shared/reference`. A relative
+/// path begins at the project's root.
 #[must_use]
 pub fn reference_folder() -> PathBuf {
     let named = std::env::var_os("RENDER_REFERENCE_DIR").unwrap_or("../shared/reference".into());

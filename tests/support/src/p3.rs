@@ -1,14 +1,14 @@
 //! A strict reader of PPM files, variant P3 (specification, section 5.3): three header lines, then one pixel a line,
 //! single blanks, LF line ends, no leading zeros, no comments, nothing after the last pixel.
 
-/// A picture as it stands in a file.
+/// The content of a P3 file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// Pixels in a row.
     pub width: usize,
-    /// Rows.
+    /// Number of rows.
     pub height: usize,
-    /// Red, green and blue, row by row from the top left.
+    /// Red, green and blue of each pixel, row by row from the top left.
     pub pixels: Vec<[u8; 3]>,
 }
 
@@ -21,7 +21,7 @@ pub struct Picture {
 /// ```
 ///
 /// # Errors
-/// What the file has instead of what it should have, with the number of its line.
+/// The first departure from the format, with the number of its line if it is in a line.
 pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
     let body = text.strip_suffix('\n').ok_or("the last line does not end")?;
@@ -47,7 +47,7 @@ fn expect_line((index, line): (usize, &str), expected: &str) -> Result<(), Strin
     if line == expected { Ok(()) } else { Err(format!("line {}: {line:?} instead of {expected:?}", index + 1)) }
 }
 
-/// The `N` numbers of a line, separated by single blanks, each in its shortest spelling.
+/// Returns the `N` numbers of a line, separated by single blanks, each without leading zeros or a sign.
 fn numbers<const N: usize>((index, line): (usize, &str)) -> Result<[usize; N], String> {
     let values: Vec<usize> = line.split(' ').filter_map(|token| token.parse().ok()).collect();
     let spelled: Vec<String> = values.iter().map(usize::to_string).collect();

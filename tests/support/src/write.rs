@@ -1,11 +1,11 @@
-//! Scenes and configurations back to text that reads as the same values.
+//! Writes scenes and configurations as text that reads back as equal values.
 
 use std::fmt::Write;
 
 use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene, Vec3};
 
-/// The scene file of `scene`: its materials, named `m0`, `m1` and so on, then its objects.
+/// Returns the scene file of `scene`: its materials, named `m0`, `m1` and so on, then its objects.
 ///
 /// ```
 /// let scene = cpu::internals::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1e-7 grey\n"[..])?;
@@ -39,7 +39,7 @@ pub fn scene(scene: &Scene) -> String {
     text
 }
 
-/// The configuration file of `config`, every key spelled out.
+/// Returns the configuration file of `config`, with every key.
 #[must_use]
 pub fn config(config: &Config) -> String {
     let [aspect_width, aspect_height] = config.aspect_ratio;
@@ -69,7 +69,7 @@ fn vector(vector: Vec3) -> String {
     vector.to_array().map(real).join(" ")
 }
 
-/// The shortest spelling that reads as the same number, with an exponent where that is shorter to read.
+/// Returns the shortest text that reads back as the number. Very large and very small numbers have an exponent.
 fn real(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)

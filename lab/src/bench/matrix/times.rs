@@ -1,4 +1,4 @@
-//! Times of engines for a row of pictures.
+//! Times engines on a series of pictures in which one parameter rises.
 
 use cpu::{Config, Scene};
 
@@ -11,8 +11,8 @@ use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 
 impl Plan {
-    /// Times of `engines` for pictures of rising value. One of which the time before says that it would take longer
-    /// than [`Plan::patience`] is left out, with that reason.
+    /// Measures `engines` on pictures whose parameter rises. The time of each picture is predicted from the engine's
+    /// last measured picture. A picture that would take longer than [`Plan::patience`] is left out, with that reason.
     pub(super) fn times(
         &self,
         [suite, scene_name, parameter]: [&str; 3],
@@ -62,7 +62,8 @@ mod tests {
     fn what_would_take_too_long_is_left_out_with_its_reason() {
         let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
         let (config, scene) = board(300, 48);
-        // Enough for the literal renderer to take more than a hundredth of the patience at first.
+        // The second value is a million times the first. So the literal renderer is expected to take too long if its
+        // first picture takes more than a millionth of the patience, 0.7 µs.
         let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
         let mut results = Results::default();
         let engines = [Engine::Reference, Engine::main()[1]];

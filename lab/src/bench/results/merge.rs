@@ -1,14 +1,14 @@
-//! Results of parts of one matrix, joined.
+//! Joins the results of parts of one matrix.
 
 use super::Results;
 use crate::bench::machine::Machine;
 use crate::bench::statistics::Median;
 
 impl Results {
-    /// Joins results of parts of one matrix. Times of the same setting, measured twice, are pooled.
+    /// Joins the results of parts of one matrix. If two parts have times of one setting, their repeats are pooled.
     ///
     /// # Errors
-    /// Parts of different matrices or different programs, or different pictures at one setting.
+    /// The parts come from different matrices or commits, or have different pictures or answers for one setting.
     pub fn merge(parts: Vec<Self>) -> Result<Self, String> {
         let mut all = Self { quick: parts.first().ok_or("there is nothing to join")?.quick, ..Self::default() };
         for part in parts {
@@ -19,7 +19,7 @@ impl Results {
                 if all.machines.iter().any(|other| other.commit != machine.commit) {
                     return Err(format!("another part was measured at another commit than {}", machine.commit));
                 }
-                // The load differs from one minute to the next; the machine does not.
+                // Entries of one machine can differ in the load, which changes from minute to minute.
                 let same = |other: &&Machine| Machine { load: machine.load, ..(*other).clone() } == machine;
                 if !all.machines.iter().any(|other| same(&other)) {
                     all.machines.push(machine);

@@ -1,4 +1,4 @@
-//! Legend, axes, lines, dots and markers.
+//! Draws the legend, axes, lines, dots and markers of a chart.
 
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
@@ -81,7 +81,7 @@ impl Chart {
             area.draw(&Text::new(name.clone(), (154, y), style))?;
         }
         for (index, series) in self.series.iter().enumerate() {
-            // Each series has a height of its own within a row, so that no marker covers another.
+            // Each series has a different height within a row, so that no marker covers another.
             let shift = (index as f64 - (self.series.len() - 1) as f64 / 2.0) * 0.9 / self.series.len() as f64;
             for point in &series.points {
                 let shifted = Point { y: point.y + shift, ..*point };
@@ -94,7 +94,7 @@ impl Chart {
         Ok(())
     }
 
-    /// Axes and grid; the vertical axis without numbers where rows have names instead.
+    /// Draws axes and grid. In a chart of dots the vertical axis has no numbers, because its rows have names.
     fn draw_mesh<X, Y>(
         &self,
         chart: &mut ChartContext<'_, SVGBackend<'_>, Cartesian2d<X, Y>>,
@@ -124,7 +124,7 @@ impl Chart {
     }
 }
 
-/// A place of the whole picture as a place of one of its areas.
+/// Converts pixel coordinates of the whole picture to pixel coordinates of one of its areas.
 trait RelativeTo {
     fn relative_to(self, area: &Area<'_>) -> (i32, i32);
 }
@@ -140,11 +140,11 @@ fn color(series: &Series) -> RGBColor {
     if series.is_guide { INK } else { SERIES[series.color % SERIES.len()].0 }
 }
 
-/// Colours alone would not do for everyone: each has a shape as well.
+/// Draws the marker of a series. Each colour has its shape, because some readers cannot tell the colours apart.
 fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
     let solid = SERIES[color % SERIES.len()].0;
     let hollow = solid.stroke_width(2);
-    // What lies below a marker is seen through it.
+    // Markers are 60 % opaque, so that points below them are seen.
     let style = solid.mix(0.6);
     match color % SERIES.len() {
         0 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], style.filled()))?,

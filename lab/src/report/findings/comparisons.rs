@@ -1,11 +1,12 @@
-//! One implementation against another, at the same setting.
+//! Sentences that compare implementations at one setting.
 
 use crate::bench::gain::Gain;
 use crate::bench::results::{Results, Timing};
 use crate::engine::MEASURED_SETS;
 use crate::report::style::short;
 
-/// Pairs of times that differ in the engine alone.
+/// Returns pairs of times whose settings differ in the engine alone. `other` returns the second engine for the first,
+/// or `None` to leave the time out.
 fn pairs<'a>(
     results: &'a Results,
     other: impl Fn(&str) -> Option<String> + 'a,
@@ -17,7 +18,7 @@ fn pairs<'a>(
     })
 }
 
-/// Geometric mean, least and largest.
+/// Returns the geometric mean, the least and the largest value.
 fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
     let values: Vec<_> = values.collect();
     let mean = (values.iter().map(|value| value.ln()).sum::<f64>() / values.len() as f64).exp();
@@ -28,7 +29,7 @@ fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
 pub fn layouts(results: &Results) -> Option<String> {
     let pairs = || pairs(results, |engine| engine.strip_prefix("aos-").map(|set| format!("soa-{set}")));
     let [mean, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
-    // Bounds of too few repeats are apart by chance too often to conclude anything from them.
+    // With fewer than three repeats, bounds lie apart by chance too often to conclude anything from them.
     let bounded = || pairs().filter(|(a, b)| a.median.is_bounded() && b.median.is_bounded());
     let apart = bounded().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
     let conclusion = match bounded().count() {
@@ -84,7 +85,7 @@ pub fn instruction_sets(results: &Results) -> Option<String> {
     (!steps.is_empty()).then(|| format!("On average {}.", steps.join(", ")))
 }
 
-/// What each thing gains: with how much more time a picture is made without it.
+/// Says how many times as long a picture takes with each thing switched off.
 pub fn gains(results: &Results) -> Option<String> {
     let mut names: Vec<&str> = Vec::new();
     for gain in &results.gains {

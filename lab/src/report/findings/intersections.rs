@@ -1,10 +1,10 @@
-//! What intersections cost, and how wrong they are.
+//! The sentence about times and errors of intersections.
 
 use crate::bench::intersections::{METHODS, OBJECTS};
 use crate::bench::results::{Intersection, Results};
 use crate::report::style::{power_of_ten, short};
 
-/// Every implementation on ordinary and on hard rays.
+/// Says time, error and wrong decisions of every implementation on ordinary and on hard rays.
 pub fn intersections(results: &Results) -> Option<String> {
     let find = |object: &str, rays: &str, name: &str| {
         let is_it = |found: &&Intersection| {

@@ -1,13 +1,13 @@
-//! The configuration file by the table (specification, section 3.1), a line at a time.
+//! Reads a configuration file line by line, as the table says (specification, section 3.1).
 
 use cpu::{Config, Vec3};
 
 use super::lines::{lines, positive_integer, real, tokens};
 
-/// The configuration, or the message (without `Error: `) that the first wrong line deserves.
+/// Reads a configuration.
 ///
 /// # Errors
-/// That message.
+/// The message about the first wrong line, without `Error: `.
 pub fn parse(text: &[u8]) -> Result<Config, Vec<u8>> {
     let mut config = Config::default();
     for line in lines(text) {

@@ -1,9 +1,9 @@
-//! Lines, tokens and numbers (specification, section 2), the whole text in memory.
+//! Lines, tokens and numbers (specification, section 2) of a text in memory.
 //!
-//! The grammar of numbers is checked here character by character; only the value of a number that passed comes from the
-//! standard library.
+//! The grammar of numbers is checked here character by character. The standard library only computes the value of a
+//! number that passed the check.
 
-/// The lines of a text, each without its LF or CRLF. A text that ends in a line end has no further line.
+/// Returns the lines of a text, each without its LF or CRLF. No empty line follows a line end at the end of the text.
 #[must_use]
 pub fn lines(text: &[u8]) -> Vec<&[u8]> {
     let mut lines: Vec<_> = text.split(|&byte| byte == b'\n').collect();
@@ -13,7 +13,7 @@ pub fn lines(text: &[u8]) -> Vec<&[u8]> {
     lines.into_iter().map(|line| if line.last() == Some(&b'\r') { &line[..line.len() - 1] } else { line }).collect()
 }
 
-/// The places of a line's tokens: start and end of each.
+/// Returns start and end of each token of a line.
 #[must_use]
 pub fn tokens(line: &[u8]) -> Vec<(usize, usize)> {
     let mut places = Vec::new();
@@ -32,7 +32,8 @@ pub fn tokens(line: &[u8]) -> Vec<(usize, usize)> {
     places
 }
 
-/// A sign or none, digits with or without one point among or around them, an exponent or none; finite.
+/// Returns the value of a real number: an optional sign, digits with at most one point, an optional exponent. A number
+/// that is not finite is refused.
 #[must_use]
 pub fn real(token: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(token).ok()?;
@@ -56,7 +57,7 @@ pub fn real(token: &[u8]) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// A plus sign or none, and digits; positive, in 64 bits.
+/// Returns the value of a positive integer of 64 bits: an optional plus sign, and digits.
 #[must_use]
 pub fn positive_integer(token: &[u8]) -> Option<u64> {
     let digits = token.strip_prefix(b"+").unwrap_or(token);

@@ -1,6 +1,6 @@
-//! PPM as its description has it (netpbm's `ppm(5)`): tokens between white space and comments, then pixels.
+//! Reads PPM as netpbm's `ppm(5)` describes it: tokens between white space and comments, then pixels.
 
-/// Width, height and pixels of a PPM, P3 or P6, with 255 as its largest value; `None` for anything else.
+/// Returns width, height and pixels of a PPM (P3 or P6) whose largest value is 255; `None` for any other file.
 #[must_use]
 pub fn ppm(bytes: &[u8]) -> Option<(usize, usize, Vec<[u8; 3]>)> {
     let raw = match bytes.get(..2)? {
@@ -16,7 +16,7 @@ pub fn ppm(bytes: &[u8]) -> Option<(usize, usize, Vec<[u8; 3]>)> {
     }
     let values = width.checked_mul(height)?.checked_mul(3)?;
     let channels: Vec<u8> = if raw {
-        // A single byte of white space ends the header; comments are not looked for after it.
+        // A single byte of white space ends the header. No comment may follow.
         is_white(*bytes.get(at)?).then_some(())?;
         bytes[at + 1..].to_vec()
     } else {
@@ -39,7 +39,7 @@ const fn is_white(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0c)
 }
 
-/// The number at `at`, after white space and comments, of which there must be some unless another token's end is one.
+/// Returns the number at `at`, and moves `at` behind it. White space or a comment must stand before the number.
 fn number(bytes: &[u8], at: &mut usize) -> Option<usize> {
     let start = *at;
     loop {

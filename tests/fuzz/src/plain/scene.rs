@@ -1,14 +1,14 @@
-//! The scene file by the table (specification, section 4.1), a line at a time, names looked up one after the other.
+//! Reads a scene file line by line, as the table says (specification, section 4.1). Names are found by linear search.
 
 use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Material, Scene, Vec3};
 
 use super::lines::{lines, real, tokens};
 
-/// The scene, or the message (without `Error: `) that the first wrong line deserves.
+/// Reads a scene.
 ///
 /// # Errors
-/// That message.
+/// The message about the first wrong line, without `Error: `.
 pub fn parse(text: &[u8]) -> Result<Scene, Vec<u8>> {
     let mut scene = Scene::default();
     let mut names: Vec<&[u8]> = Vec::new();
@@ -34,7 +34,7 @@ pub fn parse(text: &[u8]) -> Result<Scene, Vec<u8>> {
             return Err(invalid());
         }
         let of_object = matches!(tag, b"sphere:" | b"cylinder:");
-        // A material's name is its first value, an object's its last.
+        // In the line of a material the name is the first value; in the line of an object it is the last.
         let (name, numbers) = match of_object {
             true => (values[count - 1], &values[..count - 1]),
             false => (values[0], &values[1..count]),
@@ -76,7 +76,7 @@ fn are_valid(tag: &[u8], numbers: &[f64]) -> bool {
         b"metal:" => colors(&numbers[..3]) && numbers[3] >= 0.0,
         b"refractive:" => numbers[0] > 0.0,
         b"sphere:" => numbers[3] > 0.0,
-        // The height is the axis' length, which must be a number and not vanish.
+        // The height is the length of the axis, which must be positive and finite.
         _ => {
             let height = (numbers[4] * numbers[4] + numbers[5] * numbers[5] + numbers[6] * numbers[6]).sqrt();
             numbers[3] > 0.0 && height > 0.0 && height < f64::INFINITY

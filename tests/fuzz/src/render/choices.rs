@@ -1,9 +1,9 @@
-//! Bytes as choices, until they are used up; after that every choice is the first.
+//! Turns bytes into choices. When all bytes are used, every choice is the first one.
 
 use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Config, Material, Scene, Vec3};
 
-/// Numbers at which arithmetic changes its mind.
+/// Numbers at or near which comparisons change, roundings matter, or operations overflow or underflow.
 const HARD: [f64; 28] = [
     0.0,
     1.0,
@@ -35,12 +35,12 @@ const HARD: [f64; 28] = [
     f64::MAX,
 ];
 
-/// What is left of the bytes.
+/// The bytes that are not used yet.
 #[derive(Debug)]
 pub struct Choices<'a>(&'a [u8]);
 
 impl<'a> Choices<'a> {
-    /// All of them.
+    /// Returns the choices of `bytes`.
     #[must_use]
     pub const fn new(bytes: &'a [u8]) -> Self {
         Self(bytes)
@@ -52,12 +52,12 @@ impl<'a> Choices<'a> {
         byte
     }
 
-    /// One of the first `count` numbers from 0.
+    /// Chooses a number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         usize::from(self.byte()) % count
     }
 
-    /// A finite number: from the menu, a small one, one near another from the menu, or any.
+    /// Chooses a finite number: one from -4 to 5, one of [`HARD`], one up to 128 steps from one of [`HARD`], or any.
     fn real(&mut self) -> f64 {
         let kind = self.byte();
         match kind % 8 {
@@ -81,13 +81,13 @@ impl<'a> Choices<'a> {
         Vec3::new(self.real(), self.real(), self.real())
     }
 
-    /// A number that is positive, as the parsers demand it.
+    /// Chooses a positive number.
     fn positive(&mut self) -> f64 {
         let number = self.real().abs();
         if number > 0.0 { number } else { 1.0 }
     }
 
-    /// A number in `[0, 1]`.
+    /// Chooses a number in `[0, 1]`.
     fn channel(&mut self) -> f64 {
         let number = self.real().abs();
         if number <= 1.0 { number } else { f64::from(self.byte()) / 255.0 }
@@ -97,11 +97,12 @@ impl<'a> Choices<'a> {
         Vec3::new(self.channel(), self.channel(), self.channel())
     }
 
-    /// A configuration of a picture of at most 5 x 10 pixels: numbers of extreme sizes take milliseconds a ray.
+    /// Chooses a configuration with a picture of at most 5 x 10 pixels. Pictures are small because a ray may take
+    /// milliseconds if the numbers are extreme.
     pub fn config(&mut self) -> Config {
         let default = Config::default();
         let shape = self.byte();
-        // Mostly a camera that sees something; now and then anything at all.
+        // Three of four configurations have a camera that looks at the origin, where objects are likely.
         let free = self.below(4) == 3;
         let camera_position = if free { self.vector() } else { Vec3::new(self.real() / 2.0, 0.5, -4.0) };
         let camera_target = if free { self.vector() } else { Vec3::ZERO };
@@ -124,7 +125,7 @@ impl<'a> Choices<'a> {
         }
     }
 
-    /// A scene of at most four materials and 16 objects.
+    /// Chooses a scene of at most four materials and 16 objects.
     pub fn scene(&mut self) -> Scene {
         let materials: Vec<_> = (0..=self.below(4)).map(|_| self.material()).collect();
         let mut objects = Vec::new();
@@ -142,7 +143,7 @@ impl<'a> Choices<'a> {
         }
     }
 
-    /// A new shape, or a former one moved a little: what touches and coincides is harder than what is apart.
+    /// Chooses a new object, or the last one moved, because objects that touch or coincide are harder than others.
     fn object(&mut self, former: &[Object], materials: usize) -> Object {
         let kind = self.byte();
         let material = (usize::from(kind / 16) % materials) as MaterialId;

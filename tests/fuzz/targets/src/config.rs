@@ -1,4 +1,4 @@
-//! libFuzzer's way into `fuzz_oracles::config`.
+//! The libFuzzer program that calls `fuzz_oracles::config::check`.
 
 #![no_main]
 

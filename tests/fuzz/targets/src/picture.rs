@@ -1,4 +1,4 @@
-//! libFuzzer's way into `fuzz_oracles::picture`.
+//! The libFuzzer program that calls `fuzz_oracles::picture::check`.
 
 #![no_main]
 

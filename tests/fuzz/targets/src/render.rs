@@ -1,4 +1,4 @@
-//! libFuzzer's way into `fuzz_oracles::render`.
+//! The libFuzzer program that calls `fuzz_oracles::render::check`.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! libFuzzer's way into `fuzz_oracles::scene`.
+//! The libFuzzer program that calls `fuzz_oracles::scene::check`.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! libFuzzer's way into `fuzz_oracles::wgsl`.
+//! The libFuzzer program that calls `fuzz_oracles::wgsl::check`.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Hits that are known without a computation.
+//! Tests of the oracle on hits that are known without a computation.
 
 use super::*;
 

@@ -1,7 +1,7 @@
-//! Rays and objects of extreme magnitudes, from 10^-162 to 10^150, for the certified intersections of `cpu`.
+//! Regimes with magnitudes from 10^-162 to 10^150, for the exact intersections of `cpu`.
 //!
-//! The other regimes keep magnitudes that single precision holds as well, because WGSL is tested with them. Here
-//! squares of lengths underflow or nearly overflow, directions are of any length, and terms cancel to exactly zero.
+//! The other regimes have magnitudes that f32 holds too, because WGSL is tested with them. Here squares of lengths
+//! underflow or nearly overflow, directions have any length, and terms cancel to exactly zero.
 
 use cpu::Vec3;
 use cpu::internals::input::scene::Cylinder;
@@ -20,19 +20,20 @@ pub const REGIMES: [Regime; 6] = [
     Regime { name: "cylinders, terms that cancel to zero", draw: cancelling_cylinders },
 ];
 
-/// A length of any magnitude whose square f64 holds, though perhaps not all its digits.
+/// Returns a length from 10^-155 to 10^150. Its square is neither 0 nor infinite in f64, but may have lost digits.
 fn scale(random: &mut Random) -> f64 {
     random.decades(-155.0, 150.0)
 }
 
-/// A ray from `distance` away towards `target`, so long that it comes there at a lambda from 10^-4 to 10^6.
+/// Returns origin and direction of a ray that starts at `distance` from `target` and reaches it at a lambda from 10^-4
+/// to 10^6.
 fn toward(random: &mut Random, target: Vec3, distance: f64) -> (Vec3, Vec3) {
     let forward = random.unit() * distance;
     let lambda = random.decades(-4.0, 6.0);
     (target - forward, forward / lambda)
 }
 
-/// A length up to some decades above or below `size`.
+/// Returns a length up to `decades` powers of ten above or below `size`.
 fn near(random: &mut Random, size: f64, decades: f64) -> f64 {
     size * random.decades(-decades, decades)
 }
@@ -50,7 +51,7 @@ fn cylinder(random: &mut Random, size: f64, height: f64) -> Cylinder {
     Cylinder { center: random.cube(size), radius: near(random, size, 3.0), axis: random.unit() * height }
 }
 
-/// A ray towards a point of the side, a base, the rim or a little beside it.
+/// Returns a ray towards a point at or near the side, a cap or the rim.
 fn aimed(random: &mut Random, cylinder: Cylinder) -> Case {
     let edge = 1.0 + random.sign() * random.decades(-17.0, 0.0);
     let (around, along) = match random.below(3) {
@@ -58,7 +59,7 @@ fn aimed(random: &mut Random, cylinder: Cylinder) -> Case {
         1 => (random.uniform(0.0, 1.1), edge * random.sign()),
         _ => (edge, edge * random.sign()),
     };
-    // Not by `unit`: the square of the axis may underflow.
+    // `unit` cannot be used, because the square of the axis may underflow.
     let unit = cylinder.axis.unit_and_length().0;
     let across = random.perpendicular(unit) * (cylinder.radius * around);
     let target = cylinder.center + cylinder.axis * (along / 2.0) + across;
@@ -93,20 +94,20 @@ fn long_directions(random: &mut Random) -> Case {
     let cylinder = Cylinder { center: random.cube(radius), radius, axis: random.unit() * height };
     let around = random.unit() * radius;
     let origin = cylinder.center + around.perpendicular_to(cylinder.axis.unit());
-    // What glass makes of a normal as long as the radius.
+    // Glass scatters along such directions, because the side's normal in its formula is as long as the radius.
     let direction = random.unit() * (radius * radius * random.decades(-6.0, 6.0));
     Case::cylinder(cylinder, origin, direction)
 }
 
-/// A point far out along some of the coordinate axes, or the origin of coordinates. Coordinates below 10^-60 are left
-/// out: the oracle treats numbers that agree to 1,000 bits as equal, and beside 1 fourth powers of smaller coordinates
-/// come near that.
+/// Returns a point with each coordinate 0 or from 10^-60 to 10^140. Coordinates below 10^-60 are left out, because the
+/// oracle treats numbers that agree to 1,000 bits as equal. Beside 1, fourth powers of smaller coordinates would be
+/// lost.
 fn far_point(random: &mut Random) -> Vec3 {
     let mut far = || if random.below(2) == 0 { 0.0 } else { random.sign() * random.decades(-60.0, 140.0) };
     Vec3::new(far(), far(), far())
 }
 
-/// A vector of few binary digits, many of them zero, and not null.
+/// Returns a vector other than zero whose components have few binary digits and are often 0.
 fn plain_vector(random: &mut Random) -> Vec3 {
     loop {
         let mut component = || random.sign() * [0.0, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0][random.below(7)];

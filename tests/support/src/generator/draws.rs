@@ -1,4 +1,4 @@
-//! Random numbers in the shapes that the generator needs.
+//! The random numbers, vectors and choices of the generator.
 
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
@@ -11,28 +11,28 @@ impl Draws {
         Self(Uniform::new(seed))
     }
 
-    /// A number in `[low, high)`.
+    /// Returns a number in `[low, high)`.
     pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
 
-    /// A number below `count`, which is not zero.
+    /// Returns an integer below `count`, which must not be zero.
     pub(super) fn index(&mut self, count: usize) -> usize {
-        // Draws are below one, but the product may round up to `count`.
+        // The draw is below 1, but the product may be rounded up to `count`.
         ((self.0.canonical() * count as f64) as usize).min(count - 1)
     }
 
-    /// True with this probability; never for 0, always for 1.
+    /// Returns true with this probability: never for 0, always for 1.
     pub(super) fn chance(&mut self, probability: f64) -> bool {
         self.0.canonical() < probability
     }
 
-    /// A point in the cube of this half side around the origin, rounded.
+    /// Returns a rounded point in the cube around the origin with this half side.
     pub(super) fn point(&mut self, half_side: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| round(self.between(-half_side, half_side))))
     }
 
-    /// A vector in the ball of this radius, at least half as long, rounded.
+    /// Returns a rounded vector in a random direction, with a length from half of `radius` to `radius`.
     pub(super) fn direction(&mut self, radius: f64) -> Vec3 {
         loop {
             let vector = self.point(1.0);
@@ -42,20 +42,20 @@ impl Draws {
         }
     }
 
-    /// A vector of this length along one of the three axes, either way.
+    /// Returns a vector of this length along one of the three coordinate axes, with a random sign.
     pub(super) fn along_an_axis(&mut self, length: f64) -> Vec3 {
         let mut components = [0.0; 3];
         components[self.index(3)] = if self.chance(0.5) { length } else { -length };
         components.into()
     }
 
-    /// A colour with two decimals a channel, none darker than `darkest`.
+    /// Returns a colour whose channels have two decimals and are from `darkest` to 1.
     pub(super) fn color(&mut self, darkest: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| (self.between(darkest, 1.0) * 100.0).round() / 100.0))
     }
 }
 
-/// `value` with five significant digits, so that files stay short.
+/// Rounds `value` to five significant digits, so that files stay short.
 pub(super) fn round(value: f64) -> f64 {
     format!("{value:.4e}").parse().expect("a finite number reads back")
 }

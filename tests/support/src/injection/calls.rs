@@ -1,8 +1,8 @@
-//! The calls about files in what `strace` wrote.
+//! Finds the calls about files in the output of `strace`.
 
 use std::collections::HashMap;
 
-/// Calls about files, by the names that Linux gives them. The others are about memory, signals and time.
+/// Names of Linux's calls about files. Other calls are about memory, signals and time, and are not disturbed.
 const CALLS: [&str; 25] = [
     "access",
     "close",
@@ -31,7 +31,7 @@ const CALLS: [&str; 25] = [
     "write",
 ];
 
-/// A call: its thread, its name, the how-many-th of this name it is in its thread, and how strace writes it.
+/// A call: its thread, its name, its number among the calls of this name in its thread (from 1), and strace's text.
 #[derive(Debug)]
 pub struct Call {
     thread: String,
@@ -40,13 +40,14 @@ pub struct Call {
     pub text: String,
 }
 
-/// The calls from the first on whose text contains `folder`, or only those whose text does. Left out are calls whose
-/// name and number another thread makes too: disturbing one would disturb both.
+/// Returns the calls from the first one whose text contains `folder`. With `only_folder`, returns only the calls whose
+/// text contains `folder`. A call is left out if another thread makes a call of its name and number too, because strace
+/// would disturb both.
 pub fn calls(text: &str, folder: &str, only_folder: bool) -> Vec<Call> {
     let mut counts: HashMap<(&str, &str), usize> = HashMap::new();
     let mut found: Vec<Call> = Vec::new();
     for line in text.lines() {
-        // The number of the thread is missing where there is only one.
+        // strace writes no thread number if it watches a single thread.
         let starts_with_number = line.starts_with(|c: char| c.is_ascii_digit());
         let (thread, text) = line.split_once(' ').filter(|_| starts_with_number).unwrap_or(("", line));
         let Some((name, _)) = text.trim_start().split_once('(') else { continue };
@@ -68,8 +69,8 @@ pub fn calls(text: &str, folder: &str, only_folder: bool) -> Vec<Call> {
     found
 }
 
-/// At most `most` calls of each name, spread evenly over all of them: the last one, the first one if there may be two,
-/// and others between them.
+/// Returns at most `most` calls of each name: the last one, the first one if `most` is at least two, and others evenly
+/// between them.
 pub fn spread(mut calls: Vec<Call>, most: usize) -> Vec<Call> {
     let mut totals: HashMap<String, usize> = HashMap::new();
     calls.iter().for_each(|call| *totals.entry(call.name.clone()).or_default() += 1);
@@ -83,7 +84,7 @@ pub fn spread(mut calls: Vec<Call>, most: usize) -> Vec<Call> {
     calls
 }
 
-/// Whether the call number `index`, of calls from 0 to `last`, is among the `most` chosen ones.
+/// Returns whether the call `index`, of calls from 0 to `last`, is one of the `most` chosen ones.
 fn is_chosen(index: usize, last: usize, most: usize) -> bool {
     match most.saturating_sub(1).min(last) {
         0 => most > 0 && index == last,
