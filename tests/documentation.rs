@@ -1,9 +1,13 @@
-//! What the documentation names exists, and what it says can be read: links, paths, sections of the specification, the
-//! length of lines and of sentences.
+//! The documentation names only what exists, and can be read once: links, paths, sections of the specification, terms,
+//! the length of lines, of sentences and of summaries.
 //!
-//! Every check counts what it looked at, and fails where that is too little. The tests at the end show that each check
-//! finds a fault.
+//! Every check counts the places that it compared, and fails if they are too few. `faults` shows that each check finds
+//! a fault.
 
+#[path = "documentation/checks.rs"]
+mod checks;
+#[path = "documentation/faults.rs"]
+mod faults;
 #[path = "documentation/markdown.rs"]
 mod markdown;
 #[path = "documentation/project.rs"]
@@ -11,44 +15,14 @@ mod project;
 #[path = "documentation/words.rs"]
 mod words;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use checks::{
+    OF_OLDER_COMMITS, Report, check_abbreviations, check_columns, check_links, check_named_items, check_paths,
+    check_sections, check_sentences, check_summary, check_terms, check_type_names, check_words, terms,
+};
 use markdown::Page;
 use project::Project;
-
-/// Columns of a line of prose or of a comment.
-const MOST_COLUMNS: usize = 120;
-
-/// Words of a sentence.
-const MOST_WORDS: usize = 35;
-
-/// Paths in texts that are not of this project, or that a command makes.
-const NOT_OURS: [&str; 4] = ["my.wgsl", "mia.wgsl", "my/background.wgsl", "bench/record"];
-
-/// Pages that keep the names of older commits, and say so.
-const OF_OLDER_COMMITS: [&str; 1] = ["docs/ablations.md"];
-
-/// The faults that a check has found, and how much it looked at.
-#[derive(Debug, Default)]
-struct Report {
-    checked: usize,
-    faults: Vec<String>,
-}
-
-impl Report {
-    fn check(&mut self, holds: bool, fault: impl FnOnce() -> String) {
-        self.checked += 1;
-        if !holds {
-            self.faults.push(fault());
-        }
-    }
-
-    /// Fails where a fault was found, or where fewer than `least` places were looked at.
-    fn conclude(self, least: usize) {
-        assert!(self.faults.is_empty(), "{} faults:\n{}", self.faults.len(), self.faults.join("\n"));
-        assert!(self.checked >= least, "only {} places were looked at", self.checked);
-    }
-}
 
 /// Every Markdown file, parsed.
 fn pages(project: &Project) -> BTreeMap<&str, Page> {
@@ -60,71 +34,6 @@ fn comments(project: &Project) -> Vec<(&str, usize, String)> {
     let sources = project.with_endings(&["rs", "wgsl"]);
     let of = |path| words::comments(&project.text(path)).into_iter().map(move |(line, text)| (path, line, text));
     sources.flat_map(of).collect()
-}
-
-fn check_links(project: &Project, pages: &BTreeMap<&str, Page>) -> Report {
-    let mut report = Report::default();
-    for (path, page) in pages {
-        for (line, link) in page.links.iter().filter(|(_, link)| !link.contains(':')) {
-            let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
-            let target = if file.is_empty() { (*path).to_owned() } else { project::join(path, file) };
-            report.check(file.is_empty() || project.has(&target), || {
-                format!("{path}:{line}: there is no file [{target}]")
-            });
-            let headings = pages.get(target.as_str()).map(|page| &page.headings);
-            let is_heading = anchor.is_empty() || headings.is_some_and(|known| known.iter().any(|it| it == anchor));
-            report.check(is_heading, || format!("{path}:{line}: there is no heading [{link}]"));
-        }
-    }
-    report
-}
-
-/// Checks the paths that pieces of text name: file, line and text.
-fn check_paths<'a>(project: &Project, texts: impl Iterator<Item = (&'a str, usize, &'a str)>) -> Report {
-    let mut report = Report::default();
-    for (path, line, text) in texts {
-        for named in words::paths(text, &project.folders).filter(|named| !NOT_OURS.contains(named)) {
-            let is_known = project.has_ending_with(named);
-            report.check(is_known, || format!("{path}:{line}: there is no [{named}] in this project"));
-        }
-    }
-    report
-}
-
-/// Checks that the sections of the specification that texts cite exist: file and text.
-fn check_sections<'a>(specification: &Page, texts: impl Iterator<Item = (&'a str, String)>) -> Report {
-    let mut report = Report::default();
-    let is_section = |number: &str| {
-        specification
-            .titles
-            .iter()
-            .any(|title| title.split(' ').next().map(|it| it.trim_end_matches('.')) == Some(number))
-    };
-    for (path, text) in texts {
-        for cited in words::sections(&text) {
-            report.check(is_section(&cited), || format!("{path}: the specification has no section [{cited}]"));
-        }
-    }
-    report
-}
-
-fn check_sentences(path: &str, page: &Page) -> Report {
-    let mut report = Report::default();
-    for (line, sentence) in &page.sentences {
-        let count = words::count(sentence);
-        report.check(count <= MOST_WORDS, || format!("{path}:{line}: {count} words: {sentence}"));
-    }
-    report
-}
-
-/// Checks the length of lines: file, line and text.
-fn check_columns<'a>(lines: impl Iterator<Item = (&'a str, usize, String)>) -> Report {
-    let mut report = Report::default();
-    for (path, line, text) in lines {
-        let columns = text.chars().count();
-        report.check(columns <= MOST_COLUMNS, || format!("{path}:{line}: {columns} columns"));
-    }
-    report
 }
 
 #[test]
@@ -184,51 +93,63 @@ fn no_comment_is_longer_than_the_limit() {
     check_columns(lines).conclude(5000);
 }
 
-#[test]
-fn no_sentence_is_longer_than_the_limit() {
-    let project = Project::read();
+/// Runs a check on every page.
+fn check_pages(pages: &BTreeMap<&str, Page>, check: impl Fn(&str, &Page) -> Report) -> Report {
     let mut all = Report::default();
-    for (path, page) in pages(&project).iter().filter(|(path, _)| path.starts_with("docs/") || **path == "README.md") {
-        let report = check_sentences(path, page);
-        all.checked += report.checked;
-        all.faults.extend(report.faults);
-    }
-    all.conclude(500);
+    pages.iter().for_each(|(path, page)| all.add(check(path, page)));
+    all
 }
 
 #[test]
-fn each_check_finds_a_fault() {
+fn no_sentence_is_longer_than_the_limit() {
+    check_pages(&pages(&Project::read()), check_sentences).conclude(1500);
+}
+
+#[test]
+fn every_page_begins_with_a_short_summary() {
+    check_pages(&pages(&Project::read()), check_summary).conclude(15);
+}
+
+#[test]
+fn every_function_that_a_link_names_is_in_its_file() {
     let project = Project::read();
-    let page = Page::parse("# One\n\nSee [a](#one), [b](#two), [c](README.md), [d](nowhere.md#x).\n");
-    let report = check_links(&project, &BTreeMap::from([("page.md", page)]));
-    assert_eq!(report.checked, 8);
-    assert_eq!(
-        report.faults,
-        [
-            "page.md:3: there is no heading [#two]",
-            "page.md:3: there is no file [nowhere.md]",
-            "page.md:3: there is no heading [nowhere.md#x]",
-        ]
-    );
+    check_named_items(&project, &pages(&project)).conclude(20);
+}
 
-    let text = "Read docs/design.md, docs/nowhere.md, `render.rs` and `gone.rs`; either/or is no path.";
-    let report = check_paths(&project, [("x.rs", 1, text)].into_iter());
-    assert_eq!(report.checked, 4);
-    assert_eq!(
-        report.faults,
-        ["x.rs:1: there is no [docs/nowhere.md] in this project", "x.rs:1: there is no [gone.rs] in this project"]
-    );
+#[test]
+fn every_abbreviation_is_in_the_glossary_or_common() {
+    let project = Project::read();
+    let glossary = Page::parse(&project.text("docs/glossary.md"));
+    let terms = terms(&glossary);
+    check_pages(&pages(&project), |path, page| check_abbreviations(&terms, path, page)).conclude(200);
+}
 
-    let specification = Page::parse("## 1. A\n\n### 1.2 B\n");
-    let text = "(specification, sections 1 and 1.2), docs/specification.md, section 3.4.".to_owned();
-    let report = check_sections(&specification, [("x.rs", text)].into_iter());
-    assert_eq!((report.checked, report.faults), (3, vec!["x.rs: the specification has no section [3.4]".to_owned()]));
+#[test]
+fn every_term_of_the_glossary_is_used() {
+    let project = Project::read();
+    let paths = project.with_endings(&["md", "rs", "wgsl", "sh"]).filter(|path| *path != "docs/glossary.md");
+    let text: String = paths.map(|path| project.text(path).to_lowercase() + " ").collect();
+    check_terms(&Page::parse(&project.text("docs/glossary.md")), &text).conclude(100);
+}
 
-    let long = "word ".repeat(36);
-    let page = Page::parse(&format!("Short one. {long}.\n\n| {long} |\n|---|\n| {long} |\n\n    {long}\n"));
-    assert_eq!(page.prose.len(), 1, "a paragraph, no table and no code");
-    let report = check_sentences("page.md", &page);
-    assert_eq!((report.checked, report.faults.len()), (2, 1));
-    let report = check_columns(page.prose.into_iter().map(|(line, text)| ("page.md", line, text)));
-    assert_eq!((report.checked, report.faults), (1, vec!["page.md:1: 192 columns".to_owned()]));
+#[test]
+fn every_type_that_a_page_names_is_in_the_sources() {
+    let project = Project::read();
+    let sources: Vec<String> = project.with_endings(&["rs", "wgsl", "cpp"]).map(|path| project.text(path)).collect();
+    let known: BTreeSet<String> = sources.iter().flat_map(|text| words::names(text)).map(str::to_owned).collect();
+    check_pages(&pages(&project), |path, page| check_type_names(&known, path, page)).conclude(30);
+}
+
+#[test]
+fn no_page_has_a_private_word_of_an_older_version() {
+    check_pages(&pages(&Project::read()), check_words).conclude(3000);
+}
+
+#[test]
+fn long_pages_stay_within_their_limits() {
+    let project = Project::read();
+    let words = project.text("docs/performance.md").split_whitespace().count();
+    assert!((1..=1500).contains(&words), "docs/performance.md has {words} words");
+    let lines = project.text("README.md").lines().count();
+    assert!((1..=150).contains(&lines), "README.md has {lines} lines");
 }

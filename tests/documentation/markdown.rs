@@ -1,4 +1,4 @@
-//! What a page in Markdown consists of.
+//! The parts of a page in Markdown.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -7,51 +7,79 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use crate::words;
 
-/// A page, taken apart. Numbers are those of lines, from 1.
+/// A link or an image.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Link {
+    pub line: usize,
+    pub to: String,
+    /// The code spans of its text.
+    pub code: String,
+}
+
+/// The parts of a page. Numbers are those of lines, from 1.
 #[derive(Debug, Default)]
 pub struct Page {
     /// Its headings as they are written.
     pub titles: Vec<String>,
+    /// The lines of its headings.
+    pub title_lines: Vec<usize>,
     /// Its headings as links name them.
     pub headings: Vec<String>,
-    /// Where its links and images lead.
-    pub links: Vec<(usize, String)>,
-    /// What is set as code: spans, and the lines of blocks.
+    pub links: Vec<Link>,
+    /// Code spans, and the lines of code blocks.
     pub code: Vec<(usize, String)>,
-    /// Its sentences outside of tables and code. A span of code is the word `code`.
+    /// All text but code, tables and headings included.
+    pub text: Vec<(usize, String)>,
+    /// The cells of tables, row after row.
+    pub rows: Vec<Vec<String>>,
+    /// Its sentences outside of tables, code and quotations. A code span is the word `code`.
     pub sentences: Vec<(usize, String)>,
-    /// Its lines outside of tables, blocks of code and HTML, but for empty ones and those that hold a link alone.
+    /// Its lines outside of tables, code blocks and HTML, but for empty ones and those that hold a link alone.
     pub prose: Vec<(usize, String)>,
 }
 
 impl Page {
-    /// Takes a page apart.
+    /// Parses a page.
     pub fn parse(text: &str) -> Self {
         let mut page = Self::default();
         let line = |offset: usize| text[..offset].matches('\n').count() + 1;
         let mut not_prose = BTreeSet::new();
         let mut paragraph = Paragraph::default();
-        let (mut heading, mut in_code, mut in_table, mut in_image) = (None::<String>, false, false, false);
+        let mut heading = None::<String>;
+        let (mut in_code, mut in_table, mut in_link, mut in_image, mut in_quotation) =
+            (false, false, false, false, false);
         for (event, Range { start, end }) in Parser::new_ext(text, Options::ENABLE_TABLES).into_offset_iter() {
+            let is_prose = !in_table && !in_image && !in_quotation;
             match event {
                 Event::Start(Tag::Table(_)) => {
                     in_table = true;
                     not_prose.extend(line(start)..=line(end.saturating_sub(1)));
                 }
                 Event::End(TagEnd::Table) => in_table = false,
+                Event::Start(Tag::TableRow | Tag::TableHead) => page.rows.push(Vec::new()),
+                Event::Start(Tag::TableCell) => page.rows.last_mut().expect("a row").push(String::new()),
                 Event::Start(Tag::CodeBlock(_)) => {
                     in_code = true;
                     not_prose.extend(line(start)..=line(end.saturating_sub(1)));
                 }
                 Event::End(TagEnd::CodeBlock) => in_code = false,
                 Event::Start(Tag::HtmlBlock) => not_prose.extend(line(start)..=line(end.saturating_sub(1))),
-                Event::Start(Tag::Link { dest_url, .. }) => page.links.push((line(start), dest_url.to_string())),
+                Event::Start(Tag::BlockQuote(_)) => in_quotation = true,
+                Event::End(TagEnd::BlockQuote(_)) => in_quotation = false,
+                Event::Start(Tag::Link { dest_url, .. }) => {
+                    in_link = true;
+                    page.links.push(Link { line: line(start), to: dest_url.to_string(), code: String::new() });
+                }
+                Event::End(TagEnd::Link) => in_link = false,
                 Event::Start(Tag::Image { dest_url, .. }) => {
                     in_image = true;
-                    page.links.push((line(start), dest_url.to_string()));
+                    page.links.push(Link { line: line(start), to: dest_url.to_string(), code: String::new() });
                 }
                 Event::End(TagEnd::Image) => in_image = false,
-                Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
+                Event::Start(Tag::Heading { .. }) => {
+                    heading = Some(String::new());
+                    page.title_lines.push(line(start));
+                }
                 Event::End(TagEnd::Heading(_)) => {
                     let title = heading.take().expect("a heading ends where one has begun");
                     page.headings.push(anchor(&title, &page.titles));
@@ -65,18 +93,24 @@ impl Page {
                 }
                 Event::Text(words) => {
                     heading.iter_mut().for_each(|title| title.push_str(&words));
-                    if !in_table && !in_image {
+                    page.text.push((line(start), words.to_string()));
+                    page.add_to_cell(in_table, &words);
+                    if is_prose {
                         paragraph.add(line(start), &words);
                     }
                 }
                 Event::Code(words) => {
                     heading.iter_mut().for_each(|title| title.push_str(&words));
                     page.code.push((line(start), words.to_string()));
-                    if !in_table && !in_image {
+                    page.add_to_cell(in_table, &words);
+                    if let Some(link) = page.links.last_mut().filter(|_| in_link) {
+                        link.code.push_str(&words);
+                    }
+                    if is_prose {
                         paragraph.add(line(start), "code");
                     }
                 }
-                Event::SoftBreak | Event::HardBreak => paragraph.add(line(start), " "),
+                Event::SoftBreak | Event::HardBreak if is_prose => paragraph.add(line(start), " "),
                 _ => {}
             }
         }
@@ -86,9 +120,29 @@ impl Page {
         page.prose = lines.filter(|(number, _)| !not_prose.contains(number)).collect();
         page
     }
+
+    fn add_to_cell(&mut self, in_table: bool, text: &str) {
+        if let Some(cell) = self.rows.last_mut().and_then(|row| row.last_mut()).filter(|_| in_table) {
+            cell.push_str(text);
+        }
+    }
+
+    /// The lines of prose between the title and the next heading.
+    pub fn summary(&self) -> impl Iterator<Item = &str> {
+        let begin = self.title_lines.first().copied().unwrap_or(0);
+        let end = self.title_lines.get(1).copied().unwrap_or(usize::MAX);
+        let lines = self.prose.iter().filter(move |(line, _)| *line > begin && *line < end);
+        lines.map(|(_, text)| text.as_str())
+    }
+
+    /// Whether a line is below this heading and above the next one.
+    pub fn is_below(&self, line: usize, title: &str) -> bool {
+        let last = self.title_lines.iter().rposition(|heading| *heading <= line);
+        last.is_some_and(|index| self.titles[index] == title)
+    }
 }
 
-/// A paragraph as it is read.
+/// The text of a paragraph so far.
 #[derive(Debug, Default)]
 struct Paragraph {
     line: usize,

@@ -1,4 +1,4 @@
-//! What a piece of text names, and how long it is.
+//! The names in a piece of text, and its length.
 
 use std::collections::BTreeSet;
 
@@ -80,4 +80,52 @@ pub fn sentences(paragraph: &str) -> Vec<String> {
 /// How many words a sentence has: what stands between blanks and has a letter or a digit.
 pub fn count(sentence: &str) -> usize {
     sentence.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count()
+}
+
+/// The abbreviations in a text: words of two or more letters, all of them capital, perhaps with digits.
+pub fn abbreviations(text: &str) -> impl Iterator<Item = &str> {
+    let words = text.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+    words.filter(|word| {
+        word.chars().filter(|letter| letter.is_ascii_uppercase()).count() >= 2
+            && word.chars().all(|letter| letter.is_ascii_uppercase() || letter.is_ascii_digit())
+    })
+}
+
+/// The names of types in a code span: words of three or more letters in camel case. A span with blanks has none,
+/// because it is a command or a message.
+pub fn type_names(code: &str) -> impl Iterator<Item = &str> {
+    let code = if code.contains(' ') { "" } else { code };
+    let words = code.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+    words.filter(|word| {
+        word.starts_with(|letter: char| letter.is_ascii_uppercase())
+            && word.chars().filter(char::is_ascii_lowercase).count() >= 2
+            && word.chars().all(|letter| letter.is_ascii_alphanumeric())
+    })
+}
+
+/// Whether a text in lower case holds these words, one after the other.
+pub fn holds(text: &str, words: &str) -> bool {
+    let is_apart = |letter: Option<char>| letter.is_none_or(|letter| !letter.is_alphanumeric() && letter != '_');
+    text.match_indices(words).any(|(start, _)| {
+        is_apart(text[..start].chars().next_back()) && is_apart(text[start + words.len()..].chars().next())
+    })
+}
+
+/// Whether a code span is one name of Rust.
+pub fn is_name(code: &str) -> bool {
+    !code.is_empty() && code.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_')
+}
+
+/// Whether a source in Rust defines a function, a type, a trait, a module or a constant of this name.
+pub fn defines(source: &str, name: &str) -> bool {
+    let kinds = ["fn", "struct", "enum", "trait", "type", "mod", "const"];
+    source.lines().any(|line| {
+        let words: Vec<&str> = line.split(|letter: char| !letter.is_alphanumeric() && letter != '_').collect();
+        words.windows(2).any(|pair| kinds.contains(&pair[0]) && pair[1] == name)
+    })
+}
+
+/// The words of a source: everything that may be a name.
+pub fn names(source: &str) -> impl Iterator<Item = &str> {
+    source.split(|letter: char| !letter.is_alphanumeric() && letter != '_').filter(|word| !word.is_empty())
 }

@@ -1,0 +1,106 @@
+//! Each check finds a fault.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::checks::*;
+use crate::markdown::Page;
+use crate::project::Project;
+
+#[test]
+fn links_and_paths_that_lead_nowhere_are_found() {
+    let project = Project::read();
+    let page = Page::parse("# One\n\nSee [a](#one), [b](#two), [c](README.md), [d](nowhere.md#x).\n");
+    let report = check_links(&project, &BTreeMap::from([("page.md", page)]));
+    assert_eq!(report.checked, 8);
+    assert_eq!(
+        report.faults,
+        [
+            "page.md:3: there is no heading [#two]",
+            "page.md:3: there is no file [nowhere.md]",
+            "page.md:3: there is no heading [nowhere.md#x]",
+        ]
+    );
+
+    let text = "Read docs/design.md, docs/nowhere.md, `render.rs` and `gone.rs`; either/or is no path.";
+    let report = check_paths(&project, [("x.rs", 1, text)].into_iter());
+    assert_eq!(report.checked, 4);
+    assert_eq!(
+        report.faults,
+        ["x.rs:1: there is no [docs/nowhere.md] in this project", "x.rs:1: there is no [gone.rs] in this project"]
+    );
+}
+
+#[test]
+fn a_section_that_does_not_exist_is_found() {
+    let specification = Page::parse("## 1. A\n\n### 1.2 B\n");
+    let text = "(specification, sections 1 and 1.2), docs/specification.md, section 3.4.".to_owned();
+    let report = check_sections(&specification, [("x.rs", text)].into_iter());
+    assert_eq!((report.checked, report.faults), (3, vec!["x.rs: the specification has no section [3.4]".to_owned()]));
+}
+
+#[test]
+fn long_sentences_and_lines_are_found() {
+    let long = "word ".repeat(36);
+    let table = format!("| {long} |\n|---|\n| {long} |");
+    let page = Page::parse(&format!("Short one. {long}.\n\n{table}\n\n    {long}\n\n- {long}\n\n> {long}\n"));
+    let report = check_sentences("page.md", &page);
+    assert_eq!(
+        (report.checked, report.faults.len()),
+        (3, 2),
+        "a paragraph and an item, but no table, code or quotation"
+    );
+
+    let report = check_columns(page.prose.into_iter().map(|(line, text)| ("page.md", line, text)));
+    assert_eq!(report.faults, ["page.md:1: 192 columns", "page.md:9: 182 columns", "page.md:11: 182 columns"]);
+
+    let page = Page::parse(&format!("{}[two words](x.md) and `a b c d`.", "word ".repeat(31)));
+    assert!(check_sentences("page.md", &page).faults.is_empty(), "a link counts by its text, code as one word");
+}
+
+#[test]
+fn a_function_that_is_not_in_its_file_is_found() {
+    let project = Project::read();
+    let page = Page::parse("[`read`](tests/documentation/project.rs), [`gone`](tests/documentation/project.rs)\n");
+    let report = check_named_items(&project, &BTreeMap::from([("page.md", page)]));
+    let fault = "page.md:1: [tests/documentation/project.rs] does not define [gone]";
+    assert_eq!((report.checked, report.faults), (2, vec![fault.to_owned()]));
+}
+
+#[test]
+fn a_summary_that_is_missing_or_long_is_found() {
+    let faults = |text: &str| check_summary("page.md", &Page::parse(text)).faults;
+    assert_eq!(faults("# A\n\nShort.\n\n## B\n"), Vec::<String>::new());
+    assert_eq!(faults("# A\n\n## B\n\nText.\n"), ["page.md: the summary has 0 lines"]);
+    assert_eq!(faults(&format!("# A\n\n{}", "line\n".repeat(11))), ["page.md: the summary has 11 lines"]);
+}
+
+#[test]
+fn undefined_and_unused_terms_are_found() {
+    let glossary = Page::parse("| Term | Meaning |\n|---|---|\n| BVH, tree | a TREE of boxes |\n");
+    let page = Page::parse("A BVH on a CPU, and an XYZ.\n\n| a TREE |\n|---|\n");
+    assert_eq!(
+        check_abbreviations(&terms(&glossary), "page.md", &page).faults,
+        ["page.md:1: the glossary lacks [XYZ]", "page.md:3: the glossary lacks [TREE]"]
+    );
+
+    let report = check_terms(&glossary, "the bvh, and trees");
+    assert_eq!(
+        report.faults,
+        ["the glossary has [Term], which is not used", "the glossary has [tree], which is not used"]
+    );
+
+    let known = BTreeSet::from(["Bvh".to_owned()]);
+    let report = check_type_names(&known, "page.md", &Page::parse("`Bvh::new`, `Hierarchy`, `E1`\n"));
+    assert_eq!((report.checked, report.faults), (2, vec!["page.md:1: no source has the name [Hierarchy]".to_owned()]));
+}
+
+#[test]
+fn private_words_are_found_but_where_old_names_are_kept() {
+    let faults = |path: &str, text: &str| check_words(path, &Page::parse(text)).faults.len();
+    assert_eq!(faults("page.md", "A plain formula, a certificateless rule.\n"), 0);
+    assert_eq!(faults("page.md", "# A\n\nThe textbook is\n\n| certified |\n|---|\n\nand `leaps`.\n"), 4);
+    let below = "# A\n\n## Old and new names of the modules\n\n`leaps`\n\n## B\n\n";
+    assert_eq!(faults("docs/design.md", below), 0);
+    assert_eq!(faults("docs/design.md", &format!("{below}`leaps`\n")), 1);
+    assert_eq!(faults("docs/other.md", below), 1);
+}
