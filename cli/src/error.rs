@@ -2,20 +2,20 @@
 
 use std::fmt;
 
-/// Why a program ends without a picture.
+/// The error of a program that ends without a picture.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
-    /// The program was called with this number of arguments instead of three.
+    /// The program was called with this number of arguments, which is not three.
     ArgumentCount(usize),
     /// The configuration, the scene or the picture is wrong.
     Renderer(cpu::Error),
-    /// The picture cannot be written.
+    /// The picture's file cannot be written.
     Output(output::Error),
 }
 
 impl Error {
-    /// The message, byte for byte, without the leading `Error: ` and without a closing line end.
+    /// Returns the message, byte for byte, without `Error: ` before it and without a line end.
     #[must_use]
     pub fn message(&self) -> Vec<u8> {
         match self {
@@ -25,7 +25,7 @@ impl Error {
         }
     }
 
-    /// The message for a terminal, with control characters of files and names escaped.
+    /// Returns the message for a terminal: control characters in names and in text of files are escaped.
     #[must_use]
     pub fn message_for_terminal(&self) -> Vec<u8> {
         match self {

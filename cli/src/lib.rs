@@ -8,8 +8,9 @@ use std::process::ExitCode;
 
 pub use crate::error::Error;
 
-/// Runs the program with the arguments of this process. An error gives status 1, and its message is written to standard
-/// error. It is written byte for byte, except on a terminal, for which control characters are escaped.
+/// Runs a program with the arguments of this process, and returns its exit status: 0, or 1 after an error. The message
+/// of an error is written to standard error byte for byte. If standard error is a terminal, control characters are
+/// escaped.
 #[must_use]
 pub fn main<L: cpu::Layout>() -> ExitCode {
     #[cfg(unix)]
@@ -19,7 +20,7 @@ pub fn main<L: cpu::Layout>() -> ExitCode {
         Err(error) => {
             let mut stderr = std::io::stderr();
             let message = if stderr.is_terminal() { error.message_for_terminal() } else { error.message() };
-            // If standard error is closed, only the status reports the error.
+            // An error is ignored: if standard error is closed, only the exit status tells of the failure.
             let _ = stderr.write_all(&[b"Error: ", &message[..], b"\n"].concat());
             ExitCode::FAILURE
         }

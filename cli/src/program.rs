@@ -8,11 +8,11 @@ use output::{Options, Output};
 
 use crate::Error;
 
-/// Renders a scene into a file. The three arguments are the names `CONFIG`, `SCENE` and `OUT.ppm`.
+/// Renders a scene into a file. `arguments` must have three names: `CONFIG`, `SCENE` and `OUT.ppm`.
 ///
 /// # Errors
-/// The first of these: [`Error::ArgumentCount`]; an output that is also an input; a fault of the configuration, of the
-/// scene, of the picture, or of the output. The output file is then unchanged.
+/// Returns the first error, in this order: [`Error::ArgumentCount`]; an output that is also an input; an error of the
+/// configuration, the scene, the picture or the output. A regular output file is then unchanged.
 pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
     reserve_stack();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
@@ -22,12 +22,12 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
     render_files::<L>(Path::new(config), Path::new(scene), Path::new(out), Scatter::Statement)
 }
 
-/// Makes the system give the stack all the memory that rendering needs, before other allocations use up the address
-/// space.
+/// Makes the system give the stack all the memory that rendering needs. Call this before other allocations, which may
+/// use up the address space.
 ///
-/// The stack grows on demand. If the address space is limited and used up, it cannot grow, and the process would end by
-/// SIGSEGV without a message. All other allocations that grow with the input report an error when they fail. The
-/// programs have only one thread.
+/// The stack grows on demand. If a limited address space is used up, the stack cannot grow, and SIGSEGV ends the
+/// process without a message. All other allocations that grow with the input return an error when they fail. The
+/// programs have only one thread, so one stack is enough.
 ///
 /// Rendering 10,000 objects needs a stack of 384 KiB in test builds and of 288 KiB in release builds. These are the
 /// smallest values of `ulimit -s` with which the programs rendered them.
@@ -37,16 +37,16 @@ fn reserve_stack() {
     std::hint::black_box(&mut [0_u8; BYTES]);
 }
 
-/// Renders `scene` with `config` into `out`.
+/// Renders the file `scene` with the configuration `config`, and writes the picture to `out`.
 ///
 /// # Errors
-/// As [`run`], except [`Error::ArgumentCount`].
+/// The errors of [`run`], except [`Error::ArgumentCount`].
 pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter: Scatter) -> Result<(), Error> {
     output::refuse_inputs(out, &[config, scene])?;
     let config_path = config;
     let config = Config::read(config_path)?;
     let scene = Scene::read(scene)?;
-    // A camera without a window is a fault of the configuration, so it is reported before faults of the output.
+    // A camera without a window is an error of the configuration, so it must be reported before errors of the output.
     config.check_picture().map_err(|error| error.in_file(config_path))?;
     let output = Output::open(out, Options::default())?;
     let image = cpu::render::<L>(&config, &scene, scatter).map_err(|error| error.in_file(config_path))?;

@@ -1,8 +1,8 @@
-//! Compares whole pictures of `tests/cases` and of the reference folder with digests that other programs made. Pictures
-//! with `Scatter::Statement` are rendered by the built programs, those with `Scatter::Published` through the library,
-//! both with both layouts.
+//! Compares whole pictures with digests that other programs made. The scenes are those of `tests/cases` and of the
+//! reference folder. Pictures with `Scatter::Statement` are rendered by the built programs, those with
+//! `Scatter::Published` through the library. Every picture is rendered with both layouts.
 //!
-//! Without the reference folder, the tests of its pictures are shown as ignored.
+//! If there is no reference folder, the tests of its pictures are shown as ignored.
 
 use std::path::Path;
 use std::process::Command;
@@ -13,7 +13,7 @@ use test_support::folder::Folder;
 use test_support::golden::{self, Golden};
 use test_support::{digest, p3, ppm};
 
-/// The two renderers with one layout: the built program, and the function of the library.
+/// One layout's two ways to render: the built program, and the function of the library.
 #[derive(Clone, Copy)]
 struct Renderer {
     program: &'static str,
@@ -44,7 +44,7 @@ fn main() {
     libtest_mimic::run(&arguments, trials).exit();
 }
 
-/// Why the reference pictures cannot be rendered; `None` if they can.
+/// Returns the reason why the reference pictures cannot be rendered, or `None` if they can.
 fn obstacle(folder: &Path) -> Option<String> {
     (!folder.is_dir()).then(|| format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()))
 }
@@ -80,8 +80,8 @@ fn has_its_digest(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 
-/// Compares a picture with the second published image pixel by pixel. Only of this published image the reference folder
-/// has the file itself.
+/// Compares the picture with the second published image, pixel by pixel. This is the only published image whose file is
+/// in the reference folder; for the others there are only digests.
 fn is_the_published_image(golden: &Golden, renderer: Renderer) -> Result<(), Failed> {
     let bytes = (renderer.library)(golden)?;
     let expected = std::fs::read(golden.config.with_file_name("published2.ppm"))?;

@@ -1,4 +1,4 @@
-//! Makes each system call of the programs fail once, and sends a signal in each of them.
+//! Tests that make each system call of the programs fail once, and that send a signal in each of them.
 //!
 //! If `strace` cannot run, these tests are shown as ignored.
 

@@ -1,6 +1,7 @@
-//! Outputs that cannot be written because of the machine: a full disk, a folder in which no file may be created.
+//! Tests of outputs that cannot be written because of the machine: a full disk, or a folder in which no file may be
+//! created.
 //!
-//! Some tests need rights that the user may lack. Without them they are shown as ignored.
+//! Some tests need rights that the user may lack. They are then shown as ignored.
 
 #[cfg(unix)]
 #[path = "machine/unix.rs"]

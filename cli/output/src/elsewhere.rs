@@ -1,17 +1,17 @@
-//! Places on systems other than Unix. They use only functions of the standard library, and few errors are found before
-//! writing.
+//! Outputs on systems other than Unix. This module uses only the standard library, so [`Place::find`] finds few errors
+//! before the first write.
 
 use std::fs::{self, File, OpenOptions};
 use std::hash::{BuildHasher, RandomState};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// What an output is written to.
+/// The target of an output, found by [`Place::find`].
 #[derive(Debug)]
 pub enum Place {
     /// A device, to which the bytes are written directly.
     Direct(File),
-    /// A named pipe.
+    /// A named pipe. This module never returns it, because only Unix has named pipes in the file system.
     #[allow(dead_code, reason = "only Unix has named pipes in the file system")]
     Pipe(PathBuf),
     /// A regular file, to be replaced or created.
@@ -19,10 +19,11 @@ pub enum Place {
 }
 
 impl Place {
-    /// Opens the place that `path` names.
+    /// Opens the device, or creates the temporary file, that an output to `path` needs. If `sync` is true,
+    /// [`Temporary::commit`] waits until the file is on the disk.
     ///
     /// # Errors
-    /// The error of the system.
+    /// The error of the system, for example because `path` is a folder.
     pub fn find(path: &Path, sync: bool) -> io::Result<Self> {
         match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
@@ -33,11 +34,11 @@ impl Place {
     }
 }
 
-/// A temporary file beside the file that it will replace. It is removed when this is dropped, but not when a signal
-/// ends the process.
+/// A temporary file in the folder of the file that it will replace. It is removed when this value is dropped, but not
+/// when a signal ends the process.
 #[derive(Debug)]
 pub struct Temporary {
-    /// The open file. It is closed before it is renamed.
+    /// The open file. [`Self::commit`] closes it before it renames it, and leaves `None`.
     file: Option<File>,
     path: PathBuf,
     target: PathBuf,
@@ -53,7 +54,7 @@ impl Temporary {
         Ok(Self { file, path, target, sync })
     }
 
-    /// Renames the file to its target.
+    /// Closes the temporary file, and renames it to its target.
     ///
     /// # Errors
     /// The error of the system.
@@ -78,7 +79,7 @@ impl Write for Temporary {
 impl Drop for Temporary {
     fn drop(&mut self) {
         self.file = None;
-        // Fails after renaming, since no file has this name then.
+        // Always fails after renaming, because then no file has the temporary name.
         let _ = fs::remove_file(&self.path);
     }
 }

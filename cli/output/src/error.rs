@@ -1,15 +1,15 @@
-//! Why a file was not written.
+//! The error of an output.
 
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file cannot be written. The file is unchanged, unless the message says otherwise.
+/// The error of an output that cannot be written. A regular file is then unchanged, unless the message says otherwise.
 #[derive(Debug)]
 pub struct Error {
-    /// The file as named by the caller.
+    /// The path of the output, as the caller named it.
     pub path: PathBuf,
-    /// The error of the system.
+    /// The cause, such as an error of the system.
     pub cause: io::Error,
 }
 
@@ -18,8 +18,8 @@ impl Error {
         Self { path: path.to_owned(), cause }
     }
 
-    /// The message in bytes, since a file's name need not be UTF-8. `show` converts the name and the system's message
-    /// before they are shown. For a terminal it escapes control characters.
+    /// Returns the message as bytes, since a file's name need not be UTF-8. `show` converts the name and the cause
+    /// before they are put into the message; it can escape control characters for a terminal.
     #[must_use]
     pub fn message(&self, show: impl Fn(&[u8]) -> Vec<u8>) -> Vec<u8> {
         let name = show(self.path.as_os_str().as_encoded_bytes());

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 use flags::{FLAGS, Flags};
 
-// SAFETY: the C library of every Unix has these functions, with these types.
+// SAFETY: these declarations have the types that the C library of every Unix uses.
 unsafe extern "C" {
     fn openat(folder: c_int, name: *const c_char, flags: c_int, ...) -> c_int;
     fn linkat(old: c_int, from: *const c_char, new: c_int, to: *const c_char, flags: c_int) -> c_int;
@@ -26,7 +26,7 @@ unsafe extern "C" {
     fn faccessat(folder: c_int, path: *const c_char, mode: c_int, flags: c_int) -> c_int;
 }
 
-/// An open folder.
+/// An open folder. A file is named by its name in this folder, without a path.
 #[derive(Debug)]
 pub struct Folder {
     file: File,
@@ -34,7 +34,8 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Opens the folder at `path`. It must be readable only if it will be [synced](Self::sync).
+    /// Opens the folder at `path`. If `sync` is true, [`Self::sync`] may be called later, and the process needs the
+    /// right to read the folder.
     ///
     /// # Errors
     /// The error of the system.
@@ -44,23 +45,25 @@ impl Folder {
         Ok(Self { file: OpenOptions::new().read(true).custom_flags(flags).open(path)?, path: path.to_owned() })
     }
 
-    /// Creates an empty file without a name in the folder's file system. If it gets no name, it vanishes when it is
-    /// closed.
+    /// Creates an empty file without a name, on the file system of the folder. The file is open for writing. It
+    /// vanishes when it is closed, unless [`Folder::link`] has given it a name.
     ///
     /// # Errors
-    /// [`ErrorKind::Unsupported`], or the error of the system, since not every file system supports such files.
+    /// [`ErrorKind::Unsupported`] if this system has no such files or `/proc` is not mounted; otherwise the error of
+    /// the system. Many file systems do not support files without a name.
     pub fn create_unnamed(&self, mode: u32) -> io::Result<File> {
         let flags = FLAGS.ok_or(ErrorKind::Unsupported)?;
         let file = self.open_at(c".", flags.unnamed | flags.close_on_exec, mode)?;
-        // `link` names the file through this link in /proc, which is missing if /proc is not mounted.
+        // [`Folder::link`] names the file through this link in /proc, which is missing if /proc is not mounted.
         let seen = std::fs::metadata(own_link(&file))?;
         if is_same(&seen, &file.metadata()?) { Ok(file) } else { Err(ErrorKind::Unsupported.into()) }
     }
 
-    /// Creates an empty file with a free name.
+    /// Creates the empty file `name` and opens it for writing.
     ///
     /// # Errors
-    /// [`ErrorKind::AlreadyExists`], also for a dangling link, or another error of the system.
+    /// [`ErrorKind::AlreadyExists`] if a file or a link, even a dangling one, has this name; otherwise the error of the
+    /// system.
     pub fn create(&self, name: &CStr, mode: u32) -> io::Result<File> {
         match FLAGS {
             Some(Flags { write, create, exclusive, close_on_exec, no_follow, .. }) => {
@@ -70,7 +73,8 @@ impl Folder {
         }
     }
 
-    /// Opens an existing file for writing, without changing it. Does not follow a link and does not wait.
+    /// Opens the existing file `name` for writing, without changing it. It follows no link, and does not wait for the
+    /// reader of a pipe.
     ///
     /// # Errors
     /// The error of the system, which tells why the file may not be written.
@@ -84,8 +88,8 @@ impl Folder {
     }
 
     fn open_at(&self, name: &CStr, flags: c_int, mode: u32) -> io::Result<File> {
-        // SAFETY: the folder is open and `name` a C string. A result other than an error is a new descriptor, which the
-        // `File` owns.
+        // SAFETY: the folder is open and `name` a C string. If the call succeeds, its result is a new descriptor, which
+        // the `File` owns.
         retry(|| unsafe { openat(self.file.as_raw_fd(), name.as_ptr(), flags, c_uint::from(mode)) })
             .map(|descriptor| unsafe { File::from_raw_fd(descriptor) })
     }
@@ -94,10 +98,10 @@ impl Folder {
         self.path.join(std::ffi::OsStr::from_bytes(name.to_bytes()))
     }
 
-    /// Gives a file from [`Folder::create_unnamed`] a free name.
+    /// Gives the name `name` to `file`, which must come from [`Folder::create_unnamed`].
     ///
     /// # Errors
-    /// [`ErrorKind::AlreadyExists`], or another error of the system.
+    /// [`ErrorKind::AlreadyExists`] if a file has this name; otherwise the error of the system.
     pub fn link(&self, file: &File, name: &CStr) -> io::Result<()> {
         let flags = FLAGS.ok_or(ErrorKind::Unsupported)?;
         let from = CString::new(own_link(file))?;
@@ -107,7 +111,7 @@ impl Folder {
         retry(|| unsafe { linkat(folder, from.as_ptr(), folder, name.as_ptr(), flags.follow) }).map(drop)
     }
 
-    /// Renames the file `from` to `to`, and so replaces the file that has this name.
+    /// Renames the file `from` to `to`. If a file `to` exists, the renamed file replaces it.
     ///
     /// # Errors
     /// The error of the system.
@@ -117,14 +121,14 @@ impl Folder {
         retry(|| unsafe { renameat(folder, from.as_ptr(), folder, to.as_ptr()) }).map(drop)
     }
 
-    /// Checks whether the existing file `name` may be replaced, and changes nothing.
+    /// Returns `Ok` if the existing file `name` may be replaced. It changes nothing.
     ///
-    /// It asks the system to remove the file as if it were a folder, which always fails. But Linux checks the rights
-    /// first, so the error tells whether this process has them. It lacks them in an append-only folder, and in a folder
-    /// where users may remove only their own files.
+    /// This function asks the system to remove the file as a folder. The call always fails, but Linux checks the rights
+    /// first, so its error tells whether this process has them. A process lacks them in an append-only folder, and in a
+    /// folder where users may remove only their own files.
     ///
     /// # Errors
-    /// The error that replacing the file would give.
+    /// The error that the system would return for replacing the file.
     pub fn may_replace(&self, name: &CStr) -> io::Result<()> {
         let Some(flags) = FLAGS else { return Ok(()) };
         // SAFETY: the folder is open and `name` a C string.
@@ -135,17 +139,18 @@ impl Folder {
         }
     }
 
-    /// Whether a file system or another file is mounted over `file` of this folder. Then the file cannot be replaced.
+    /// Whether a file system or another file is mounted over `file`, a file in this folder. Such a file cannot be
+    /// replaced.
     ///
     /// # Errors
-    /// The error of the system for the folder or the file.
+    /// The error of the system, if the metadata of the folder or the file cannot be read.
     pub fn is_mount_point(&self, file: &File) -> io::Result<bool> {
         let other_device = self.file.metadata()?.dev() != file.metadata()?.dev();
         let mounts = [mount_of(&self.file), mount_of(file)];
         Ok(other_device || matches!(mounts, [Some(one), Some(other)] if one != other))
     }
 
-    /// Waits until the names in the folder are on the disk.
+    /// Waits until all changes of names in the folder are on the disk.
     ///
     /// # Errors
     /// The error of the system.
@@ -160,21 +165,22 @@ impl AsFd for Folder {
     }
 }
 
-/// Removes a file. Returns -1 for an error. A signal handler may call it, since it makes only a system call.
+/// Removes the file `name` of an open folder. Returns 0, or -1 for an error. A signal handler may call this function,
+/// because it only makes a system call.
 pub fn unlink(folder: c_int, name: &CStr) -> c_int {
     // SAFETY: `name` is a C string. If the descriptor is not open, the call returns an error.
     unsafe { unlinkat(folder, name.as_ptr(), 0) }
 }
 
-/// Whether both are the same file.
+/// Whether both metadata belong to the same file.
 pub fn is_same(one: &Metadata, other: &Metadata) -> bool {
     (one.dev(), one.ino()) == (other.dev(), other.ino())
 }
 
-/// Checks whether a file may be opened for writing, without opening it.
+/// Checks whether this process may open the file at `path` for writing, without opening it.
 ///
 /// # Errors
-/// The error of the system.
+/// The error of the system that explains why the file cannot be written.
 pub fn may_write(path: &Path) -> io::Result<()> {
     const WRITE: c_int = 2;
     let Some(flags) = FLAGS else { return Ok(()) };
@@ -183,18 +189,19 @@ pub fn may_write(path: &Path) -> io::Result<()> {
     retry(|| unsafe { faccessat(flags.here, path.as_ptr(), WRITE, flags.effective) }).map(drop)
 }
 
-/// The link in /proc to an open file.
+/// Returns the path of the link in /proc that leads to an open file.
 fn own_link(file: &File) -> String {
     format!("/proc/self/fd/{}", file.as_raw_fd())
 }
 
-/// The number of the mount through which an open file was reached; `None` if the system does not tell.
+/// Returns the number of the mount through which `file` was opened, or `None` if the system does not tell it.
 fn mount_of(file: &File) -> Option<String> {
     let text = std::fs::read_to_string(format!("/proc/self/fdinfo/{}", file.as_raw_fd())).ok()?;
     text.lines().find_map(|line| line.strip_prefix("mnt_id:")).map(|number| number.trim().to_owned())
 }
 
-/// Repeats a system call as long as signals interrupt it.
+/// Repeats the system call `call` until no signal interrupts it. Returns its result, or the error of the system if the
+/// result is -1.
 fn retry(mut call: impl FnMut() -> c_int) -> io::Result<c_int> {
     loop {
         let result = call();

@@ -39,31 +39,31 @@ use std::path::{Path, PathBuf};
 pub use crate::error::Error;
 use crate::place::Place;
 
-/// Options for writing a file.
+/// Options for writing an output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Options {
-    /// Whether [`Output::commit`] waits until the file and its name are on the disk. Then the old or the new file is
-    /// complete even after a loss of power. Without it, that depends on the file system.
+    /// Whether [`Output::commit`] waits until the file and its name are on the disk. If true, a loss of power leaves
+    /// the complete old or the complete new file. If false, the result depends on the file system.
     pub sync: bool,
 }
 
-/// An output that is being written: a regular file, a device or a pipe.
+/// An output that is being written: a regular file, a device or a pipe. It implements [`Write`].
 ///
-/// The bytes are not buffered, so write them in large pieces. If this is dropped without [`Output::commit`], a regular
-/// file is unchanged, and no temporary file is left.
+/// The output has no buffer, so write large pieces. If this value is dropped without [`Output::commit`], a regular file
+/// is unchanged, and no temporary file is left.
 #[derive(Debug)]
 pub struct Output {
-    /// As the caller named it, for messages.
+    /// The path as the caller named it, for error messages.
     named: PathBuf,
     place: Place,
-    /// The error of the first write that failed. It is kept because encoders such as `png` ignore errors of the bytes
-    /// that they write last.
+    /// The error of the first write that failed. [`Output::commit`] returns it, because encoders such as `png` ignore
+    /// the errors of their last writes.
     failure: Option<io::Error>,
 }
 
 impl Output {
     /// Checks as far as possible that `path` can be written, without changing the file. Call this before long work, so
-    /// that the work is not lost because the file cannot be written.
+    /// that an output that cannot be written is found early.
     ///
     /// # Errors
     /// [`Error`] in these cases: `path` is a folder or a socket; its folder does not exist, or no file can be created
@@ -74,27 +74,27 @@ impl Output {
         Ok(Self { named: path.to_owned(), place, failure: None })
     }
 
-    /// Replaces the old file by the new one, which is complete.
+    /// Replaces the old file by the new one. Call this when all bytes are written.
     ///
     /// # Errors
-    /// [`Error`] when the system fails, or when a write has failed, even if its error was ignored. A regular file is
-    /// then unchanged. The only exception is named in the message: the new file is in its place, but may not be on the
-    /// disk yet.
+    /// [`Error`] if the system returns an error now, or if any earlier write failed, even if the caller ignored that
+    /// error. A regular file is then unchanged, with one exception that the message names: the new file has its name,
+    /// but may not be on the disk yet.
     pub fn commit(self) -> Result<(), Error> {
         let result = match (self.failure, self.place) {
             (Some(cause), _) => Err(cause),
             (None, Place::Regular(file)) => file.commit(),
-            // A pipe to which no bytes were written is opened and closed, since its reader waits for that.
+            // A pipe to which no bytes were written is opened and closed here, because its reader waits for that.
             (None, Place::Pipe(path)) => open_pipe(&path).map(drop),
             (None, Place::Direct(_)) => Ok(()),
         };
         result.map_err(|cause| Error { path: self.named, cause })
     }
 
-    /// Calls `write` with this output, and commits if it succeeds.
+    /// Calls `write` with this output, and then [`Output::commit`] if `write` succeeds.
     ///
     /// # Errors
-    /// [`Error`] when `write` fails, or as [`Output::commit`].
+    /// [`Error`] if `write` or [`Output::commit`] fails.
     pub fn fill(mut self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
         match write(&mut self) {
             Ok(()) => self.commit(),
@@ -104,7 +104,8 @@ impl Output {
 }
 
 impl Output {
-    /// Keeps the error of the first write that failed. An interruption is no failure, since callers repeat the write.
+    /// Stores `error` if it is the first failure of this output. An interruption is no failure, because callers repeat
+    /// an interrupted write.
     fn remember(&mut self, error: &io::Error) {
         if error.kind() != io::ErrorKind::Interrupted && self.failure.is_none() {
             self.failure = Some(error.raw_os_error().map_or(error.kind().into(), io::Error::from_raw_os_error));
@@ -140,16 +141,16 @@ impl Place {
     }
 }
 
-/// Opens a named pipe for writing, which waits for a reader.
+/// Opens the named pipe at `path` for writing. The call waits until another process opens the pipe for reading.
 fn open_pipe(path: &Path) -> io::Result<File> {
     OpenOptions::new().write(true).open(path)
 }
 
-/// Refuses an output that is the same file as one of the inputs, even under another name. Call this before the inputs
-/// are read. A device or a pipe may be both input and output.
+/// Refuses an output that is the same file as one of the inputs, even if their paths differ. Call this before the
+/// inputs are read. A device or a pipe may be both input and output.
 ///
 /// # Errors
-/// [`Error`], which names the input.
+/// [`Error`], whose message names the first such input.
 pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     match inputs.iter().find(|input| is_same_file(out, input)) {
         None => Ok(()),

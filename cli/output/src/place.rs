@@ -1,4 +1,4 @@
-//! Finds out what the name of an output stands for, and opens it.
+//! Finds out whether the path of an output is a regular file, a device or a pipe, and opens it.
 
 use std::fs::{self, File, FileType, OpenOptions};
 use std::io::{self, ErrorKind};
@@ -9,32 +9,34 @@ use crate::folder::{is_same, may_write};
 use crate::stdout;
 use crate::temporary::Temporary;
 
-/// What an output is written to. As far as possible it was found writable.
+/// The target of an output. [`Place::find`] has checked that it can be written, as far as that is known before.
 #[derive(Debug)]
 pub enum Place {
-    /// Standard output, a device or a pipe, to which the bytes are written directly.
+    /// Standard output or a device, to which the bytes are written directly.
     Direct(File),
     /// A named pipe. It is opened at the first write, because opening it waits for a reader.
     Pipe(PathBuf),
-    /// A regular file, to be replaced or created.
+    /// A temporary file that will become a new regular file, or replace an old one.
     Regular(Temporary),
 }
 
 const STDOUT_NAMES: [&str; 3] = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
 
-/// Most links that are followed, as on Linux.
+/// Largest number of links that [`follow`] follows; Linux has the same limit.
 const MAX_LINKS: u32 = 40;
 
 impl Place {
-    /// Opens the place that `path` names.
+    /// Follows the links of `path`, checks that the target can be written, and opens it. A named pipe is not opened
+    /// yet. If `sync` is true, the commit of a regular file waits until the file is on the disk.
     ///
     /// # Errors
-    /// Why it cannot be written, as far as that is known before writing.
+    /// The reason why the target cannot be written, as far as it is known before writing.
     pub fn find(path: &Path, sync: bool) -> io::Result<Self> {
         if is_stdout(path) {
             return stdout::open().map(Self::Direct);
         }
-        // The system follows the links first, since it may refuse to follow links of other users.
+        // `fs::metadata` follows the links before `follow` does, because Linux may forbid to follow links of other
+        // users.
         let metadata = match fs::metadata(path) {
             Ok(metadata) => Some(metadata),
             Err(error) if error.kind() == ErrorKind::NotFound => None,
@@ -59,13 +61,14 @@ fn is_stdout(path: &Path) -> bool {
     STDOUT_NAMES.iter().any(|name| path == Path::new(name))
 }
 
-/// The path at the end of all links: a file that is no link, a free name, or standard output.
+/// Follows all links from `path`. Returns the path of a file that is no link, a path at which no file exists, or a name
+/// of standard output.
 fn follow(path: &Path) -> io::Result<PathBuf> {
     let mut target = path.to_owned();
     for _ in 0..MAX_LINKS {
         match fs::read_link(&target) {
             Ok(next) if !is_stdout(&target) => target = target.parent().unwrap_or(Path::new("")).join(next),
-            // Not a link, or there is no such file. Other errors show when the file is created.
+            // `target` is not a link, or does not exist. Any other error is found when the file is created.
             _ => return Ok(target),
         }
     }

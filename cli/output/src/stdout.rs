@@ -1,8 +1,8 @@
-//! Standard output as a file, and whether it was open when the process started.
+//! Standard output as a file. It also detects whether standard output was closed when the process started.
 //!
-//! If standard output is closed, the standard library opens `/dev/null` in its place before `main`. And it reports
-//! success for a write to a standard output that is not writable. In both cases the picture would be lost, and the exit
-//! status would be 0.
+//! If standard output is closed, the standard library opens `/dev/null` in its place before `main`. It also reports
+//! success for a write to a standard output that is not open for writing. In both cases the picture would be lost, and
+//! the exit status would be 0.
 
 #![allow(unsafe_code)]
 
@@ -12,19 +12,20 @@ use std::io::{self, Write};
 use std::os::fd::AsFd;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether descriptor 1 was closed when the process started.
+/// Whether descriptor 1 (standard output) was closed when the process started.
 static CLOSED: AtomicBool = AtomicBool::new(false);
 
 const STDOUT: c_int = 1;
 /// The command of `fcntl` that returns the flags of a descriptor. It fails if the descriptor is closed.
 const GET_DESCRIPTOR_FLAGS: c_int = 1;
-/// The command of `fcntl` that returns the flags of the open file, its access mode among them.
+/// The command of `fcntl` that returns the flags of an open file, which include its access mode.
 const GET_FILE_FLAGS: c_int = 3;
-/// The bits that tell for what a file is open, and their value for reading only.
+/// The bits of the flags that hold the access mode, and the value of these bits for a file that is open only for
+/// reading.
 const ACCESS: c_int = 3;
 const READ_ONLY: c_int = 0;
 
-// SAFETY: the C library of every Unix has this function, with this type, and these commands.
+// SAFETY: the C library of every Unix has this function, with this type. Both commands have these values on every Unix.
 unsafe extern "C" {
     fn fcntl(descriptor: c_int, command: c_int, ...) -> c_int;
 }
@@ -34,7 +35,7 @@ fn flags(command: c_int) -> c_int {
     unsafe { fcntl(STDOUT, command) }
 }
 
-/// A function that the loader calls before the standard library starts.
+/// A function that the loader calls before the standard library starts. It sets [`CLOSED`].
 // SAFETY: the section holds addresses of functions of this type, and this function needs no part of the standard
 // library that must be started first.
 #[cfg(any(target_os = "linux", target_os = "macos"))]
@@ -48,10 +49,11 @@ static BEFORE_MAIN: extern "C" fn() = {
     look
 };
 
-/// Standard output as a file, which has no buffer and reports all errors.
+/// Returns standard output as a file without a buffer, whose writes return all errors of the system.
 ///
 /// # Errors
-/// Standard output was closed when the process started, or it is not open for writing.
+/// [`io::ErrorKind::NotConnected`] if standard output was closed when the process started.
+/// [`io::ErrorKind::PermissionDenied`] if it is open only for reading.
 pub fn open() -> io::Result<File> {
     if CLOSED.load(Ordering::SeqCst) {
         return Err(io::Error::new(io::ErrorKind::NotConnected, "standard output is closed"));

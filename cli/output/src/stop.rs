@@ -14,51 +14,52 @@ use std::sync::atomic::{AtomicBool, AtomicPtr, Ordering};
 
 use crate::folder;
 
-/// The files that are being written under a temporary name.
+/// The names of the temporary files that this process is writing: at most 16 at a time.
 static FILES: [Slot; 16] = [const { Slot(AtomicPtr::new(ptr::null_mut())) }; 16];
-/// Whether the first request to stop is only recorded.
+/// Whether the handler only records the first request to stop. [`note_first_request`] sets it.
 static NOTES_REQUESTS: AtomicBool = AtomicBool::new(false);
-/// Whether there was a request to stop.
+/// Whether a request to stop has come. The handler sets it.
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// A place for the name of one file, or null. Only the thread or handler that takes the name out removes the file, so
-/// that it is removed once.
+/// A pointer to the name of one temporary file, or null. Only the thread or handler that takes the pointer out removes
+/// the file, so the file is removed once.
 #[derive(Debug)]
 struct Slot(AtomicPtr<Named>);
 
-/// A name in an open folder.
+/// The name of a file in the open folder that has the descriptor `folder`.
 #[derive(Debug)]
 struct Named {
     folder: c_int,
     name: CString,
 }
 
-/// Requests to stop: hangup, interruption and termination have these numbers on every Unix.
+/// The signals that request to stop: SIGHUP, SIGINT and SIGTERM. They have these numbers on every Unix.
 const REQUESTS: [c_int; 3] = [1, 2, 15];
-/// Other signals that end a process, with the same numbers on every Unix: quit, illegal instruction, trap, abort,
-/// floating-point error, pipe, alarm. SIGSEGV and SIGBUS are left to the standard library, which tells a stack overflow
-/// from other faults.
+/// Other signals that end a process and have the same numbers on every Unix: SIGQUIT, SIGILL, SIGTRAP, SIGABRT, SIGFPE,
+/// SIGPIPE and SIGALRM. SIGSEGV and SIGBUS are left to the standard library, which distinguishes a stack overflow from
+/// other faults.
 const FATAL: [c_int; 7] = [3, 4, 5, 6, 8, 13, 14];
-/// Further signals of Linux that end a process: two for users, a coprocessor's fault, processor time, two timers,
-/// input, power, system call, and the real-time signals from 34 on.
+/// Further signals of Linux that end a process: two for users, coprocessor fault, processor time, two timers, input,
+/// power, wrong system call, and the real-time signals from 34 on.
 #[cfg(target_os = "linux")]
 const MORE: &[c_int] = &[
     10, 12, 16, 24, 26, 27, 29, 30, 31, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53,
     54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64,
 ];
-/// Further signals of macOS that end a process: emulation, system call, processor time, two timers, two for users.
+/// Further signals of macOS that end a process: emulation, wrong system call, processor time, two timers, two for
+/// users.
 #[cfg(target_os = "macos")]
 const MORE: &[c_int] = &[7, 12, 24, 26, 27, 30, 31];
 #[cfg(not(any(target_os = "linux", target_os = "macos")))]
 const MORE: &[c_int] = &[];
-/// The signal for the limit on file sizes. It is ignored, so that the write returns an error instead.
+/// SIGXFSZ, the signal for the limit on file sizes. It is ignored, so that the write returns an error instead.
 const FILE_SIZE: Option<c_int> = if cfg!(any(target_os = "linux", target_os = "macos")) { Some(25) } else { None };
 
-/// The values that a signal's handler may have instead of the address of a function.
+/// Special values of a signal's handler, used in place of the address of a function.
 const DEFAULT: usize = 0;
 const IGNORE: usize = 1;
 
-// SAFETY: the C library of every Unix has these functions with these types, and the standard library links it already.
+// SAFETY: the C library of every Unix has these functions with these types, and the standard library links to it.
 unsafe extern "C" {
     fn signal(number: c_int, handler: usize) -> usize;
     fn raise(number: c_int) -> c_int;
@@ -66,7 +67,8 @@ unsafe extern "C" {
     fn _exit(status: c_int) -> !;
 }
 
-/// The name of a file. The file is removed when this is dropped, and when a signal ends the process.
+/// The registered name of a temporary file. The file is removed when this value is dropped, and when a signal ends the
+/// process.
 #[derive(Debug)]
 pub(super) struct Remembered {
     slot: &'static Slot,
@@ -74,20 +76,20 @@ pub(super) struct Remembered {
 }
 
 impl Remembered {
-    /// Remembers `name` in the open `folder`, which must stay open as long as this lives.
+    /// Registers `name`, a file in the open `folder`. The folder must stay open as long as the returned value lives.
     ///
     /// # Errors
-    /// There is no free slot, because too many files are being written at once.
+    /// An error if all 16 slots are in use, because the process writes too many files at once.
     pub fn new(folder: c_int, name: &CStr) -> io::Result<Self> {
-        // Never freed, because a signal handler on another thread may still read it. That costs some 60 bytes for each
-        // file.
+        // Never freed, because a signal handler on another thread may still read it. Each file costs about 60 bytes.
         let named: &'static Named = Box::leak(Box::new(Named { folder, name: name.to_owned() }));
         let slot = FILES.iter().find(|slot| slot.exchange(ptr::null(), named));
         slot.map(|slot| Self { slot, named })
             .ok_or_else(|| io::Error::other("too many files are being written at once"))
     }
 
-    /// Forgets the name without removing the file. Call this when the file has its final name, or was never created.
+    /// Removes the name from the register, but not the file. Call this when the file has its final name, or was not
+    /// created.
     pub fn forget(self) {
         self.slot.exchange(self.named, ptr::null());
     }
@@ -95,7 +97,7 @@ impl Remembered {
 
 impl Drop for Remembered {
     fn drop(&mut self) {
-        // The name is not in its slot after `forget`, or when a signal handler has removed the file.
+        // `exchange` returns false after `forget`, or when a signal handler has removed the file already.
         if self.slot.exchange(self.named, ptr::null()) {
             folder::unlink(self.named.folder, &self.named.name);
         }
@@ -103,12 +105,12 @@ impl Drop for Remembered {
 }
 
 impl Slot {
-    /// Replaces `old` by `new`, and returns whether `old` was there.
+    /// Replaces the pointer `old` by `new`. Returns false, and changes nothing, if the slot does not hold `old`.
     fn exchange(&self, old: *const Named, new: *const Named) -> bool {
         self.0.compare_exchange(old.cast_mut(), new.cast_mut(), Ordering::SeqCst, Ordering::SeqCst).is_ok()
     }
 
-    /// Removes the file, if there is one. A signal handler may call it.
+    /// Removes the file whose name is in this slot, if there is one. A signal handler may call this function.
     fn remove(&self) {
         let named = self.0.swap(ptr::null_mut(), Ordering::SeqCst);
         // SAFETY: the pointer is null or comes from a `&'static Named`, which is never changed.
@@ -120,9 +122,9 @@ impl Slot {
 
 /// Installs a handler that removes the temporary files of this process when a signal ends it.
 ///
-/// The process then ends by the same signal. Process 1 cannot end so, since no default action ends it: it exits with
-/// the status 128 plus the signal's number. Signals that are ignored stay ignored, as `nohup` needs it. A write beyond
-/// the limit on file sizes returns an error, and no signal is sent.
+/// After that the process ends by this signal. A signal whose action is to ignore it stays ignored, as `nohup` needs
+/// it. Process 1 is special, because a default action never ends it: it exits with the status 128 plus the signal's
+/// number. A write beyond the limit on file sizes returns an error, and no signal is sent.
 pub fn remove_temporary_when_stopped() {
     for &number in REQUESTS.iter().chain(&FATAL).chain(MORE) {
         // SAFETY: `stop` has the type of a handler, and calls only functions that a handler may call.
@@ -138,14 +140,15 @@ pub fn remove_temporary_when_stopped() {
     }
 }
 
-/// Installs the handler of [`remove_temporary_when_stopped`], but the first SIGHUP, SIGINT or SIGTERM only makes
-/// [`requested`] true. The program should then end by itself soon. A second such signal ends it at once.
+/// Installs the handler of [`remove_temporary_when_stopped`], with one difference: the first SIGHUP, SIGINT or SIGTERM
+/// only makes [`requested`] return true. The program should then end by itself soon. A second such signal ends it at
+/// once.
 pub fn note_first_request() {
     NOTES_REQUESTS.store(true, Ordering::SeqCst);
     remove_temporary_when_stopped();
 }
 
-/// Whether a request to stop came since [`note_first_request`].
+/// Whether a SIGHUP, SIGINT or SIGTERM came since [`note_first_request`] was called.
 #[must_use]
 pub fn requested() -> bool {
     REQUESTED.load(Ordering::SeqCst)
@@ -157,8 +160,8 @@ extern "C" fn stop(number: c_int) {
         return;
     }
     FILES.iter().for_each(Slot::remove);
-    // SAFETY: a handler may call all these functions. A raised signal waits until the handler returns, and then ends
-    // the process, unless it is process 1.
+    // SAFETY: a handler may call all these functions. `raise` only marks the signal, because it is blocked until the
+    // handler returns. Then the signal ends the process, unless it is process 1.
     unsafe {
         if getpid() == 1 {
             _exit(128 + number);

@@ -1,4 +1,4 @@
-//! A temporary file that replaces an old file when it is complete, and is removed when it is not.
+//! A temporary file that becomes the new file when it is complete, and is removed if it does not become complete.
 
 use std::ffi::{CStr, CString};
 use std::fs::{File, Permissions};
@@ -12,11 +12,11 @@ use std::path::Path;
 use crate::folder::Folder;
 use crate::stop::Remembered;
 
-/// Reading and writing for the owner, nothing for all others.
+/// The permissions to read and write for the owner, and no permissions for other users.
 const PRIVATE: u32 = 0o600;
-/// Reading and writing for all users, except the permissions that the process' mask removes.
+/// The permissions to read and write for all users. The system removes those in the umask of the process.
 const COMMON: u32 = 0o666;
-/// The bits with which a program runs with the rights of its owner or its group.
+/// Permission bits that make a program run with the rights of its owner (set-user-ID) or its group (set-group-ID).
 const SET_USER: u32 = 0o4000;
 const SET_GROUP: u32 = 0o2000;
 
@@ -34,9 +34,9 @@ impl Rights {
         Ok(Self { user: metadata.uid(), group: metadata.gid(), mode: metadata.mode() })
     }
 
-    /// The permissions for the file with the rights `new`, which replaces the file with these rights. With another
-    /// owner it gets no set-user-ID bit. With another group it gets no set-group-ID bit, and its group gets only the
-    /// permissions that all users have.
+    /// Returns the permissions of a new file with the owner and group of `new`, which replaces a file with the rights
+    /// `self`. If the owners differ, the set-user-ID bit is removed. If the groups differ, the set-group-ID bit is
+    /// removed, and the group gets only the permissions that all users have.
     fn mode_for(self, new: Self) -> u32 {
         let mut mode = self.mode & 0o7777;
         if new.user != self.user {
@@ -49,11 +49,11 @@ impl Rights {
     }
 }
 
-/// A file that is being written, and will get the name `target` in an open folder.
+/// A file that is being written. [`Temporary::commit`] gives it the name `target` in an open folder.
 ///
 /// If the file system supports it, the file has no name until it is complete. Then no file is left, however the process
-/// ends. Otherwise the file has a hidden temporary name, and is removed when this is dropped or when a signal ends the
-/// process.
+/// ends. Otherwise the file has a hidden temporary name. It is removed when this value is dropped or when a signal ends
+/// the process.
 #[derive(Debug)]
 pub struct Temporary {
     // Stands before `folder` and so is dropped first, since removing the file needs the open folder.
@@ -61,9 +61,9 @@ pub struct Temporary {
     file: File,
     folder: Folder,
     target: CString,
-    /// Rights of the file that is replaced, if there is one.
+    /// The rights of the file that will be replaced; `None` if there is no old file.
     old: Option<Rights>,
-    /// The permissions that the file gets when it is complete, if it replaces no file and does not have them yet.
+    /// The permissions that `commit` must set; `None` if the new file has them already, or if they depend on `old`.
     mode: Option<u32>,
     sync: bool,
 }
@@ -72,18 +72,19 @@ impl Temporary {
     /// Checks that `target`, which is no link, may be created or replaced, and creates the temporary file.
     ///
     /// # Errors
-    /// Why `target` cannot be written, as far as that is known before writing.
+    /// The reason why `target` cannot be written, as far as it is known before writing.
     pub fn new(target: &Path, sync: bool) -> io::Result<Self> {
         Self::with(target, sync, Folder::create_unnamed)
     }
 
-    /// A file with a temporary name, as on a file system that does not support files without a name.
+    /// Creates a file with a temporary name, as [`Self::new`] does on a file system without support for files without a
+    /// name.
     #[cfg(test)]
     pub fn named(target: &Path, sync: bool) -> io::Result<Self> {
         Self::with(target, sync, |_, _| Err(ErrorKind::Unsupported.into()))
     }
 
-    /// Creates the file by `unnamed`, or with a temporary name if `unnamed` fails.
+    /// Creates the temporary file with the function `unnamed`. If that fails, creates it with a temporary name.
     fn with(target: &Path, sync: bool, unnamed: impl Fn(&Folder, u32) -> io::Result<File>) -> io::Result<Self> {
         let name = file_name(target)?;
         let folder = Folder::open(target.parent().unwrap_or(Path::new("")), sync)?;
@@ -102,11 +103,11 @@ impl Temporary {
         Ok(this)
     }
 
-    /// Gives the file its final name, and so replaces the old file.
+    /// Gives the complete file its final name, which replaces the old file.
     ///
     /// # Errors
-    /// The error of the system. The old file is then unchanged, except if the folder cannot be synced: then the new
-    /// file has its name already, and the message says so.
+    /// The error of the system. The old file is then unchanged, with one exception that the message names: the new file
+    /// has its name, but its folder could not be synced.
     pub fn commit(mut self) -> io::Result<()> {
         if let Some(mode) = self.mode_at_last()? {
             // An error is ignored, since a file with fewer permissions is better than none.
@@ -115,8 +116,8 @@ impl Temporary {
         if self.name.is_none() && self.old.is_none() {
             self.sync_file()?;
             match self.folder.link(&self.file, &self.target) {
-                // Another process has created a file of this name meanwhile. It is replaced like an old file, if
-                // allowed.
+                // Another process has created a file of this name meanwhile. It is replaced like an old file, if this
+                // process may replace it.
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => self.folder.may_replace(&self.target)?,
                 result => return result.and_then(|()| self.sync_folder()),
             }
@@ -128,15 +129,15 @@ impl Temporary {
         if let Some(name) = &self.name {
             self.folder.rename(&name.name, &self.target)?;
         }
-        // After renaming no file has the temporary name, so there is none to remove.
+        // After the renaming no file has the temporary name, so no file must be removed.
         if let Some(name) = self.name.take() {
             name.remembered.forget();
         }
         self.sync_folder()
     }
 
-    /// Gives the new file the owner of the old one, if this process may do so. Returns the permissions that the new
-    /// file must get when it is complete, or `None` if it has them already.
+    /// Gives the new file the owner and group of the old one, if this process may do so. Returns the permissions that
+    /// must be set on the complete file, or `None` if it has them already.
     ///
     /// # Errors
     /// The error of the system, if the rights of the new file cannot be read.
@@ -144,8 +145,8 @@ impl Temporary {
         let Some(old) = self.old else { return Ok(self.mode) };
         let mut new = Rights::of(&self.file)?;
         if (new.user, new.group) != (old.user, old.group) {
-            // Root may change the owner. Other users may change only the group, to one that they belong to. If neither
-            // is allowed, the new file keeps the owner and group that it has.
+            // Root may change the owner. Other users may change only the group, to one that they belong to. If both
+            // calls fail, the new file keeps its owner and group.
             let _ = fchown(&self.file, Some(old.user), Some(old.group))
                 .or_else(|_| fchown(&self.file, None, Some(old.group)));
             new = Rights::of(&self.file)?;
@@ -176,17 +177,17 @@ impl Write for Temporary {
     }
 }
 
-/// The last part of a path, if it can name a file.
+/// Returns the last part of `path`, or an error if that part cannot be the name of a file.
 fn file_name(path: &Path) -> io::Result<CString> {
     let name = path.file_name().map(OsStrExt::as_bytes).unwrap_or_default();
-    // Refuses `folder/` and `folder/.`, whose `file_name` is `folder`.
+    // Refuses `folder/` and `folder/.`, because for both `Path::file_name` returns `folder`.
     if name.is_empty() || !path.as_os_str().as_bytes().ends_with(name) {
         return Err(io::Error::new(ErrorKind::InvalidFilename, "it is not the name of a file"));
     }
     Ok(CString::new(name)?)
 }
 
-/// The rights of the file `name`, if there is one, after all checks that it can be replaced.
+/// Checks that the file `name` can be replaced, and returns its rights. Returns `None` if there is no such file.
 fn old_file(folder: &Folder, name: &CStr) -> io::Result<Option<Rights>> {
     let file = match folder.open_for_writing(name) {
         Ok(file) => file,
@@ -204,7 +205,8 @@ fn old_file(folder: &Folder, name: &CStr) -> io::Result<Option<Rights>> {
     Rights::of(&file).map(Some)
 }
 
-/// A hidden name in a folder. Its file is removed when this is dropped, and when a signal ends the process.
+/// A hidden temporary name in a folder. Its file is removed when this value is dropped, and when a signal ends the
+/// process.
 #[derive(Debug)]
 struct Name {
     name: CString,
@@ -212,14 +214,16 @@ struct Name {
 }
 
 impl Name {
-    /// Finds a free name, with which `make` succeeds, and returns it with the result of `make`.
+    /// Calls `make` with random names, at most 100, until it succeeds or fails for a reason other than a name in use.
+    /// Returns the name, and the result of `make`.
     fn new<T>(folder: &Folder, make: impl Fn(&CStr) -> io::Result<T>) -> io::Result<(Self, T)> {
         const TRIES: u32 = 100;
 
         let process = std::process::id();
         for _ in 0..TRIES {
             // The name does not contain the target's name, which may already have the largest length. The random number
-            // makes it differ from the names of processes on other machines, and from files that a killed process left.
+            // makes the name differ from those of processes on other machines, and from files that a killed process
+            // left.
             let random = RandomState::new().hash_one(process);
             let name = CString::new(format!(".render-{process}-{random:016x}.tmp"))?;
             let remembered = Remembered::new(folder.as_fd().as_raw_fd(), &name)?;

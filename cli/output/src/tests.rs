@@ -1,4 +1,4 @@
-//! Files that are replaced whole or not at all.
+//! Tests that an output is replaced completely or not at all.
 
 use std::fs::Permissions;
 use std::os::unix::fs::{PermissionsExt, symlink};
@@ -8,7 +8,7 @@ use crate::*;
 mod failures;
 mod special;
 
-/// A folder for one test, which is removed at its end.
+/// A folder for one test. It is removed when this value is dropped.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -105,7 +105,7 @@ fn only_the_owner_may_open_a_file_that_is_being_written() {
         File::create(folder.0.join("common")).expect("the folder is writable");
         mode(&folder.0.join("common"))
     };
-    // With and without a temporary name, for a file that is new and for one that replaces another.
+    // Cases: with and without a temporary name; the file is new, or replaces a file with these permissions.
     for named in [true, false] {
         for (old, new) in [(None, common), (Some(0o600), 0o600), (Some(0o640), 0o640), (Some(0o4755), 0o4755)] {
             let _ = fs::remove_file(&path);
@@ -134,7 +134,7 @@ fn a_named_temporary_file_is_removed_when_it_is_dropped() {
 
     let folder = Folder::new("named");
     let path = folder.0.join("out.ppm");
-    // Half of the 16 slots for names of a process, since other tests of this process write files meanwhile.
+    // Uses 8 of the 16 slots for names of a process, since other tests of this process write files at the same time.
     let files: Vec<_> = (0..8).map(|_| Temporary::named(&path, true).expect("the folder is writable")).collect();
     assert_eq!(folder.names().len(), 8);
     drop(files);

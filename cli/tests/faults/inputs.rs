@@ -1,4 +1,5 @@
-//! Inputs that are not ordinary files. The programs need little memory to refuse them with a message.
+//! Tests with inputs that are not ordinary files. The programs must refuse them with a message, and need little memory
+//! for that.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::Write;
@@ -8,10 +9,11 @@ use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused};
 
 const SMALL: &str = "image_width: 8\nsamples_per_pixel: 1\n";
 
-/// Address space in kilobytes that is enough to refuse any input.
+/// An address space in kilobytes that is enough to refuse any input.
 const LITTLE: u64 = 64_000;
 
-/// Checks that both programs refuse the file `name` as configuration and as scene, with little memory.
+/// Checks that both programs refuse the file `name` for `reason`, both as configuration and as scene, within [`LITTLE`]
+/// memory.
 fn refuses(workshop: &Workshop, name: &str, reason: &str) {
     for program in PROGRAMS {
         for names in [[name, "scene.txt", "d/out.ppm"], ["config.txt", name, "d/out.ppm"]] {
@@ -64,7 +66,7 @@ fn a_fifo_is_read_to_its_end() {
     nix::unistd::mkfifo(&workshop.file("fifo"), nix::sys::stat::Mode::S_IRWXU).expect("the folder is writable");
     for program in PROGRAMS {
         let mut child = Running::start(&mut workshop.command_with(program, ["fifo", "scene.txt", "d/out.ppm"]));
-        // Written in two pieces, the first of which ends within a line.
+        // The text is written in two pieces. The first piece ends within a line.
         let mut fifo = OpenOptions::new().write(true).open(workshop.file("fifo")).expect("the program reads");
         fifo.write_all(&SMALL.as_bytes()[..5]).expect("the program reads");
         std::thread::sleep(std::time::Duration::from_millis(20));
@@ -78,7 +80,7 @@ fn a_fifo_is_read_to_its_end() {
 #[test]
 fn a_file_that_the_system_cannot_read_is_named() {
     let workshop = Workshop::new(SMALL, "");
-    // The program would read the first page of its own memory, which no process has.
+    // The program would read memory at address 0, which no process has, so the system returns an error.
     refuses(&workshop, "/proc/self/mem", "");
     refuses(&workshop, "config.txt/below", "Not a directory");
     let long = "x".repeat(300);

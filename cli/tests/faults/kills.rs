@@ -1,4 +1,4 @@
-//! Ends the programs by signals at random moments.
+//! Tests that end the programs by signals at random moments.
 
 use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt;
@@ -10,14 +10,14 @@ use nix::sys::signal::Signal;
 
 use crate::workshop::{PROGRAMS, Running, Workshop, send, signal_of, wait_until};
 
-/// A picture of the background alone. Writing it takes a large part of the time.
+/// A configuration for a picture of the background alone. A large part of its time is spent on writing.
 const CONFIG: &str = "image_width: 500\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
-/// How often each program is ended by each of the two signals while it runs.
+/// Number of times that each signal ends each program while it runs.
 const KILLS: u32 = 100;
 
-/// Sends the signal to runs of a program at random moments, until it has ended [`KILLS`] runs. Returns how often the
-/// old and the new picture was there afterwards, and how many temporary files were left.
+/// Sends `signal` to runs of a program at random moments, until it has ended [`KILLS`] runs. Returns three numbers: how
+/// many of these runs left the old picture, how many left the new picture, and how many temporary files were left.
 fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
     let workshop = Workshop::new(CONFIG, "");
     let new = workshop.render();
@@ -25,8 +25,8 @@ fn killed(program: &str, signal: Signal, seed: u64) -> [u32; 3] {
     let mut moments = Uniform::new(seed);
     let (mut kills, mut tries) = (0, 0);
     let [mut old_stood, mut new_stood, mut left] = [0; 3];
-    // The moments are spread over the time of an undisturbed run. The later ones hit the writing, the renaming and the
-    // end.
+    // The moments are spread over the time of an undisturbed run. Late moments hit the writing, the renaming and the
+    // end of the process.
     let start = Instant::now();
     assert!(workshop.command(program).status().expect("the program runs").success());
     let whole = start.elapsed();

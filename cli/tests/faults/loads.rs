@@ -1,4 +1,4 @@
-//! Very large inputs, depths, numbers of samples and pictures.
+//! Tests of very large inputs, depths, numbers of samples, and pictures.
 
 use std::fmt::Write;
 use std::fs;
@@ -9,7 +9,7 @@ use nix::sys::signal::Signal;
 
 use crate::workshop::{PROGRAMS, Running, Workshop, assert_refused, send, signal_of};
 
-/// A scene of `count` spheres in a cube.
+/// Returns the text of a scene with `count` spheres in a cube.
 fn spheres(count: usize) -> String {
     let mut scene = String::from("matte: m .5 .5 .5\n");
     for index in 0..count {
@@ -19,7 +19,7 @@ fn spheres(count: usize) -> String {
     scene
 }
 
-/// The largest memory that a process has used so far, in kilobytes.
+/// Returns the peak resident memory of a running process so far, in kilobytes.
 fn peak(child: &Child) -> u64 {
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).expect("it has memory");
@@ -46,7 +46,7 @@ fn an_error_on_the_last_of_a_million_lines_is_found_in_proportionate_time() {
 
 #[test]
 fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
-    // Inside a perfect mirror no ray ever ends.
+    // Inside a perfect mirror every path continues until the maximum depth.
     let scene = "metal: mirror 1 1 1 0\nsphere: 0 0 0 5 mirror\n";
     for (samples, depth) in [(i32::MAX as u64, i32::MAX as u64), (u64::MAX, u64::MAX), (u64::MAX, 1), (1, u64::MAX)] {
         let config = format!(
@@ -61,7 +61,7 @@ fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
             let ended = child.try_wait().expect("it is ours");
             assert!(ended.is_none(), "{samples} samples, depth {depth}: {ended:?}");
             // The program keeps 8 bytes for each surface that the path has hit. In the time waited it hits some
-            // millions. It reserves no memory for the surfaces that the path may hit later.
+            // millions. It reserves no memory for surfaces that the path may hit later.
             let peak = peak(&child);
             assert!(peak < 300_000, "{peak} kB for one pixel");
             // SIGTERM, because a program that a shell starts in the background may ignore SIGINT.
@@ -75,7 +75,7 @@ fn any_depth_and_any_number_of_samples_start_and_can_be_interrupted() {
 
 #[test]
 fn a_picture_one_pixel_too_large_is_refused_before_any_memory_is_taken() {
-    // 2^30 pixels are allowed. More are refused, however much memory the machine has.
+    // A picture may have up to 2^30 pixels. Larger ones are refused, however much memory the machine has.
     let workshop = Workshop::new("image_width: 32769\naspect_ratio: 32769 32768\n", "");
     for program in PROGRAMS {
         let names = ["config.txt", "scene.txt", "d/out.ppm"];
@@ -84,7 +84,8 @@ fn a_picture_one_pixel_too_large_is_refused_before_any_memory_is_taken() {
     }
 }
 
-/// Renders with both programs within so much address space, and returns the length of the picture's file.
+/// Renders with both programs in an address space limited to `kilobytes`, and returns the size of the picture's file in
+/// bytes.
 fn renders_within(kilobytes: u64, config: &str, scene: &str) -> u64 {
     let workshop = Workshop::new(config, scene);
     let mut length = 0;

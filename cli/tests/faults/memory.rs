@@ -1,4 +1,4 @@
-//! Runs the programs with more and more memory, until it is enough.
+//! Tests that run the programs with more and more memory, until it is enough.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::workshop::{PROGRAMS, Workshop};
 
 const NAMES: [&str; 3] = ["config.txt", "scene.txt", "d/out.ppm"];
 
-/// A scene of `count` materials, spheres and cylinders, in a long row.
+/// Returns the text of a scene with `count` materials, spheres and cylinders, in a long row.
 fn scene(count: usize) -> String {
     let mut scene = String::new();
     for index in 0..count {
@@ -39,7 +39,8 @@ fn with_too_little_memory_for_all_that_is_in_view_the_programs_say_so_and_never_
 fn say_so_and_never_die(config: &str) {
     let (empty, workshop) = (Workshop::new("image_width: 1\n", ""), Workshop::new(config, scene(10_000)));
     for program in PROGRAMS {
-        // The address space that the program needs for an empty scene. With less, the system cannot even start it.
+        // The smallest address space in which the program renders an empty scene, plus 500 kB. With less, the system
+        // cannot even start it.
         let runs =
             |kilobytes| empty.limited(kilobytes, program, NAMES).output().expect("the program runs").status.success();
         let least = (4_000..200_000).step_by(500).find(|&limit| runs(limit)).expect("so much is enough") + 500;
@@ -54,7 +55,7 @@ fn say_so_and_never_die(config: &str) {
             assert!(output.status.code() == Some(1) && says_so, "at {kilobytes} kB: {output:?}");
             assert!(workshop.outputs().is_empty());
             refused += 1;
-            // Fine enough to end in each of the large allocations.
+            // This step is small enough that a run ends in each of the large allocations.
             kilobytes += 90;
             assert!(kilobytes < least + 200_000, "so much is enough");
         }

@@ -1,4 +1,4 @@
-//! Places for the picture that vanish, or where no file can be created.
+//! Tests with outputs whose folder vanishes, or in which no file can be created.
 
 use std::fs;
 use std::time::Duration;
@@ -20,8 +20,8 @@ fn a_place_below_a_file_is_refused() {
 
 #[test]
 fn a_folder_that_vanishes_while_the_picture_is_made_is_an_error() {
-    // Rendering takes so long that the folder vanishes before the end. If it is missing at the start already, the
-    // message does not differ.
+    // Rendering takes so long that the folder vanishes before the end. If the folder vanished before the start, the
+    // message would be the same.
     let config = "image_width: 400\naspect_ratio: 1 1\nsamples_per_pixel: 400\n";
     let workshop = Workshop::new(config, "matte: m .5 .5 .5\nsphere: 0 0 0 3 m\nsphere: 0 -103 0 100 m\n");
     for program in PROGRAMS {

@@ -1,4 +1,4 @@
-//! A folder with the input files of a run, and processes that tests can send signals to.
+//! A folder with the input files of a run, and functions for processes that get signals.
 
 use std::fs;
 use std::ops::{Deref, DerefMut};
@@ -10,10 +10,10 @@ use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use test_support::folder::Folder;
 
-/// The two programs.
+/// Paths of the two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
-/// A folder with `config.txt`, `scene.txt`, and an empty folder `d` for the picture.
+/// A temporary folder with `config.txt`, `scene.txt`, and an empty folder `d` for the picture.
 pub struct Workshop(Folder);
 
 impl Deref for Workshop {
@@ -31,12 +31,13 @@ impl Workshop {
         Self(folder)
     }
 
-    /// The names in the picture's folder.
+    /// Returns the names of the files in the picture's folder `d`.
     pub fn outputs(&self) -> Vec<String> {
         self.names_in("d")
     }
 
-    /// The file that a process is writing, found as an open file of the picture's folder, since it may have no name.
+    /// Returns the metadata of the unfinished picture that the process `child` is writing, or `None` if it has no file
+    /// open in folder `d`. The function looks at the open files of the process, since this file may have no name.
     pub fn half(&self, child: &Child) -> Option<fs::Metadata> {
         let folder = fs::canonicalize(self.file("d")).expect("it is there");
         let descriptors = fs::read_dir(format!("/proc/{}/fd", child.id())).ok()?;
@@ -45,7 +46,7 @@ impl Workshop {
         files.find_map(|link| fs::metadata(link).ok())
     }
 
-    /// `program config.txt scene.txt d/out.ppm`, run in the folder.
+    /// Returns the command `program config.txt scene.txt d/out.ppm`, with this folder as its working folder.
     pub fn command(&self, program: &str) -> Command {
         self.command_with(program, ["config.txt", "scene.txt", "d/out.ppm"])
     }
@@ -56,7 +57,7 @@ impl Workshop {
         command
     }
 
-    /// `program` with these arguments, limited to `kilobytes` of address space.
+    /// Returns the command `program` with the arguments `names`, limited to `kilobytes` of address space.
     pub fn limited(&self, kilobytes: u64, program: &str, names: [&str; 3]) -> Command {
         let mut shell = Command::new("bash");
         shell.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "limited", program]).args(names);
@@ -64,7 +65,7 @@ impl Workshop {
         shell
     }
 
-    /// Renders the picture, removes its file and returns its bytes.
+    /// Renders the picture with the first program, removes its file and returns its bytes.
     pub fn render(&self) -> Vec<u8> {
         let output = self.command(PROGRAMS[0]).output().expect("the program runs");
         assert!(output.status.success(), "{output:?}");
@@ -74,7 +75,7 @@ impl Workshop {
     }
 }
 
-/// A process that is killed when this is dropped.
+/// A process that is killed when this value is dropped.
 pub struct Running(Child);
 
 impl Running {
@@ -99,24 +100,24 @@ impl DerefMut for Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // Fails if the process has ended already.
+        // An error is ignored: the process may have ended already.
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
 }
 
-/// Sends a signal to a process. It may have ended already.
+/// Sends `signal` to a process, which may have ended already.
 pub fn send(child: &Child, signal: Signal) {
     let id = i32::try_from(child.id()).expect("it is a process");
     kill(Pid::from_raw(id), signal).expect("it is ours, and not yet waited for");
 }
 
-/// The signal by which a process ended; `None` if it exited.
+/// Returns the signal that ended a process, or `None` if the process exited.
 pub fn signal_of(status: ExitStatus) -> Option<Signal> {
     status.signal().map(|number| Signal::try_from(number).expect("it is a signal"))
 }
 
-/// Waits until `holds` returns true, for at most two minutes.
+/// Calls `holds` again and again until it returns true. Panics after two minutes, with `what` in the message.
 pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
     let start = Instant::now();
     while !holds() {
@@ -125,7 +126,8 @@ pub fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
     }
 }
 
-/// Checks for status 1, nothing on standard output, and this message.
+/// Checks that a program ended with status 1, wrote nothing to standard output, and wrote this message to standard
+/// error.
 #[track_caller]
 pub fn assert_refused(output: &Output, message: &str) {
     let stderr = String::from_utf8_lossy(&output.stderr);

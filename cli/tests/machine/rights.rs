@@ -1,5 +1,5 @@
-//! Places that only root or a user with special rights can create. The programs refuse them before rendering, or keep
-//! their owner and permissions.
+//! Tests of outputs that only root or a user with special rights can create. The programs refuse such an output before
+//! rendering, or keep its owner and permissions.
 
 use std::ffi::OsStr;
 
@@ -7,7 +7,8 @@ use std::os::unix::fs::chown;
 
 use super::*;
 
-/// A picture that takes much longer than the minute allowed. So the output must be refused before rendering.
+/// A configuration whose rendering takes much longer than one minute, the time limit of these tests. So the output must
+/// be refused before rendering.
 const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 
 pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
@@ -27,7 +28,7 @@ pub fn trials(is_root: bool, can_mount: bool) -> Vec<Trial> {
     ]
 }
 
-/// Runs a program for at most a minute, as the user nobody if `as_nobody`.
+/// Runs a program for at most one minute. If `as_nobody` is true, the user nobody runs it.
 fn promptly(command: &Command, as_nobody: bool) -> std::io::Result<Output> {
     let mut limited = Command::new("timeout");
     limited.arg("60").arg(command.get_program()).args(command.get_args());
@@ -38,7 +39,8 @@ fn set_mode(path: &Path, mode: u32) -> std::io::Result<()> {
     fs::set_permissions(path, Permissions::from_mode(mode))
 }
 
-/// Checks that the programs refuse `out` before rendering, run by the user nobody if `as_nobody`.
+/// Checks that the programs refuse `out` for `reason` before rendering. If `as_nobody` is true, the user nobody runs
+/// them.
 fn refuse_at_once(place: &Place, out: &Path, reason: &str, as_nobody: bool) -> Result<(), Failed> {
     fs::write(place.file("config.txt"), ENDLESS)?;
     for program in PROGRAMS {
@@ -63,7 +65,7 @@ fn mounted() -> Result<(), Failed> {
     let place = Place::new()?;
     fs::create_dir(place.file("d"))?;
     let out = place.file("d/out.ppm");
-    // A file of this file system and a file of another one are mounted over the output.
+    // Two mounts are tested over the output: a file of this file system, and a file of another file system.
     let disk = Disk::mount(place.file("disk"))?;
     for source in [place.file("source"), disk.0.join("source")] {
         fs::write(&source, "old")?;
@@ -78,7 +80,7 @@ fn mounted() -> Result<(), Failed> {
 
 fn device() -> Result<(), Failed> {
     let place = Place::new()?;
-    // `/dev/null` under another name, to which only root may write.
+    // The device of `/dev/null` under another name. Only root may write to it.
     let out = place.file("null");
     run("mknod", [out.as_os_str(), "c".as_ref(), "1".as_ref(), "3".as_ref()])?;
     set_mode(&out, 0o600)?;
@@ -93,7 +95,8 @@ fn pipe() -> Result<(), Failed> {
     refuse_at_once(&place, &out, "Permission denied", true)
 }
 
-/// In an append-only folder a new file can be created, but no file can be replaced, renamed or removed.
+/// Checks an output in an append-only folder: a new file can be created there, but no file can be replaced, renamed or
+/// removed.
 fn appends() -> Result<(), Failed> {
     let place = Place::new()?;
     fs::create_dir(place.file("d"))?;
@@ -126,8 +129,8 @@ fn set_user_id() -> Result<(), Failed> {
         set_mode(&out, 0o6757)?;
         let output = without_rights(place.render(program, &out), true).output()?;
         let metadata = fs::metadata(&out)?;
-        // The new file has another owner and another group. So it has no set-user-ID bit, and its group has only the
-        // permissions that all users have.
+        // The new file has another owner and another group than the old one. So it has no set-user-ID bit, and its
+        // group has only the permissions that all users have.
         if !output.status.success() || metadata.uid() != NOBODY || metadata.mode() & 0o7777 != 0o757 {
             return Err(format!("{output:?}, mode {:o}", metadata.mode()).into());
         }
@@ -153,13 +156,13 @@ fn owner() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Runs a command of the system. It must succeed.
+/// Runs a command of the system, and returns an error if the command fails.
 fn run<S: AsRef<OsStr>>(program: &str, arguments: impl IntoIterator<Item = S>) -> Result<(), Failed> {
     let output = Command::new(program).args(arguments).output()?;
     if output.status.success() { Ok(()) } else { Err(format!("{program}: {output:?}").into()) }
 }
 
-/// A file that is mounted over another until this is dropped.
+/// A mount over the file at this path. It ends when this value is dropped.
 struct Mount<'a>(&'a Path);
 
 impl<'a> Mount<'a> {
@@ -171,12 +174,12 @@ impl<'a> Mount<'a> {
 
 impl Drop for Mount<'_> {
     fn drop(&mut self) {
-        // If this fails, the test's temporary folder cannot be removed.
+        // An error is ignored here. If the unmounting fails, removing the test's temporary folder fails too.
         let _ = run("umount", [self.0]);
     }
 }
 
-/// A folder that is append-only until this is dropped.
+/// A folder that is append-only until this value is dropped.
 struct AppendOnly(PathBuf);
 
 impl AppendOnly {
@@ -188,7 +191,7 @@ impl AppendOnly {
 
 impl Drop for AppendOnly {
     fn drop(&mut self) {
-        // If this fails, the test's temporary folder cannot be removed.
+        // An error is ignored here. If the folder stays append-only, removing the test's temporary folder fails.
         let _ = run("chattr", [OsStr::new("-a"), self.0.as_os_str()]);
     }
 }

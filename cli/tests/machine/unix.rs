@@ -14,10 +14,10 @@ mod rights;
 
 const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
-/// A picture of 40,000 pixels takes more than 64 kB.
+/// A configuration for a picture of 40,000 pixels, whose file is larger than 64 kB.
 const CONFIG: &str = "image_width: 200\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
-/// The number of the user and the group without rights.
+/// The ID of the user and the group `nobody`, which have no rights.
 const NOBODY: u32 = 65_534;
 
 pub fn trials() -> Vec<Trial> {
@@ -36,8 +36,8 @@ pub fn trials() -> Vec<Trial> {
     trials
 }
 
-/// A folder that all users can enter, with a configuration, an empty scene, and copies of the programs. The programs
-/// themselves may lie in a folder that [`NOBODY`] cannot enter.
+/// A folder that all users can enter, with a configuration, an empty scene, and copies of the programs. The original
+/// programs may lie in a folder that [`NOBODY`] cannot enter.
 struct Place(Folder);
 
 impl Deref for Place {
@@ -62,7 +62,7 @@ impl Place {
         program.rsplit('/').next().unwrap_or(program)
     }
 
-    /// The command that renders into `out`.
+    /// Returns the command that renders the scene into `out`.
     fn render(&self, program: &str, out: &Path) -> Command {
         let mut command = Command::new(self.file(Self::name(program)));
         command.args([self.file("config.txt"), self.file("scene.txt"), out.to_owned()]);
@@ -70,7 +70,7 @@ impl Place {
     }
 }
 
-/// Checks that the program refused to write `out` for this reason.
+/// Checks that the output of a program has status 1 and the message that `out` cannot be written because of `reason`.
 fn check_refusal(output: &Output, out: &Path, reason: &str) -> Result<(), Failed> {
     let expected = format!("Error: Cannot write file [{}]: {reason}", out.display());
     let stderr = String::from_utf8_lossy(&output.stderr);
@@ -78,7 +78,7 @@ fn check_refusal(output: &Output, out: &Path, reason: &str) -> Result<(), Failed
     if as_it_should { Ok(()) } else { Err(format!("{output:?} instead of {expected}").into()) }
 }
 
-/// Checks that the folder holds `names` and nothing else.
+/// Checks that the folder holds exactly the files `names`.
 fn check_names(folder: &Path, names: &[&str]) -> Result<(), Failed> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {
@@ -87,20 +87,20 @@ fn check_names(folder: &Path, names: &[&str]) -> Result<(), Failed> {
     if found == names { Ok(()) } else { Err(format!("{found:?} instead of {names:?}").into()) }
 }
 
-/// Checks that `out` still has its old content, and that its folder has no other file.
+/// Checks that `out` still has its old content, and that its folder holds no other file.
 fn check_old(out: &Path) -> Result<(), Failed> {
     check_names(out.parent().ok_or("it lies in a folder")?, &["out.ppm"])?;
     if fs::read(out)? == b"old" { Ok(()) } else { Err("the old content is gone".into()) }
 }
 
-/// A test like that of a full disk, which needs no right to mount one: writing fails in the middle of the file.
+/// Checks a write that fails in the middle of the file, as on a full disk. This test needs no right to mount a disk.
 fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
     let place = Place::new()?;
     fs::create_dir(place.file("d"))?;
     let out = place.file("d/out.ppm");
     fs::write(&out, "old")?;
     for program in PROGRAMS {
-        // The limit is 16 blocks. Since its signal is ignored, the write returns an error as on a full disk.
+        // The limit is 16 blocks. Its signal is ignored, so the write returns an error as on a full disk.
         let output = limited("trap '' XFSZ; ulimit -f 16", &place.render(program, &out))?;
         check_refusal(&output, &out, "File too large")?;
         check_old(&out)?;
@@ -110,7 +110,7 @@ fn a_limit_on_file_sizes_leaves_the_old_file() -> Result<(), Failed> {
 
 fn too_little_memory_is_an_error() -> Result<(), Failed> {
     let place = Place::new()?;
-    // This picture is allowed and takes 1.2 GB. The process may have a fifth of that.
+    // This allowed picture takes 1.2 GB of memory. The process may use a fifth of that.
     fs::write(place.file("config.txt"), "image_width: 20000\naspect_ratio: 1 1\n")?;
     let out = place.file("out.ppm");
     for program in PROGRAMS {
@@ -123,7 +123,7 @@ fn too_little_memory_is_an_error() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Runs a command from a shell that first runs `limits`.
+/// Runs `command` in a shell, after the shell commands `limits`.
 fn limited(limits: &str, command: &Command) -> std::io::Result<Output> {
     let mut shell = Command::new("bash");
     shell.args(["-c", &format!("{limits}; exec \"$@\""), "limited"]);
@@ -173,7 +173,7 @@ fn a_read_only_file_is_not_replaced(is_root: bool) -> Result<(), Failed> {
     Ok(())
 }
 
-/// If the user is root, changes the command so that the user nobody runs it, because permissions do not restrict root.
+/// Returns `command`, changed to run as the user nobody if `is_root` is true. Permissions do not restrict root.
 fn without_rights(mut command: Command, is_root: bool) -> Command {
     if is_root {
         command.uid(NOBODY).gid(NOBODY);
@@ -181,12 +181,12 @@ fn without_rights(mut command: Command, is_root: bool) -> Command {
     command
 }
 
-/// Whether this process can mount. Root in a container may lack that right.
+/// Whether this process can mount a file system. Root in a container may lack that right.
 fn mounts() -> bool {
     Disk::mount(Folder::new().file("disk")).is_ok()
 }
 
-/// A disk of 64 kB, unmounted when it is dropped.
+/// A mounted file system of 64 kB at this path. It is unmounted when this value is dropped.
 struct Disk(PathBuf);
 
 impl Disk {
@@ -199,7 +199,7 @@ impl Disk {
 
 impl Drop for Disk {
     fn drop(&mut self) {
-        // If this fails, the test's temporary folder cannot be removed.
+        // An error is ignored here. If the unmounting fails, removing the test's temporary folder fails too.
         let _ = Command::new("umount").arg(&self.0).status();
     }
 }

@@ -1,4 +1,4 @@
-//! The number of arguments, and the names that they may be.
+//! Tests of the number of arguments, and of unusual names in arguments.
 
 use std::process::Command;
 

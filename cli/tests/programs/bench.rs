@@ -1,4 +1,4 @@
-//! A folder with the three files of a run, and checks that every run must pass.
+//! A folder with the three files of a run, and checks that apply to every run.
 
 use std::fs;
 use std::ops::Deref;
@@ -6,13 +6,13 @@ use std::process::{Command, Output};
 
 use test_support::folder::Folder;
 
-/// The two programs.
+/// Paths of the two programs.
 pub const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
 /// A configuration of 8 x 4 pixels, which is rendered quickly.
 pub const SMALL: &str = "image_width: 8\naspect_ratio: 2 1\nsamples_per_pixel: 2\n";
 
-/// A folder for `config.txt`, `scene.txt` and `out.ppm`, which is removed when this is dropped.
+/// A temporary folder for `config.txt`, `scene.txt` and `out.ppm`. It is removed when this value is dropped.
 pub struct Bench(Folder);
 
 impl Deref for Bench {
@@ -24,26 +24,27 @@ impl Deref for Bench {
 }
 
 impl Bench {
-    /// A folder with these contents of `config.txt` and `scene.txt`.
+    /// Creates a folder whose `config.txt` and `scene.txt` have these contents.
     pub fn new(config: impl AsRef<[u8]>, scene: impl AsRef<[u8]>) -> Self {
         Self(Folder::with_scene(config, scene))
     }
 
-    /// The names of all files in the folder but the input files.
+    /// Returns the names of all files in the folder except the two input files.
     pub fn outputs(&self) -> Vec<String> {
         let mut names = self.names();
         names.retain(|name| name != "config.txt" && name != "scene.txt");
         names
     }
 
-    /// `program config.txt scene.txt OUT`, run in the folder, so that messages show short names.
+    /// Returns the command `program config.txt scene.txt OUT`, with `out` in place of OUT. It runs in the folder, so
+    /// that messages show short names.
     pub fn command(&self, program: &str, out: &str) -> Command {
         let mut command = Command::new(program);
         command.current_dir(self.path()).args(["config.txt", "scene.txt", out]);
         command
     }
 
-    /// Renders the files with both programs, checks that the pictures are equal, and returns one.
+    /// Renders the files with both programs, checks that the two pictures are equal, and returns the picture's bytes.
     pub fn render(&self) -> Vec<u8> {
         let [first, second] = PROGRAMS.map(|program| {
             let output = self.command(program, "out.ppm").output().expect("the program runs");
@@ -57,7 +58,8 @@ impl Bench {
         first
     }
 
-    /// Runs both programs on files that they must refuse, checks that the messages are equal, and returns one.
+    /// Runs both programs on files that they must refuse, checks that the two messages are equal, and returns the
+    /// message.
     pub fn message(&self) -> String {
         let [first, second] = PROGRAMS.map(|program| {
             let output = self.command(program, "out.ppm").output().expect("the program runs");
@@ -68,8 +70,8 @@ impl Bench {
         first
     }
 
-    /// Checks that both programs refuse the files with `Error: ` and this message, and do not change the output: no
-    /// file is created, and an old file keeps its content.
+    /// Checks that both programs refuse the files with `Error: ` and `message`, and do not change the output: no file
+    /// is created, and an old file keeps its content.
     pub fn refuses(&self, message: &[u8]) {
         let stderr = [b"Error: ", message, b"\n"].concat();
         for program in PROGRAMS {
@@ -101,7 +103,8 @@ pub fn assert_succeeded(output: &Output) {
     assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty(), "{output:?}");
 }
 
-/// Checks that a program failed as it should: with status 1, a message on standard error, and an empty standard output.
+/// Checks that a program failed in the specified way: with status 1, a message on standard error, and nothing on
+/// standard output.
 #[track_caller]
 pub fn assert_failed(output: &Output) {
     assert_eq!(output.status.code(), Some(1), "{output:?}");

@@ -1,15 +1,15 @@
-//! Every message that a configuration can cause (specification, section 3.4).
+//! Tests of every message that a configuration can cause (specification, section 3.4).
 
 use crate::bench::Bench;
 
-/// Checks that the last line of a configuration is refused with this message, after various lines before it.
+/// Checks that both programs refuse the configuration `line` with `message`, alone and after other valid lines.
 fn refuses(line: &str, message: &str) {
     for before in ["", "\n \t\ngamma: 1.8\n", "image_width: 4\r\n\r\n"] {
         Bench::new(format!("{before}{line}"), "").refuses(message.as_bytes());
     }
 }
 
-/// The key of a line, colon included.
+/// Returns the key of a line, with its colon.
 fn key(line: &str) -> &str {
     line.split_whitespace().next().expect("the line has a key")
 }

@@ -1,4 +1,4 @@
-//! Inputs that are unusual text, no text, or not files.
+//! Tests of inputs that are unusual text, no text, or not files.
 
 use std::fs;
 
@@ -22,7 +22,8 @@ fn nul_and_invalid_utf8_are_shown_byte_for_byte() {
     Bench::new(SMALL, line).refuses(&[b"Material not found: [\xc3\x28]\nLine: \"".as_slice(), line, b"\""].concat());
 }
 
-/// Control characters are escaped only for a terminal, which would obey them. A pipe gets the bytes unchanged.
+/// Checks that control characters are escaped on a terminal, which would obey them. Through a pipe the bytes are
+/// unchanged.
 #[cfg(unix)]
 #[test]
 fn control_characters_are_escaped_on_a_terminal() {

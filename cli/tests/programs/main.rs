@@ -1,6 +1,6 @@
-//! The built programs as their users see them: arguments, messages, exit status and files.
+//! Tests of the built programs as their users see them: arguments, messages, exit status and files.
 //!
-//! Every check runs both programs. Tests that need special rights are in `machine.rs`, those of whole pictures in
+//! Every check runs both programs. Tests that need special rights are in `machine.rs`. Tests of whole pictures are in
 //! `digests.rs`.
 
 mod arguments;

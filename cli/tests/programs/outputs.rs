@@ -1,21 +1,22 @@
-//! Where the picture is written, and that it is written whole or not at all.
+//! Tests of where the picture is written, and that it is written completely or not at all.
 
 use std::fs::{self, File};
 use std::process::{Command, Output, Stdio};
 
 use crate::bench::{Bench, PROGRAMS, SMALL, assert_failed, assert_succeeded};
 
-/// A picture of 22,500 pixels, whose file is larger than the buffer of a pipe.
+/// A configuration for a picture of 22,500 pixels, whose file is larger than the buffer of a pipe.
 const LARGE: &str = "image_width: 150\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
 fn run(bench: &Bench, program: &str, out: &str) -> Output {
     bench.command(program, out).output().expect("the program runs")
 }
 
-/// A picture that takes much longer than the minute allowed. So the output must be refused before rendering.
+/// A configuration whose rendering takes much longer than one minute, the time limit of these tests. So the output must
+/// be refused before rendering.
 const ENDLESS: &str = "samples_per_pixel: 4000000000\n";
 
-/// Runs a program by way of bash, with a redirection, for at most a minute.
+/// Runs a program from bash, with a redirection, for at most one minute.
 fn run_promptly(bench: &Bench, program: &str, out: &str, redirection: &str) -> Output {
     let script = format!("exec timeout 60 \"$0\" config.txt scene.txt {out} {redirection}");
     let output = Command::new("bash").current_dir(bench.file("")).args(["-c", &script, program]).output();

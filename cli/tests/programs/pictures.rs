@@ -1,4 +1,4 @@
-//! Pictures of unusual configurations and scenes. Pictures with a digest are in `digests.rs`.
+//! Tests of pictures of unusual configurations and scenes. Pictures with a digest are in `digests.rs`.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ fn render(config: &str, scene: &str) -> Picture {
     p3::read(&Bench::new(config, scene).render()).expect("the picture is well formed")
 }
 
-/// A sphere that fills a narrow view from (0, 0, -10).
+/// A scene with a sphere that fills the view of a camera at (0, 0, -10) with a narrow field of view.
 const WALL: &str = "matte: grey .5 .5 .5\nsphere: 0 0 50 49 grey\n";
 
 #[test]
@@ -71,7 +71,7 @@ fn seeds_may_be_as_large_as_64_bits_hold() {
 
 #[test]
 fn a_great_depth_and_many_samples_do_not_overflow_anything() {
-    // The camera is inside a mirror: only the depth ends a path.
+    // The camera is inside a mirror, so every path ends only at the maximum depth.
     let scene = "metal: mirror 1 1 1 0\nsphere: 0 0 0 20 mirror\n";
     let config = "image_width: 1\naspect_ratio: 1 1\nsamples_per_pixel: 3\nmax_depth: 300000\n";
     assert_eq!(render(config, scene).pixels, [[0, 0, 0]]);

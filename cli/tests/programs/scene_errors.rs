@@ -1,10 +1,10 @@
-//! Every message that a scene can cause (specification, section 4.3).
+//! Tests of every message that a scene can cause (specification, section 4.3).
 
 use crate::bench::{Bench, SMALL};
 
 const MATERIALS: &str = "matte: mat1 0 0.8 0.8\r\nmetal: metal1 0 0.8 0 2.0\n\nrefractive: ref99 1.3\n";
 
-/// Checks that a line is refused with this message after the materials are defined.
+/// Checks that both programs refuse `line` with `message`, when it follows the definitions of the materials.
 fn refuses(line: &str, message: &str) {
     Bench::new(SMALL, format!("{MATERIALS}{line}\nnever read")).refuses(message.as_bytes());
 }

@@ -1,8 +1,8 @@
-//! The values of the flags of system calls.
+//! The values of the flags that system calls take.
 
 use std::ffi::c_int;
 
-/// Flags of `openat` and similar calls. Their values differ from system to system.
+/// Values of the flags of `openat` and similar calls. They differ from system to system.
 pub struct Flags {
     pub write: c_int,
     pub create: c_int,
@@ -10,22 +10,22 @@ pub struct Flags {
     pub close_on_exec: c_int,
     pub no_follow: c_int,
     pub nonblocking: c_int,
-    /// A folder in which names are only looked up. Opening it needs no right to read it.
+    /// For `openat`: opens a folder only to look up names. The process needs no right to read it.
     pub path: c_int,
-    /// A file without a name.
+    /// For `openat`: creates a file without a name.
     pub unnamed: c_int,
-    /// For `linkat`: follow the link.
+    /// For `linkat`: follows the link that names the file.
     pub follow: c_int,
-    /// For `unlinkat`: remove a folder.
+    /// For `unlinkat`: removes a folder.
     pub folder: c_int,
-    /// For `faccessat`: check the rights of the effective user.
+    /// For `faccessat`: checks the rights of the effective user.
     pub effective: c_int,
-    /// A descriptor that stands for the working folder.
+    /// The descriptor that stands for the working folder, in calls that take a folder.
     pub here: c_int,
 }
 
-/// The values for Linux on these processors, from its header `asm-generic/fcntl.h`. On other systems this is `None`:
-/// files are opened by their paths, and temporary files have names.
+/// The flags of Linux on x86-64, ARM and RISC-V, from its header `asm-generic/fcntl.h`. On other systems this is
+/// `None`: [`super::Folder`] opens files by their paths, and temporary files have names.
 pub const FLAGS: Option<Flags> = {
     const KNOWN: bool =
         cfg!(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "riscv64")));

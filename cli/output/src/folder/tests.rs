@@ -1,8 +1,8 @@
-//! How the files of a folder are opened, as Linux reports it.
+//! Tests of how a folder opens its files, as Linux reports it.
 
 use super::*;
 
-/// A folder for one test, which is removed at its end.
+/// A folder for one test. It is removed when this value is dropped.
 struct Own(PathBuf);
 
 impl Own {
@@ -23,7 +23,7 @@ impl Drop for Own {
     }
 }
 
-/// The flags with which a file is open.
+/// Returns the flags with which `file` was opened.
 fn flags(file: &File) -> c_int {
     let text = std::fs::read_to_string(format!("/proc/self/fdinfo/{}", file.as_raw_fd())).expect("it is open");
     let line = text.lines().find_map(|line| line.strip_prefix("flags:")).expect("every file has flags");

@@ -1,4 +1,4 @@
-//! Processes that get a signal while they write a file.
+//! Tests with processes that get a signal while they write a file.
 
 use crate::stop::*;
 use std::fs::File;
@@ -8,14 +8,14 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
 
-/// Creates a file that a test may remove.
+/// Creates a file in the temporary folder, and returns its path.
 fn file(name: &str) -> PathBuf {
     let path = std::env::temp_dir().join(format!("render-stop-{name}-{}", std::process::id()));
     std::fs::write(&path, "text").expect("the temporary folder is writable");
     path
 }
 
-/// Remembers a file. Its folder stays open until the process ends.
+/// Registers a file as temporary. Its folder stays open until the process ends.
 fn remember(path: &Path) -> Remembered {
     let folder = File::open(path.parent().expect("it lies in a folder")).expect("it is readable");
     let name = CString::new(path.file_name().expect("it is a file").as_bytes()).expect("it has no NUL");
@@ -35,8 +35,8 @@ fn a_file_that_is_dropped_is_removed_and_a_forgotten_one_is_not() {
     std::fs::remove_file(forgotten).expect("it is there");
 }
 
-/// The work of the processes that the tests below start: raises a signal while it remembers files. The environment
-/// names the files and the signal.
+/// The code of the child processes that the tests below start. It registers files and raises a signal in itself.
+/// Environment variables name the files and the signal.
 #[test]
 #[ignore = "ends its process: other tests start it"]
 fn a_process_raises_a_signal() {
@@ -69,8 +69,8 @@ fn a_process_raises_a_signal() {
     }
 }
 
-/// Runs a process that remembers `files` and gets the signal `number`. Returns how it ended, and whether it went on
-/// after the first signal.
+/// Runs a process that registers `files` as temporary and raises the signal `number`. Returns how it ended, and whether
+/// it continued after the first signal.
 fn signalled(number: c_int, before: &str, files: &[&Path]) -> (ExitStatus, bool) {
     let files: Vec<_> = files.iter().map(|file| file.to_str().expect("the name is ours")).collect();
     let output = Command::new(std::env::current_exe().expect("this process has a program"))
@@ -95,7 +95,7 @@ fn every_signal_that_ends_a_process_removes_its_files() {
     }
 }
 
-/// Asks the system which signals end a process, so that the lists above miss none.
+/// Raises every signal to learn which ones end a process, and checks that the lists above have all of them.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_lists_have_every_signal_that_ends_a_process() {

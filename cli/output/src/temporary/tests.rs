@@ -1,8 +1,9 @@
-//! The permissions that a new file gets from the old one.
+//! Tests of the permissions that a new file gets from the file it replaces.
 
 use super::*;
 
-/// The permissions of a new file of `user` and `group` that replaces a file of user 1 and group 1 with `mode`.
+/// Returns the permissions of a new file of `user` and `group`, which replaces a file of user 1 and group 1 with the
+/// permissions `mode`.
 fn mode(mode: u32, user: u32, group: u32) -> u32 {
     const REGULAR_FILE: u32 = 0o100_000;
 

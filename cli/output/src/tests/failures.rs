@@ -1,8 +1,8 @@
-//! Writes that fail, and callers that ignore the error.
+//! Tests of writes that fail while the caller ignores the error.
 
 use crate::tests::*;
 
-/// Every write to `/dev/full` fails as on a full disk.
+/// Checks that `commit` returns the error of an ignored write. Every write to `/dev/full` fails as on a full disk.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_failed_write_fails_the_commit_too_when_its_error_was_ignored() {

@@ -1,4 +1,4 @@
-//! Outputs that are not ordinary files: links, sockets, pipes and programs that run.
+//! Tests of outputs that are not ordinary files: links, sockets, pipes and running programs.
 
 use crate::tests::*;
 
@@ -42,8 +42,8 @@ fn sockets_and_pipes_without_permission_are_refused_at_once() {
     assert!(error.ends_with(": it is a socket"), "{error}");
 }
 
-/// Uses a named pipe in the test's own folder, and no device of the machine: a fault in this package could replace the
-/// device by a file.
+/// Checks that a pipe gets the bytes directly. The test uses a named pipe in its own folder and no device of the
+/// machine, because a fault of this package could replace the device by a file.
 #[test]
 fn special_files_take_the_bytes_directly() {
     use std::io::Read;
@@ -73,7 +73,8 @@ fn special_files_take_the_bytes_directly() {
     assert_eq!(folder.names(), ["pipe"]);
 }
 
-/// Even root may not write to a program while it runs. Renaming another file over it would be possible, but is refused.
+/// Checks that a running program is not replaced. Even root may not write to it. Renaming another file over it would be
+/// possible, but `open` refuses.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_may_not_be_written_is_not_replaced() {
@@ -81,8 +82,8 @@ fn a_file_that_may_not_be_written_is_not_replaced() {
     let path = folder.0.join("sleep");
     fs::copy("/bin/sleep", &path).expect("the folder is writable");
     let start = || std::process::Command::new(&path).arg("60").spawn();
-    // Starting fails while the copy is open for writing. A process that another test starts may hold it so for a
-    // moment.
+    // Starting the copy fails while any process has it open for writing. A process that another test starts may inherit
+    // that open file for a moment.
     let mut running = (0..100)
         .find_map(|_| {
             std::thread::sleep(std::time::Duration::from_millis(5));
