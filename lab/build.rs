@@ -1,4 +1,4 @@
-//! Hands the compiler's version and the profile to the program, which stores them beside measured times.
+//! Passes the compiler's version and the build profile to the program, which stores them with measured times.
 
 use std::process::Command;
 

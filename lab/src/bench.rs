@@ -1,9 +1,10 @@
-//! Measures user time of interleaved repeats, error against a converged picture, and energy where there is a meter.
+//! Measures three things: user time, with interleaved repeats; the error against a converged picture; and energy, if
+//! the machine can measure it.
 //!
-//! [`matrix`] says what is measured, [`timing`], [`error`], [`intersections`] and [`energy`] measure it, [`results`]
-//! keeps the figures with the machine, and [`statistics`], [`fit`] and [`gain`] derive other figures from them. Times
-//! are the user time of this process, which has one thread. Work of other processes is not counted, but a busy machine
-//! still makes the times longer.
+//! [`matrix`] lists what is measured. [`timing`], [`error`], [`intersections`] and [`energy`] measure it. [`results`]
+//! stores the measured data and the machine. [`statistics`], [`fit`] and [`gain`] derive other figures from the data.
+//! Times are the user time of this process, which has one thread. Work of other processes is not counted, but a busy
+//! machine still makes the times longer.
 
 pub mod energy;
 pub mod error;

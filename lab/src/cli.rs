@@ -1,4 +1,4 @@
-//! The command line: every command with its options, in one place.
+//! The command line: all commands with their options.
 
 use clap::{CommandFactory, Parser, Subcommand};
 use output::Options;
@@ -6,7 +6,7 @@ use output::Options;
 use crate::Failure;
 use crate::commands::{bench, compare, completions, generate, help, inspect, render, report};
 
-/// Exit statuses, shown with every help.
+/// The exit statuses, shown after every help.
 pub const EXIT_STATUS: &str = "\
 Exit status:
   0    done; for compare: accepted
@@ -14,7 +14,7 @@ Exit status:
   2    an error, or a command line that is not understood
   130  interrupted; no file was written or changed";
 
-/// First commands to try, shown with the help of the whole program.
+/// The first commands to try, shown after the help of the whole program.
 const EXAMPLES: &str = "\
 Examples:
   render-lab render scenes/materials/config.txt scenes/materials/scene.txt materials.png
@@ -40,10 +40,10 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Runs the command.
+    /// Runs the command that the command line names.
     ///
     /// # Errors
-    /// Whatever ends it early.
+    /// The reason why the command ended early.
     pub fn run(&self) -> Result<(), Failure> {
         self.command.run(Options { sync: !self.no_sync })
     }
@@ -73,10 +73,10 @@ pub enum Command {
 }
 
 impl Command {
-    /// Runs the command, which writes its files as `options` say.
+    /// Runs the command. `options` tells how it writes its files.
     ///
     /// # Errors
-    /// Whatever ends it early.
+    /// The reason why the command ended early.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         match self {
             Self::Render(arguments) => arguments.run(options),

@@ -1,4 +1,4 @@
-//! The commands, a module each: its options, and what it does with them.
+//! The commands. Each has its own module, with its options and its work.
 
 pub mod bench;
 pub mod compare;
@@ -13,10 +13,10 @@ use serde::Serialize;
 
 use crate::{Failure, terminal};
 
-/// Writes a value as JSON to standard output.
+/// Writes `value` as JSON to standard output.
 ///
 /// # Errors
-/// Standard output cannot be written.
+/// An error if standard output cannot be written.
 pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     terminal::print(&serde_json::to_string_pretty(value).map_err(|error| error.to_string())?)
 }

@@ -1,41 +1,44 @@
-//! Measures how far two pictures differ: as the course does (specification, section 12), and by common other measures.
+//! Measures the difference between two pictures: by the course's measure (specification, section 12), and by other
+//! common measures.
 
 use serde::Serialize;
 
 use crate::picture::Picture;
 
-/// The course accepts a picture whose largest pixel difference is below this bound.
+/// Upper limit of the largest pixel difference, in levels. The course accepts only values below it.
 pub const MAXIMUM_BOUND: f64 = 150.0;
 
-/// The course accepts a picture whose RMSE is below this bound.
+/// Upper limit of the RMSE, in levels. The course accepts only values below it.
 pub const RMSE_BOUND: f64 = 10.0;
 
-/// The differences between two pictures of one size. A pixel's difference is the mean of the absolute differences of
-/// its channels, in levels from 0 to 255.
+/// The differences between two pictures of equal size. The difference of a pixel is the mean of the absolute
+/// differences of its channels, in levels from 0 to 255.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
-    /// Root of the mean square of the pixels' differences.
+    /// Root of the mean square of the pixels' differences, in levels.
     pub rmse: f64,
-    /// The largest difference of a pixel.
+    /// The largest difference of a pixel, in levels.
     pub maximum: f64,
-    /// The mean of the pixels' differences.
+    /// The mean of the pixels' differences, in levels.
     pub mae: f64,
     /// Peak signal-to-noise ratio over all channels in decibels; `None` (infinite) for identical pictures.
     pub psnr: Option<f64>,
     /// Mean FLIP error, from 0 to 1; `None` if the program was built without the feature `flip`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flip: Option<f64>,
-    /// Number of pixels that differ.
+    /// Number of pixels with a difference above 0.
     pub differing: usize,
     /// Number of pixels compared.
     pub pixels: usize,
-    /// The smallest rectangle that holds all differing pixels: column, row, width, height.
+    /// The smallest rectangle that holds all pixels with a difference: column, row, width, height. `None` if the
+    /// pictures are equal.
     pub bounding_box: Option<[usize; 4]>,
-    /// Whether the course accepts the difference.
+    /// Whether the course accepts the pictures as equal: `maximum` and `rmse` are below their limits.
     pub accepted: bool,
 }
 
-/// Returns the difference of two pixels.
+/// Returns the difference of two pixels: the mean of the absolute differences of their channels, in levels from 0 to
+/// 255.
 #[must_use]
 pub fn of_pixels(first: [u8; 3], second: [u8; 3]) -> f64 {
     f64::from(channels(first, second).iter().sum::<u32>()) / 3.0
@@ -46,10 +49,10 @@ fn channels(first: [u8; 3], second: [u8; 3]) -> [u32; 3] {
 }
 
 impl Difference {
-    /// Compares two pictures.
+    /// Returns the differences between two pictures.
     ///
     /// # Errors
-    /// The pictures have different sizes.
+    /// An error if the pictures have different sizes.
     pub fn between(first: &Picture, second: &Picture) -> Result<Self, String> {
         if (first.width, first.height) != (second.width, second.height) {
             let [a, b] = [first, second].map(|picture| format!("{} x {}", picture.width, picture.height));
@@ -57,7 +60,8 @@ impl Difference {
         }
         let pixels = first.pixels.len();
         let (mut differing, mut maximum, mut sum, mut squares) = (0, 0.0_f64, 0.0, 0.0);
-        // The exact sum over channels. It cannot overflow: 2^30 pixels times 3 times 255^2 is below 2^48.
+        // The exact sum of the squares over all channels. It cannot overflow: 2^30 pixels times 3 times 255^2 is below
+        // 2^48.
         let mut channel_squares = 0_u64;
         let mut corners: Option<[usize; 4]> = None;
         for (index, (&a, &b)) in first.pixels.iter().zip(&second.pixels).enumerate() {
@@ -90,7 +94,8 @@ impl Difference {
     }
 }
 
-/// Returns the mean of the FLIP map at 67 pixels a degree, which is the default of FLIP's authors.
+/// Returns the mean FLIP error at 67 pixels a degree, the default of FLIP's authors. Returns `None` if a side of the
+/// picture does not fit in 32 bits.
 #[cfg(feature = "flip")]
 fn flip(reference: &Picture, test: &Picture) -> Option<f64> {
     let size = [u32::try_from(reference.width).ok()?, u32::try_from(reference.height).ok()?];
@@ -126,10 +131,10 @@ mod tests {
         let first = picture(&[[0; 3], [0; 3], [0; 3], [0; 3]]);
         let second = picture(&[[0; 3], [0; 3], [0; 3], [9, 0, 3]]);
         let difference = Difference::between(&first, &second).expect("one size");
-        // One pixel of four differs by 4: mean 1, root of 16/4 is 2.
+        // One pixel of four differs by 4. The mean is 1, and the root of 16/4 is 2.
         assert_eq!((difference.rmse, difference.maximum, difference.mae), (2.0, 4.0, 1.0));
         assert_eq!((difference.differing, difference.bounding_box), (1, Some([1, 1, 1, 1])));
-        // Mean square over channels: (81 + 9) / 12.
+        // The mean square over all channels is (81 + 9) / 12 = 7.5.
         let expected = 10.0 * (65025.0_f64 / 7.5).log10();
         assert!((difference.psnr.expect("they differ") - expected).abs() < 1e-12);
     }

@@ -1,4 +1,5 @@
-//! The implementations that can be chosen: the reference, or the real renderer with a layout and an instruction set.
+//! The implementations (engines) that the user can choose: the reference, or the real renderer with a layout and an
+//! instruction set.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -22,7 +23,7 @@ pub enum LayoutName {
 }
 
 impl LayoutName {
-    /// Returns the layout's name on the command line and in data.
+    /// Returns the name of the layout, as used on the command line and in data.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -54,24 +55,25 @@ impl From<ScatterName> for Scatter {
     }
 }
 
-/// An implementation to render with. In text: `reference`, or layout and instruction set as in `soa-avx2`.
+/// An implementation that can render. Its text form is `reference`, or a layout and an instruction set such as
+/// `soa-avx2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Engine {
     /// The reference, which tests every ray against every object.
     Reference,
-    /// The real renderer.
+    /// The real renderer with this layout and this instruction set.
     Real(LayoutName, InstructionSet),
     /// The real renderer with arrays of structures and the best instruction set, but without an acceleration structure:
-    /// every ray is intersected with every object. Used for measurements alone.
+    /// it intersects every ray with every object. Used only for measurements.
     PlainSearch,
 }
 
-/// Names of the instruction sets that results may have, the slowest first: those of today, and `sse2`, which the
-/// renderer had until November 2026.
+/// Names of the instruction sets that results may have, from the slowest to the fastest: the present ones, and `sse2`,
+/// which the renderer had until November 2026.
 pub const MEASURED_SETS: [&str; 5] = ["portable", "sse2", "avx2", "avx512", "avx512-throughout"];
 
 impl Engine {
-    /// Returns every implementation that this machine can run, without [`Engine::PlainSearch`].
+    /// Returns every implementation that this machine can run, except [`Engine::PlainSearch`].
     #[must_use]
     pub fn all() -> Vec<Self> {
         let sets = InstructionSet::available();
@@ -79,15 +81,16 @@ impl Engine {
         std::iter::once(Self::Reference).chain(real).collect()
     }
 
-    /// Returns the reference, and the real renderer in both layouts with the best instruction set.
+    /// Returns three implementations: the reference, and the real renderer in both layouts with the best instruction
+    /// set.
     #[must_use]
     pub fn main() -> Vec<Self> {
         let best = InstructionSet::best();
         vec![Self::Reference, Self::Real(LayoutName::Aos, best), Self::Real(LayoutName::Soa, best)]
     }
 
-    /// Returns the real renderer with nothing switched off, then with one thing switched off or changed at a time:
-    /// instruction set, layout, acceleration structure. The last is the reference, which has no optimisation.
+    /// Returns the real renderer with all optimisations, followed by engines that each lack or change one: instruction
+    /// set, layout, acceleration structure. The last engine is the reference, which has no optimisation.
     #[must_use]
     pub fn changed() -> Vec<Self> {
         let best = InstructionSet::best();
@@ -99,8 +102,8 @@ impl Engine {
         engines
     }
 
-    /// Renders a picture into the bytes of a PPM file. Measurements time this call: it does all that the evaluated
-    /// programs do, without reading and writing files.
+    /// Returns the picture as the bytes of a PPM file. Measurements time this call: it does all the work of the
+    /// evaluated programs except reading and writing files.
     ///
     /// # Errors
     /// An error of the renderer.
@@ -129,12 +132,12 @@ fn rendered<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Ve
 
 fn bytes(image: &impl cpu::Image) -> Vec<u8> {
     let mut bytes = Vec::new();
-    // Writing to a `Vec` does not fail.
+    // Writing to a `Vec` never fails.
     let _ = cpu::internals::image::ppm::write_ppm(image, &mut bytes);
     bytes
 }
 
-/// Returns the means of all pixels in linear light, before they are quantised.
+/// Returns the mean colours of all pixels in linear light, before they are quantised.
 ///
 /// # Errors
 /// An error of the renderer.
@@ -145,8 +148,9 @@ pub fn means(config: &Config, scene: &Scene) -> Result<Vec<Vec3>, Error> {
     Ok(means)
 }
 
-/// Renders the first `rows` rows with the real renderer and calls `after_row` after each row, as
-/// [`cpu::internals::render_into`] does. Returns `None` if `after_row` stopped the rendering before.
+/// Renders the first `rows` rows with the real renderer, and returns their picture. Calls `after_row` with the number
+/// of finished rows after each row, as [`cpu::internals::render_into`] does. Returns `None` if `after_row` stopped the
+/// rendering.
 ///
 /// # Errors
 /// An error of the renderer.

@@ -1,26 +1,27 @@
-//! The reasons for which a command ends early, with their messages and exit statuses.
+//! The reasons why a command ends early, with their messages and exit statuses.
 
-/// The reason for which a command ended early.
+/// The reason why a command ended early.
 #[derive(Debug)]
 pub enum Failure {
     /// Two pictures differ more than the course accepts.
     Rejected,
     /// An error of the renderer or of its input files.
     Renderer(cpu::Error),
-    /// Another error, in words.
+    /// Another error, with its message.
     Other(String),
-    /// A signal stopped the command, and nothing was kept.
+    /// A signal stopped the command, and no results were kept.
     Interrupted,
-    /// A signal stopped the command, and finished work was kept. The text says how to go on.
+    /// A signal stopped the command, and the results of finished work were kept. The text tells how to continue.
     Paused(String),
-    /// The command line is not understood. Its message has been written already.
+    /// The command line is not valid. Its message has been printed already.
     CommandLine,
-    /// The help was printed. This is a success, with exit status 0.
+    /// The help was printed. This is not an error: the exit status is 0.
     Help,
 }
 
 impl Failure {
-    /// Returns the exit status, as of `diff` and shells: 1 for a difference, 2 for an error, 130 for an interruption.
+    /// Returns the exit status, with the numbers that `diff` and shells use: 1 for a difference, 2 for an error, 130
+    /// for an interruption. The help has 0.
     #[must_use]
     pub const fn status(&self) -> u8 {
         match self {
@@ -31,7 +32,7 @@ impl Failure {
         }
     }
 
-    /// Returns the message to print, with control characters escaped; `None` if the output has said it already.
+    /// Returns the message to print, with control characters escaped; `None` if the message has been printed already.
     #[must_use]
     pub fn message(&self) -> Option<String> {
         match self {

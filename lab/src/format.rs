@@ -1,22 +1,23 @@
 //! Describes the two input files as tables: the fields of every line, their meaning and their allowed values.
 //!
-//! `cpu` decides what is valid; these tables explain it. `render-lab help config` and `help scene` print them, and
-//! messages use them to point at the wrong field. Tests check that the tables agree with the parsers of `cpu`.
+//! `cpu` decides which values are valid, and these tables explain it. `render-lab help config` and `help scene` print
+//! the tables, and error messages use them to point at the wrong field. Tests check that the tables agree with the
+//! parsers of `cpu`.
 
 use cpu::internals::input::text;
 
-/// The kind of value that a field may have.
+/// The set of values that a field may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Field {
-    /// A material's name: anything without blanks.
+    /// A material's name: any text without blanks.
     Name,
-    /// A whole number above zero that fits in 64 bits.
+    /// A whole number above 0 that fits in 64 bits.
     Count,
     /// Any finite number.
     Real,
-    /// A number above zero.
+    /// A finite number above 0.
     Positive,
-    /// A number that is not negative.
+    /// A finite number that is not negative.
     NotNegative,
     /// A number from 0 to 1.
     Share,
@@ -25,7 +26,7 @@ pub enum Field {
 }
 
 impl Field {
-    /// Returns whether `token` is a valid value of this kind.
+    /// Whether `token` is a valid value of this field.
     #[must_use]
     pub fn accepts(self, token: &[u8]) -> bool {
         let real = |is_right: fn(f64) -> bool| text::parse_real(token).is_some_and(is_right);
@@ -40,7 +41,7 @@ impl Field {
         }
     }
 
-    /// Returns the name of this kind of value, for a message.
+    /// Returns the description of the valid values, for an error message.
     #[must_use]
     pub const fn wanted(self) -> &'static str {
         match self {
@@ -55,18 +56,18 @@ impl Field {
     }
 }
 
-/// A kind of line.
+/// The format of one kind of line of an input file.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// First word of the line, with the colon.
+    /// First word of the line, with its colon.
     pub tag: &'static str,
-    /// Kinds of the values after the tag, in order.
+    /// The sets of valid values of the words after the tag, in order.
     pub fields: &'static [Field],
-    /// The values as the table shows them.
+    /// The values as the table describes them.
     pub values: &'static str,
-    /// The default value as a file would write it; empty for lines of a scene.
+    /// The default value in the form of an input file; empty for lines of a scene.
     pub default: &'static str,
-    /// Meaning of the line, with its unit.
+    /// The meaning of the line, with the unit of its values.
     pub meaning: &'static str,
 }
 
@@ -82,7 +83,7 @@ const fn key(
     Line { tag, fields, values, default, meaning }
 }
 
-/// Every line that a configuration file may have.
+/// The formats of all lines that a configuration file may have.
 pub const CONFIG: [Line; 13] = [
     key("aspect_ratio:", &[Count, Count], "two whole numbers > 0", "16 9", "width to height of the picture"),
     key("image_width:", &[Count], "whole number > 0", "1920", "width in pixels; the height follows"),
@@ -99,7 +100,7 @@ pub const CONFIG: [Line; 13] = [
     key("background_light_color:", &[Share; 3], "r g b in [0, 1]", "1 1 1", "background straight down (-y)"),
 ];
 
-/// Every line that a scene file may have.
+/// The formats of all lines that a scene file may have.
 pub const SCENE: [Line; 5] = [
     key("matte:", &[Name, Share, Share, Share], "name r g b", "", "material that scatters; reflectance in [0, 1]"),
     key(
@@ -126,14 +127,15 @@ pub const SCENE: [Line; 5] = [
     ),
 ];
 
-/// Returns the keys of a configuration as a table in Markdown, with padded columns for reading as plain text.
+/// Returns the keys of a configuration as a Markdown table, whose columns are padded so that it can be read as plain
+/// text.
 #[must_use]
 pub fn config_table() -> String {
     let rows = CONFIG.iter().map(|line| [line.tag, line.values, line.default, line.meaning]);
     table(["key", "values", "default", "meaning"], rows)
 }
 
-/// Returns the lines of a scene as a table like that of [`config_table`].
+/// Returns the lines of a scene as a Markdown table like that of [`config_table`].
 #[must_use]
 pub fn scene_table() -> String {
     table(["line", "values", "meaning"], SCENE.iter().map(|line| [line.tag, line.values, line.meaning]))
@@ -141,7 +143,7 @@ pub fn scene_table() -> String {
 
 fn table<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [&'static str; N]>) -> String {
     let rows: Vec<_> = rows.map(|cells| cells.map(|cell| cell.to_owned())).collect();
-    // The first column has words of the files, which Markdown shows as code.
+    // The first column has words of the input files, which Markdown shows as code.
     let coded = |(place, cell): (usize, &String)| match place {
         0 => format!("`{cell}`"),
         _ => cell.clone(),
@@ -176,7 +178,7 @@ mod tests {
             config.set(format!("{} {}", line.tag, line.default).as_bytes()).expect("the table is right");
         }
         assert_eq!(config, Config::default());
-        // Here every value differs from its default, so a key that is missing in the table would leave a difference.
+        // Here every value differs from its default, so a key that is missing in the table would stay different.
         let mut changed = Config {
             aspect_ratio: [1, 1],
             image_width: 1,
@@ -198,7 +200,7 @@ mod tests {
         assert_eq!(changed, Config::default());
     }
 
-    /// Returns a line with `token` in the field at `place`, and a valid value in all other fields.
+    /// Returns a line with `token` in field number `place`, and a valid value in all other fields.
     fn with(line: &Line, place: usize, token: &str) -> String {
         let value = |field: &Field| if *field == Name { "m" } else { "1" };
         let mut tokens: Vec<_> = line.fields.iter().map(value).collect();

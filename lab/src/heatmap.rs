@@ -1,4 +1,4 @@
-//! Draws where two pictures differ, with the scale of the colours below.
+//! Draws the differences between two pictures as a heat map, with the scale of its colours below.
 
 use annotate::Canvas;
 use colorous::{Gradient, INFERNO, RED_BLUE};
@@ -6,28 +6,28 @@ use colorous::{Gradient, INFERNO, RED_BLUE};
 use crate::difference::of_pixels;
 use crate::picture::{Picture, with_room};
 
-/// The mapping from differences to colours.
+/// The mapping from differences to colours of the heat map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The difference that gets the last colour, in levels from 0 to 255. Larger differences get the last colour too.
+    /// The smallest difference with the last colour, in levels from 0 to 255. Larger differences have that colour too.
     pub most: f64,
-    /// Whether the sign is shown: red where the second picture is brighter, blue where it is darker.
+    /// Whether the colours show the sign: red for pixels that are brighter in the second picture, blue for darker ones.
     pub is_signed: bool,
 }
 
-/// Height of the bar of colours with its caption and numbers, in pixels.
+/// Height of the legend in pixels: the colour bar with its caption and numbers.
 const LEGEND: usize = 60;
-/// Width of the narrowest canvas on which the words of the legend fit, in pixels.
+/// Smallest width of a canvas in pixels on which the text of the legend fits.
 const LEAST_WIDTH: usize = 370;
-/// Captions of the legend: of a scale without signs, and of a scale with signs.
+/// Captions of the legend: the first for a scale without signs, the second for a scale with signs.
 const CAPTIONS: [&str; 2] =
     ["difference, mean over channels, in levels", "second minus first, mean over channels, in levels"];
 const BAR: usize = 12;
 const MARGIN: usize = 10;
 
 impl Scale {
-    /// Returns the scale on which the largest difference gets the last colour. For equal pictures, a difference of one
-    /// level gets it.
+    /// Returns the scale whose last colour belongs to the largest difference of the two pictures. If the pictures are
+    /// equal, it belongs to a difference of one level.
     #[must_use]
     pub fn automatic(first: &Picture, second: &Picture, is_signed: bool) -> Self {
         let distance = |(a, b): (&[u8; 3], &[u8; 3])| if is_signed { signed(*a, *b).abs() } else { of_pixels(*a, *b) };
@@ -35,8 +35,8 @@ impl Scale {
         Self { most: if most > 0.0 { most } else { 1.0 }, is_signed }
     }
 
-    /// Returns the colour of the difference of two pixels. The colours are perceptual maps: Inferno of matplotlib from
-    /// dark to light, or with signs, red and blue of ColorBrewer with white between them.
+    /// Returns the colour for the difference of two pixels. Without signs, the colours are matplotlib's Inferno, from
+    /// dark to light. With signs, they are red and blue of ColorBrewer, with white between them.
     fn color(&self, first: [u8; 3], second: [u8; 3]) -> [u8; 3] {
         if self.is_signed {
             color_at(RED_BLUE, 0.5 - signed(first, second) / self.most / 2.0)
@@ -45,7 +45,8 @@ impl Scale {
         }
     }
 
-    /// Returns the colour at `share` of the bar, from 0 to 1, and the difference that has this colour.
+    /// Returns the colour at the position `share` of the colour bar (from 0 to 1), and the difference that has this
+    /// colour.
     fn bar(&self, share: f64) -> ([u8; 3], f64) {
         if self.is_signed {
             (color_at(RED_BLUE, 1.0 - share), self.most * (2.0 * share - 1.0))
@@ -55,7 +56,7 @@ impl Scale {
     }
 }
 
-/// Returns how much brighter the second pixel is: the mean of its channels' differences, with their signs.
+/// Returns the mean of the channels of `second` minus the mean of the channels of `first`, in levels.
 fn signed(first: [u8; 3], second: [u8; 3]) -> f64 {
     let sum = |pixel: [u8; 3]| pixel.iter().map(|&channel| i32::from(channel)).sum::<i32>();
     f64::from(sum(second) - sum(first)) / 3.0
@@ -66,10 +67,10 @@ fn color_at(map: Gradient, position: f64) -> [u8; 3] {
     [color.r, color.g, color.b]
 }
 
-/// Returns a picture of the differences between two pictures of one size, with a legend below.
+/// Returns the heat map of the differences between two pictures of equal size, with its legend below.
 ///
 /// # Errors
-/// There is too little memory for the picture.
+/// An error if there is too little memory for the heat map.
 pub fn heatmap(first: &Picture, second: &Picture, scale: Scale) -> Result<Picture, String> {
     let pairs = first.pixels.iter().zip(&second.pixels);
     let mut colors = with_room(first.pixels.len())?;
@@ -80,7 +81,7 @@ pub fn heatmap(first: &Picture, second: &Picture, scale: Scale) -> Result<Pictur
     canvas.write((MARGIN, first.height + 4), CAPTIONS[usize::from(scale.is_signed)]);
     let place = (MARGIN, first.height + 4 + annotate::LINE);
     let size = (canvas.width - 2 * MARGIN, BAR);
-    // The numbers below the bar have as many decimals as give the largest one two significant digits.
+    // All numbers below the bar have as many decimals as give the largest number two significant digits.
     let digits = (1.0 - scale.most.log10().floor()).clamp(0.0, 9.0) as usize;
     let number = |share: f64| format!("{:.digits$}", scale.bar(share).1);
     annotate::color_bar(&mut canvas, place, size, |share| scale.bar(share).0, number);

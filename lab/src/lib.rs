@@ -1,8 +1,8 @@
 //! `render-lab`: renders with progress, compares pictures, inspects scenes, and measures the renderer.
 //!
-//! Each command has its module in [`commands`]. Modules beside it hold what several commands use: [`picture`] reads
-//! and writes pictures, [`difference`] compares two of them, [`engine`] names the renderers, [`usage`] reads user time
-//! and memory. [`mod@bench`] measures, and [`report`] turns the data into charts and pages.
+//! Each command has its own module in [`commands`]. The other modules hold what several commands use: [`picture`] reads
+//! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations, [`usage`] reads user
+//! time and memory. [`mod@bench`] measures, and [`report`] converts the data into charts and pages.
 //!
 //! `cpu` does all rendering, on one thread.
 
@@ -29,16 +29,17 @@ use clap::Parser;
 
 pub use failure::Failure;
 
-/// Stack of the thread that does all work, in bytes.
+/// Size in bytes of the stack of the thread that does all work.
 const STACK_BYTES: usize = 8 << 20;
 
-/// Runs the command on this process' arguments; an error goes to standard error.
+/// Runs the command that the arguments of this process name, and returns the exit status. The message of an error goes
+/// to standard error.
 #[must_use]
 pub fn main() -> ExitCode {
     // From here on, a signal that ends the process first removes the temporary files.
     output::stop::remove_temporary_when_stopped();
-    // A debug build needs some 300 kB of stack. The limit on the main thread's stack may be smaller, so another thread
-    // does all work.
+    // A debug build needs about 300 kB of stack. The main thread's stack may be smaller, so another thread does all
+    // work.
     let thread = std::thread::Builder::new().name("main".to_owned()).stack_size(STACK_BYTES);
     match thread.spawn(run).map(std::thread::JoinHandle::join) {
         Ok(Ok(status)) => status,
@@ -61,7 +62,7 @@ fn run() -> ExitCode {
     }
 }
 
-/// Parses the command line. An error or the help is printed here.
+/// Parses the command line. Prints the message of an error, or the help.
 fn command_line() -> Result<cli::Cli, Failure> {
     let arguments: Vec<OsString> = std::env::args_os().collect();
     cli::Cli::try_parse_from(&arguments).map_err(|error| {
@@ -73,7 +74,8 @@ fn command_line() -> Result<cli::Cli, Failure> {
             return Failure::CommandLine;
         }
         if error.use_stderr() {
-            // The message repeats the arguments, whose control characters must not reach the terminal.
+            // The message repeats the arguments. Their control characters must be escaped before they reach the
+            // terminal.
             terminal::note(&error.render().to_string());
             return Failure::CommandLine;
         }

@@ -1,7 +1,7 @@
 //! Reads and writes pictures: PPM (P3 and P6) and PNG.
 //!
-//! `test_support::p3` is for tests and accepts only what the renderer writes. This module reads any valid PPM file,
-//! with comments and free white space, because `compare` gets pictures from other programs.
+//! `test_support::p3` is for tests, and accepts only the format that the renderer writes. This module reads any valid
+//! PPM file, with comments and any white space, because `compare` gets pictures from other programs.
 
 pub mod kind;
 
@@ -13,22 +13,22 @@ use cpu::{Error, Image, Rgb, Size};
 
 use crate::{Failure, terminal};
 
-/// Largest file that is read, in bytes. A P3 file of [`MAX_PIXELS`] without comments needs 12 bytes a pixel, which is
-/// less.
+/// Largest size of a file that is read, in bytes. A P3 file of [`MAX_PIXELS`] pixels without comments is smaller: it
+/// needs 12 bytes a pixel.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 
-/// Most pixels of a picture from a file: 8192 x 8192. The limit is needed because a PNG of a few thousand bytes can
-/// announce any number of pixels.
+/// Largest number of pixels of a picture that is read: 8192 x 8192. The limit is needed because a PNG of a few thousand
+/// bytes can announce any number of pixels.
 pub const MAX_PIXELS: usize = 1 << 26;
 
-/// The largest factor by which deflate can compress. A PNG that announces more bytes of pixels than its size times this
-/// factor cannot hold them.
+/// The largest factor by which deflate can compress. A PNG whose pixels need more bytes than the file's size times this
+/// factor is damaged.
 const DEFLATE_GROWTH: usize = 1032;
 
 /// A picture with 8 bits a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub width: usize,
     /// Number of rows.
     pub height: usize,
@@ -37,20 +37,20 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Reads a picture from a file, whose first bytes tell the format.
+    /// Reads a picture from a file. The first bytes of the file tell its format.
     ///
     /// # Errors
-    /// The file cannot be read, is larger than [`MAX_FILE_BYTES`], or is neither PPM nor an 8-bit PNG.
+    /// An error if the file cannot be read, is larger than [`MAX_FILE_BYTES`], or is neither a PPM nor an 8-bit PNG.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let open = || Input::open(path, MAX_FILE_BYTES).map_err(|error| error.to_string());
         let read = || Self::parse(&picture_bytes(open()?)?);
         read().map_err(|reason| format!("{}: {reason}", terminal::name(path)).into())
     }
 
-    /// Reads a picture from the bytes of a file.
+    /// Returns the picture in the bytes of a file.
     ///
     /// # Errors
-    /// What is wrong with the bytes.
+    /// The error of the bytes, as text.
     pub fn parse(bytes: &[u8]) -> Result<Self, String> {
         match bytes {
             [0x89, b'P', b'N', b'G', ..] => from_png(bytes),
@@ -59,7 +59,7 @@ impl Picture {
         }
     }
 
-    /// Copies the image that the renderer made.
+    /// Returns a copy of an image that the renderer made.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`].
@@ -74,7 +74,7 @@ impl Picture {
         Ok(Self { width: size.width(), height: size.height(), pixels })
     }
 
-    /// Copies the part of the picture that starts at column `x`, row `y`.
+    /// Returns a copy of the part of the picture that starts at column `x` and row `y`.
     ///
     /// # Panics
     /// If the part does not lie within the picture.
@@ -91,7 +91,7 @@ impl Picture {
         Ok(Self { width, height, pixels })
     }
 
-    /// Writes the picture as PNG.
+    /// Writes the picture to `out` in the format PNG.
     ///
     /// # Errors
     /// An error of `out`.
@@ -101,14 +101,14 @@ impl Picture {
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         let mut writer = encoder.write_header()?;
-        // Writes pieces of `PIECE` bytes, so that the whole compressed picture is never in memory.
+        // Writes pieces of [`PIECE`] bytes, so that the whole compressed picture is never in memory.
         let mut stream = writer.stream_writer_with_size(PIECE)?;
         stream.write_all(self.pixels.as_flattened())?;
         stream.finish()?;
         Ok(writer.finish()?)
     }
 
-    /// Writes the picture as PPM (P3), with the renderer's writer.
+    /// Writes the picture to `out` in the format PPM (P3), as the renderer does.
     ///
     /// # Errors
     /// An error of `out`.
@@ -123,12 +123,12 @@ impl Picture {
     }
 }
 
-/// Bytes of compressed pixels that are written at once.
+/// Number of bytes of the compressed picture that are written at once.
 const PIECE: usize = 1 << 16;
 
 const NEITHER: &str = "neither PPM (P3 or P6) nor PNG";
 
-/// Reads a file that begins like a picture. A file that begins differently, such as `/dev/zero`, is refused after four
+/// Reads all bytes of a file that begins like a picture. Any other file, such as `/dev/zero`, is refused after four
 /// bytes, because it may have no end.
 fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
@@ -144,15 +144,15 @@ fn picture_bytes(mut file: impl Read) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-/// Returns an empty list with room for `count` items, or a message if memory is short.
+/// Returns an empty list with room for `count` items, or an error message if memory is short.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, String> {
     let mut list = Vec::new();
     list.try_reserve_exact(count).map_err(|_| "not enough memory for the picture".to_owned())?;
     Ok(list)
 }
 
-/// Returns the number of pixels that a picture announces, or an error if it is more than [`MAX_PIXELS`]. `None` stands
-/// for a number that overflows.
+/// Returns the number of pixels that a picture's header announces, or an error if it is more than [`MAX_PIXELS`].
+/// `None` stands for a number that does not fit in a `usize`.
 fn check_pixels(announced: Option<usize>) -> Result<usize, String> {
     let is_allowed = |count: &usize| *count <= MAX_PIXELS;
     announced.filter(is_allowed).ok_or_else(|| format!("it has more than {MAX_PIXELS} pixels"))
@@ -162,7 +162,8 @@ fn from_png(bytes: &[u8]) -> Result<Picture, String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    // Checked before memory is allocated for the pixels, because a few bytes can announce a picture of any size.
+    // The size is checked before memory is allocated for the pixels, because a few bytes can announce a picture of any
+    // size.
     let info = reader.info();
     check_pixels((info.width as usize).checked_mul(info.height as usize))?;
     if reader.output_color_type().1 != png::BitDepth::Eight {
@@ -203,7 +204,7 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
     }
     let mut pixels;
     if bytes[1] == b'6' {
-        // Exactly one white-space byte ends the header.
+        // Exactly one white-space byte separates the header from the pixels.
         let Some((true, data)) = rest.split_first().map(|(end, data)| (end.is_ascii_whitespace(), data)) else {
             return Err("a PPM whose header does not end in white space".to_owned());
         };
@@ -214,7 +215,7 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
         pixels = with_room(count)?;
         pixels.extend_from_slice(colors);
     } else {
-        // Each pixel needs at least six bytes. So a size that is larger than the file allows takes no memory.
+        // Each pixel needs at least six bytes, so no more memory is allocated than the file can fill.
         pixels = with_room(count.min(rest.len() / 6 + 1))?;
         for _ in 0..count {
             let mut byte = || u8::try_from(number(&mut rest)?).map_err(|_| "a value over 255".to_owned());
@@ -228,7 +229,8 @@ fn from_ppm(bytes: &[u8]) -> Result<Picture, String> {
     Ok(Picture { width, height, pixels })
 }
 
-/// Returns the next number of a PPM header or of P3 pixels. White space or a comment must stand before the number.
+/// Reads the next number of a PPM header or of P3 pixels, and removes it from `rest`. White space or a comment must
+/// stand before the number.
 fn number(rest: &mut &[u8]) -> Result<usize, String> {
     let before = rest.len();
     *rest = rest.trim_ascii_start();

@@ -1,8 +1,5 @@
-//! Turns measured data into charts and sentences: one HTML page that needs no other file, and the files from which
-//! `docs/report` is built.
-//!
-//! [`charts`] chooses the data of each chart and [`chart`] draws it; [`findings`] computes sentences from the data, so
-//! that no sentence can disagree with the data; [`html`] writes the page.
+//! Converts measured data into charts and sentences. It writes one HTML page that needs no other file, and the files
+//! from which `docs/report` is built.
 
 pub mod axis;
 pub mod chart;
@@ -21,15 +18,15 @@ use crate::bench::results::Results;
 use crate::{Failure, terminal};
 use chart::Chart;
 
-/// Names of the files that are written beside the charts.
+/// Names of the files that [`write()`] writes in addition to the charts.
 pub const FILES: [&str; 2] = ["index.html", "findings.json"];
 
 /// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`.
 ///
 /// # Errors
-/// A file cannot be written, or a chart cannot be drawn.
+/// An error if a file cannot be written, or a chart cannot be drawn.
 pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), Failure> {
-    // Everything that can fail is computed before the first file is written.
+    // All computations that can fail are done before the first file is written.
     let pictures = thumbnails::of(results, &test_support::project_root().join("scenes"))?;
     let charts = charts::all(results);
     let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
@@ -49,7 +46,7 @@ fn put(path: &Path, text: &str, options: Options) -> Result<(), Failure> {
 }
 
 /// Returns a different file name for each chart, without an ending. A chart's name may contain the name of a scene,
-/// which comes from the data. Characters other than letters, digits and `_` become `-`, so that no file lies outside
+/// which comes from the data. So characters other than letters, digits and `_` become `-`, and no file can lie outside
 /// the folder.
 fn file_names(charts: &[Chart]) -> Vec<String> {
     const LONGEST: usize = 100;

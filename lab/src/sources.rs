@@ -1,4 +1,4 @@
-//! Reads the two input files of a rendering, and replaces values of the configuration by those of `--set`.
+//! Reads the configuration and the scene, and applies the settings of `--set`.
 
 pub mod located;
 pub mod recorder;
@@ -16,11 +16,11 @@ use crate::{Failure, terminal};
 use located::Kind;
 use recorder::Recorder;
 
-/// Reads the configuration at `path` and then `settings`, each `key=value` as in `gamma=1` or `camera_position=0 0 -5`.
-/// Each setting is read like one more line of the file; of a repeated key the last line counts.
+/// Returns the configuration in the file `path`, changed by `settings`. Each setting is `key=value`, such as `gamma=1`
+/// or `camera_position=0 0 -5`. It counts as one more line of the file, and the last line with a key is used.
 ///
 /// # Errors
-/// What [`Config::parse`] says about the file, with the place in it, or about a setting, with its option.
+/// The error of [`Config::parse`], with its place in the file, or with the option whose setting is wrong.
 pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
     // The file is read first, so that its errors are reported before those of a setting.
     let mut config = read(path, Kind::Config, |input| Config::parse(input))?;
@@ -37,8 +37,8 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
         if let Err(error) = config.set(line.as_bytes()) {
             let place = Path::new("--set");
             let message = located::message(&error, Kind::Config, place, (1, line.as_bytes()), &[]);
-            // The message begins with a file name and a place, which an option does not have. The text of the option
-            // replaces them.
+            // The message begins with a file name and a line, which a setting does not have. The option's text replaces
+            // them.
             let words = message.as_deref().and_then(|message| message.split_once(": ")).map(|(_, words)| words);
             let words = words.map_or_else(|| error.to_string(), in_one_line);
             return Err(format!("--set {setting}: {words}").into());
@@ -47,34 +47,34 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
     Ok(config)
 }
 
-/// Reads the scene at `path`.
+/// Returns the scene in the file `path`.
 ///
 /// # Errors
-/// What [`Scene::parse`] says about it, with the place in the file.
+/// The error of [`Scene::parse`], with its place in the file.
 pub fn scene(path: &Path) -> Result<Scene, Failure> {
     read(path, Kind::Scene, |input| Scene::parse(input))
 }
 
-/// Returns the path to read from: `/dev/stdin` for `-`, else `path`.
+/// Returns the path to read from: `/dev/stdin` if `path` is `-`, and otherwise `path`.
 #[must_use]
 pub fn input(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdin") } else { path.to_owned() }
 }
 
-/// Returns the path to write to: `/dev/stdout` for `-`, else `path`.
+/// Returns the path to write to: `/dev/stdout` if `path` is `-`, and otherwise `path`.
 #[must_use]
 pub fn output(path: &Path) -> PathBuf {
     if path == Path::new("-") { PathBuf::from("/dev/stdout") } else { path.to_owned() }
 }
 
-/// Returns the name of an output for a message.
+/// Returns the name of an output for messages: "standard output" if `path` is `-`.
 #[must_use]
 pub fn output_name(path: &Path) -> String {
     if path == Path::new("-") { "standard output".to_owned() } else { terminal::name(path) }
 }
 
-/// Returns the failure for an error in the picture's values. It names the `--set` options that may have caused the
-/// error, or the file `path` if there is none.
+/// Returns the failure for an error in the values of the picture. The message names the `--set` options that may have
+/// caused the error, or the file `path` if no option may have caused it.
 #[must_use]
 pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure {
     let Error::Picture(cause) = error else { return error.in_file(path).into() };
@@ -93,7 +93,7 @@ pub fn about_picture(error: Error, path: &Path, settings: &[String]) -> Failure 
     }
 }
 
-/// Reads a file line by line. An error in a line gets the file name, line and column.
+/// Reads a file with the function `parse`. An error in a line gets the file name, the line and the column.
 fn read<T>(
     path: &Path,
     kind: Kind,
@@ -114,7 +114,7 @@ fn bare(key: &str) -> &str {
     key.trim().trim_end_matches(':')
 }
 
-/// Returns a valid value of `key` as an example: its default.
+/// Returns an example of a valid value of `key`: its default.
 fn example(key: &str) -> &'static str {
     crate::format::CONFIG
         .iter()
@@ -122,16 +122,16 @@ fn example(key: &str) -> &'static str {
         .map_or("VALUE", |line| line.default)
 }
 
-/// Joins the first and the last line of a message: what is wrong, and what to do. The lines between them show the
-/// input.
+/// Returns the first and the last line of a message, joined: what is wrong, and what to do. The lines between them show
+/// the input.
 fn in_one_line(message: &str) -> String {
     let mut lines = message.lines();
     let (first, last) = (lines.next().unwrap_or_default(), lines.next_back().unwrap_or_default());
     format!("{first}; {last}")
 }
 
-/// Returns a setting as one line of a configuration file. Line ends become spaces, because they would begin another
-/// line.
+/// Returns the line of a configuration file that corresponds to a setting `key=value`. Line ends become spaces, because
+/// they would begin another line.
 fn line(setting: &str) -> String {
     let setting = setting.replace(['\n', '\r'], " ");
     match setting.split_once('=') {
@@ -160,7 +160,7 @@ mod tests {
     fn settings_replace_what_the_file_says() {
         let folder = Folder::new();
         let path = folder.file("config.txt");
-        // The file has no line end. If settings were appended to its text, the first would join the last line.
+        // The file has no line end. If settings were appended to its text, the first setting would join the last line.
         fs::write(&path, "image_width: 8\ngamma: 2").expect("the folder is writable");
         let settings = ["gamma=1".to_owned(), "camera_north=1 0 0".to_owned()];
         let config = config(&path, &settings).expect("all is valid");

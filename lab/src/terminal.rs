@@ -1,7 +1,7 @@
 //! Writes to standard output and standard error, and escapes names for them.
 //!
-//! `print!` of the standard library is not used: it panics if the stream cannot be written, and it reports no error if
-//! the stream is closed.
+//! This module does not use `print!` of the standard library, which panics if the stream cannot be written, and reports
+//! no error if the stream is closed.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -12,10 +12,10 @@ use crate::Failure;
 
 /// Writes `text` and a line end to standard output.
 ///
-/// A broken pipe is no failure: programs such as `head` stop reading before the end.
+/// A broken pipe is not an error, because programs such as `head` stop reading before the end.
 ///
 /// # Errors
-/// Standard output is closed, full or not writable.
+/// An error if standard output is closed, full or not writable.
 pub fn print(text: &str) -> Result<(), Failure> {
     write(format!("{text}\n").as_bytes())
 }
@@ -23,7 +23,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// Writes `bytes` to standard output, as [`print()`] does.
 ///
 /// # Errors
-/// As [`print()`].
+/// The errors of [`print()`].
 pub fn write(bytes: &[u8]) -> Result<(), Failure> {
     let written =
         Output::open(Path::new("/dev/stdout"), Options::default()).and_then(|out| out.fill(|out| out.write_all(bytes)));
@@ -38,7 +38,7 @@ pub fn note(text: &str) {
     let _ = io::stderr().write_all(format!("{}\n", escape_lines(text)).as_bytes());
 }
 
-/// Returns the name of a file with all control characters escaped, including line ends.
+/// Returns the name of a file for messages, with all control characters escaped, including line ends.
 #[must_use]
 pub fn name(path: &Path) -> String {
     cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())

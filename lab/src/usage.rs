@@ -1,24 +1,24 @@
-//! Time and memory that this process has used so far.
+//! The time and the memory that this process has used so far.
 
 use nix::sys::resource::{UsageWho, getrusage};
 use nix::sys::time::TimeVal;
 
-/// Seconds.
+/// A time in seconds.
 pub type Seconds = f64;
 
-/// Processor time of the process, and its largest use of memory.
+/// The processor time of this process, and its largest use of memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Usage {
-    /// User time: time in the program's instructions.
+    /// User time: the time spent in the program's own instructions.
     pub user: Seconds,
-    /// System time: time in the kernel on behalf of the process.
+    /// System time: the time that the kernel spent for this process.
     pub system: Seconds,
-    /// Largest resident set in bytes since the start of the process.
+    /// The largest resident memory in bytes since the start of the process.
     pub peak_memory: u64,
 }
 
 impl Usage {
-    /// Returns the usage from the start of the process until now.
+    /// Returns the usage of this process from its start until now.
     #[must_use]
     pub fn now() -> Self {
         // `getrusage` fails only for an unknown `who`.

@@ -1,7 +1,8 @@
-//! Lets one system call of `render-lab` fail in each run, or sends a signal during the call, and checks the files.
+//! Makes one system call of `render-lab` fail in each run, or sends a signal during the call, and checks the files
+//! afterwards.
 //!
-//! Of the calls with one name a few are disturbed, spread evenly over the run; with `RENDER_INJECTIONS=all` all are. If
-//! `strace` cannot run, these tests are shown as ignored.
+//! Of the system calls with one name, only a few are disturbed, spread evenly over the run. With
+//! `RENDER_INJECTIONS=all` all are disturbed. If `strace` cannot run, these tests are shown as ignored.
 
 #[cfg(target_os = "linux")]
 #[path = "injected/linux.rs"]

@@ -1,5 +1,5 @@
-//! Compares our pictures of case 2 with the second published image, for which the figures are known. Shown as ignored
-//! if the reference folder does not exist.
+//! Compares our pictures of case 2 with the second published image, and checks the known differences. If there is no
+//! reference folder, these tests are shown as ignored.
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -1,7 +1,7 @@
-//! Words on pictures: captions above panels, and numbers below a bar of colours.
+//! Draws text on pictures: captions above panels, and numbers below a colour bar.
 //!
-//! A [`Canvas`] is a picture in memory with eight bits a channel. Letters come from the fixed-width font of
-//! `embedded-graphics`, so that a picture looks the same on every machine.
+//! A [`Canvas`] is a picture in memory with eight bits a channel. The letters come from the fixed-width font of
+//! `embedded-graphics`, so a picture is the same on every machine.
 
 use std::collections::TryReserveError;
 use std::convert::Infallible;
@@ -15,19 +15,19 @@ use embedded_graphics::text::{Baseline, Text};
 /// A colour: its red, green and blue component, each from 0 to 255.
 pub type Color = [u8; 3];
 
-/// Background of words.
+/// The background colour of text.
 pub const PAPER: Color = [255; 3];
-/// Colour of words.
+/// The colour of text.
 pub const INK: Color = [32; 3];
-/// Height of a line of words with the space above and below it, in pixels.
+/// Height of a line of text in pixels, with the space above and below it.
 pub const LINE: usize = 17;
 
-/// A picture to draw on.
+/// A picture in memory on which the functions of this crate draw.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Canvas {
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub width: usize,
-    /// Row by row from the top left.
+    /// The colours of all pixels, row by row from the top left.
     pub pixels: Vec<Color>,
 }
 
@@ -35,37 +35,38 @@ impl Canvas {
     /// Returns a canvas on which every pixel is [`PAPER`].
     ///
     /// # Errors
-    /// There is too little memory for the canvas.
+    /// An error if there is too little memory for the canvas.
     pub fn new(width: usize, height: usize) -> Result<Self, TryReserveError> {
         let mut pixels = Vec::new();
-        // A number of pixels that does not fit in a `usize` does not fit in memory either.
+        // If the number of pixels does not fit in a `usize`, `try_reserve_exact` below returns an error.
         let count = width.saturating_mul(height);
         pixels.try_reserve_exact(count)?;
         pixels.resize(count, PAPER);
         Ok(Self { width, pixels })
     }
 
-    /// Returns the number of rows.
+    /// Returns the number of rows of pixels.
     #[must_use]
     pub fn height(&self) -> usize {
         self.pixels.len().checked_div(self.width).unwrap_or(0)
     }
 
-    /// Sets a pixel. A pixel outside the canvas is ignored.
+    /// Sets the colour of the pixel at `x` and `y`. Does nothing for a pixel outside the canvas.
     pub fn set(&mut self, x: usize, y: usize, color: Color) {
         if x < self.width && y < self.height() {
             self.pixels[y * self.width + x] = color;
         }
     }
 
-    /// Draws a picture, `width` pixels wide, with its top left corner at `x` and `y`.
+    /// Copies `picture`, whose rows have `width` pixels, onto the canvas with its top left corner at `x` and `y`.
+    /// Pixels outside the canvas are left out.
     pub fn paste(&mut self, (x, y): (usize, usize), picture: &[Color], width: usize) {
         for (index, color) in picture.iter().enumerate() {
             self.set(x + index % width, y + index / width, *color);
         }
     }
 
-    /// Writes words with their top left corner at `x` and `y`. Pixels outside the canvas are left out.
+    /// Draws the text `words` with its top left corner at `x` and `y`. Pixels outside the canvas are left out.
     pub fn write(&mut self, (x, y): (usize, usize), words: &str) {
         let [red, green, blue] = INK;
         let style = MonoTextStyle::new(&FONT_7X13, Rgb888::new(red, green, blue));
@@ -74,18 +75,18 @@ impl Canvas {
     }
 }
 
-/// Returns the width of words in pixels.
+/// Returns the width of the text `words` in pixels.
 #[must_use]
 pub fn width_of(words: &str) -> usize {
     let style = MonoTextStyle::new(&FONT_7X13, Rgb888::BLACK);
     Text::new(words, Point::zero(), style).bounding_box().size.width as usize
 }
 
-/// Draws panels below each other, each with its caption above it. All panels are `width` pixels wide. The canvas is as
-/// wide as the panels or the widest caption.
+/// Returns a canvas with several panels below each other, each with its caption above it. A panel is a caption and the
+/// pixels of a picture. All panels are `width` pixels wide. The canvas is as wide as the panels or the widest caption.
 ///
 /// # Errors
-/// There is too little memory for the canvas.
+/// An error if there is too little memory for the canvas.
 pub fn panels(panels: &[(&str, &[Color])], width: usize) -> Result<Canvas, TryReserveError> {
     let widest = panels.iter().map(|(caption, _)| width_of(caption) + 4).max().unwrap_or(0);
     let height: usize = panels.iter().map(|(_, picture)| LINE + picture.len() / width).sum();
@@ -99,8 +100,8 @@ pub fn panels(panels: &[(&str, &[Color])], width: usize) -> Result<Canvas, TryRe
     Ok(canvas)
 }
 
-/// Draws a bar of colours from left to right, with five numbers below it: at its ends and at each quarter. `color` and
-/// `number` return the colour and the text at a share of the bar, from 0 to 1.
+/// Draws a colour bar from left to right, with five numbers below it: at both ends and at each quarter. `color` and
+/// `number` take a position on the bar, from 0 (left) to 1 (right), and return its colour and its text.
 pub fn color_bar(
     canvas: &mut Canvas,
     (x, y): (usize, usize),
@@ -119,7 +120,7 @@ pub fn color_bar(
         let middle = x + last * step / STEPS;
         (height..height + 4).for_each(|row| canvas.set(middle, y + row, INK));
         let words = number(share);
-        // The first and the last number are moved until they lie within the canvas.
+        // The first and the last number are moved to the inside, so that they lie within the canvas.
         let most = canvas.width.saturating_sub(width_of(&words));
         canvas.write((middle.saturating_sub(width_of(&words) / 2).min(most), y + height + 4), &words);
     }

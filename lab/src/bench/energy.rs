@@ -1,8 +1,9 @@
-//! Measures the energy of the processor's packages, or says why the machine cannot measure it.
+//! Measures the energy that the processor packages use, or returns the reason why the machine cannot measure it.
 //!
-//! Linux offers the RAPL counters as files under `/sys/class/powercap`: microjoules that wrap around. They count the
-//! whole package, with idle cores and other processes; [`measure`] can subtract the power of the idle machine. If the
-//! files cannot be read, the module `perf` tries `perf stat`, which may read the counters on some machines.
+//! Linux offers the RAPL counters as files under `/sys/class/powercap`. They count microjoules, and wrap around to 0.
+//! They count the whole package, so idle cores and other processes are included; [`measure`] can subtract the power of
+//! the idle machine. If the files cannot be read, the module `perf` tries `perf stat`, which may read the counters on
+//! some machines.
 
 mod perf;
 
@@ -16,27 +17,27 @@ use perf::Perf;
 
 use crate::Failure;
 
-/// The folder in which Linux has the counters.
+/// The folder in which Linux has the files of the RAPL counters.
 pub const POWERCAP: &str = "/sys/class/powercap";
 
-/// Energy of one picture. A figure that could not be measured is `null`, and `reason` says why.
+/// The energy of one picture. A figure that could not be measured is `null`, and `reason` gives the reason.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Energy {
     /// The scene's name.
     pub scene: String,
-    /// The implementation.
+    /// The name of the implementation.
     pub engine: String,
-    /// Joules a picture, after idle power is subtracted if the user asked for it.
+    /// Joules of one picture. The energy of the idle machine is subtracted if the user asked for that.
     pub joules: Option<f64>,
-    /// Watts while rendering, after idle power is subtracted if the user asked for it.
+    /// Mean power in watts during rendering. The power of the idle machine is subtracted if the user asked for that.
     pub watts: Option<f64>,
-    /// Watts of the idle machine that were subtracted.
+    /// Power of the idle machine in watts that was subtracted; `null` if the user did not ask for that.
     pub idle_watts: Option<f64>,
-    /// Why there are no figures.
+    /// The reason why there are no figures; `null` if there are figures.
     pub reason: Option<String>,
 }
 
-/// The energy counters of all packages.
+/// The energy counters of all processor packages.
 #[derive(Debug)]
 pub struct Meter(Source);
 
@@ -49,12 +50,13 @@ enum Source {
 #[derive(Debug)]
 struct Counter {
     file: PathBuf,
-    /// The counter goes back to 0 after this many microjoules.
+    /// The counter returns to 0 after this many microjoules.
     range: u64,
 }
 
 impl Counter {
-    /// Returns the joules between two readings, if the counter has wrapped around at most once between them.
+    /// Returns the joules between two readings of the counter, which are in microjoules. The counter must have wrapped
+    /// around at most once between them.
     fn joules(&self, before: u64, after: u64) -> f64 {
         let microjoules = if after >= before { after - before } else { after + (self.range - before) };
         microjoules as f64 * 1e-6
@@ -62,10 +64,10 @@ impl Counter {
 }
 
 impl Meter {
-    /// Returns the meter of this machine.
+    /// Returns the energy meter of this machine.
     ///
     /// # Errors
-    /// Why the machine has no meter, in words.
+    /// The reason why the machine has no meter, as text.
     pub fn here() -> Result<Self, String> {
         Self::open(Path::new(POWERCAP)).or_else(|first| {
             let perf = Perf::open(Path::new("perf")).map_err(|second| format!("{first}; {second}"))?;
@@ -73,16 +75,16 @@ impl Meter {
         })
     }
 
-    /// Returns a meter of the packages' counters under `folder`, which is [`POWERCAP`] on a real machine.
+    /// Returns a meter of the packages' counters in `folder`, which is [`POWERCAP`] on a real machine.
     ///
     /// # Errors
-    /// Why there are no counters, in words.
+    /// The reason why there are no counters, as text.
     pub fn open(folder: &Path) -> Result<Self, String> {
         let entries = fs::read_dir(folder).map_err(|error| format!("no RAPL: {}: {error}", folder.display()))?;
         let mut counters = Vec::new();
         for zone in entries.flatten().map(|entry| entry.path()) {
-            // Packages are named package-0 and so on. Zones of cores and memory are parts of a package: their energy
-            // would be counted twice.
+            // Packages have the names package-0, package-1 and so on. The zones of cores and memory are parts of a
+            // package, so counting them would count their energy twice.
             let name = fs::read_to_string(zone.join("name")).unwrap_or_default();
             if name.starts_with("package") {
                 let range = number(&zone.join("max_energy_range_uj"))?;
@@ -96,7 +98,7 @@ impl Meter {
         Ok(Self(Source::Powercap(counters)))
     }
 
-    /// Runs `work` and returns the joules and seconds that it took.
+    /// Runs `work`, and returns the joules and seconds that it took.
     fn during(&self, work: impl FnOnce() -> Result<(), Failure>) -> Result<(f64, f64), Failure> {
         match &self.0 {
             Source::Powercap(counters) => {
@@ -110,7 +112,7 @@ impl Meter {
                 let start = Instant::now();
                 let counting = perf.start()?;
                 let outcome = work();
-                // `perf` is stopped even if `work` failed, because it would count for a day.
+                // `perf` is stopped even if `work` failed, because otherwise it would count for a day.
                 let joules = counting.stop()?;
                 outcome?;
                 Ok((joules, start.elapsed().as_secs_f64()))
@@ -119,7 +121,7 @@ impl Meter {
     }
 }
 
-/// Reads the counters, in microjoules.
+/// Returns the readings of all counters, in microjoules.
 fn read(counters: &[Counter]) -> Result<Vec<u64>, String> {
     counters.iter().map(|counter| number(&counter.file)).collect()
 }
@@ -129,11 +131,12 @@ fn number(file: &Path) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("no RAPL: {} holds no number", file.display()))
 }
 
-/// Repeats `render` for at least `shortest` and returns the mean energy of one call. With `idle`, the idle machine is
-/// measured first, for as long as `shortest`, and its power subtracted. Without a meter the figures are `null`.
+/// Calls `render` again and again for at least the time `shortest`, and returns the mean energy of one call. If `idle`
+/// is true, the idle machine is measured first, for the time `shortest`, and its power is subtracted. If `meter` is an
+/// error, the figures are `null`.
 ///
 /// # Errors
-/// An error of `render`, or a counter that cannot be read.
+/// An error of `render`, or of reading a counter.
 pub fn measure(
     meter: &Result<Meter, String>,
     [scene, engine]: [&str; 2],
@@ -177,7 +180,8 @@ mod tests {
 
     use super::*;
 
-    /// A folder like [`POWERCAP`]: a package and a zone of its cores, whose counters both stand at `energy`.
+    /// Creates a folder like [`POWERCAP`] with two zones, a package and its cores. Both counters have the reading
+    /// `energy`.
     fn powercap(energy: &str) -> Folder {
         let folder = Folder::new();
         for (zone, name) in [("intel-rapl:0", "package-0\n"), ("intel-rapl:0:0", "core\n")] {
@@ -196,7 +200,7 @@ mod tests {
         let meter = Meter::open(folder.path());
         let mut count = 999_000_000_u64;
         let render = || {
-            // Adds two joules to the package's counter, which wraps around. The counter of the cores stays the same.
+            // The package's counter rises by two joules, modulo its range. The counter of the cores does not change.
             count = (count + 2_000_000) % 1_000_000_000;
             Ok(fs::write(folder.file("intel-rapl:0/energy_uj"), format!("{count}\n"))?)
         };

@@ -1,8 +1,8 @@
-//! Measures how far a picture of few samples is from the converged one.
+//! Measures the error of pictures with few samples against the converged picture.
 //!
-//! The error is measured in two ways. In linear light, before gamma and truncation, the error of a mean of n
-//! independent samples falls as n^(-1/2). The course measures it in levels (0 to 255) of the finished picture. All
-//! implementations make the same picture, so the error does not depend on them; only the time does.
+//! There are two measures of the error. In linear light, before gamma and truncation, the error of a mean of n
+//! independent samples falls as n^(-1/2). The course's measure uses the levels (0 to 255) of the finished picture. All
+//! implementations make the same picture, so the error does not depend on the implementation; only the time does.
 
 use cpu::internals::image::quantize::quantize;
 use cpu::{Config, Error, Scene, Vec3};
@@ -14,31 +14,32 @@ use crate::difference::of_pixels;
 use crate::engine::means;
 use crate::interrupt::Interrupt;
 
-/// Error at one number of samples.
+/// The error of pictures with one number of samples.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorPoint {
-    /// Samples a pixel.
+    /// Number of samples of a pixel.
     pub samples: u64,
-    /// RMSE over channels in linear light, 1 being white, over pictures of several seeds.
+    /// RMSE over all channels in linear light, in which 1 is white: the median of pictures of several seeds.
     pub linear: Median,
-    /// RMSE as the course defines it, in levels of 255, over the same pictures.
+    /// RMSE as the course defines it, in levels from 0 to 255: the median of the same pictures.
     pub course: Median,
 }
 
-/// Error against samples for one scene.
+/// The error for each number of samples, for one scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorCurve {
     /// The scene's name.
     pub scene: String,
-    /// Samples a pixel of the converged picture.
+    /// Number of samples of a pixel of the converged picture.
     pub reference_samples: u64,
-    /// Error of the converged picture in linear light, estimated from its two halves.
+    /// Error (RMSE) of the converged picture in linear light, estimated from its two halves.
     pub reference_error: f64,
-    /// By rising number of samples.
+    /// The errors, ordered by rising number of samples.
     pub points: Vec<ErrorPoint>,
 }
 
-/// Seeds of the two halves of the converged picture, far from the seeds of the measured pictures, which begin at 1.
+/// Seeds of the two halves of the converged picture. They are far from the seeds of the measured pictures, which begin
+/// at 1.
 const REFERENCE_SEEDS: [u64; 2] = [0x5eed_0001, 0x5eed_0002];
 
 fn with_seed(config: &Config, samples: u64, seed: u64) -> Config {
@@ -47,7 +48,7 @@ fn with_seed(config: &Config, samples: u64, seed: u64) -> Config {
     Config { samples_per_pixel: samples, ray_rng_seed, material_rng_seed, ..config.clone() }
 }
 
-/// Returns the root of the mean square difference over channels.
+/// Returns the RMSE of two pictures: the root of the mean square of the differences of all channels.
 fn rmse(first: &[Vec3], second: &[Vec3]) -> f64 {
     let squares = first.iter().zip(second).map(|(&a, &b)| (a - b).dot(a - b));
     (squares.sum::<f64>() / (3 * first.len()) as f64).sqrt()
@@ -62,8 +63,8 @@ fn course_rmse(first: &[[u8; 3]], second: &[[u8; 3]]) -> f64 {
     (squares.sum::<f64>() / first.len() as f64).sqrt()
 }
 
-/// Measures the error for each number of samples in `samples`: renders pictures with the seeds 1 to `seeds` and
-/// compares them with a picture of `reference_samples`.
+/// Measures the error for each number in `samples`. It renders pictures with the seeds 1 to `seeds`, and compares them
+/// with a picture of `reference_samples` samples a pixel.
 ///
 /// # Errors
 /// An error of the renderer, or [`Failure::Interrupted`].
@@ -94,8 +95,8 @@ pub fn curve(
         }
         points.push(ErrorPoint { samples, linear: Median::of(&linear), course: Median::of(&course) });
     }
-    // The halves are independent, each with variance v. Their difference has variance 2v and their mean v/2, so the
-    // error of the mean is half of the RMSE between the halves.
+    // The two halves are independent, and each has the variance v. Their difference has the variance 2v and their mean
+    // v/2, so the error of the mean is half of the RMSE between the halves.
     let reference_error = rmse(&first, &second) / 2.0;
     Ok(ErrorCurve { scene: name.to_owned(), reference_samples, reference_error, points })
 }
@@ -114,7 +115,7 @@ mod tests {
         let points: Vec<_> = curve.points.iter().map(|point| (point.samples as f64, point.linear.median)).collect();
         let law = PowerLaw::through(&points).expect("four points");
         assert!((law.exponent + 0.5).abs() < 0.05, "{law:?}");
-        // The error of the converged picture is what the law predicts for its 4,096 samples.
+        // The error of the converged picture must be the one that the law predicts for its 4,096 samples.
         let ratio = curve.reference_error / law.at(4096.0);
         assert!((0.7..1.4).contains(&ratio), "{ratio}");
         assert!(curve.points.is_sorted_by(|a, b| a.course.median > b.course.median), "{:?}", curve.points);

@@ -2,12 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The law `y = factor * x^exponent`, fitted by least squares on logarithms.
+/// The power law `y = factor * x^exponent`, fitted by least squares on the logarithms of measured points.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PowerLaw {
-    /// The slope on logarithmic axes.
+    /// The exponent, which is the slope on logarithmic axes.
     pub exponent: f64,
-    /// Standard error of the exponent, from the residuals; `None` with two points, which leave no residual.
+    /// Standard error of the exponent, from the residuals. `None` if only two points were fitted, because they leave no
+    /// residual.
     pub exponent_error: Option<f64>,
     /// `y` at `x = 1`.
     pub factor: f64,
@@ -16,8 +17,8 @@ pub struct PowerLaw {
 }
 
 impl PowerLaw {
-    /// Fits the law through those of `points` whose coordinates are positive. Returns `None` if these have fewer than
-    /// two different `x`.
+    /// Fits the law to the points of `points` whose two coordinates are positive. Returns `None` if these have fewer
+    /// than two different `x`.
     #[must_use]
     pub fn through(points: &[(f64, f64)]) -> Option<Self> {
         let logs: Vec<_> = points.iter().filter(|(x, y)| *x > 0.0 && *y > 0.0).map(|(x, y)| (x.ln(), y.ln())).collect();
@@ -39,15 +40,16 @@ impl PowerLaw {
         })
     }
 
-    /// Returns the law's `y` at `x`.
+    /// Returns the `y` of the law at `x`.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
         self.factor * x.powf(self.exponent)
     }
 }
 
-/// Returns the `x` at which a curve through `points` falls to `y`, or `None` if `y` lies outside the points. Between
-/// two points the curve is straight on logarithmic axes. The points must be ordered by falling `y`.
+/// Returns the `x` at which a curve through `points` falls to `y`, or `None` if `y` is not between the `y` of two
+/// neighbouring points. Between two points the curve is straight on logarithmic axes. The points must be ordered by
+/// falling `y`.
 #[must_use]
 pub fn reaches(points: &[(f64, f64)], y: f64) -> Option<f64> {
     points.windows(2).find_map(|pair| {
@@ -74,8 +76,9 @@ mod tests {
 
     #[test]
     fn scatter_about_the_law_is_its_error() {
-        // The logarithms of x are 0, 1, 2 and those of y 0, 1.5, 2. The slope is 1; the residuals are -1/6, 1/3, -1/6,
-        // and the sum of their squares is 1/6. Divided by 3 - 2 points and by the variance 2, that is 1/12.
+        // The logarithms of x are 0, 1, 2 and those of y are 0, 1.5, 2. So the slope is 1, and the residuals are -1/6,
+        // 1/3, -1/6 with a sum of squares of 1/6. The standard error squared is this sum divided by 1 (3 points minus
+        // 2) and by 2 (the sum of squares of x about its mean), which is 1/12.
         let e = std::f64::consts::E;
         let law = PowerLaw::through(&[(1.0, 1.0), (e, e.powf(1.5)), (e * e, e * e)]).expect("three points");
         assert!((law.exponent - 1.0).abs() < 1e-12);

@@ -1,31 +1,34 @@
-//! Derives what each optimisation gains: the time with one of them switched off, divided by the time with all of them.
+//! Derives the gain of each optimisation: the time without that optimisation, divided by the time with all
+//! optimisations.
 //!
 //! Only optimisations that the library can switch off are listed: instruction set, layout and acceleration structure.
-//! The others, such as lanes for camera rays and bytes without a power function, are part of the real renderer. Their
-//! gain is included in the row of the literal renderer, which has none of them.
+//! Others, such as lanes for camera rays and bytes without a power function, cannot be switched off in the real
+//! renderer. Their gain is included in the row of the literal renderer, which has no optimisation.
 
 use cpu::internals::InstructionSet;
 use serde::{Deserialize, Serialize};
 
 use super::results::{Setting, Timing};
 
-/// How much longer a picture takes with one thing switched off.
+/// The gain of one optimisation: how much longer a picture takes without it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gain {
     /// The scene's name.
     pub scene: String,
-    /// What is switched off, or used instead, as in `no search` or `avx2 lanes`.
+    /// The name of what is switched off or used instead, such as `no search` (no acceleration structure) or `avx2
+    /// lanes`.
     pub without: String,
-    /// Median time with it switched off, divided by the median time with nothing switched off.
+    /// Median time without the optimisation, divided by the median time with all optimisations.
     pub ratio: f64,
-    /// The least ratio that the bounds of both medians allow.
+    /// The smallest ratio that the bounds of both medians allow.
     pub low: f64,
     /// The largest ratio that the bounds of both medians allow.
     pub high: f64,
 }
 
-/// Returns what is switched off in an engine, or `None` if nothing is. `best` is the instruction set of the engine with
-/// nothing switched off. Older results have engines whose name ends in `-textbook`: without the error bounds.
+/// Returns the name of what is switched off in the implementation `engine`, or `None` if nothing is or the name is
+/// unknown. `best` is the instruction set of the engine with all optimisations. Results of older versions have engines
+/// whose name ends in `-textbook`, which means without the error bounds.
 fn without(engine: &str, best: &str) -> Option<String> {
     let rest = engine.strip_prefix("aos-").and_then(|rest| rest.strip_prefix(best));
     match (engine, rest) {
@@ -38,7 +41,7 @@ fn without(engine: &str, best: &str) -> Option<String> {
     }
 }
 
-/// Returns the gains that follow from the times of the suite `gain`. `best` is the machine's best instruction set.
+/// Returns the gains, computed from the times of the suite `gain`. `best` is the machine's best instruction set.
 #[must_use]
 pub fn of(timings: &[Timing], best: &str) -> Vec<Gain> {
     let of_gain = || timings.iter().filter(|timing| timing.setting.suite == "gain");
@@ -53,8 +56,8 @@ pub fn of(timings: &[Timing], best: &str) -> Vec<Gain> {
             Some(Gain { scene, without, ratio: slow.median / fast.median, low, high })
         })
         .collect();
-    // Sorted by what is switched off: lanes first, the widest before the others. The sort is stable, so the scenes keep
-    // their order.
+    // Sorted by what is switched off: first the instruction sets, from the widest to the narrowest, then all else. The
+    // sort is stable, so the scenes keep their order.
     let sets = InstructionSet::ALL.map(|set| format!("{} lanes", set.name()));
     let others = ["soa layout", "no search", "plain formulas", "literal renderer"].map(str::to_owned);
     let order: Vec<_> = sets.into_iter().rev().chain(others).collect();

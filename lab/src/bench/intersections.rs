@@ -1,8 +1,9 @@
 //! Measures the time of one intersection, and the error of its lambda.
 //!
-//! The rays and the oracle come from the crate `stability`, whose tables in `docs/accuracy/` have a row for each
-//! regime. Here all regimes but the ordinary one are joined into one family of hard rays. The time is that of
-//! intersections one after the other, each of one ray with one object, both in the form that the renderer uses.
+//! The rays and the oracle come from the crate `stability`. The tables in `docs/accuracy/` show each regime of that
+//! crate in its own row. Here all regimes except the ordinary one form one family of hard rays. The time is measured
+//! for intersections one after the other, each of one ray with one object. Ray and object are in the form that the
+//! renderer uses.
 
 use stability::case::Case;
 use stability::measure::Judged;
@@ -15,17 +16,17 @@ use super::timing;
 use crate::Failure;
 use crate::interrupt::Interrupt;
 
-/// Names of the implementations, in the order of the chart's legend.
+/// Names of the implementations of the intersection, in the order of the chart's legend.
 pub const METHODS: [&str; 5] =
     [methods::RESOLVED, methods::EXACT, methods::PLAIN, methods::PLAIN_SINGLE, methods::PROJECTED];
 
-/// The kinds of objects.
+/// Names of the kinds of objects.
 pub const OBJECTS: [&str; 2] = ["sphere", "cylinder"];
 
-/// Seed of the rays. It is fixed, so that two measurements of one program can differ in their times alone.
+/// Seed of the random rays. It is fixed, so that two measurements of one program differ only in their times.
 const SEED: u64 = 1;
 
-/// Measures every implementation on `count` ordinary rays and at least `count` hard rays.
+/// Measures every implementation for one kind of object, on `count` ordinary rays and on at least `count` hard rays.
 ///
 /// # Errors
 /// [`Failure::Interrupted`].
@@ -64,7 +65,7 @@ pub fn measure(
     Ok(found)
 }
 
-/// Returns the nanoseconds of one intersection, for each implementation and repeat.
+/// Returns the nanoseconds of one intersection: a list for each implementation, with one entry for each repeat.
 fn times(
     methods: &[Box<dyn Method>],
     cases: &[Case],
@@ -76,7 +77,7 @@ fn times(
     let mut turns = Vec::new();
     for method in methods {
         let mut stopwatch = method.stopwatch(cases).map_err(explain)?;
-        // The first pass warms the caches. Its time says how many passes make one repeat.
+        // The first pass warms the caches. From its time follows the number of passes in one repeat.
         turns.push(timing::turns_of(stopwatch().map_err(explain)?.as_secs_f64()));
         stopwatches.push(stopwatch);
     }
@@ -107,8 +108,8 @@ mod tests {
                 let is_right = [methods::EXACT, methods::RESOLVED].contains(&name);
                 assert_eq!(found.wrong == 0, is_right, "{found:?}");
             }
-            // The error of the resolved method is at most one unit in the last place. The certified method may have an
-            // error up to its bound, which is larger.
+            // The error of the resolved method is at most one unit in the last place. The error of the exact method may
+            // be as large as its bound, which is larger.
             assert!(hard(methods::RESOLVED).lambda_error[2] <= f64::EPSILON);
             assert!(hard(methods::EXACT).lambda_error[2] <= 1e-9);
             assert!(hard(methods::PLAIN).lambda_error[2] > 1e-9);

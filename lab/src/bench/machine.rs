@@ -1,4 +1,4 @@
-//! Describes the machine on which times are measured.
+//! Describes the machine on which the times are measured.
 
 use std::fs;
 use std::process::Command;
@@ -7,31 +7,32 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use cpu::internals::InstructionSet;
 use serde::{Deserialize, Serialize};
 
-/// A machine at the time of a measurement.
+/// The description of a machine and of its state at the time of a measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
-    /// Day of the measurement, in UTC, as in `2026-01-31`.
+    /// Day of the measurement in UTC, such as `2026-01-31`.
     pub date: String,
     /// Name of the processor, as the processor reports it.
     pub processor: String,
-    /// Processors that the system offers.
+    /// Number of processors that the system offers.
     pub processors: usize,
-    /// Best instruction set that the renderer finds.
+    /// Name of the best instruction set that the renderer finds.
     pub instruction_set: String,
-    /// System and its version.
+    /// Name of the system and its version.
     pub system: String,
-    /// Average number of processes that wanted to run in the minute before the measurement.
+    /// Average number of runnable processes in the minute before the measurement (load); `None` if the system does not
+    /// tell it.
     pub load: Option<f64>,
-    /// Compiler that built the program.
+    /// Name and version of the compiler that built the program.
     pub compiler: String,
-    /// How it was built, `release` or `debug`.
+    /// Build profile, `release` or `debug`.
     pub profile: String,
-    /// Commit of the working tree, with `-dirty` where it has changes.
+    /// Commit of the working tree, followed by `-dirty` if the tree has changes.
     pub commit: String,
 }
 
 impl Machine {
-    /// Describes this machine at this moment.
+    /// Returns the description of this machine now.
     #[must_use]
     pub fn here() -> Self {
         let file = |path: &str| fs::read_to_string(path).unwrap_or_default();
@@ -68,8 +69,8 @@ fn today() -> String {
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// Converts a number of days since 1970-01-01 to year, month and day. Internally years begin on the first of March, so
-/// that a leap day is the last day of its year.
+/// Converts a number of days since 1970-01-01 to year, month and day. Internally, years begin on the first of March, so
+/// a leap day is the last day of its year.
 fn civil(days: u64) -> [u64; 3] {
     let days = days + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);
@@ -87,7 +88,7 @@ mod tests {
 
     #[test]
     fn days_have_the_calendars_names() {
-        // From `date -u -d @SECONDS`.
+        // Expected values from `date -u -d @SECONDS`.
         for (days, expected) in
             [(0, [1970, 1, 1]), (11_016, [2000, 2, 29]), (11_017, [2000, 3, 1]), (20_818, [2026, 12, 31])]
         {

@@ -1,4 +1,4 @@
-//! Lists what `bench all` measures, as tasks that the nodes of a cluster can run one each.
+//! Lists everything that `bench all` measures, as tasks that different nodes of a cluster can run.
 
 mod times;
 
@@ -16,18 +16,18 @@ use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 use crate::{Failure, sources};
 
-/// A piece of the matrix.
+/// A task: one part of the matrix, which is everything that `bench all` measures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Task {
-    /// Time against a parameter: `width`, `samples`, `depth`, `objects` or `density`.
+    /// Measures the time for rising values of a parameter: `width`, `samples`, `depth`, `objects` or `density`.
     Scale(&'static str),
-    /// For a scene: error against samples, and the time of every engine for each number of samples.
+    /// Measures, for this scene, the error and the time of every engine for each number of samples.
     Error(&'static str),
-    /// Cost and error of intersections with a kind of object.
+    /// Measures the time and the error of intersections with this kind of object.
     Intersection(&'static str),
-    /// Time of a scene's picture with one thing switched off at a time.
+    /// Measures the time of this scene's picture, each time without one optimisation.
     Gain(&'static str),
-    /// Energy of a scene's picture.
+    /// Measures the energy of this scene's picture.
     Energy(&'static str),
 }
 
@@ -43,24 +43,24 @@ impl std::fmt::Display for Task {
     }
 }
 
-/// Scenes whose error and energy are measured, from `scenes`.
+/// Names of the scenes whose error and energy are measured, from the folder `scenes`.
 const SCENES: [&str; 3] = ["materials", "grid", "spheres"];
 
-/// A generated scene of many objects.
+/// Name of a generated scene with many objects.
 const BOARD: &str = "board";
 
-/// The course's four cases, from a folder that is no part of this project.
+/// Names of the course's four cases. Their files are in a folder that is not part of this project.
 const CASES: [&str; 4] = ["case-1", "case-2", "case-3", "case-4"];
 
-/// The scene on which width, samples and depth are varied. For objects and density, scenes are generated.
+/// Name of the scene in which width, samples and depth are varied. For the other parameters, scenes are generated.
 const SCALED: &str = "materials";
 
-/// The parameters of [`Task::Scale`]. With `objects`, the camera keeps a distance of a few squares from the near edge
-/// of the board, so additional objects are farther away. With `density`, the camera does not move, and more objects
-/// mean smaller ones in the same view.
+/// Names of the parameters of [`Task::Scale`]. With `objects`, the camera keeps a distance of a few squares from the
+/// near edge of the board, so additional objects are farther away. With `density`, the camera does not move, so more
+/// objects are smaller objects in the same view.
 pub const PARAMETERS: [&str; 5] = ["width", "samples", "depth", "objects", "density"];
 
-/// Returns every task. The order is fixed, because `--part` chooses tasks by their position.
+/// Returns all tasks in a fixed order. `--part` chooses tasks by their position in it.
 #[must_use]
 pub fn tasks() -> Vec<Task> {
     let scale = PARAMETERS.map(Task::Scale);
@@ -74,28 +74,29 @@ pub fn tasks() -> Vec<Task> {
         .collect()
 }
 
-/// How much is measured.
+/// Options for the tasks: how much to measure, and where the scenes are.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The small matrix.
+    /// Whether to measure the small matrix.
     pub quick: bool,
-    /// Repeats of each time.
+    /// Number of measurements of each time.
     pub repeats: usize,
-    /// Subtract the power of the idle machine from energies.
+    /// Whether to subtract the power of the idle machine from energies.
     pub idle: bool,
-    /// Where the scenes are.
+    /// The folder of the scenes.
     pub scenes: PathBuf,
-    /// Where the course's cases are, if their gains are measured too: `config1.txt`, `scene1.txt` and so on.
+    /// The folder of the course's cases, with `config1.txt`, `scene1.txt` and so on. `None` if their gains are not
+    /// measured.
     pub reference: Option<PathBuf>,
 }
 
 impl Plan {
-    /// Returns the width of pictures in all tasks that do not vary the width.
+    /// Returns the width of pictures in pixels, for all tasks that do not vary the width.
     const fn width(&self) -> u64 {
         if self.quick { 96 } else { 320 }
     }
 
-    /// Returns the longest time in seconds that one picture may take. A picture that is expected to take longer is left
+    /// Returns the longest time in seconds that one picture may take. A picture with a longer predicted time is left
     /// out.
     const fn patience(&self) -> f64 {
         if self.quick { 0.7 } else { 10.0 }
@@ -122,10 +123,10 @@ impl Plan {
         Ok((sources::config(&folder.join("config.txt"), &[])?, sources::scene(&folder.join("scene.txt"))?))
     }
 
-    /// Measures a task and adds its figures to `results`.
+    /// Measures a task, and adds its figures to `results`.
     ///
     /// # Errors
-    /// A scene cannot be read, pictures differ, or [`Failure::Interrupted`].
+    /// An error if a scene cannot be read or the pictures of two engines differ, or [`Failure::Interrupted`].
     pub fn run(&self, task: &Task, results: &mut Results, interrupt: &Interrupt) -> Result<(), Failure> {
         match task {
             Task::Scale(parameter) => self.scale(parameter, results, interrupt),
@@ -162,7 +163,8 @@ impl Plan {
         let (config, scene) = self.scene(name)?;
         let config = Config { image_width: self.width(), ..config };
         let samples: Vec<u64> = (0..=if self.quick { 6 } else { 8 }).map(|power| 1 << power).collect();
-        // The reference has 64 times the samples of the finest picture, so its error is an eighth of that picture's.
+        // The converged picture has 64 times the samples of the finest picture, so its error is an eighth of that
+        // picture's.
         let reference = 64 * samples.iter().max().copied().unwrap_or(1);
         results.curves.push(error::curve(name, &config, &scene, &samples, 5, reference, interrupt)?);
         let pictures = samples.into_iter().map(|samples| {
@@ -185,7 +187,8 @@ impl Plan {
             (Some(index), Some(folder)) => {
                 let file = |kind: &str| folder.join(format!("{kind}{}.txt", index + 1));
                 let (config, scene) = (sources::config(&file("config"), &[])?, sources::scene(&file("scene"))?);
-                // The full matrix renders the course's cases in their own size and with their own samples.
+                // The full matrix renders the course's cases with the size and the number of samples of their own
+                // configurations.
                 let small = Config { image_width: self.width(), samples_per_pixel: samples, ..config.clone() };
                 (if self.quick { small } else { config }, scene)
             }
@@ -214,7 +217,8 @@ impl Plan {
     }
 }
 
-/// Returns a scene of `objects` on the squares of a board, and a camera near the edge of the board.
+/// Returns a scene of `objects` objects on the squares of a board, and a configuration with a camera near the edge of
+/// the board and pictures of `width` pixels.
 fn board(objects: u64, width: u64) -> (Config, Scene) {
     let objects = usize::try_from(objects).unwrap_or(usize::MAX);
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };

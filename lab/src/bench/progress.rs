@@ -1,4 +1,5 @@
-//! Progress of a long measurement: its messages, and the file from which it goes on after an interruption.
+//! Shows the progress of a long measurement, and stores it in a file, so that the measurement can continue after an
+//! interruption.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
@@ -12,20 +13,21 @@ use super::results::Results;
 use super::results::check::{self, MAX_BYTES};
 use crate::{Failure, terminal};
 
-/// The results of an interrupted measurement so far.
+/// The results of an unfinished measurement.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Partial {
-    /// The plan and the commit as text. A measurement with another plan or commit cannot go on with these results.
+    /// The plan and the commit as text. Only a measurement with this plan and this commit can continue with these
+    /// results.
     pub request: String,
-    /// Names of the tasks that are done.
+    /// Names of the finished tasks.
     pub done: Vec<String>,
-    /// Results of the tasks that are done.
+    /// Results of the finished tasks.
     pub results: Results,
 }
 
 impl Partial {
-    /// Returns the path of the file beside `out` that keeps the results so far. Returns `None` if `out` is standard
-    /// output, a device or a pipe.
+    /// Returns the path of the file beside `out` that stores the results of an unfinished measurement. Returns `None`
+    /// if `out` is standard output, a device or a pipe.
     #[must_use]
     pub fn path(out: &Path) -> Option<PathBuf> {
         let mut name = out.file_name()?.to_owned();
@@ -34,10 +36,10 @@ impl Partial {
         is_file.then(|| out.with_file_name(name))
     }
 
-    /// Reads the file `path`.
+    /// Reads a file that [`Self::write`] has written.
     ///
     /// # Errors
-    /// The file cannot be read, has another format, or belongs to another request than `request`.
+    /// An error if the file cannot be read, has another format, or was written for a request other than `request`.
     pub fn read(path: &Path, request: &str) -> Result<Self, Failure> {
         let explain = |error: &dyn Display| format!("{}: {error}", terminal::name(path));
         let text = cpu::internals::input::reader::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
@@ -50,23 +52,24 @@ impl Partial {
         Ok(partial)
     }
 
-    /// Writes the file `path`.
+    /// Writes this value to the file `path`.
     ///
     /// # Errors
-    /// The file cannot be written.
+    /// An error if the file cannot be written.
     pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
         let json = serde_json::to_string(self).map_err(|error| error.to_string())?;
         Ok(Output::open(path, options)?.fill(|file| file.write_all(json.as_bytes()))?)
     }
 }
 
-/// Returns the message that announces a task: its number, and the time left. The time left is estimated from the
-/// `measured` tasks since `since`.
+/// Returns the message that announces task `number` of `of` tasks, with an estimate of the time left. The estimate uses
+/// the mean time of the tasks since `since`, of which `measured` are finished.
 #[must_use]
 pub fn announcement(number: usize, of: usize, task: &impl Display, measured: usize, since: Instant) -> String {
     let left = match measured {
         0 => String::new(),
-        // Each task left is taken to need the mean time of the measured tasks. Their times differ, so this is rough.
+        // The estimate gives each remaining task the mean time of the measured tasks. The times of tasks differ, so it
+        // is rough.
         _ => format!(
             ", about {} left",
             rough(since.elapsed().div_f64(measured as f64).mul_f64((of + 1 - number) as f64))
@@ -83,10 +86,10 @@ fn rough(time: Duration) -> String {
     }
 }
 
-/// Returns a warning if other programs run on this machine.
+/// Returns a warning if other programs use the processors of this machine, and otherwise `None`.
 #[must_use]
 pub fn load_warning(machine: &Machine) -> Option<String> {
-    /// The largest load without a warning: processes that wanted to run, on average over the last minute.
+    /// The largest load without a warning. The load is the average number of runnable processes in the last minute.
     const MOST_LOAD: f64 = 0.5;
     let load = machine.load.filter(|&load| load > MOST_LOAD)?;
     Some(format!(
@@ -96,10 +99,10 @@ pub fn load_warning(machine: &Machine) -> Option<String> {
     ))
 }
 
-/// Returns a warning if the repeats of some settings differ much from each other.
+/// Returns a warning if the repeats of some settings differ much from each other, and otherwise `None`.
 #[must_use]
 pub fn spread_warning(results: &Results) -> Option<String> {
-    /// The largest width of the bounds without a warning, as a share of the median.
+    /// The largest spread without a warning. The spread is the distance between the bounds, divided by the median.
     const MOST_SPREAD: f64 = 0.1;
     let of = results.timings.len();
     let wide = results.timings.iter().filter(|timing| timing.median.spread() > MOST_SPREAD).count();

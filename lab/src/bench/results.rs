@@ -1,4 +1,4 @@
-//! Measured data, and the figures that are derived from them.
+//! The measured data, and the figures that are derived from them.
 
 pub mod check;
 mod files;
@@ -15,61 +15,62 @@ use super::machine::Machine;
 use super::statistics::Median;
 use crate::usage::Seconds;
 
-/// Errors in linear light for which [`TimeToError`] has the time to reach them.
+/// Errors in linear light for which a [`TimeToError`] is computed.
 pub const TARGETS: [f64; 3] = [0.05, 0.02, 0.01];
 
-/// Identifies a measurement: what was rendered, and with which value of which parameter.
+/// Identifies a measurement: what was rendered, by which implementation, and with which value of which parameter.
 #[derive(Clone, Debug, PartialEq, PartialOrd, Serialize, Deserialize)]
 pub struct Setting {
-    /// The group of tasks that it belongs to: `scale`, `error` or `gain`.
+    /// The suite, which is the group of tasks: `scale`, `error` or `gain`.
     pub suite: String,
     /// The scene's name.
     pub scene: String,
-    /// What varies: `width`, `samples`, `depth`, `objects` or `density`.
+    /// The parameter that varies: `width`, `samples`, `depth`, `objects` or `density`.
     pub parameter: String,
-    /// Value of the parameter.
+    /// The value of the parameter.
     pub value: u64,
-    /// The implementation.
+    /// The name of the implementation.
     pub engine: String,
 }
 
-/// User time of one picture.
+/// The user time of one picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Timing {
-    /// What was measured.
+    /// Identifies what was measured.
     #[serde(flatten)]
     pub setting: Setting,
-    /// Time of every repeat, in the order measured.
+    /// The time of every repeat in seconds, in the order measured.
     pub seconds: Vec<Seconds>,
     /// Median of the repeats.
     pub median: Median,
-    /// SHA-256 of the picture.
+    /// SHA-256 of the picture, in hexadecimal digits.
     pub digest: String,
 }
 
-/// A measurement that was left out of the matrix, and why.
+/// A measurement that was left out, and the reason.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Omitted {
-    /// What was not measured.
+    /// Identifies what was not measured.
     #[serde(flatten)]
     pub setting: Setting,
-    /// Why it was left out.
+    /// The reason why it was left out.
     pub reason: String,
 }
 
-/// Time and errors of one implementation of the intersections.
+/// The time and the errors of one implementation of the intersections.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Intersection {
-    /// What was tested.
+    /// Identifies what was measured.
     #[serde(flatten)]
     pub trial: Trial,
     /// Number of cases tested.
     pub cases: usize,
     /// Number of cases with a wrong hit, miss, root or part.
     pub wrong: usize,
-    /// Relative errors of lambda against exact arithmetic, where the decision is right: median, 99.9 % and largest.
+    /// Relative errors of lambda against exact arithmetic, for the cases with the right decision: the median, the value
+    /// that 99.9 % of the errors do not exceed, and the largest.
     pub lambda_error: [f64; 3],
-    /// Nanoseconds of one intersection in every repeat, in the order measured.
+    /// The time of one intersection in nanoseconds for every repeat, in the order measured.
     pub nanoseconds: Vec<f64>,
     /// Median of the repeats.
     pub median: Median,
@@ -80,82 +81,82 @@ pub struct Intersection {
 pub struct Trial {
     /// `sphere` or `cylinder`.
     pub object: String,
-    /// `ordinary`, or `hard`: the rays of all other regimes in `docs/accuracy/tables.md`, the same number of each.
+    /// `ordinary`, or `hard`. The hard rays come from all other regimes in `docs/accuracy/tables.md`, in equal numbers.
     pub rays: String,
-    /// The implementation, as `docs/accuracy/tables.md` names it.
+    /// The name of the implementation, as in `docs/accuracy/tables.md`.
     pub implementation: String,
-    /// Seed of the rays.
+    /// Seed of the random rays.
     pub seed: u64,
 }
 
-/// How the time grows with a parameter.
+/// The power law by which the time grows with a parameter.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
     /// The scene's name.
     pub scene: String,
-    /// What varies.
+    /// The parameter that varies.
     pub parameter: String,
-    /// The implementation.
+    /// The name of the implementation.
     pub engine: String,
-    /// Time as a power of the parameter.
+    /// The time in seconds as a power of the parameter.
     pub law: PowerLaw,
 }
 
-/// Time in which a picture reaches a given error against the converged picture.
+/// The time after which a picture has at most a given error against the converged picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TimeToError {
     /// The scene's name.
     pub scene: String,
-    /// The implementation.
+    /// The name of the implementation.
     pub engine: String,
-    /// The error wanted, in linear light.
+    /// The given error, in linear light.
     pub error: f64,
-    /// The time, interpolated between measured points; `null` if the error lies outside them.
+    /// The time in seconds, interpolated between measured points; `null` if the error lies outside the measured range.
     pub seconds: Option<Seconds>,
 }
 
-/// A line of a chart: one implementation's times against a parameter.
+/// A line of a chart: the times of one implementation for several values of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// The scene's name.
     pub scene: String,
-    /// What varies.
+    /// The parameter that varies.
     pub parameter: String,
-    /// The implementation.
+    /// The name of the implementation.
     pub engine: String,
-    /// Values and seconds, by rising value.
+    /// Pairs of a parameter's value and a time in seconds, ordered by rising value.
     pub points: Vec<(f64, f64)>,
 }
 
-/// Everything that was measured, and the figures that are derived from it.
+/// All measured data, and the figures derived from them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Results {
-    /// Whether the small matrix of `--quick` was measured.
+    /// Whether the data are those of the small matrix, measured with `--quick`.
     pub quick: bool,
     /// The machines on which the data were measured.
     pub machines: Vec<Machine>,
-    /// User times.
+    /// User times of pictures.
     pub timings: Vec<Timing>,
-    /// Errors.
+    /// Errors of pictures for each number of samples.
     pub curves: Vec<ErrorCurve>,
     /// Times and errors of intersections outside the renderer.
     #[serde(default)]
     pub intersections: Vec<Intersection>,
-    /// Energy.
+    /// Energy of pictures.
     pub energy: Vec<Energy>,
     /// Measurements that were left out.
     pub omitted: Vec<Omitted>,
-    /// Derived from the times.
+    /// The growth of the times with each parameter, derived from `timings`.
     pub growth: Vec<Growth>,
-    /// Derived from times and errors.
+    /// The times to reach given errors, derived from `timings` and `curves`.
     pub times_to_error: Vec<TimeToError>,
-    /// Derived from the times.
+    /// The gain of each optimisation, derived from `timings`.
     #[serde(default)]
     pub gains: Vec<Gain>,
 }
 
 impl Results {
-    /// Sorts the times, and computes `growth`, `times_to_error` and `gains` from the measured data.
+    /// Sorts `timings`, and computes `growth`, `times_to_error` and `gains` from the measured data.
     pub fn complete(&mut self) {
         self.timings.sort_by(|a, b| a.setting.partial_cmp(&b.setting).unwrap_or(std::cmp::Ordering::Equal));
         self.growth = self
@@ -182,7 +183,7 @@ impl Results {
         }
     }
 
-    /// Returns the lines of the charts of a suite.
+    /// Returns the lines of the charts of the suite `suite`.
     #[must_use]
     pub fn lines(&self, suite: &str) -> Vec<Line> {
         let mut lines: Vec<Line> = Vec::new();
@@ -230,8 +231,8 @@ mod tests {
         let mut results = Results { curves: vec![curve], ..results(timings) };
         results.complete();
         let seconds: Vec<_> = results.times_to_error.iter().map(|time| time.seconds).collect();
-        // The error halves when the time grows fourfold. So 0.05, which is 0.08 / 1.6, takes 1.6² = 2.56 s. The
-        // smallest measured error is 0.02, so 0.01 was not reached.
+        // The error halves when the time grows fourfold. So the error 0.05, which is 0.08 / 1.6, takes 1.6² = 2.56 s.
+        // The smallest measured error is 0.02, so the error 0.01 was not reached.
         assert!((seconds[0].expect("measured") - 2.56).abs() < 1e-9, "{seconds:?}");
         assert!((seconds[1].expect("measured") - 16.0).abs() < 1e-9, "{seconds:?}");
         assert_eq!(seconds[2], None);

@@ -2,14 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The median of some measurements, and bounds between which the true median lies.
+/// The median of some measurements, and bounds for the true median, which is the median of infinitely many
+/// measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Median {
     /// The middle measurement, or the mean of the two middle ones.
     pub median: f64,
-    /// Lower bound.
+    /// Lower bound of the true median.
     pub low: f64,
-    /// Upper bound.
+    /// Upper bound of the true median.
     pub high: f64,
     /// Probability that the true median lies between the bounds, for any distribution. It is at least 0.95 with six or
     /// more measurements, and less with fewer.
@@ -45,14 +46,14 @@ impl Median {
         Self { median, low: sorted[outside], high: sorted[count - 1 - outside], confidence }
     }
 
-    /// Returns whether the bounds allow a conclusion: the true median lies between them with a probability of at least
-    /// 0.75. That needs three measurements: the probability is 0 with one, and 0.5 with two.
+    /// Whether the bounds allow a conclusion: the true median lies between them with a probability of at least 0.75.
+    /// That needs three measurements: the probability is 0 with one, and 0.5 with two.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
         self.confidence >= 0.75
     }
 
-    /// Returns the width of the bounds as a share of the median.
+    /// Returns the distance between the bounds, divided by the median.
     #[must_use]
     pub fn spread(&self) -> f64 {
         (self.high - self.low) / self.median
@@ -67,7 +68,7 @@ mod tests {
     fn few_measurements_are_bounded_by_their_extremes() {
         let median = Median::of(&[3.0, 1.0, 2.0, 5.0, 4.0]);
         assert_eq!((median.median, median.low, median.high), (3.0, 1.0, 5.0));
-        // The bounds fail if all five lie on one side of the true median, which has a probability of 2 in 32.
+        // The bounds fail if all five values lie on one side of the true median, which has a probability of 2 in 32.
         assert_eq!(median.confidence, 1.0 - 2.0 / 32.0);
         let one = Median::of(&[7.0]);
         assert_eq!((one.median, one.low, one.high, one.confidence), (7.0, 7.0, 7.0, 0.0));
@@ -78,7 +79,8 @@ mod tests {
     #[test]
     fn many_measurements_are_bounded_closer() {
         let values: Vec<f64> = (1..=20).map(f64::from).collect();
-        // Tables of binomial confidence intervals give the 6th and the 15th of 20 values, with 95.9 %.
+        // Tables of binomial confidence intervals give the 6th and the 15th of 20 values as bounds, with a probability
+        // of 95.9 %.
         let median = Median::of(&values);
         assert_eq!((median.median, median.low, median.high), (10.5, 6.0, 15.0));
         assert!((median.confidence - 0.9586).abs() < 1e-4, "{}", median.confidence);

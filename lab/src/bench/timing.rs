@@ -1,8 +1,8 @@
 //! Measures the user time of engines on one picture, with interleaved repeats, and checks that the pictures are equal.
 //!
-//! Each round measures every engine once and starts with another engine, so that a machine that is slow for a while
-//! slows all engines. A picture that takes less than [`SHORTEST`] is rendered several times in a repeat. All engines
-//! must write the same bytes, because the time of a wrong picture means nothing.
+//! Each round measures every engine once, and each round starts with a different engine, so that a slow phase of the
+//! machine affects all engines. A picture that takes less than [`SHORTEST`] is rendered several times in a repeat. All
+//! engines must write the same bytes, because the time of a wrong picture means nothing.
 
 use cpu::{Config, Scene};
 use test_support::digest::sha256;
@@ -12,19 +12,19 @@ use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 use crate::usage::{Seconds, Usage};
 
-/// The shortest user time that one measurement may take. The system's clock of user time may be coarse.
+/// The smallest user time of one measurement, in seconds. The system's clock of user time may be coarse.
 pub const SHORTEST: Seconds = 0.05;
 
-/// Times of engines on one picture.
+/// The times of several engines for one picture.
 #[derive(Clone, Debug)]
 pub struct Times {
-    /// Each engine with its seconds for one picture, one entry a repeat, in the order measured.
+    /// Each engine, with the seconds of one picture in each repeat, in the order measured.
     pub of: Vec<(Engine, Vec<Seconds>)>,
-    /// SHA-256 of the picture, which is equal for all engines.
+    /// SHA-256 of the picture, which is the same for all engines.
     pub digest: String,
 }
 
-/// Measures `engines` on a picture.
+/// Measures the user time of `engines` for one picture.
 ///
 /// # Errors
 /// An error of the renderer, an engine whose picture differs, or [`Failure::Interrupted`].
@@ -39,7 +39,8 @@ pub fn measure(
     let mut turns = Vec::new();
     for &engine in engines {
         interrupt.check()?;
-        // The first picture warms the caches and is checked. Its time says how many pictures make one repeat.
+        // The first picture warms the caches and is compared. From its time follows the number of pictures in one
+        // repeat.
         let before = Usage::now().user;
         let picture = engine.ppm(config, scene)?;
         let seconds = Usage::now().user - before;
@@ -59,14 +60,15 @@ pub fn measure(
     Ok(Times { of: engines.iter().copied().zip(times).collect(), digest: digest.unwrap_or_default() })
 }
 
-/// Returns how often work that takes `seconds` must be repeated so that its time is at least [`SHORTEST`]; at most 500.
+/// Returns how many times to repeat work of `seconds` in one measurement, so that it takes at least [`SHORTEST`]; at
+/// most 500.
 #[must_use]
 pub fn turns_of(seconds: Seconds) -> u32 {
     (SHORTEST / seconds.max(SHORTEST / 500.0)).ceil().max(1.0) as u32
 }
 
-/// Returns the user time of one call of `work(index)`, measured `repeats` times for each index of `turns`. Entry
-/// `index` of `turns` is the number of calls that one measurement takes the mean of.
+/// Returns the user times of `work(index)` in seconds, for each index of `turns`. Each index has `repeats` times. Each
+/// time is the mean of `turns[index]` calls.
 ///
 /// # Errors
 /// An error of `work`, or [`Failure::Interrupted`].

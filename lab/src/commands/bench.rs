@@ -1,4 +1,4 @@
-//! `render-lab bench`: measurements into files.
+//! `render-lab bench`: measures, and writes the results to files.
 
 mod measure;
 
@@ -112,10 +112,10 @@ fn parse_part(text: &str) -> Result<(usize, usize), String> {
 }
 
 impl Arguments {
-    /// Measures.
+    /// Measures, lists tasks, or joins results, as the command line asks.
     ///
     /// # Errors
-    /// What is wrong with a file, or [`Failure::Interrupted`].
+    /// An error of a file or a task, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         let all = tasks();
         match &self.what {
@@ -146,7 +146,7 @@ fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure>
     let (mut all, mut values) = (Results::default(), 0);
     for (index, path) in parts.iter().enumerate() {
         let part = Results::read_part(path, &mut values)?;
-        // The limits are checked after each part, so that all parts together stay within them.
+        // The limits are checked after each file, so that all files together stay within them.
         all = if index == 0 { Results::merge(vec![part])? } else { Results::merge(vec![all, part])? };
         all.check().map_err(|reason| format!("the parts together: {reason}"))?;
     }

@@ -12,7 +12,7 @@ use crate::picture::Picture;
 use crate::picture::kind::Kind;
 use crate::{sources, terminal};
 
-/// Examples.
+/// Examples, limits and exit statuses, shown after the help of `compare`.
 const EXAMPLES: &str = "\
 Examples:
   render-lab compare mine.ppm theirs.ppm
@@ -56,10 +56,10 @@ fn levels(text: &str) -> Result<f64, String> {
 }
 
 impl Arguments {
-    /// Compares.
+    /// Compares the two pictures, prints the figures, and writes the heat map if one was asked for.
     ///
     /// # Errors
-    /// [`Failure::Rejected`], or what is wrong with a file.
+    /// [`Failure::Rejected`] if the course does not accept the difference, or an error of a file.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         if self.first == self.second && self.first.as_os_str() == "-" {
             return Err("standard input (-) can be only one of the two pictures".into());
@@ -92,7 +92,7 @@ impl Arguments {
     }
 }
 
-/// Formats the figures as lines of text.
+/// Formats a difference as lines of text for the terminal.
 struct Words<'a>(&'a Difference);
 
 impl std::fmt::Display for Words<'_> {

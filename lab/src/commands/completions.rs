@@ -21,17 +21,17 @@ pub struct Completions {
 }
 
 impl Completions {
-    /// Writes the script.
+    /// Writes the completion script for the chosen shell to standard output.
     ///
     /// # Errors
-    /// Standard output cannot be written.
+    /// An error if standard output cannot be written.
     pub fn run(&self, command: &mut clap::Command) -> Result<(), Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, command, "render-lab", &mut script);
         if self.shell == Shell::Bash {
-            // Works around an error of clap_complete 4.6.11 for programs with a hyphen in their name: its script sets
-            // `cmd` to names that begin with render__lab, but its labels begin with render__subcmd__lab. Without this,
-            // nothing below the first level is completed.
+            // Works around an error of clap_complete 4.6.11 for programs with a hyphen in their name. Its script sets
+            // `cmd` to names that begin with render__lab, but its labels begin with render__subcmd__lab. Without this
+            // replacement, nothing below the first level is completed.
             let text = String::from_utf8_lossy(&script).replace("render__subcmd__lab", "render__lab");
             script = text.into_bytes();
         }
@@ -50,10 +50,10 @@ pub struct Man {
 }
 
 impl Man {
-    /// Writes the pages.
+    /// Writes a manual page for each command into the folder.
     ///
     /// # Errors
-    /// A file cannot be written.
+    /// An error if a file cannot be written.
     pub fn run(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
         let explain = |error: std::io::Error| format!("{}: {error}", terminal::name(&self.folder));
         std::fs::create_dir_all(&self.folder).map_err(explain)?;
@@ -62,7 +62,7 @@ impl Man {
         self.write_page(command, options)
     }
 
-    /// Writes the pages of the commands below `command`, then the page of `command`.
+    /// Writes the pages of all subcommands of `command`, and then the page of `command`.
     fn write_page(&self, command: clap::Command, options: Options) -> Result<(), Failure> {
         for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
             self.write_page(below.clone(), options)?;

@@ -1,4 +1,4 @@
-//! `render-lab generate`: writes scenes from a seed as files, by the generator that the tests use.
+//! `render-lab generate`: writes a random scene from a seed. It uses the generator of the tests.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use test_support::generator::{self, Arrangement, Options};
 
 use crate::{Failure, sources};
 
-/// Examples.
+/// Examples, shown after the help of `generate`.
 const EXAMPLES: &str = "\
 Examples:
   render-lab generate config.txt scene.txt --seed 7 --objects 500
@@ -75,11 +75,11 @@ fn weight(text: &str) -> Result<f64, String> {
 }
 
 fn length(text: &str) -> Result<f64, String> {
-    // Outside this range, squares of lengths overflow or underflow, and the scene's file would be refused when read.
+    // Outside this range, squares of lengths overflow or underflow, and the renderer would refuse the scene's file.
     number(text, |value| (1e-100..=1e100).contains(&value), "a number from 1e-100 to 1e100 is needed")
 }
 
-/// Most objects of a generated scene. A file with more objects would be larger than the largest file that is read.
+/// Largest number of objects of a generated scene. A file with more objects would be too large to be read.
 const MOST_OBJECTS: usize = 10_000_000;
 
 fn count(text: &str) -> Result<usize, String> {
@@ -104,10 +104,10 @@ impl Arguments {
         Ok(Options { seed, objects, cylinders, materials, extent, arrangement })
     }
 
-    /// Writes both files.
+    /// Writes the configuration and the scene.
     ///
     /// # Errors
-    /// A file cannot be written, or the weights of all materials are zero.
+    /// An error if a file cannot be written, or if the weights of all materials are zero.
     pub fn run(&self, how: output::Options) -> Result<(), Failure> {
         let options = self.options()?;
         output::refuse_inputs(&self.scene, &[&self.config])?;
@@ -115,7 +115,7 @@ impl Arguments {
             return Err("the configuration and the scene need a file each; choose another name for one of them".into());
         }
         check_memory(options.objects)?;
-        // Both files are opened before one is written, so that neither changes if the other cannot be written.
+        // Both files are opened before one is written. So neither is changed if one of them cannot be opened.
         let (config, scene) =
             (Output::open(&sources::output(&self.config), how)?, Output::open(&sources::output(&self.scene), how)?);
         config.fill(|file| file.write_all(test_support::write::config(&generator::view(&options)).as_bytes()))?;
@@ -124,9 +124,10 @@ impl Arguments {
     }
 }
 
-/// Refuses a number of objects for which an allocation of the expected size fails.
+/// Returns an error if the memory that `objects` objects will need cannot be allocated now.
 fn check_memory(objects: usize) -> Result<(), cpu::Error> {
-    /// Bytes of one object and its line of text, each in a list that may have twice the capacity it needs.
+    /// Number of bytes of one object and its line of text. Each is in a list that may have twice the capacity that it
+    /// needs.
     const BYTES: usize = 512;
 
     let room = objects.checked_mul(BYTES).map(|bytes| Vec::<u8>::new().try_reserve_exact(bytes));

@@ -17,10 +17,10 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Prints the help.
+    /// Prints the help of the topic.
     ///
     /// # Errors
-    /// There is no such topic, or standard output cannot be written.
+    /// An error if there is no such topic, or if standard output cannot be written.
     pub fn run(&self, mut command: clap::Command) -> Result<(), Failure> {
         let text = match self.topic.iter().map(String::as_str).collect::<Vec<_>>()[..] {
             ["config"] => format!(

@@ -15,7 +15,7 @@ use serde::Serialize;
 
 use crate::{Failure, sources};
 
-/// Examples.
+/// Examples, shown after the help of `inspect`.
 const EXAMPLES: &str = "\
 Examples:
   render-lab inspect scenes/grid/scene.txt
@@ -40,21 +40,22 @@ pub struct Arguments {
 struct Inspection {
     spheres: usize,
     cylinders: usize,
-    /// Objects by the kind of their material.
+    /// Number of objects for each kind of material.
     objects_by_material: BTreeMap<&'static str, usize>,
     materials: usize,
     unused_materials: usize,
-    /// Lowest corner of the box around all objects, in scene units; absent without objects.
+    /// Lowest corner of the box around all objects, in scene units; absent if there are no objects.
     lowest_corner: Option<[f32; 3]>,
     highest_corner: Option<[f32; 3]>,
-    /// Largest absolute coordinate of the objects and the camera.
+    /// Largest absolute coordinate of the objects and the camera, in scene units.
     reach: f64,
-    /// Whether all magnitudes are moderate. If not, the renderer intersects every object, without conservative tests.
+    /// Whether all magnitudes are moderate. If not, the renderer intersects every ray with every object, without
+    /// conservative tests.
     moderate: bool,
     structure: Structure,
     picture: [usize; 2],
     samples: u64,
-    /// Features of the renderer that this configuration and scene do not use.
+    /// Names of the renderer's features that this configuration and scene do not use.
     not_needed: Vec<&'static str>,
 }
 
@@ -72,7 +73,7 @@ enum Structure {
     Bvh(Tree),
 }
 
-/// Figures of a BVH.
+/// Numbers that describe a BVH.
 #[derive(Debug, PartialEq, Serialize)]
 struct Tree {
     nodes: usize,
@@ -83,10 +84,10 @@ struct Tree {
 }
 
 impl Arguments {
-    /// Inspects.
+    /// Prints the facts about the scene.
     ///
     /// # Errors
-    /// What is wrong with a file.
+    /// An error of a file.
     pub fn run(&self) -> Result<(), Failure> {
         let config = self.config.as_ref().map_or(Ok(Config::default()), |path| sources::config(path, &[]))?;
         let scene = sources::scene(&self.scene)?;
@@ -168,7 +169,8 @@ fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
 
 impl Tree {
     fn of(tree: &Bvh) -> Self {
-        // `visit` calls its first function once for each child: for every node but the root, and for every object.
+        // `visit` calls its first function once for each child of a node: for every node except the root, and for every
+        // object.
         let (mut boxes, mut surface, mut whole) = (0_usize, 0.0, Bounds::EMPTY);
         // The second function gets every object of the tree, and the dominant sphere, which is not in the tree.
         let (mut objects, mut outside) = (0_usize, 0_usize);

@@ -1,4 +1,4 @@
-//! `render-lab render`: renders a scene into a file, with progress and figures.
+//! `render-lab render`: renders a scene into a file, and shows the progress, time and memory.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -18,7 +18,7 @@ use crate::sources;
 use crate::terminal;
 use crate::usage::Usage;
 
-/// Examples.
+/// Examples, shown after the help of `render`.
 const EXAMPLES: &str = "\
 Examples:
   render-lab render scenes/grid/config.txt scenes/grid/scene.txt grid.png
@@ -74,30 +74,30 @@ fn parse_crop(text: &str) -> Result<[usize; 4], String> {
         .ok_or_else(|| "four numbers are needed, COLUMN,ROW,WIDTH,HEIGHT, the last two positive".to_owned())
 }
 
-/// Time, memory and rays of one rendering.
+/// The time, the memory and the rays of one rendering.
 #[derive(Clone, Debug, Serialize)]
 struct Taken {
     width: usize,
     height: usize,
     samples_per_pixel: u64,
-    /// Camera rays in the rows that were rendered.
+    /// Number of camera rays in the rows that were rendered.
     primary_rays: u64,
-    /// Time by the clock, with the time to write the file.
+    /// Elapsed time in seconds, including the time to write the file.
     seconds: f64,
     user_seconds: f64,
     nanoseconds_per_primary_ray: f64,
     peak_memory_bytes: u64,
-    /// Number of all rays, with `--count` only.
+    /// Number of all rays; `None` without `--count`.
     rays: Option<u64>,
     hits: Option<u64>,
     nanoseconds_per_ray: Option<f64>,
 }
 
 impl Arguments {
-    /// Renders.
+    /// Renders the scene, writes the picture, and prints what it took.
     ///
     /// # Errors
-    /// What is wrong with a file, or [`Failure::Interrupted`].
+    /// An error of a file, or [`Failure::Interrupted`].
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         let is_dash = |path: &Path| path == Path::new("-");
         if is_dash(&self.config) && is_dash(&self.scene) {
@@ -124,8 +124,8 @@ impl Arguments {
             )?;
             taken.rays = Some(counts.rays);
             taken.hits = Some(counts.hits);
-            // The rays of the whole picture were counted. With `--crop` the time belongs to a part of the picture, so
-            // the time of one ray is not known.
+            // The rays of the whole picture were counted. With `--crop`, the time is that of a part of the picture, so
+            // the time of one ray is unknown.
             let all = self.crop.is_none() && counts.rays > 0;
             taken.nanoseconds_per_ray = all.then(|| taken.user_seconds * 1e9 / counts.rays as f64);
         }
@@ -138,7 +138,7 @@ impl Arguments {
         Ok(())
     }
 
-    /// Renders and writes the file.
+    /// Renders the picture and writes its file. Returns the time, the memory and the rays.
     fn write_picture<L: Layout>(
         &self,
         config: &Config,
@@ -181,7 +181,8 @@ impl Arguments {
     }
 }
 
-/// Returns how many rows must be rendered for a part of the picture: all rows down to its last one.
+/// Returns the number of rows to render for a part of the picture (x, y, width, height): all rows down to the last one
+/// of the part. Returns an error if the part goes beyond the picture.
 fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: usize) -> Result<usize, String> {
     let within = |start: usize, length: usize, all| start.checked_add(length).filter(|&end| end <= all);
     match (within(x, part_width, width), within(y, part_height, height)) {
@@ -190,14 +191,14 @@ fn rows_of([x, y, part_width, part_height]: [usize; 4], width: usize, height: us
     }
 }
 
-/// Returns a progress bar on standard error. It shows nothing if standard error is no terminal.
+/// Returns a progress bar on standard error. It shows nothing if standard error is not a terminal.
 fn progress(rows: usize) -> ProgressBar {
     const TEMPLATE: &str = "{wide_bar} {percent:>3} %  {per_sec}  {eta} left";
     let style = ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::with_draw_target(Some(rows as u64), ProgressDrawTarget::stderr()).with_style(style.with_key(
         "per_sec",
         |state: &indicatif::ProgressState, out: &mut dyn std::fmt::Write| {
-            // An error means that the bar cannot be shown, which does not matter.
+            // An error is ignored: it means that the bar cannot be shown.
             let _ = write!(out, "{:.0} rows/s", state.per_sec());
         },
     ))

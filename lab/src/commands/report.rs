@@ -23,10 +23,10 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Writes the report.
+    /// Writes the report into the folder.
     ///
     /// # Errors
-    /// What is wrong with the data or the folder.
+    /// An error of the data or the folder.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
         for name in crate::report::FILES {
             output::refuse_inputs(&self.out.join(name), &[&self.data])?;

@@ -6,21 +6,21 @@ use std::path::Path;
 use super::Picture;
 use crate::terminal;
 
-/// A kind of file.
+/// The file format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Text, as the evaluated programs write it.
+    /// PPM in its text form (P3), as the evaluated programs write it.
     Ppm,
-    /// Compressed without loss.
+    /// PNG, which compresses without loss.
     Png,
 }
 
 impl Kind {
-    /// Returns the kind for the ending of the file's name. A name without an ending, such as `/dev/stdout` or `-`, has
-    /// the kind `otherwise`.
+    /// Returns the format for the ending of the file's name. A name without an ending, such as `/dev/stdout` or `-`,
+    /// has the format `otherwise`.
     ///
     /// # Errors
-    /// The name has another ending.
+    /// An error if the name has an ending other than `ppm` and `png`.
     pub fn of(path: &Path, otherwise: Self) -> Result<Self, String> {
         match path.extension().map(|ending| ending.to_ascii_lowercase()) {
             None => Ok(otherwise),
@@ -36,7 +36,7 @@ impl Kind {
 }
 
 impl Picture {
-    /// Writes the picture as a file of this kind.
+    /// Writes the picture to `out` in the format `kind`.
     ///
     /// # Errors
     /// An error of `out`.

@@ -55,7 +55,7 @@ fn a_png_that_announces_more_than_it_holds_takes_no_memory() {
     let mut png = Vec::new();
     let wide = Picture { width: 3, height: 1, pixels: vec![[1; 3]; 3] };
     wide.write_png(&mut png).expect("memory takes all bytes");
-    // The first chunk holds width and height. Both become 2^31 - 1; the checksum is corrected below.
+    // The first chunk holds the width and the height. Both are set to 2^31 - 1; the checksum is corrected below.
     png[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
     assert!(Picture::parse(&png).is_err(), "the checksum is wrong");
     let checksum = crc32(&png[12..29]).to_be_bytes();
@@ -90,7 +90,7 @@ fn crc32(bytes: &[u8]) -> u32 {
     })
 }
 
-/// Returns a black grey-scale PNG with one bit a pixel, whose file is far smaller than its pixels.
+/// Returns a black greyscale PNG with one bit a pixel. The file is far smaller than its pixels.
 fn black_png(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);

@@ -2,16 +2,16 @@
 
 use plotters::coord::ranged1d::{KeyPointHint, Ranged, ValueFormatter};
 
-/// Returns the range of the values, extended by the factor `room` at both ends.
+/// Returns the range of `values`, extended at both ends by the factor `room`.
 #[must_use]
 pub fn range(values: impl Iterator<Item = f64>, room: f64) -> std::ops::Range<f64> {
     let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
-    // Division and multiplication could give 0 or infinity, so the ends are limited to positive finite numbers.
+    // The division may give 0 and the multiplication infinity, so the ends are limited to positive finite numbers.
     (low / room).max(f64::MIN_POSITIVE / 2.0_f64.powi(52))..(high * room).min(f64::MAX)
 }
 
-/// A logarithmic axis with round ticks: 1, 2, 5 in each decade, or if these are too many, 1 and 3, powers of ten, or
-/// every second, third or fifth power of ten.
+/// A logarithmic axis with round ticks. The ticks are 1, 2 and 5 in each decade. If these are too many, they are 1 and
+/// 3, then the powers of ten, then every second, third or fifth power of ten.
 pub struct Logarithmic(pub std::ops::Range<f64>);
 
 impl Ranged for Logarithmic {
@@ -35,7 +35,7 @@ impl Ranged for Logarithmic {
 impl ValueFormatter<f64> for Logarithmic {}
 
 fn ticks(range: &std::ops::Range<f64>, most: usize) -> Vec<f64> {
-    // Limited to the powers of ten that an `f64` can hold, because a range may begin at 0 or end at infinity.
+    // Limited to the powers of ten that an `f64` can hold, because the range may begin at 0 or end at infinity.
     let bounded = |decade: f64| (decade as i32).clamp(-323, 308);
     let decades = bounded(range.start.log10().floor())..=bounded(range.end.log10().ceil());
     let with = |steps: &[f64]| -> Vec<f64> {

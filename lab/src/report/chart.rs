@@ -6,12 +6,12 @@ use plotters::prelude::*;
 
 use super::style::printable;
 
-/// A chart: its words, its axes and its data.
+/// A chart: its texts, its axes and its data.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// Name of its file.
+    /// Name of the chart's file, without an ending.
     pub name: String,
-    /// Heading.
+    /// Heading above the chart.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -19,28 +19,28 @@ pub struct Chart {
     pub y: Axis,
     /// The series that are drawn, in the order of the legend.
     pub series: Vec<Series>,
-    /// Names of the rows in a chart of dots; empty in a chart of lines. In a chart of dots, `y` of a point is the
-    /// number of its row, from 1 at the top.
+    /// Names of the rows in a chart of dots; empty in a chart of lines. In a chart of dots, the `y` of a point is the
+    /// number of its row, counted from 1 at the top.
     pub rows: Vec<String>,
 }
 
-/// An axis: its label, and the format of its numbers.
+/// An axis: its label, and the format of the numbers at its ticks.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
     /// The quantity on the axis, with its unit.
     pub label: &'static str,
-    /// Formats a number for a tick.
+    /// Converts a number to the text at a tick.
     pub format: fn(f64) -> String,
 }
 
-/// Points that are drawn in one colour and joined by a line.
+/// Points with one colour, which a line joins.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// Name in the legend.
+    /// Name of the series in the legend.
     pub name: String,
-    /// Index of the colour in [`super::style::SERIES`], and of the marker.
+    /// Index of the colour in [`super::style::SERIES`], and of the marker's shape.
     pub color: usize,
-    /// Whether it is no data but a guide to the eye: a thin dashed line without markers.
+    /// Whether the series shows a law instead of data. It is then drawn as a thin dashed line without markers.
     pub is_guide: bool,
     /// The points.
     pub points: Vec<Point>,
@@ -53,7 +53,7 @@ pub struct Point {
     pub x: f64,
     /// Vertical coordinate.
     pub y: f64,
-    /// Bounds of the measured coordinate.
+    /// Bounds of the measured coordinate; `None` if no bar is drawn.
     pub bounds: Option<Bounds>,
 }
 
@@ -67,10 +67,10 @@ pub enum Bounds {
 }
 
 impl Point {
-    /// Returns both ends of the bar that shows the bounds; without bounds, both are the point itself.
+    /// Returns both ends of the bar that shows the bounds. If there are no bounds, both ends are the point itself.
     ///
-    /// A bound that a logarithmic axis cannot show, such as 0, is replaced by the point, so that half of the bar is
-    /// left.
+    /// A logarithmic axis cannot show some bounds, such as 0. Such a bound is replaced by the point, so half of the bar
+    /// is drawn.
     #[must_use]
     pub fn ends(&self) -> [(f64, f64); 2] {
         let shown = |bound: f64, point: f64| if bound > 0.0 && bound.is_finite() { bound } else { point };
@@ -90,10 +90,10 @@ const LEFT: i32 = 14;
 const LETTER: i32 = 8;
 
 impl Chart {
-    /// Returns the chart as SVG.
+    /// Returns the chart as the text of an SVG file.
     ///
     /// # Errors
-    /// The chart has no point, or a coordinate that is not positive and finite.
+    /// An error if the chart has no point, or if a coordinate is not positive and finite.
     pub fn draw(&self) -> Result<String, String> {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let is_shown = |value: f64| value > 0.0 && value.is_finite();
@@ -106,7 +106,7 @@ impl Chart {
         self.with_printable_text().draw_checked()
     }
 
-    /// Returns the chart with a replacement for each character that SVG does not allow.
+    /// Returns a copy of the chart in which each character that SVG does not allow is replaced.
     fn with_printable_text(&self) -> Self {
         let mut chart = self.clone();
         chart.title = printable(&chart.title);
@@ -131,13 +131,13 @@ impl Chart {
                 .map_err(|error| error.to_string())?;
             root.present().map_err(|error| error.to_string())?;
         }
-        // Without a fixed size, a browser scales the chart to its container. Screen readers read the label.
+        // Without a fixed size, a browser scales the chart to its container. Screen readers read the label aloud.
         let size = format!("width=\"{WIDTH}\" height=\"{}\" ", head + body);
         let title = self.title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
         Ok(svg.replacen(&size, "role=\"img\" ", 1).replacen("viewBox", &format!("aria-label=\"{title}\" viewBox"), 1))
     }
 
-    /// Returns the row and the left end of each entry of the legend.
+    /// Returns the position of each entry of the legend: the number of its row, and its left end in pixels.
     fn legend(&self) -> Vec<(u32, i32)> {
         let (mut row, mut x) = (0, LEFT);
         let mut places = Vec::new();

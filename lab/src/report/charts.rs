@@ -1,4 +1,4 @@
-//! Chooses the charts for the data, and the points in each chart.
+//! Chooses which charts the report has, and which points each chart has.
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
 use super::style::{engine_name, power_of_ten, seconds, short};
@@ -9,7 +9,7 @@ use crate::engine::MEASURED_SETS;
 
 const TIME: Axis = Axis { label: "user time of a picture", format: seconds };
 const ERROR: Axis = Axis { label: "RMSE in linear light (white is 1)", format: short };
-/// The vertical axis of a chart whose rows have names.
+/// The vertical axis of a chart of dots, whose rows have names instead of numbers.
 const ROWS: Axis = Axis { label: "", format: short };
 
 /// Returns every chart for which there are data, in the order of the report.
@@ -27,7 +27,7 @@ pub fn all(results: &Results) -> Vec<Chart> {
         .collect()
 }
 
-/// Time against a parameter.
+/// Returns the chart of times against a parameter, or `None` if there are no data.
 fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     let (label, title) = match parameter {
         "width" => ("width of the picture in pixels (height follows)", "Time against the picture's width"),
@@ -47,7 +47,8 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     chart(Chart { name, title: title.to_owned(), x, y: TIME, series, rows: Vec::new() })
 }
 
-/// Error against samples for every scene, with a line of slope -1/2, which independent samples follow.
+/// Returns the chart of errors against samples, with a line for each scene and a line of slope -1/2, the law of
+/// independent samples. Returns `None` if there are no data.
 fn error_by_samples(results: &Results) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for (index, curve) in results.curves.iter().enumerate() {
@@ -67,8 +68,8 @@ fn error_by_samples(results: &Results) -> Option<Chart> {
     chart(Chart { name: "error-samples".to_owned(), title, x, y: ERROR, series, rows: Vec::new() })
 }
 
-/// Error against time for a scene: arrays of structures with every instruction set, structures of arrays with the best
-/// one alone.
+/// Returns the chart of errors against times for a scene, or `None` if there are no data. It shows arrays of structures
+/// with every instruction set, but structures of arrays only with the best one.
 fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
     let curve = results.curves.iter().find(|curve| curve.scene == scene)?;
     let mut series: Vec<Series> = Vec::new();
@@ -91,15 +92,16 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
     chart(Chart { name: format!("error-time-{scene}"), title, x: TIME, y: ERROR, series, rows: Vec::new() })
 }
 
-/// Error of an intersection against its time: a line for each implementation, from ordinary rays to hard ones.
+/// Returns the chart of the errors of intersections against their times, or `None` if there are no data. Each
+/// implementation has a line from ordinary rays to hard rays.
 fn intersections(results: &Results, object: &str) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for intersection in results.intersections.iter().filter(|intersection| intersection.trial.object == object) {
         let name = &intersection.trial.implementation;
         let color = crate::bench::intersections::METHODS.iter().position(|method| method == name)?;
         let (cost, [_, high, _]) = (intersection.median, intersection.lambda_error);
-        // An error of 0 has no place on a logarithmic axis. Half a unit in the last place is drawn instead, which is
-        // the error of a correctly rounded answer.
+        // A logarithmic axis cannot show an error of 0. Half a unit in the last place is drawn instead, which is the
+        // largest error of a correctly rounded answer.
         let bounds = Some(Bounds::Horizontal(cost.low, cost.high));
         push(&mut series, name, color, Point { x: cost.median, y: high.max(f64::EPSILON / 2.0), bounds });
     }
@@ -109,7 +111,8 @@ fn intersections(results: &Results, object: &str) -> Option<Chart> {
     chart(Chart { name: format!("intersection-{object}"), title, x, y, series, rows: Vec::new() })
 }
 
-/// Time with one thing switched off, divided by the time with nothing switched off: a row for each thing.
+/// Returns the chart of gains, or `None` if there are no data. A gain is the time without an optimisation, divided by
+/// the time with all. Each optimisation has a row.
 fn gains(results: &Results) -> Option<Chart> {
     let (mut rows, mut series) = (Vec::new(), Vec::new());
     for gain in &results.gains {
@@ -121,8 +124,8 @@ fn gains(results: &Results) -> Option<Chart> {
     chart(Chart { name: "gain".to_owned(), title, x, y: ROWS, series, rows })
 }
 
-/// Energy of a picture, and power while it is rendered: a row for each implementation. Without figures there is no
-/// chart.
+/// Returns the charts of the energy of a picture, and of the power during its rendering, with a row for each
+/// implementation. If no energy was measured, there are no charts.
 fn energy(results: &Results) -> Vec<Chart> {
     type Figure = fn(&Energy) -> Option<f64>;
     let kinds: [(&str, &str, &'static str, Figure); 2] = [
@@ -141,10 +144,10 @@ fn energy(results: &Results) -> Vec<Chart> {
     charts.collect()
 }
 
-/// Speed of each engine divided by that of the literal renderer, at the largest number of samples for which the literal
-/// renderer was measured.
+/// Returns the chart of speeds: the speed of each engine, divided by the speed of the literal renderer. The times are
+/// those at the largest number of samples for which the literal renderer was measured.
 fn speed_ups(results: &Results) -> Option<Chart> {
-    // The slowest instruction set first, and the two layouts of each instruction set in neighbouring rows.
+    // The slowest instruction set comes first. The two layouts of each instruction set have neighbouring rows.
     let engines = MEASURED_SETS.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
     let is_there = |engine: &String| results.timings.iter().any(|timing| timing.setting.engine == *engine);
     let rows: Vec<String> = engines.filter(is_there).collect();
@@ -166,14 +169,14 @@ fn speed_ups(results: &Results) -> Option<Chart> {
     chart(Chart { name: "speed-up".to_owned(), title, x, y: ROWS, series, rows })
 }
 
-/// Returns the times of the suite `error` for a scene, sorted by the number of samples.
+/// Returns the times of a scene in the suite `error`, ordered by the number of samples.
 fn error_timings<'a>(results: &'a Results, scene: &'a str) -> impl DoubleEndedIterator<Item = &'a Timing> {
     results.timings.iter().filter(move |timing| timing.setting.suite == "error" && timing.setting.scene == scene)
 }
 
 fn timed(timing: &Timing, x: f64) -> Point {
     let Median { median, low, high, .. } = timing.median;
-    // With a single measurement both bounds are equal, and no bar is drawn.
+    // With a single measurement both bounds are equal, so no bar is drawn.
     Point { x, y: median, bounds: (low < high).then_some(Bounds::Vertical(low, high)) }
 }
 
@@ -184,7 +187,8 @@ fn push(series: &mut Vec<Series>, name: &str, color: usize, point: Point) {
     }
 }
 
-/// Adds a dot at `x` to a row and a series, which are added too where they are missing. Each series has its own colour.
+/// Adds a dot at `x` to the row `row` and the series `name`. Adds the row or the series first if it does not exist.
+/// Each series gets its own colour.
 fn push_dot(
     rows: &mut Vec<String>,
     series: &mut Vec<Series>,
@@ -199,7 +203,7 @@ fn push_dot(
     push(series, name, color, Point { x, y: at as f64 + 1.0, bounds });
 }
 
-/// Returns the colour of an implementation, which is one for all charts.
+/// Returns the colour index of an implementation, which is the same in all charts.
 fn color(engine: &str) -> usize {
     match engine.split_once('-') {
         None => 0,
@@ -211,7 +215,8 @@ fn color(engine: &str) -> usize {
     }
 }
 
-/// Sorts the series: the literal renderer first, then by the larger coordinate of the last point, the largest first.
+/// Sorts the series: first the literal renderer, then the others by the larger coordinate of their last points, the
+/// largest first.
 fn order(series: &mut [Series]) {
     let last = |series: &Series| series.points.last().map_or(0.0, |point| point.y.max(point.x));
     series.sort_by(|a, b| a.color.min(1).cmp(&b.color.min(1)).then(last(b).total_cmp(&last(a))));

@@ -12,7 +12,7 @@ use comparisons::{gains, instruction_sets, layouts, literal};
 use growth::{error, scaling, time_to_error};
 use intersections::intersections;
 
-/// A sentence with its topic.
+/// A sentence about the data, with its topic.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
     /// The topic, in one to three words.
@@ -21,7 +21,7 @@ pub struct Finding {
     pub text: String,
 }
 
-/// Returns every sentence for which there are data.
+/// Returns a sentence for each topic for which there are data.
 #[must_use]
 pub fn of(results: &Results) -> Vec<Finding> {
     let findings = [

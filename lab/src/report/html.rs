@@ -20,7 +20,7 @@ th.t,td.t{text-align:left}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
 figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem}.scenes figure{margin:0}\
 .scenes img{display:block;width:14rem;max-width:100%;height:auto}footer{margin-top:2rem;font-size:.9rem}";
 
-/// Returns the page about `results`, with its charts as SVG.
+/// Returns the HTML page about `results`. Each chart is given with its SVG text.
 #[must_use]
 pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)], pictures: &[Thumbnail]) -> String {
     let mut page = format!(
@@ -58,7 +58,7 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
     page
 }
 
-/// Adds a heading with an anchor, to which the table of contents links.
+/// Appends a heading with an anchor, to which the table of contents links.
 fn heading(page: &mut String, words: &str) {
     put(page, format_args!("<h2 id=\"{}\">{}</h2>\n", anchor(words), escape(words)));
 }
@@ -69,7 +69,7 @@ fn anchor(words: &str) -> String {
     letters.collect()
 }
 
-/// Adds a table of contents: links to the headings of `body`.
+/// Appends a table of contents, which links to the headings of `body`.
 fn contents(page: &mut String, body: &str) {
     page.push_str("<nav aria-label=\"Contents\"><ol>\n");
     for piece in body.split("<h2 id=\"").skip(1) {
@@ -81,7 +81,7 @@ fn contents(page: &mut String, body: &str) {
     page.push_str("</ol></nav>\n");
 }
 
-/// Adds small pictures of the scenes that were measured.
+/// Appends small pictures of the scenes that were measured.
 fn scenes(page: &mut String, pictures: &[Thumbnail]) {
     if pictures.is_empty() {
         return;
@@ -96,7 +96,7 @@ fn scenes(page: &mut String, pictures: &[Thumbnail]) {
     page.push_str("</div>\n");
 }
 
-/// Adds a table that explains the names of the implementations.
+/// Appends a table that explains the names of the implementations.
 fn implementations(page: &mut String, results: &Results) {
     let timed = results.timings.iter().map(|timing| timing.setting.engine.as_str());
     let engines: std::collections::BTreeSet<_> =
@@ -105,7 +105,7 @@ fn implementations(page: &mut String, results: &Results) {
     table(page, "Implementations", &["name", "what it is"], rows);
 }
 
-/// Returns the caption below a chart.
+/// Returns the text of the caption below a chart.
 fn caption(chart: &Chart) -> String {
     let what = match chart.name.split('-').next().unwrap_or_default() {
         "scale" => {
@@ -182,13 +182,13 @@ fn machines(page: &mut String, results: &Results) {
     table(page, "Where it was measured", &head, rows);
 }
 
-/// Adds a table under a heading, or nothing if there are no rows.
+/// Appends a table below a heading. Appends nothing if there are no rows.
 fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let rows: Vec<_> = rows.collect();
     let is_number = |cell: &String| cell.starts_with(|first: char| first.is_ascii_digit() || first == '-');
     let is_words = |place: usize| !rows.iter().any(|row| row.get(place).is_some_and(is_number));
     let line = |cells: &mut dyn Iterator<Item = &str>, tag: &str| -> String {
-        // A column without any number is aligned to the left. All other columns are aligned to the right.
+        // A column without numbers is aligned to the left. All other columns are aligned to the right.
         let class = |place: usize| if is_words(place) { " class=\"t\"" } else { "" };
         let cells = cells.enumerate().map(|(place, cell)| format!("<{tag}{}>{}</{tag}>", class(place), escape(cell)));
         format!("<tr>{}</tr>\n", cells.collect::<String>())
@@ -202,7 +202,7 @@ fn table(page: &mut String, title: &str, head: &[&str], rows: impl Iterator<Item
 }
 
 fn put(page: &mut String, text: std::fmt::Arguments<'_>) {
-    // Writing to a `String` does not fail.
+    // Writing to a `String` never fails.
     let _ = page.write_fmt(text);
 }
 

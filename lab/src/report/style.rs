@@ -1,13 +1,14 @@
-//! Colours, names and numbers in the form that charts and pages show.
+//! Colours, names and numbers, in the form in which charts and pages show them.
 
 use plotters::style::RGBColor;
 
-/// Colour of text, axes and ticks. Charts are drawn for paper; [`for_screen`] gives them the page's colours.
+/// Colour of text, axes and ticks. Charts are drawn in the colours for white paper; [`for_screen`] replaces them by the
+/// colours of the page.
 pub const INK: RGBColor = RGBColor(0x26, 0x26, 0x2B);
 /// Colour of the grid lines.
 pub const GRID: RGBColor = RGBColor(0xDC, 0xDC, 0xE2);
-/// Colours of the series, each with its tone for a dark page. They follow Okabe and Ito, so that most colour-blind
-/// readers can tell them apart.
+/// Colours of the series, each with its replacement for a dark page. They follow Okabe and Ito, so most colour-blind
+/// readers can distinguish them.
 pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x5C, 0x5C, 0x66), "#A9A9B4"),
     (RGBColor(0x00, 0x72, 0xB2), "#56B4E9"),
@@ -19,20 +20,22 @@ pub const SERIES: [(RGBColor, &str); 8] = [
     (RGBColor(0x4B, 0x3F, 0xB5), "#A79CF0"),
 ];
 
-/// Returns `text` with U+FFFD in place of control characters, U+FFFE and U+FFFF, most of which XML does not allow.
+/// Returns `text`, in which U+FFFD replaces all control characters, U+FFFE and U+FFFF. XML does not allow most of
+/// these.
 #[must_use]
 pub fn printable(text: &str) -> String {
     let is_known = |c: char| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}');
     text.chars().map(|c| if is_known(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
 }
 
-/// Returns a colour in the notation of SVG.
+/// Returns a colour in the notation of SVG, such as `#26262B`.
 #[must_use]
 pub fn hex(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// Returns the chart with CSS variables in place of its colours, so that it follows the page's light or dark colours.
+/// Returns the SVG of a chart in which CSS variables replace its colours, so that the chart follows the light or dark
+/// colours of the page.
 #[must_use]
 pub fn for_screen(svg: &str) -> String {
     let mut svg = svg.replace(&hex(INK), "currentColor").replace(&hex(GRID), "var(--grid)");
@@ -42,7 +45,8 @@ pub fn for_screen(svg: &str) -> String {
     svg
 }
 
-/// Returns the CSS variables that [`for_screen`] puts into charts, with their values for a light or a dark page.
+/// Returns the definitions of the CSS variables that [`for_screen`] uses, with the values for a light page, or for a
+/// dark page if `dark`.
 #[must_use]
 pub fn variables(dark: bool) -> String {
     let tone = |(color, dark_tone): &(RGBColor, &str)| if dark { (*dark_tone).to_owned() } else { hex(*color) };
@@ -51,13 +55,14 @@ pub fn variables(dark: bool) -> String {
     format!("--grid:{grid};{}", series.collect::<String>())
 }
 
-/// Returns the name of an implementation for readers: `reference` becomes "literal renderer".
+/// Returns the name of an implementation that charts and pages show: "literal renderer" for `reference`, and `engine`
+/// itself for all others.
 #[must_use]
 pub fn engine_name(engine: &str) -> String {
     if engine == "reference" { "literal renderer".to_owned() } else { engine.to_owned() }
 }
 
-/// Explains the name of an implementation.
+/// Returns a text that explains the implementation with this name.
 #[must_use]
 pub fn engine_meaning(engine: &str) -> String {
     if engine == "reference" {
@@ -77,7 +82,7 @@ pub fn engine_meaning(engine: &str) -> String {
     format!("{layout}, {set} instructions{without}")
 }
 
-/// Formats seconds with a suitable unit and three significant digits.
+/// Formats a time in seconds with a suitable unit and three significant digits.
 #[must_use]
 pub fn seconds(value: f64) -> String {
     let (scaled, unit) = match value {
@@ -96,13 +101,14 @@ pub fn short(value: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// Formats a number as one digit and a power of ten.
+/// Formats a number as one digit and a power of ten, such as `3e-16`.
 #[must_use]
 pub fn power_of_ten(value: f64) -> String {
     format!("{value:.0e}")
 }
 
-/// Formats a value with its standard error, both rounded to the first digit of the error.
+/// Formats a value and its standard error, both rounded to the first digit of the error. Without a usable error,
+/// formats only the value, with [`short`].
 #[must_use]
 pub fn with_error(value: f64, error: Option<f64>) -> String {
     match error.filter(|error| *error > 0.0 && error.is_finite()) {

@@ -11,29 +11,31 @@ use cpu::{Aos, Config, Error, Scatter, Scene};
 use crate::bench::results::Results;
 use crate::picture::Picture;
 
-/// A picture as a `data:` address, which holds the whole picture.
+/// A small picture of a scene, for the page.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Thumbnail {
     /// The scene's name.
     pub scene: String,
-    /// A `data:` address of a PNG.
+    /// The picture as a `data:` address, which contains the bytes of a PNG.
     pub address: String,
 }
 
-/// Width in pixels. It is twice the width on the page, because some screens have two pixels for one of CSS.
+/// Width in pixels, which is twice the width on the page, because some screens have two pixels for each pixel of CSS.
 const WIDTH: u64 = 448;
 const SAMPLES: u64 = 24;
 
-/// Renders thumbnails of those scenes in `results` that `folder` has. Other scenes, such as generated ones, get none.
+/// Renders a thumbnail of each scene in `results` whose files are in `folder`. Other scenes, such as generated ones,
+/// get no thumbnail.
 ///
 /// # Errors
-/// [`Error::Read`] when a scene is there but cannot be read.
+/// [`Error::Read`] if the files of a scene exist but cannot be read.
 pub fn of(results: &Results, folder: &Path) -> Result<Vec<Thumbnail>, Error> {
     let mut names: Vec<&str> = results.timings.iter().map(|timing| timing.setting.scene.as_str()).collect();
     names.extend(results.curves.iter().map(|curve| curve.scene.as_str()));
     names.sort_unstable();
     names.dedup();
-    // The name comes from the data. Only letters, digits and `-` are allowed, so that it is no path to another folder.
+    // The names come from the data. Only letters, digits and `-` are allowed, so that a name cannot be a path to
+    // another folder.
     let is_plain = |name: &&str| name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
     let thumbnail = |scene: &str| {
         let address = address(&folder.join(scene)).transpose()?;

@@ -1,5 +1,6 @@
-//! Formats an error in a line of an input file: file, line and column, the line with a caret below the fault, and what
-//! to write instead. `render-aos` and `render-soa` print the messages that the statement prescribes for these errors.
+//! Formats an error in a line of an input file. The message has the file, the line number and the column, then the line
+//! with carets below the wrong part, and then a hint what to write instead. `render-aos` and `render-soa` do not use
+//! this module: they print the messages that the statement prescribes.
 
 use std::path::Path;
 
@@ -9,20 +10,21 @@ use super::shown;
 use crate::format::{CONFIG, Field, Line, SCENE};
 use crate::terminal;
 
-/// The kind of input file.
+/// The kind of an input file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The configuration.
+    /// A configuration.
     Config,
-    /// The scene.
+    /// A scene.
     Scene,
 }
 
-/// Most characters of a line that a message shows before the wrong token, of the token, and after it.
+/// Largest number of characters that a message shows of each of three parts of a line: before the wrong token, the
+/// token itself, and after it.
 const AROUND: usize = 60;
 
-/// Returns a message for `error`, which occurred in the line `text` with the number `line` of the file `path`. Returns
-/// `None` for an error that is not about a line. `names` are the materials defined above the line.
+/// Returns the message for `error`, which occurred in line number `line` of the file `path`, with the bytes `text`.
+/// Returns `None` for an error that does not belong to a line. `names` are the materials defined above the line.
 #[must_use]
 pub fn message(
     error: &Error,
@@ -38,8 +40,8 @@ pub fn message(
     Some(format!("{place}: {summary}\n{}{hint}", excerpt(line, text, start, end)))
 }
 
-/// Returns the start and the end of the token number `token`. If the line has fewer tokens, both are the line's end
-/// without trailing blanks.
+/// Returns the start and the end of token number `token` in `text`, as byte offsets from 0. If the line has fewer
+/// tokens, both are the end of the last token.
 fn place(text: &[u8], token: usize) -> (usize, usize) {
     let is_blank = |byte: u8| byte == b' ' || byte == b'\t';
     let mut end = 0;
@@ -50,13 +52,14 @@ fn place(text: &[u8], token: usize) -> (usize, usize) {
             return (start, end);
         }
     }
-    // A token is missing. The message points to the end of the last word.
+    // The token is missing. The message points to the end of the last token.
     let after = cpu::internals::input::text::trim(text);
     let length = after.as_ptr() as usize - text.as_ptr() as usize + after.len();
     (length, length)
 }
 
-/// Returns the line with carets below the bytes from `start` to `end`. A long line is cut.
+/// Returns the line with its number, and below it carets under the bytes from `start` to `end`. A long line is
+/// shortened.
 fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
     let [before, meant, after] = [&text[..start], &text[start..end], &text[end..]].map(shown::line);
     let cut = before.chars().count().saturating_sub(AROUND);
@@ -69,8 +72,8 @@ fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
     format!("{margin}{before}{meant}{after}\n{:indent$}{}\n", "", "^".repeat(meant.chars().count().max(1)))
 }
 
-/// Returns what is wrong, the number of the wrong token, and what to do. Returns `None` for an error that is not about
-/// a line.
+/// Returns three things: what is wrong, the number of the wrong token, and what to do. Returns `None` for an error that
+/// does not belong to a line.
 fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option<(String, usize, String)> {
     Some(match error {
         Error::UnknownKey { key } => {
@@ -104,7 +107,7 @@ fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option
     })
 }
 
-/// Returns a hint what to do about an unknown first word of a line.
+/// Returns a hint for a line whose first word is unknown.
 fn unknown(word: &[u8], kind: Kind, what: &str) -> String {
     let bare = word.strip_suffix(b":").unwrap_or(word);
     let has = |lines: &[Line]| lines.iter().any(|line| line.tag.as_bytes().strip_suffix(b":") == Some(bare));
@@ -128,9 +131,9 @@ fn unknown(word: &[u8], kind: Kind, what: &str) -> String {
     }
 }
 
-/// Returns the known word that is most similar to `word`, or `None` if no word is similar enough.
+/// Returns the element of `known` that is most similar to `word`, or `None` if none is similar enough.
 fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a [u8]> {
-    /// The least Jaro-Winkler similarity of a suggestion. clap uses 0.7 for its suggestions.
+    /// The smallest Jaro-Winkler similarity of a suggestion, from 0 to 1. clap uses 0.7 for its suggestions.
     const LEAST_SIMILARITY: f64 = 0.8;
     let word = String::from_utf8_lossy(word);
     known
@@ -150,7 +153,7 @@ fn wrong_field(line: &Line, text: &[u8]) -> (String, usize, String) {
     let usage = format!("the line is: {} {}", line.tag, line.values);
     let word = line.tag.trim_end_matches(':');
     match place {
-        // Every field is valid alone, so the only error left is a cylinder whose axis has no length.
+        // Every field is valid on its own, so the error is a cylinder whose axis has no length.
         None => {
             let first = 1 + line.fields.iter().position(|field| *field == Field::Positive).map_or(0, |place| place + 1);
             (format!("{word}: the axis must have a length above 0"), first, usage)

@@ -1,13 +1,14 @@
-//! A reader that keeps the last line read, so that a message can show it.
+//! A reader that stores the last line read, so that an error message can show it.
 
 use std::io::{self, BufRead, Read};
 
 use cpu::internals::input::text::Tokens;
 
-/// Most names of materials that are kept. Messages suggest one of them for a name that is not defined.
+/// Largest number of names of materials that are stored. For an unknown name, a message suggests one of them.
 const MOST_NAMES: usize = 10_000;
 
-/// Passes on what it reads, and keeps the last line with its number.
+/// A reader that passes on the bytes of another reader. It stores the last line with its number, and the names of
+/// materials.
 #[derive(Debug)]
 pub struct Recorder<R> {
     inner: R,
@@ -18,18 +19,18 @@ pub struct Recorder<R> {
 }
 
 impl<R: BufRead> Recorder<R> {
-    /// Returns a recorder that reads from `inner`.
+    /// Returns a recorder that passes on the bytes of `inner`.
     pub const fn new(inner: R) -> Self {
         Self { inner, line: Vec::new(), number: 1, is_complete: false, names: Vec::new() }
     }
 
-    /// Returns the number of the last line that was read, counted from 1, and the line without its line end.
+    /// Returns the last line that was read: its number, counted from 1, and its bytes without the line end.
     pub fn last_line(&self) -> (u64, &[u8]) {
         let line = self.line.strip_suffix(b"\n").unwrap_or(&self.line);
         (self.number, line.strip_suffix(b"\r").unwrap_or(line))
     }
 
-    /// Returns the names of materials that were read, at most 10,000.
+    /// Returns the names of the materials in the lines read so far, at most 10,000.
     pub fn names(&self) -> &[Vec<u8>] {
         &self.names
     }
@@ -66,7 +67,7 @@ impl<R: BufRead> BufRead for Recorder<R> {
     }
 
     fn consume(&mut self, count: usize) {
-        // The consumed bytes are still in the buffer, so this `fill_buf` does not read from the file.
+        // The consumed bytes are still in the buffer, so this call of `fill_buf` does not read from the file.
         let piece = self.inner.fill_buf().map(|buffer| buffer[..count.min(buffer.len())].to_vec());
         if let Ok(piece) = piece {
             self.record(&piece);

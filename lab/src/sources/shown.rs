@@ -1,7 +1,8 @@
-//! Converts bytes of a file to text that is safe to print. No character is added or removed, so that carets in the next
-//! line stand below the right characters.
+//! Converts bytes of a file to text that is safe to print. The number of characters stays the same, so that carets in
+//! the next line stand below the right characters.
 
-/// Returns a piece of a line with a space for each tab, and a question mark for each other control character.
+/// Returns a part of a line as text. A space replaces each tab, and a question mark replaces every other control
+/// character.
 #[must_use]
 pub fn line(bytes: &[u8]) -> String {
     let tame = |character: char| match character {

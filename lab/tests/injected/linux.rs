@@ -1,4 +1,4 @@
-//! Runs each command that writes files with every disturbance.
+//! Runs each command that writes files, with every kind of disturbance.
 
 use std::ffi::OsString;
 use std::fs;
@@ -8,7 +8,7 @@ use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, Job, most, unavailable};
 
-/// Number of calls of each name that are disturbed.
+/// Number of calls with one name that are disturbed.
 const MOST: usize = 3;
 
 const DISTURBANCES: [(Disturbance, &str); 4] = [
@@ -18,7 +18,7 @@ const DISTURBANCES: [(Disturbance, &str); 4] = [
     (Disturbance::Named, "the_same_where_a_file_needs_a_name"),
 ];
 
-/// A function that prepares a folder for a command, and returns how the command is run there.
+/// A function that prepares a folder for a command, and returns the job that runs the command there.
 type Prepare = fn(&Path) -> Job;
 
 const COMMANDS: [(&str, Prepare); 6] = [
@@ -30,20 +30,20 @@ const COMMANDS: [(&str, Prepare); 6] = [
     ("report_with_a_thumbnail", report_with_a_thumbnail),
 ];
 
-/// One trial for each disturbance of each job.
+/// Returns one trial for each pair of a command and a disturbance.
 pub fn trials() -> Vec<Trial> {
     let mut trials = Vec::new();
     for (disturbance, name) in DISTURBANCES {
         let missing = unavailable(disturbance);
         for (command, job) in COMMANDS {
-            // `Named` cannot reach the call that creates the file of the heat map: the call comes before the gate, and
+            // `Named` cannot reach the call that creates the file of the heat map: that call comes before the gate, and
             // in both threads a call of this name has this number.
             if command.starts_with("compare") && disturbance == Disturbance::Named {
                 continue;
             }
             for (old, place) in [(None, "free"), (Some("old"), "taken")] {
-                // A thumbnail makes the run ten times as long, and adds no call that writes. So it is tested with one
-                // disturbance alone.
+                // A thumbnail makes the run ten times as long, and adds no call that writes. So it is tested with only
+                // one disturbance.
                 let has_thumbnail = command == "report_with_a_thumbnail";
                 if has_thumbnail && (disturbance != Disturbance::Errors || old.is_none()) {
                     continue;
@@ -65,8 +65,8 @@ fn disturb(job: Prepare, old: Option<&str>, disturbance: Disturbance) -> Result<
     Ok(())
 }
 
-/// Returns a job for the arguments in `words`, in which `./` stands for `folder`. The job writes into `./d`, and its
-/// gate is the file `./gate` with the content `gate`.
+/// Returns a job with the arguments in `words`, in which `./` stands for `folder`. The job writes into `./d`. Its gate
+/// is the file `./gate`, which has the content `gate`.
 fn job(folder: &Path, words: &str, gate: &[u8]) -> Job {
     let argument = |word: &str| match word.strip_prefix("./") {
         Some(name) => folder.join(name).into_os_string(),
@@ -88,7 +88,8 @@ fn write(folder: &Path, name: &str, content: impl AsRef<[u8]>) {
     fs::write(folder.join(name), content).expect("the folder is writable");
 }
 
-/// After a signal, `render` stops at the end of a row or finishes the picture, so its job is graceful.
+/// Returns a job for `render`. After a signal, `render` stops at the end of a row or finishes the picture, so the job
+/// is graceful.
 fn render(folder: &Path) -> Job {
     write(folder, "scene", "");
     let config = b"image_width: 60\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
@@ -102,15 +103,15 @@ fn compare(folder: &Path) -> Job {
     job(folder, "compare ./gate ./other --heatmap ./d/map.png", BLACK.as_bytes())
 }
 
-/// `compare` opens the heat map's file before it reads the pictures, so before the gate. Without a gate, these calls
-/// are disturbed too.
+/// Returns a job for `compare` without a gate. `compare` opens the heat map's file before it reads the pictures, which
+/// is before the gate. Without a gate, the calls for that file are disturbed too.
 fn compare_from_the_start(folder: &Path) -> Job {
     write(folder, "gate", BLACK);
     Job { gate: None, ..compare(folder) }
 }
 
-/// Returns results with one entry in each list, so that few charts are drawn. The entries belong to `scene`, whose
-/// thumbnail is drawn if the project has such a scene.
+/// Returns results with one entry in each list, so that few charts are drawn. All entries belong to `scene`. A
+/// thumbnail of `scene` is drawn if the project has a scene with this name.
 fn results(scene: &str) -> Vec<u8> {
     let path = test_support::project_root().join("docs/report/data/bench.json");
     let text = fs::read(path).expect("it is committed");

@@ -1,4 +1,4 @@
-//! `render-lab bench` and `render-lab report`. No test asserts a time, because the machine may be busy.
+//! Tests of `render-lab bench` and `render-lab report`. No test asserts a time, because the machine may be busy.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,8 @@ use test_support::folder::Folder;
 
 use crate::{complaint, printed};
 
-/// Runs `render-lab bench` with `--quick` and two repeats, and returns the results that it wrote to `name`.
+/// Runs `render-lab bench` with `arguments`, `--quick` and two repeats. Returns the results that it wrote to the file
+/// `name`.
 fn measure(folder: &Folder, name: &str, arguments: &[&str]) -> Results {
     let out = folder.name(name);
     printed(&[&["bench"], arguments, &["--quick", "--repeats", "2", "--out", &out]].concat());
@@ -20,7 +21,7 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
     let folder = Folder::new();
     let results = measure(&folder, "depth.json", &["scale", "depth"]);
     assert!(results.quick && results.machines.len() == 1);
-    // Three implementations at six depths.
+    // Three implementations are measured at six depths.
     assert_eq!(results.timings.len() + results.omitted.len(), 18);
     for timing in &results.timings {
         assert!(timing.seconds.len() == 2 && timing.seconds.iter().all(|&seconds| seconds > 0.0), "{timing:?}");
@@ -68,7 +69,7 @@ fn what_is_switched_off_is_timed_on_the_scenes_and_on_the_courses_cases() {
     assert_eq!(results.gains.len(), scenes.len() * names.len(), "every thing on every scene");
     assert!(results.gains.iter().all(|gain| 0.0 < gain.low && gain.low <= gain.ratio && gain.ratio <= gain.high));
 
-    // Without the folder the cases are left out, and the results say why.
+    // Without the reference folder, the course's cases are left out, and the results have the reason.
     let tasks = printed(&["bench", "tasks"]);
     let place = 1 + tasks.lines().position(|task| task == "gain case-1").expect("it is a task");
     let part = format!("{place}/{}", tasks.lines().count());
@@ -98,7 +99,7 @@ fn intersections_have_cost_and_error_in_data_and_report() {
 fn energy_is_a_figure_or_a_reason() {
     let folder = Folder::new();
     let out = folder.name("energy.json");
-    // With as many parts as tasks, the last part has the last task alone, which measures the energy of one scene.
+    // With as many parts as tasks, the last part has only the last task, which measures the energy of one scene.
     let count = printed(&["bench", "tasks"]).lines().count();
     assert!(printed(&["bench", "tasks"]).ends_with("energy spheres\n"));
     printed(&["bench", "all", "--part", &format!("{count}/{count}"), "--quick", "--out", &out]);
@@ -125,7 +126,7 @@ fn an_interrupted_measurement_is_kept_and_goes_on() {
     nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
     let rest: Vec<_> = lines.collect();
     let status = child.wait().expect("it ends");
-    // On a fast machine the program may have finished before the signal.
+    // On a fast machine the program may end before the signal comes.
     if status.success() {
         return;
     }

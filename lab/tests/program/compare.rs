@@ -1,4 +1,4 @@
-//! `render-lab compare`.
+//! Tests of `render-lab compare`.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use crate::{complaint, printed, run};
 
 const BLACK: &str = "P3\n2 2\n255\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n";
 
-/// Writes a black picture, and one that differs in the third pixel alone; returns their names.
+/// Writes a black picture, and a picture that differs from it only in the third pixel. Returns their paths.
 fn pair(folder: &Folder, third: &str) -> [String; 2] {
     fs::write(folder.file("a.ppm"), BLACK).expect("the folder is writable");
     let other = format!("P3\n2 2\n255\n0 0 0\n0 0 0\n{third}\n0 0 0\n");
@@ -49,7 +49,7 @@ fn the_heatmap_is_bright_where_pictures_differ() {
     let map = Picture::read(&folder.file("map.png")).expect("it is a picture");
     let brightness = |[x, y]: [usize; 2]| map.pixels[y * map.width + x].iter().map(|&c| u32::from(c)).sum::<u32>();
     assert!(brightness([0, 1]) > 500 && [[0, 0], [1, 0], [1, 1]].into_iter().all(|place| brightness(place) < 10));
-    // On a scale with a larger maximum the difference is darker. With `--signed` it is red.
+    // On a scale with a larger maximum the difference has a darker colour. With `--signed` it is red.
     printed(&["compare", &a, &b, "--heatmap", &folder.name("wide.png"), "--max", "255"]);
     let wide = Picture::read(&folder.file("wide.png")).expect("it is a picture");
     assert!(wide.pixels[wide.width] < map.pixels[map.width]);
@@ -57,7 +57,7 @@ fn the_heatmap_is_bright_where_pictures_differ() {
     let [red, _, blue] = Picture::read(&folder.file("signed.png")).expect("it is a picture").pixels[wide.width];
     assert!(red > 90 && blue < 60, "the second picture is brighter: {red} {blue}");
     assert!(complaint(&["compare", &a, &b, "--max", "3"]).contains("--heatmap"));
-    // The ending of the name decides the format of a heat map too.
+    // The ending of its name decides the format of a heat map too.
     printed(&["compare", &a, &b, "--heatmap", &folder.name("map.ppm")]);
     assert_eq!(Picture::read(&folder.file("map.ppm")).ok(), Picture::read(&folder.file("map.png")).ok());
     assert!(fs::read(folder.file("map.ppm")).expect("it was written").starts_with(b"P3"));

@@ -1,4 +1,4 @@
-//! The scripts of `render-lab completions`, each run by its shell.
+//! Tests of the scripts of `render-lab completions`. Each script is run by its own shell.
 
 use std::fs;
 use std::process::Command;
@@ -7,7 +7,7 @@ use test_support::folder::Folder;
 
 use crate::printed;
 
-/// Returns whether a shell is installed. If it is not, this prints a line, and the test that needs the shell checks
+/// Whether the shell is installed. If it is not, this function prints a line, and the test that needs the shell checks
 /// nothing.
 fn is_there(shell: &str) -> bool {
     let found = Command::new(shell).arg("--version").output().is_ok();
@@ -17,7 +17,7 @@ fn is_there(shell: &str) -> bool {
     found
 }
 
-/// Runs `text` in a shell and returns what it prints. `$SCRIPT` is the completion script for this shell.
+/// Runs the commands `text` in a shell, and returns what it prints. `$SCRIPT` is the path of the completion script.
 fn said(shell: &str, arguments: &[&str], text: &str) -> String {
     let folder = Folder::new();
     let script = folder.file("_render-lab");
@@ -52,8 +52,8 @@ fn zsh_takes_its_script_and_knows_the_options_of_a_command() {
     if !is_there("zsh") {
         return;
     }
-    // `_arguments` of zsh needs a terminal. A function in its place prints its arguments, and sets the first word to
-    // render.
+    // zsh's function `_arguments` needs a terminal. The test defines another `_arguments`, which prints its arguments,
+    // and sets the first word to `render`.
     let text = "compdef() { :; }; _arguments() { print -l -- \"$@\"; state=render-lab; line=(render); }; \
                 words=(render-lab render --sc); CURRENT=3; source \"$SCRIPT\"; _render-lab";
     let said = said("zsh", &["-f"], text);

@@ -1,4 +1,4 @@
-//! The commands that write files or words about scenes: `generate`, `inspect`, `completions`, `man`.
+//! Tests of the commands that write files or describe scenes: `generate`, `inspect`, `completions`, `man`.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! Files that are neither pictures nor text, and signals at any moment.
+//! Tests with files that are neither pictures nor text, and with signals at any moment.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -13,7 +13,8 @@ use crate::{complaint, lab};
 
 const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 
-/// Runs `render-lab` in 200 MB of address space and returns its message. It must end with status 2, not by a signal.
+/// Runs `render-lab` in an address space of 200 MB, and returns its error message. Checks that the program ends with
+/// status 2, and not by a signal.
 fn complaint_in_little_memory(arguments: &[&str]) -> String {
     let mut shell = Command::new("bash");
     shell.args(["-c", "ulimit -v 200000; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
@@ -31,7 +32,8 @@ fn endless_and_empty_pictures_are_refused_in_little_memory() {
         let message = complaint_in_little_memory(&["compare", name, name]);
         assert!(message.contains(&format!("{name}: neither PPM (P3 or P6) nor PNG")), "{message}");
     }
-    // This file begins like a picture and is 5 GiB long, so reading it must end with an error about memory or its size.
+    // This file begins like a picture and is 5 GiB long. Reading it must end with an error about memory or about its
+    // size.
     let mut file = File::create(folder.file("long.ppm")).expect("the folder is writable");
     file.write_all(b"P6 9 9 255\n").and_then(|()| file.set_len(5 << 30)).expect("holes take no place");
     let message = complaint_in_little_memory(&["compare", &folder.name("long.ppm"), &folder.name("long.ppm")]);
@@ -81,7 +83,8 @@ fn a_request_to_stop_at_any_moment_leaves_the_old_picture_or_the_new_one() {
             assert!(picture == new);
             finished += 1;
         } else {
-            // A signal before the program listens ends it without a status. Later signals lead to status 130.
+            // If the signal comes before the program listens, it ends the program without a status. Later the status is
+            // 130.
             assert!(matches!(status.code(), None | Some(130)), "{status}");
             assert_eq!(picture, b"old");
             stopped += 1;

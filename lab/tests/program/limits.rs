@@ -1,4 +1,5 @@
-//! Inputs beyond the limits of `docs/testing.md`, outputs that are inputs, and standard streams that cannot be written.
+//! Tests of inputs beyond the limits of `docs/testing.md`, of outputs that are also inputs, and of standard streams
+//! that cannot be written.
 
 use std::fs;
 
@@ -13,7 +14,7 @@ fn a_small_file_of_many_pixels_is_refused_in_little_memory() {
     let folder = Folder::new();
     let name = folder.name("black.png");
     let file = fs::File::create(&name).expect("the folder is writable");
-    // 32768 x 8192 pixels, four times as many as allowed, in 32 kB.
+    // The picture has 32768 x 8192 pixels, four times as many as allowed. Its file has 32 kB.
     let mut encoder = png::Encoder::new(file, 32_768, 8192);
     encoder.set_color(png::ColorType::Grayscale);
     encoder.set_depth(png::BitDepth::One);
@@ -83,8 +84,8 @@ fn closed_full_and_readable_outputs_are_errors_and_no_panic() {
         }
         for redirection in ["2>&-", "2>/dev/full", "<&-", "| head -c 1"] {
             let output = bash(&folder, &format!("set -o pipefail; $lab {command} {redirection}"));
-            // If the reader takes one byte of a picture, the program fails, unless the whole picture fitted into the
-            // pipe before.
+            // The reader takes one byte of a picture and closes the pipe. Then the program fails, unless the whole
+            // picture was in the pipe before.
             let lost = command.contains("/dev/stdout") && redirection.starts_with('|') && {
                 String::from_utf8_lossy(&output.stderr)
                     .starts_with("Error: Cannot write file [/dev/stdout]: Broken pipe")
@@ -121,7 +122,7 @@ fn names_cannot_command_a_terminal() {
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(!message.contains('\u{1b}') && message.contains(r"\u{1b}[2J"), "{line}: {message}");
     }
-    // The message about an unknown command repeats the argument without the control character.
+    // The message about an unknown command repeats the argument, but without the control character.
     let output = bash(&folder, r"$lab $'\e[2J\nx'");
     assert!(!output.stderr.contains(&0x1b), "{output:?}");
     assert_eq!(output.status.code(), Some(2));

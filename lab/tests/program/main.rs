@@ -1,4 +1,4 @@
-//! Runs the built program as a user would.
+//! Runs the built program `render-lab` as a user would.
 
 mod bench;
 mod compare;
@@ -20,27 +20,27 @@ mod words;
 
 use std::process::{Command, Output};
 
-/// Returns the command `render-lab` with these arguments, in the project's folder.
+/// Returns the command `render-lab` with these arguments. Its working folder is the project's root.
 fn lab(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
     command.current_dir(test_support::project_root()).args(arguments);
     command
 }
 
-/// Runs `render-lab` to its end.
+/// Runs `render-lab` with these arguments until it ends, and returns its output and status.
 fn run(arguments: &[&str]) -> Output {
     lab(arguments).output().expect("the program runs")
 }
 
-/// Runs `render-lab`, which must succeed, and returns what it printed on standard output.
+/// Runs `render-lab`, checks that it succeeds, and returns what it printed on standard output.
 fn printed(arguments: &[&str]) -> String {
     let output = run(arguments);
     assert!(output.status.success(), "{arguments:?}: {output:?}");
     String::from_utf8(output.stdout).expect("it prints text")
 }
 
-/// Runs `render-lab`, which must fail with status 2 and print nothing on standard output. Returns what it printed on
-/// standard error.
+/// Runs `render-lab`, and checks that it fails with status 2 and prints nothing on standard output. Returns what it
+/// printed on standard error.
 fn complaint(arguments: &[&str]) -> String {
     let output = run(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {output:?}");
@@ -48,7 +48,7 @@ fn complaint(arguments: &[&str]) -> String {
     String::from_utf8(output.stderr).expect("it complains in text")
 }
 
-/// Runs a line of bash in `folder`, where `$lab` is the program and `$root` the project.
+/// Runs a line of bash in `folder`. In the line, `$lab` is the path of the program and `$root` that of the project.
 #[cfg(unix)]
 fn bash(folder: &test_support::folder::Folder, line: &str) -> Output {
     let mut bash = Command::new("bash");

@@ -1,4 +1,4 @@
-//! `render-lab render`.
+//! Tests of `render-lab render`.
 
 use std::fs;
 
@@ -12,7 +12,7 @@ const CONFIG: &str = "scenes/grid/config.txt";
 const SCENE: &str = "scenes/grid/scene.txt";
 const SMALL: [&str; 4] = ["--set", "image_width=64", "--set", "samples_per_pixel=2"];
 
-/// Returns the bytes that the evaluated programs write for the grid with the values of [`SMALL`].
+/// Returns the bytes that the evaluated programs write for the scene `grid`, with the settings [`SMALL`].
 fn expected(scatter: Scatter) -> Vec<u8> {
     let root = test_support::project_root();
     let config = Config::read(&root.join(CONFIG)).expect("it is committed");
@@ -81,8 +81,8 @@ fn a_part_has_the_pixels_of_the_whole() {
 #[test]
 fn counts_are_those_of_a_scene_known_by_hand() {
     let folder = Folder::new();
-    // The camera is inside a mirror, so every ray hits it again until the maximum depth: 4 x 4 pixels, 3 samples, depth
-    // 5 are 240 rays.
+    // The camera is inside a mirror, so every ray hits it until the maximum depth. 4 x 4 pixels with 3 samples and
+    // depth 5 give 240 rays.
     fs::write(folder.file("scene"), "metal: m 1 1 1 0\nsphere: 0 0 0 50 m\n").expect("the folder is writable");
     let config = "image_width: 4\naspect_ratio: 1 1\nsamples_per_pixel: 3\nmax_depth: 5\n";
     fs::write(folder.file("config"), config).expect("the folder is writable");
@@ -165,21 +165,22 @@ fn an_interruption_leaves_no_file() {
         let folder = Folder::new();
         // With 2,000,000 samples a pixel, the picture takes hours.
         let arguments = ["render", CONFIG, SCENE, &folder.name(name), "--set", "samples_per_pixel=2000000"];
-        // A background job is started with SIGINT ignored, and the program respects that. `env` restores the default.
+        // The shell starts a background job with SIGINT ignored, and the program respects that. `env` restores the
+        // default action.
         let mut command = std::process::Command::new("env");
         command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
         command.current_dir(test_support::project_root());
         let mut child = command.stderr(Stdio::piped()).spawn().expect("the program runs");
         let process = nix::unistd::Pid::from_raw(i32::try_from(child.id()).expect("it is small"));
-        // The first signal ends the program at the end of a row, or at once if it does not listen yet. If it still runs
-        // after half a second, a second signal ends it at once.
+        // The first signal ends the program at the end of a row, or at once if it does not listen yet. If the program
+        // still runs after half a second, a second signal ends it at once.
         std::thread::sleep(Duration::from_millis(500));
         nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
         std::thread::sleep(Duration::from_millis(500));
         if child.try_wait().expect("it is ours").is_none() {
             nix::sys::signal::kill(process, nix::sys::signal::SIGINT).expect("it runs");
         }
-        // A noted signal leads to status 130; otherwise the signal itself ends the program.
+        // If the program has recorded the signal, its status is 130. Otherwise the signal itself ends the program.
         let status = child.wait().expect("it is ours");
         let interrupted = nix::sys::signal::Signal::SIGINT as i32;
         assert!(status.code() == Some(130) || status.signal() == Some(interrupted), "{status}");

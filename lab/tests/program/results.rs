@@ -1,4 +1,4 @@
-//! Results of measurements that are too large, incomplete or odd.
+//! Tests with results of measurements that are too large, incomplete or unusual.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use test_support::folder::Folder;
 
 use crate::{bash, complaint, run};
 
-/// Writes the committed results with `from` replaced by `to`, and returns the file's name.
+/// Writes a copy of the committed results in which `to` replaces `from`, and returns the file's path.
 fn results(folder: &Folder, from: &str, to: &str) -> String {
     let path = test_support::project_root().join("docs/report/data/bench.json");
     let text = fs::read_to_string(path).expect("it is committed");
@@ -27,7 +27,7 @@ fn endless_results_are_refused() {
     }
 }
 
-/// Results of one picture that has been measured again and again, with `values` values in all.
+/// Returns the JSON text of results with many repeats of one picture, and exactly `values` JSON values.
 fn repeated(values: usize) -> String {
     let text = serde_json::json!({
         "quick": true, "machines": [], "curves": [], "energy": [], "omitted": [], "growth": [], "times_to_error": [],

@@ -1,4 +1,4 @@
-//! The help and the error messages of the project's scripts. No script does its work here.
+//! Tests of the help and the error messages of the project's scripts. No script does its real work in these tests.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 use test_support::folder::Folder;
 
-/// Runs a script of the project, which finds only the programs in `folder`.
+/// Runs a script of the project with a `PATH` that has only the programs in `folder`.
 fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
     Command::new("/usr/bin/env")
         .args(["bash", name])
@@ -17,8 +17,8 @@ fn script(name: &str, arguments: &[&str], folder: &Folder) -> Output {
         .expect("bash is there")
 }
 
-/// Returns a folder of programs: those in `names` do nothing and fail; those that a shell script needs are links to the
-/// real ones.
+/// Returns a folder of programs. Those in `names` do nothing and fail. Those that a shell script needs are links to the
+/// real programs.
 fn programs(names: &[&str]) -> Folder {
     let folder = Folder::new();
     for name in ["bash", "dirname", "sed", "grep", "id"] {
@@ -41,7 +41,8 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
     let message = String::from_utf8(output.stderr).expect("it is text");
     let list = "mesa-vulkan-drivers valgrind strace chromium slurm-wlm munge";
     assert!(message.starts_with(&format!("tests/run: missing: {list}; as root: apt-get install")), "{message}");
-    // Without --no-install the script names the packages and then installs them; here apt-get fails.
+    // Without `--no-install` the script prints the names of the packages, and then installs them. In this test apt-get
+    // fails.
     let output = script("tests/run", &[], &folder);
     let said = String::from_utf8(output.stdout).expect("it is text");
     assert!(

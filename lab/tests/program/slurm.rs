@@ -1,5 +1,5 @@
-//! The job scripts of `lab/slurm`. A stub in place of `sbatch` runs the tasks of an array immediately, one after the
-//! other.
+//! Tests of the job scripts of `lab/slurm`. A stub replaces `sbatch`: it runs the tasks of an array immediately, one
+//! after the other.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -8,8 +8,9 @@ use std::process::Command;
 use lab::bench::results::Results;
 use test_support::folder::Folder;
 
-/// The stub of `sbatch`. It runs the script after the options once for each task of the array, and prints a job number
-/// as `--parsable` does. For most tasks it copies an empty result, because measuring takes too long for a test.
+/// The script that replaces `sbatch`. It runs the job script after the options once for each task of the array, and
+/// prints a job number as `sbatch --parsable` does. For most tasks it copies an empty result instead, because measuring
+/// takes too long for a test.
 const STUB: &str = r#"#!/usr/bin/env bash
 set -euo pipefail
 echo "$*" >> "$STUB_LOG"

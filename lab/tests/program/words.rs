@@ -1,4 +1,4 @@
-//! The help of the program, and its status for a wrong command line.
+//! Tests of the help of the program, and of its status for a wrong command line.
 
 use crate::{complaint, printed, run};
 

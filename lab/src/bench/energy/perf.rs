@@ -1,4 +1,5 @@
-//! Reads the RAPL counters through `perf stat`. Some machines allow it although only root may read the powercap files.
+//! Reads the RAPL counters through `perf stat`. Some machines allow this although only root may read the powercap
+//! files.
 
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -6,31 +7,31 @@ use std::process::{Child, Command, Stdio};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 
-/// A `perf` that may read the packages' energy.
+/// The path of a `perf` program that has been tried and can read the energy counters of the processors.
 #[derive(Debug)]
 pub struct Perf(PathBuf);
 
-/// A `perf stat` that runs and counts.
+/// A running `perf stat` process that counts energy.
 #[derive(Debug)]
 pub struct Counting(Child);
 
 impl Perf {
-    /// Starts and stops `program` once, to see whether it can count.
+    /// Returns the `perf` at the path `program`. To test that it can count energy, it is started and stopped once.
     ///
     /// # Errors
-    /// Why it cannot count, in words.
+    /// The reason why it cannot count, as text.
     pub fn open(program: &Path) -> Result<Self, String> {
         let perf = Self(program.to_owned());
         perf.start()?.stop()?;
         Ok(perf)
     }
 
-    /// Starts to count the energy of all processors.
+    /// Starts `perf stat`, which counts the energy of all processors. Returns after 100 ms, when its counters run.
     ///
     /// # Errors
-    /// The program does not start.
+    /// The program does not start; the reason as text.
     pub fn start(&self) -> Result<Counting, String> {
-        // `perf` counts until SIGINT ends it, then writes the count to standard error. LC_ALL=C makes the decimal
+        // `perf` counts until SIGINT ends it, and then writes the count to standard error. LC_ALL=C makes the decimal
         // separator a point.
         let child = Command::new(&self.0)
             .args(["stat", "-a", "-x", ",", "-e", "power/energy-pkg/", "sleep", "86400"])
@@ -40,7 +41,7 @@ impl Perf {
             .stderr(Stdio::piped())
             .spawn()
             .map_err(|error| format!("no perf: {error}"))?;
-        // `perf` does not say when its counters run, so this waits 100 ms for them.
+        // `perf` does not tell when its counters start, so this waits 100 ms for them.
         std::thread::sleep(std::time::Duration::from_millis(100));
         Ok(Counting(child))
     }
@@ -50,7 +51,7 @@ impl Counting {
     /// Stops `perf` and returns the joules since its start.
     ///
     /// # Errors
-    /// What `perf` wrote instead of a count.
+    /// The message that `perf` wrote instead of a count.
     pub fn stop(self) -> Result<f64, String> {
         let process = i32::try_from(self.0.id()).map(Pid::from_raw).map_err(|error| error.to_string())?;
         // `kill` fails if `perf` has ended already. The output of `perf` then says why.
@@ -60,7 +61,8 @@ impl Counting {
     }
 }
 
-/// Returns the sum of the joules in lines like `12.34,Joules,power/energy-pkg/,1000000,100.00,,`, one for each package.
+/// Returns the sum of the joules in the output of `perf stat`. There is one line for each package, such as
+/// `12.34,Joules,power/energy-pkg/,1000000,100.00,,`.
 fn joules(text: &str) -> Result<f64, String> {
     let lines: Vec<_> = text.lines().filter(|line| line.contains("power/energy-pkg/")).collect();
     let value = |line: &&str| line.split_once(",Joules,").and_then(|(number, _)| number.trim().parse::<f64>().ok());
@@ -96,8 +98,8 @@ mod tests {
     fn counting_ends_with_what_was_counted() {
         let folder = Folder::new();
         let program = folder.file("perf");
-        // A background job is started with SIGINT ignored, and a shell cannot trap a signal that was ignored when it
-        // started. So `env` restores the default action first.
+        // A shell in the background starts its jobs with SIGINT ignored, and a script cannot trap a signal that was
+        // ignored at its start. So `env` restores the default action first.
         let script = "#!/usr/bin/env -S --default-signal=INT sh\ntrap 'echo 7.25,Joules,power/energy-pkg/,1,100.00,, >&2; exit 0' INT\n\
                       while true; do sleep 0.01; done\n";
         std::fs::write(&program, script).expect("the folder is writable");

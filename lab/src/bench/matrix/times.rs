@@ -1,4 +1,4 @@
-//! Times engines on a series of pictures in which one parameter rises.
+//! Measures the times of engines on a series of pictures in which one parameter rises.
 
 use cpu::{Config, Scene};
 
@@ -11,8 +11,9 @@ use crate::engine::Engine;
 use crate::interrupt::Interrupt;
 
 impl Plan {
-    /// Measures `engines` on pictures whose parameter rises. The time of each picture is predicted from the engine's
-    /// last measured picture. A picture that would take longer than [`Plan::patience`] is left out, with that reason.
+    /// Measures `engines` on `pictures`, which have rising values of a parameter, and adds the times to `results`. The
+    /// time of each picture is predicted from the engine's last measured picture. A picture with a predicted time above
+    /// [`Plan::patience`] is not measured, and `results` gets the reason.
     pub(super) fn times(
         &self,
         [suite, scene_name, parameter]: [&str; 3],
@@ -62,8 +63,8 @@ mod tests {
     fn what_would_take_too_long_is_left_out_with_its_reason() {
         let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
         let (config, scene) = board(300, 48);
-        // The second value is a million times the first. So the literal renderer is expected to take too long if its
-        // first picture takes more than a millionth of the patience, 0.7 µs.
+        // The second value is a million times the first. So the predicted time of the literal renderer exceeds the
+        // limit of 0.7 s if its first picture takes more than 0.7 µs.
         let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
         let mut results = Results::default();
         let engines = [Engine::Reference, Engine::main()[1]];

@@ -1,32 +1,32 @@
-//! Checks results from a file before anything is computed from them.
+//! Checks results from a file before other figures are computed from them.
 
 use serde::de::DeserializeOwned;
 
 use super::{Intersection, Results, Timing};
 
-/// Largest file of results, in bytes. The full matrix takes 270,000.
+/// Largest size of a file of results, in bytes. The file of the full matrix has 270,000.
 pub const MAX_BYTES: u64 = 16 << 20;
 
-/// Most entries of each list. The limit is needed because the time to join and compare lists grows with the square of
-/// their length. The longest list of the full matrix has 410 entries.
+/// Largest number of entries of a list. The limit is needed because the time to join and compare lists grows with the
+/// square of their length. The longest list of the full matrix has 410 entries.
 pub const MAX_ENTRIES: usize = 4096;
 
-/// Most values of all files together: numbers, names, lists and all else that JSON counts as one. A file of
-/// [`MAX_BYTES`] could hold eight million, which take far more memory once they are read. The full matrix has 9,000.
+/// Largest number of JSON values (numbers, texts, lists, objects) in all files of results together. A file of
+/// [`MAX_BYTES`] could hold eight million values, which take far more memory than the file. The full matrix has 9,000.
 pub const MAX_VALUES: usize = 1 << 20;
 
-/// Returns an upper bound on the number of values in `json`: each follows a comma or begins its list or object. Commas
-/// and brackets inside strings count too, so that the scan need not know where a string ends.
+/// Returns an upper bound on the number of values in `json`: one more than its commas and opening brackets. Commas and
+/// brackets inside strings count too, so the function need not know where a string ends.
 #[must_use]
 pub fn values(json: &[u8]) -> usize {
     json.iter().filter(|byte| b",[{".contains(byte)).count() + 1
 }
 
-/// Reads JSON, unless it has more than [`MAX_VALUES`] values together with the `values` of the files before it. Adds
-/// its own to `values`.
+/// Reads JSON. `values` is the number of values in the files read before; the number of values in `json` is added to
+/// it.
 ///
 /// # Errors
-/// What is wrong, in words.
+/// The error as text: `json` is invalid, or the sum is more than [`MAX_VALUES`].
 pub fn parse<T: DeserializeOwned>(json: &[u8], values: &mut usize) -> Result<T, String> {
     let others = if *values == 0 { "" } else { "with the files before it, " };
     *values += self::values(json);
@@ -37,10 +37,10 @@ pub fn parse<T: DeserializeOwned>(json: &[u8], values: &mut usize) -> Result<T, 
 }
 
 impl Results {
-    /// Checks that no list has more than [`MAX_ENTRIES`], and that everything measured has a time.
+    /// Checks that no list has more than [`MAX_ENTRIES`] entries, and that every measurement has at least one time.
     ///
     /// # Errors
-    /// What is wrong, in words.
+    /// The error as text.
     pub fn check(&self) -> Result<(), String> {
         let lists = [
             ("machines", self.machines.len()),

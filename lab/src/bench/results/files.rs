@@ -1,4 +1,4 @@
-//! Reads and writes results: a JSON file that holds everything, and CSV files for other programs.
+//! Reads and writes results. A JSON file holds everything; CSV files hold parts of it for other programs.
 
 use std::path::{Path, PathBuf};
 
@@ -11,18 +11,19 @@ use crate::bench::statistics::Median;
 use crate::{Failure, sources, terminal};
 
 impl Results {
-    /// Reads results from a JSON file; `-` is standard input.
+    /// Reads results from a JSON file. The path `-` stands for standard input.
     ///
     /// # Errors
-    /// The file cannot be read, does not hold valid results, or has more than [`check::MAX_VALUES`] values.
+    /// An error if the file cannot be read, does not hold valid results, or has more than [`check::MAX_VALUES`] values.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         Self::read_part(path, &mut 0)
     }
 
-    /// Reads one of several files. `values` counts the values of the files read so far, this one included.
+    /// Reads results from one of several JSON files. `values` counts the values of all files read so far; the values of
+    /// this file are added to it.
     ///
     /// # Errors
-    /// As [`Results::read`]; [`check::MAX_VALUES`] holds for all files together.
+    /// The errors of [`Results::read`], but [`check::MAX_VALUES`] limits the values of all files together.
     pub fn read_part(path: &Path, values: &mut usize) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
         let text =
@@ -33,12 +34,12 @@ impl Results {
         Ok(results)
     }
 
-    /// Writes the JSON file `path`, and beside it the times as `NAME.csv`, the errors as `NAME-error.csv` and the
-    /// intersections as `NAME-intersections.csv`. For `-`, the JSON goes to standard output and nothing else is
-    /// written.
+    /// Writes the results into the JSON file `path`. Beside it, writes the times into `NAME.csv`, the errors into
+    /// `NAME-error.csv` and the intersections into `NAME-intersections.csv`. If `path` is `-`, writes only the JSON, to
+    /// standard output.
     ///
     /// # Errors
-    /// A file cannot be written. If one of the four cannot be opened, none is changed.
+    /// An error if a file cannot be written. If one of the four files cannot be opened, none is changed.
     pub fn write(&self, path: &Path, options: Options) -> Result<(), Failure> {
         let explain = |error: csv::Error| error.to_string();
         let mut json = serde_json::to_string_pretty(self).map_err(|error| error.to_string())?;
@@ -59,10 +60,10 @@ impl Results {
         Ok(())
     }
 
-    /// Checks that the files that [`Results::write`] writes for `path` can be written, and changes none.
+    /// Checks that [`Results::write`] can write its files for `path`. Changes no file.
     ///
     /// # Errors
-    /// One of them cannot be written.
+    /// An error if one of the files cannot be written.
     pub fn check_writable(path: &Path, options: Options) -> Result<(), Failure> {
         if path == Path::new("-") {
             return Ok(Output::open(&sources::output(path), options).map(drop)?);
@@ -70,7 +71,7 @@ impl Results {
         Ok(Self::files(path).iter().try_for_each(|path| Output::open(path, options).map(drop))?)
     }
 
-    /// Returns the files that [`Results::write`] writes for `path`. The first is `path` itself.
+    /// Returns the paths of the files that [`Results::write`] writes for `path`. The first is `path` itself.
     #[must_use]
     pub fn files(path: &Path) -> [PathBuf; 4] {
         let stem = path.file_stem().unwrap_or_default();

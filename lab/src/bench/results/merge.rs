@@ -5,10 +5,12 @@ use crate::bench::machine::Machine;
 use crate::bench::statistics::Median;
 
 impl Results {
-    /// Joins the results of parts of one matrix. If two parts have times of one setting, their repeats are pooled.
+    /// Joins the results of parts of one matrix. If two parts have times for one setting, the joined results have the
+    /// repeats of both parts.
     ///
     /// # Errors
-    /// The parts come from different matrices or commits, or have different pictures or answers for one setting.
+    /// The error as text, if the parts come from different matrices or commits, or have different pictures or answers
+    /// for one setting.
     pub fn merge(parts: Vec<Self>) -> Result<Self, String> {
         let mut all = Self { quick: parts.first().ok_or("there is nothing to join")?.quick, ..Self::default() };
         for part in parts {
@@ -19,7 +21,7 @@ impl Results {
                 if all.machines.iter().any(|other| other.commit != machine.commit) {
                     return Err(format!("another part was measured at another commit than {}", machine.commit));
                 }
-                // Entries of one machine can differ in the load, which changes from minute to minute.
+                // Entries of one machine may differ only in the load, which changes from minute to minute.
                 let same = |other: &&Machine| Machine { load: machine.load, ..(*other).clone() } == machine;
                 if !all.machines.iter().any(|other| same(&other)) {
                     all.machines.push(machine);

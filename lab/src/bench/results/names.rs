@@ -1,18 +1,19 @@
-//! Names that results had until November 2026, as they are today. Files of older programs stay readable by them.
+//! Converts names in older files of results to the names in use since November 2026, so that these files can still be
+//! read.
 
 use super::Results;
 
-/// Old and new names of implementations of the intersections.
+/// Old and new names of the implementations of the intersections.
 const IMPLEMENTATIONS: [(&str, &str); 3] =
     [("textbook f64", "plain f64"), ("certified f64", "exact f64"), ("textbook f32", "plain f32")];
 
-/// Old and new ends of the names of implementations of the renderer.
+/// Old and new endings of the names of the implementations of the renderer.
 const ENGINES: [(&str, &str); 1] = [("-textbook", "-plain")];
 
-/// Old and new names of what a gain does without.
+/// Old and new names of what is switched off in a [`super::Gain`].
 const GAINS: [(&str, &str); 1] = [("no certificate", "plain formulas")];
 
-/// Replaces an old name at the end of a text by the new one.
+/// If `text` ends with an old name of `names`, replaces that ending by the new name.
 fn replace(text: &mut String, names: &[(&str, &str)]) {
     for (old, new) in names {
         if let Some(start) = text.strip_suffix(old) {
@@ -22,7 +23,7 @@ fn replace(text: &mut String, names: &[(&str, &str)]) {
 }
 
 impl Results {
-    /// Replaces the names of older programs by today's.
+    /// Replaces all names of older versions by the present names.
     pub(super) fn rename(&mut self) {
         let timings = self.timings.iter_mut().map(|timing| &mut timing.setting.engine);
         let omitted = self.omitted.iter_mut().map(|omitted| &mut omitted.setting.engine);

@@ -1,4 +1,4 @@
-//! Measures the tasks of a plan one after the other, and keeps the results of finished tasks if it is interrupted.
+//! Measures the tasks of a plan one after the other. If it is interrupted, it stores the results of the finished tasks.
 
 use std::time::Instant;
 
@@ -14,13 +14,13 @@ use crate::interrupt::Interrupt;
 use crate::{sources, terminal};
 
 impl How {
-    /// Measures the tasks and writes the results.
+    /// Measures `tasks` one after the other, and writes the results to the file of `--out`.
     ///
     /// # Errors
-    /// What is wrong with a file or a task, or that it was interrupted.
+    /// An error of a file or a task, or an interruption.
     pub(super) fn run<'a>(&self, options: Options, tasks: impl Iterator<Item = &'a Task>) -> Result<(), Failure> {
         let interrupt = Interrupt::listen();
-        // Checked first, because a measurement takes minutes and its figures would be lost.
+        // Checked first, because a measurement takes minutes and its results would be lost.
         Results::check_writable(&self.out, options)?;
         let plan = Plan {
             quick: self.quick,
@@ -47,7 +47,7 @@ impl How {
                 continue;
             }
             say(progress::announcement(index + 1, tasks.len(), task, measured, start));
-            // The task gets a copy, so that an interrupted task adds nothing to the results that are kept.
+            // The task gets a copy, so that an interrupted task adds nothing to the stored results.
             let mut results = partial.results.clone();
             match plan.run(task, &mut results, &interrupt) {
                 Err(Failure::Interrupted) if !partial.done.is_empty() && kept.is_some() => {
@@ -73,7 +73,7 @@ impl How {
         }
         results.write(&self.out, options)?;
         if let Some(path) = kept {
-            // If there was one task alone, the file does not exist, and the error is ignored.
+            // The error is ignored: after a single task the file does not exist.
             let _ = std::fs::remove_file(path);
         }
         say(format!(
@@ -85,10 +85,11 @@ impl How {
         Ok(())
     }
 
-    /// Returns the results to go on from: with `--resume` those of the partial file if it exists, else none.
+    /// Returns the results to continue from. With `--resume` and an existing partial file these are its results,
+    /// otherwise empty results.
     ///
     /// # Errors
-    /// The partial file cannot be used, or exists although `--resume` was not given.
+    /// An error if the partial file cannot be used, or if it exists and `--resume` was not given.
     fn begin(&self, request: &str) -> Result<Partial, Failure> {
         let fresh = Partial { request: request.to_owned(), ..Partial::default() };
         match Partial::path(&self.out).filter(|path| path.exists()) {

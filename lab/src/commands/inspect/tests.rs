@@ -32,11 +32,11 @@ fn an_empty_scene_needs_nothing() {
 fn a_tree_holds_every_object_once() {
     let options = Options { objects: 3000, arrangement: Arrangement::Grid, ..Options::default() };
     let Structure::Bvh(tree) = inspect(&scene(&options)).structure else { panic!("many objects need a BVH") };
-    // With up to 16 children a node, 3000 objects need at least 200 nodes.
+    // With at most 16 children a node, 3000 objects need at least 200 nodes.
     assert!((200..3000).contains(&tree.nodes), "{tree:?}");
     assert!(tree.children_per_node > 1.0 && tree.children_per_node <= 16.0, "{tree:?}");
-    // The boxes of the root's children cover all objects, so their surfaces together are about as large as that of the
-    // box around them, or larger. Rounding in f32 may make the quotient a little less than 1.
+    // The boxes of the root's children cover all objects, so the sum of their surface areas is about that of the root's
+    // box, or larger. Rounding in f32 may make the quotient slightly less than 1.
     assert!(tree.boxes_hit_by_a_line > 0.99, "{tree:?}");
 }
 

@@ -81,7 +81,7 @@ impl Chart {
             area.draw(&Text::new(name.clone(), (154, y), style))?;
         }
         for (index, series) in self.series.iter().enumerate() {
-            // Each series has a different height within a row, so that no marker covers another.
+            // Each series has its own height within a row, so that no marker covers another.
             let shift = (index as f64 - (self.series.len() - 1) as f64 / 2.0) * 0.9 / self.series.len() as f64;
             for point in &series.points {
                 let shifted = Point { y: point.y + shift, ..*point };
@@ -94,7 +94,7 @@ impl Chart {
         Ok(())
     }
 
-    /// Draws axes and grid. In a chart of dots the vertical axis has no numbers, because its rows have names.
+    /// Draws the axes and the grid. In a chart of dots the vertical axis has no numbers, because its rows have names.
     fn draw_mesh<X, Y>(
         &self,
         chart: &mut ChartContext<'_, SVGBackend<'_>, Cartesian2d<X, Y>>,
@@ -124,7 +124,7 @@ impl Chart {
     }
 }
 
-/// Converts pixel coordinates of the whole picture to pixel coordinates of one of its areas.
+/// Converts a point's pixel coordinates in the whole picture to its pixel coordinates in one area of the picture.
 trait RelativeTo {
     fn relative_to(self, area: &Area<'_>) -> (i32, i32);
 }
@@ -140,7 +140,7 @@ fn color(series: &Series) -> RGBColor {
     if series.is_guide { INK } else { SERIES[series.color % SERIES.len()].0 }
 }
 
-/// Draws the marker of a series. Each colour has its shape, because some readers cannot tell the colours apart.
+/// Draws the marker of a series. Each colour has its own shape, because some readers cannot distinguish the colours.
 fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
     let solid = SERIES[color % SERIES.len()].0;
     let hollow = solid.stroke_width(2);

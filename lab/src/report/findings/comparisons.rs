@@ -1,12 +1,12 @@
-//! Sentences that compare implementations at one setting.
+//! Sentences that compare implementations with each other.
 
 use crate::bench::gain::Gain;
 use crate::bench::results::{Results, Timing};
 use crate::engine::MEASURED_SETS;
 use crate::report::style::short;
 
-/// Returns pairs of times whose settings differ in the engine alone. `other` returns the second engine for the first,
-/// or `None` to leave the time out.
+/// Returns pairs of times whose settings differ only in the engine. `other` returns the name of the second engine for
+/// the name of the first, or `None` to leave the time out.
 fn pairs<'a>(
     results: &'a Results,
     other: impl Fn(&str) -> Option<String> + 'a,
@@ -18,7 +18,7 @@ fn pairs<'a>(
     })
 }
 
-/// Returns the geometric mean, the least and the largest value.
+/// Returns the geometric mean, the smallest and the largest of `values`, or `None` if there are no values.
 fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
     let values: Vec<_> = values.collect();
     let mean = (values.iter().map(|value| value.ln()).sum::<f64>() / values.len() as f64).exp();
@@ -29,7 +29,7 @@ fn ratios(values: impl Iterator<Item = f64>) -> Option<[f64; 3]> {
 pub fn layouts(results: &Results) -> Option<String> {
     let pairs = || pairs(results, |engine| engine.strip_prefix("aos-").map(|set| format!("soa-{set}")));
     let [mean, low, high] = ratios(pairs().map(|(aos, soa)| soa.median.median / aos.median.median))?;
-    // With fewer than three repeats, bounds lie apart by chance too often to conclude anything from them.
+    // With fewer than three repeats, bounds are often disjoint by chance, so nothing follows from them.
     let bounded = || pairs().filter(|(a, b)| a.median.is_bounded() && b.median.is_bounded());
     let apart = bounded().filter(|(a, b)| a.median.low > b.median.high || b.median.low > a.median.high).count();
     let conclusion = match bounded().count() {
@@ -85,7 +85,7 @@ pub fn instruction_sets(results: &Results) -> Option<String> {
     (!steps.is_empty()).then(|| format!("On average {}.", steps.join(", ")))
 }
 
-/// Says how many times as long a picture takes with each thing switched off.
+/// Returns a sentence that tells how many times as long a picture takes without each optimisation.
 pub fn gains(results: &Results) -> Option<String> {
     let mut names: Vec<&str> = Vec::new();
     for gain in &results.gains {

@@ -1,4 +1,4 @@
-//! Sentences about how time and error change with a parameter.
+//! Sentences about the dependence of time and error on a parameter.
 
 use crate::bench::fit::PowerLaw;
 use crate::bench::results::Results;
@@ -49,7 +49,7 @@ pub fn time_to_error(results: &Results) -> Option<String> {
             |t: &&crate::bench::results::TimeToError| t.scene == scene && t.engine == engine && t.error == error;
         results.times_to_error.iter().find(is_it).and_then(|time| time.seconds)
     };
-    // For each scene, the smallest error that both engines reached.
+    // For each scene, the smallest target error that both engines reached.
     let parts: Vec<_> = results
         .curves
         .iter()

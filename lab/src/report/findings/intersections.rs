@@ -1,10 +1,11 @@
-//! The sentence about times and errors of intersections.
+//! The sentence about the times and errors of intersections.
 
 use crate::bench::intersections::{METHODS, OBJECTS};
 use crate::bench::results::{Intersection, Results};
 use crate::report::style::{power_of_ten, short};
 
-/// Says time, error and wrong decisions of every implementation on ordinary and on hard rays.
+/// Returns a sentence with the time, the error and the number of wrong decisions of every implementation, on ordinary
+/// and on hard rays. Returns `None` if there are no data.
 pub fn intersections(results: &Results) -> Option<String> {
     let find = |object: &str, rays: &str, name: &str| {
         let is_it = |found: &&Intersection| {
