@@ -1,7 +1,7 @@
-//! Composes a module and all modules that it needs into one text.
+//! Combines a module and all modules that it needs into one text.
 //!
-//! WGSL has no imports, and names here are unique over all modules, so plain concatenation is enough. Each module
-//! stands once, after all modules that it needs. The composition remembers which lines came from which file.
+//! WGSL has no imports, and names are unique over all modules of this crate, so concatenating the texts is enough. Each
+//! module appears once, after all modules that it needs. The composition stores which lines came from which file.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,13 +9,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::module::{self, MODULES, Module};
 use crate::{Error, Precision, Validated};
 
-/// The modules to compose from: the crate's own modules, some of which may be replaced by other texts.
+/// The texts of all modules: the crate's own texts, some of which may be replaced.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
 }
 
-/// The text that replaces a module's own.
+/// The text that replaces a module's own text, and the path that messages show for it.
 #[derive(Clone, Debug)]
 struct Replacement {
     path: String,
@@ -23,34 +23,35 @@ struct Replacement {
 }
 
 impl Library {
-    /// The crate's own modules.
+    /// Returns the crate's own modules, without replacements.
     #[must_use]
     pub fn standard() -> Self {
         Self::default()
     }
 
-    /// Replaces the text of the module `name` by `source`. Messages give `path` as its file.
+    /// Replaces the text of the module `name` by `source`. Error messages show `path` as its file.
     ///
     /// # Errors
-    /// [`Error::UnknownModule`].
+    /// [`Error::UnknownModule`] if there is no module `name`.
     pub fn replace(&mut self, name: &str, path: &str, source: impl Into<String>) -> Result<(), Error> {
         let module = find(name)?;
         self.replaced.insert(module.name, Replacement { path: path.to_owned(), source: source.into() });
         Ok(())
     }
 
-    /// The text of the module `name` in this library, replaced or not.
+    /// Returns the text of the module `name` in this library: its replacement, if it has one, or its own text.
     ///
     /// # Errors
-    /// [`Error::UnknownModule`].
+    /// [`Error::UnknownModule`] if there is no module `name`.
     pub fn source(&self, name: &str) -> Result<&str, Error> {
         Ok(self.text(find(name)?).1)
     }
 
-    /// Composes the module `root` and all modules that it needs, with `precision` as the type `real`.
+    /// Returns the text of the module `root` and of all modules that it needs. In this text `real` has the given
+    /// `precision`.
     ///
     /// # Errors
-    /// [`Error::UnknownModule`].
+    /// [`Error::UnknownModule`] if there is no module `root`.
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
         let mut needed = BTreeSet::new();
@@ -60,7 +61,7 @@ impl Library {
         let (mut source, mut parts, mut line) = (String::new(), Vec::new(), 1);
         for module in modules {
             let (path, text) = self.text(module);
-            // A text without its last line end would otherwise run into the next module.
+            // If a text has no line end, the next module would begin in its last line.
             let end = if text.ends_with('\n') { "" } else { "\n" };
             let is_replaced = self.replaced.contains_key(module.name);
             parts.push(Part { path: path.into_owned(), first_line: line, is_replaced });
@@ -71,7 +72,7 @@ impl Library {
         Ok(Composition { source, precision, root: root.name, parts })
     }
 
-    /// The path and the text of `module`.
+    /// Returns the path and the text of `module`, replaced or not.
     fn text<'a>(&'a self, module: &'a Module) -> (Cow<'a, str>, &'a str) {
         match self.replaced.get(module.name) {
             Some(replacement) => (Cow::Borrowed(&replacement.path), &replacement.source),
@@ -84,7 +85,7 @@ fn find(name: &str) -> Result<&'static Module, Error> {
     module::find(name).ok_or_else(|| Error::UnknownModule { name: name.to_owned() })
 }
 
-/// Adds `module` and all modules that it needs to `needed`.
+/// Adds `module`, and all modules that it needs directly or indirectly, to `needed`.
 fn add_needed(module: &Module, needed: &mut BTreeSet<&'static str>) {
     if needed.insert(module.name) {
         for name in module.needs {
@@ -93,7 +94,7 @@ fn add_needed(module: &Module, needed: &mut BTreeSet<&'static str>) {
     }
 }
 
-/// A text that naga can read, and where its lines came from.
+/// The joined text of several modules, which naga can read. It knows the file of each line.
 #[derive(Clone, Debug)]
 pub struct Composition {
     source: String,
@@ -102,30 +103,31 @@ pub struct Composition {
     parts: Vec<Part>,
 }
 
-/// Lines of one file, up to the next part.
+/// The lines of one file in a composition. They end where the next part begins.
 #[derive(Clone, Debug)]
 struct Part {
     path: String,
     first_line: usize,
-    /// Whether the text replaces the crate's own. A fault is most likely in such a text.
+    /// Whether the lines come from a replacement. An error is most likely in such lines.
     is_replaced: bool,
 }
 
 impl Composition {
-    /// A composition of one file: a text that another process composed.
+    /// Returns a composition of a single text, which another process has composed. Messages call its file "standard
+    /// input".
     #[must_use]
     pub fn of_text(source: String, precision: Precision) -> Self {
         let part = Part { path: "standard input".to_owned(), first_line: 1, is_replaced: true };
         Self { source, precision, root: "standard input", parts: vec![part] }
     }
 
-    /// The whole text.
+    /// Returns the whole text.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
     }
 
-    /// Path and text of each file, in order. Joined, the texts give [`Self::source`].
+    /// Returns the path and the text of each file, in order. The joined texts are equal to [`Self::source`].
     pub fn parts(&self) -> impl Iterator<Item = (&str, String)> {
         let ends = self.parts.iter().skip(1).map(|part| part.first_line).chain([usize::MAX]);
         self.parts.iter().zip(ends).map(|(part, end)| {
@@ -134,40 +136,41 @@ impl Composition {
         })
     }
 
-    /// What `real` stands for.
+    /// Returns the precision of `real`.
     #[must_use]
     pub const fn precision(&self) -> Precision {
         self.precision
     }
 
-    /// The name of the module that was composed.
+    /// Returns the name of the module that was passed to [`Library::compose`].
     #[must_use]
     pub const fn root(&self) -> &'static str {
         self.root
     }
 
-    /// The file and the line in it that the composition's line `line` came from; lines count from 1.
+    /// Returns the file from which line number `line` of the composition came, and its line number in that file. Lines
+    /// count from 1.
     #[must_use]
     pub fn origin(&self, line: usize) -> (&str, usize) {
         let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
         (&part.path, (line + 1).saturating_sub(part.first_line))
     }
 
-    /// Whether the composition's line `line` is one of a replaced module.
+    /// Whether line number `line` of the composition belongs to a replaced module.
     pub(crate) fn is_replaced(&self, line: usize) -> bool {
         let part = self.parts.iter().rev().find(|part| part.first_line <= line).unwrap_or(&self.parts[0]);
         part.is_replaced
     }
 
-    /// The lines of the replaced modules, with their numbers in the composition.
+    /// Returns the lines of all replaced modules, with their numbers in the composition.
     pub(crate) fn replaced_lines(&self) -> impl Iterator<Item = (usize, &str)> {
         (1..).zip(self.source.lines()).filter(|(line, _)| self.is_replaced(*line))
     }
 
-    /// Has naga parse and validate the text.
+    /// Parses and validates the text with naga.
     ///
     /// # Errors
-    /// [`Error::Invalid`], with the place in the module's own file.
+    /// [`Error::Invalid`], with the place in the module's own file, or [`Error::NoStack`].
     pub fn validate(&self) -> Result<Validated, Error> {
         Validated::new(self)
     }

@@ -1,4 +1,4 @@
-//! A fault in a shader, with its place in the module's own file.
+//! An error in a shader, with its place in the module's own file.
 
 use std::error::Error as _;
 use std::fmt;
@@ -11,30 +11,30 @@ use naga::valid::ValidationError;
 use crate::Composition;
 use crate::limits::Excess;
 
-/// Most characters of a line that a message shows.
+/// Largest number of characters of a line that a message shows.
 const SHOWN: usize = 160;
 
-/// What naga found wrong, and where.
+/// The error that naga found, and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
     /// naga's messages, from the outermost cause to the innermost.
     pub message: String,
-    /// Where it is, if a place is known.
+    /// The place of the error; `None` if it is unknown.
     pub place: Option<Place>,
 }
 
-/// A place in a WGSL file.
+/// A place in a WGSL file: some characters of one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The module's file.
+    /// The path of the module's file.
     pub file: String,
-    /// Line, from 1.
+    /// Line number, from 1.
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Number of characters at fault, on this line.
+    /// Number of wrong characters on this line.
     pub length: usize,
-    /// The line itself.
+    /// The text of the line.
     pub text: String,
 }
 
@@ -49,7 +49,7 @@ impl Diagnostic {
     }
 
     pub(crate) fn of_excess(excess: &Excess, composition: &Composition) -> Self {
-        // naga counts lines and bytes in lines from 1.
+        // naga counts lines from 1, and bytes within a line from 1.
         let before = &composition.source()[..excess.offset];
         let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
         let start = before.rfind('\n').map_or(0, |end| end + 1);
@@ -66,9 +66,9 @@ impl Diagnostic {
             message = format!("{message}: {inner}");
             cause = inner.source();
         }
-        // The first span is the outermost, usually a whole function; the last is the expression at fault, or a type
-        // that it has, which may be defined in another file. A span in a replaced module is preferred to all others,
-        // since the fault most likely is there.
+        // The first span is the outermost, usually a whole function. The last span is the wrong expression or its type,
+        // which may be defined in another file. A span in a replaced module is preferred, since the error is most
+        // likely there.
         let spans: Vec<_> = error.spans().map(|(span, _)| span.location(composition.source())).collect();
         let in_replaced = |span: &&SourceLocation| composition.is_replaced(span.line_number as usize);
         let span = spans.iter().rev().find(in_replaced).copied();
@@ -80,7 +80,7 @@ impl Diagnostic {
     }
 }
 
-/// naga's message without the indices into naga's own lists, and with types as WGSL writes them.
+/// Returns naga's message without indices into naga's own lists, and with types as WGSL writes them.
 fn plain(message: &str) -> String {
     let scalars = [
         ("Float", 8, "f64"),
@@ -99,8 +99,8 @@ fn plain(message: &str) -> String {
             text = text.replace(&vector, &format!("vec{count}<{name}>"));
         }
     }
-    // Of a wrong return, naga gives two indices into its lists, or None where the function returns nothing. Both are
-    // replaced by words.
+    // For a wrong return, naga shows two indices into its lists, or None if the function returns nothing. Words replace
+    // both.
     let returns = "The `return` expression ";
     if let Some(start) = text.find(returns).filter(|_| text.contains("does not match the declared return type")) {
         let is_missing = text[start + returns.len()..].starts_with("None");
@@ -114,7 +114,7 @@ fn plain(message: &str) -> String {
     without_handles(&text)
 }
 
-/// The text without indices into naga's own lists, such as ` [12]`.
+/// Returns `text` without indices into naga's own lists, such as ` [12]`.
 fn without_handles(text: &str) -> String {
     let mut result = String::new();
     let mut rest = text;
@@ -134,14 +134,15 @@ fn without_handles(text: &str) -> String {
 }
 
 impl Place {
-    /// The first line of the first replaced module, for a fault of which naga gives no place.
+    /// Returns the first line of the first replaced module, or `None` if no module is replaced. This is the place of an
+    /// error for which naga gives no place.
     fn first(composition: &Composition) -> Option<Self> {
         let (line, text) = composition.replaced_lines().next()?;
         Some(Self::of_line(line, text, composition))
     }
 
-    /// The line of a replaced module that begins the function which a message names, as in
-    /// `Function [7] 'f' is invalid`.
+    /// Returns the line of a replaced module that begins the function named in `message`, such as `Function [7] 'f' is
+    /// invalid`. Returns `None` if no replaced module has that function.
     fn of_function(message: &str, composition: &Composition) -> Option<Self> {
         let (_, rest) = message.split_once('\'')?;
         let (name, _) = rest.split_once('\'')?;
@@ -154,7 +155,7 @@ impl Place {
         Some(Self::of_line(line, text, composition))
     }
 
-    /// A whole line of the composition.
+    /// Returns the place that covers a whole line of the composition, without the blanks at its ends.
     fn of_line(line: usize, text: &str, composition: &Composition) -> Self {
         let (file, line) = composition.origin(line);
         let column = text.chars().take_while(|character| character.is_whitespace()).count() + 1;
@@ -179,7 +180,7 @@ impl fmt::Display for Diagnostic {
         let Some(place) = &self.place else { return f.write_str(&self.message) };
         writeln!(f, "{}:{}:{}: {}", place.file, place.line, place.column, self.message)?;
         let margin = format!("{} | ", place.line);
-        // Of a long line, only the part around the fault is shown.
+        // If a line is long, only the part around the error is shown.
         let skipped = (place.column - 1).saturating_sub(SHOWN / 2);
         let text: String = place.text.chars().skip(skipped).take(SHOWN).collect();
         writeln!(f, "{margin}{text}")?;

@@ -1,8 +1,8 @@
-//! Why a module cannot be composed, validated or translated.
+//! The errors of composing, validating and translating a module.
 
 use crate::{Diagnostic, Precision, Target};
 
-/// Why there is no composition, no valid shader or no translation.
+/// The reason why there is no composition, no valid shader or no translation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// No module has this name.
@@ -11,33 +11,33 @@ pub enum Error {
         /// The unknown name.
         name: String,
     },
-    /// naga does not accept the text.
+    /// naga finds an error in the text, or the text exceeds the limits.
     #[error("{0}")]
     Invalid(Box<Diagnostic>),
-    /// There is no memory for the thread that naga runs on.
+    /// The system cannot start the thread on which naga runs.
     #[error(
         "no thread with a stack of {bytes} bytes can be started: {cause}; raise the limits on memory and processes"
     )]
     NoStack {
-        /// Bytes of the stack.
+        /// Size of the stack in bytes.
         bytes: usize,
         /// The system's message.
         cause: String,
     },
-    /// The target cannot calculate in this precision.
+    /// The target language cannot calculate in this precision.
     #[error("{target} cannot take {precision}: {reason}; compose for f32 instead")]
     Unsupported {
-        /// The target.
+        /// The target language.
         target: Target,
         /// The composition's precision.
         precision: Precision,
-        /// What the target lacks.
+        /// The feature that the target lacks.
         reason: &'static str,
     },
-    /// naga accepts the text, but cannot write it for the target.
+    /// naga accepts the text, but cannot write it in the target language.
     #[error("cannot write {target}: {message}")]
     Write {
-        /// The target.
+        /// The target language.
         target: Target,
         /// naga's message.
         message: String,

@@ -1,25 +1,25 @@
-//! What a scene needs, as values of the pipeline-overridable constants in `features.wgsl`.
+//! The features that a scene needs, as values of the pipeline-overridable constants in `features.wgsl`.
 
-/// The features that a pipeline is compiled with. A feature that is off costs nothing. One that is on and not needed
-/// costs a comparison that is never true.
+/// The features with which a pipeline is compiled. A feature that is off costs no time. A feature that is on but not
+/// needed costs a comparison that is always false.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Features {
     /// Whether any object is a sphere.
     pub has_spheres: bool,
     /// Whether any object is a cylinder.
     pub has_cylinders: bool,
-    /// Whether any object is of a matte material.
+    /// Whether any object has a matte material.
     pub has_matte: bool,
-    /// Whether any object is of a metal.
+    /// Whether any object has a metal material.
     pub has_metal: bool,
-    /// Whether any object is of a refractive material.
+    /// Whether any object has a refractive material.
     pub has_refraction: bool,
-    /// The most surfaces that a path may hit.
+    /// Largest number of surfaces that a path may hit.
     pub max_depth: u32,
 }
 
 impl Features {
-    /// Everything on: a pipeline for any scene.
+    /// Returns all features switched on, for a pipeline that can render any scene.
     #[must_use]
     pub const fn all(max_depth: u32) -> Self {
         Self {
@@ -32,7 +32,7 @@ impl Features {
         }
     }
 
-    /// Name and value of every constant, as wgpu and naga take them.
+    /// Returns the name and the value of every constant, in the form that wgpu and naga need. A true value is 1.
     #[must_use]
     pub fn constants(&self) -> [(&'static str, f64); 6] {
         let number = |on: bool| if on { 1.0 } else { 0.0 };

@@ -1,15 +1,15 @@
 //! The renderer's mathematics in WGSL.
 //!
-//! Each module with formulas is the twin of a file in `cpu`: it has that file's names, and its steps in their order.
-//! Where the comment of a WGSL function begins with a Rust name, as in `Ray::at: ...`, that name is its twin. The
+//! Each module with formulas has a twin, a Rust file in `cpu` with the same names, and the same steps in the same
+//! order. If the comment of a WGSL function begins with a Rust name, such as `Ray::at: ...`, that name is its twin. The
 //! modules use the number type `real`, so that one text composes to `f64` and to `f32`. In `f64` the lavapipe driver
-//! gives the bits of `cpu`. Every target of naga takes the text in `f32`.
+//! gives the bits of `cpu`. naga can translate the `f32` text for every target.
 //!
-//! - [`module`] lists the modules and what each needs;
-//! - [`compose`] puts a module and the modules that it needs into one text, and can replace any of them;
-//! - [`validate`] has naga read and check that text, and points at faults in the module's own file;
-//! - [`limits`] bounds the size and the nesting of the texts that naga is given;
-//! - [`features`] are the scene's needs as pipeline-overridable constants;
+//! - [`module`] lists the modules and the modules that each one needs;
+//! - [`compose`] joins a module and the modules that it needs into one text, and can replace any of them;
+//! - [`validate`] checks that text with naga, and reports errors with their places in the module's own file;
+//! - [`limits`] limits the size and the nesting of the texts that naga reads;
+//! - [`features`] has the scene's needs as pipeline-overridable constants;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!
 //! ```

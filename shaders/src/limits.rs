@@ -1,51 +1,53 @@
 //! Limits on a WGSL text, checked before naga reads it.
 //!
-//! naga reads nested text by recursion, so a deep nesting overflows its stack, and some of its steps take time that
-//! grows with the square of the number of tokens. One linear scan bounds both. It overestimates the nesting, because it
-//! only counts brackets and operators, and knows nothing else of the grammar.
+//! naga reads nested text by recursion, so deep nesting overflows its stack. Some of its steps take time that grows
+//! with the square of the number of tokens. One linear scan here limits both. It overestimates the nesting, because it
+//! only counts brackets and operators and does not know the grammar.
 
-/// Most tokens of a composition. naga needs less than two seconds for the slowest texts of this length that were found.
+/// Largest number of tokens of a composition. For the slowest texts of this length that were found, naga needs less
+/// than two seconds.
 pub const MAX_TOKENS: usize = 1 << 16;
 
-/// Most brackets, operators and `else` branches that one statement may nest in each other.
+/// Largest number of brackets, operators and `else` branches that may be nested in each other in one statement.
 pub const MAX_NESTING: usize = 500;
 
-/// Stack of the thread that naga runs on, in bytes. At both limits naga needed less than 8 MiB in a debug build.
+/// Size in bytes of the stack of the thread on which naga runs. At both limits naga needed less than 8 MiB in a debug
+/// build.
 pub const STACK_BYTES: usize = 64 << 20;
 
-/// The place where a text exceeds a limit, and the message about it.
+/// A place where a text exceeds a limit, and the error message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Excess {
-    /// Offset of the first token beyond the limit, in bytes.
+    /// Offset of the first token beyond the limit, in bytes from the start of the text.
     pub offset: usize,
-    /// The message: what there is too much of, and what to do about it.
+    /// The message: which limit is exceeded, and what to do.
     pub message: String,
 }
 
-/// Nesting of the statement or expression that a bracket holds.
+/// The nesting of the text inside one open bracket.
 #[derive(Clone, Copy, Debug, Default)]
 struct Level {
-    /// Nesting of the part that has been read since the last separator.
+    /// Nesting of the part read since the last separator (`;`, `,` or the end of a block).
     current: usize,
-    /// The largest nesting of the parts before that separator.
+    /// Largest nesting of all parts before that separator.
     largest: usize,
 }
 
 impl Level {
-    /// Ends the part that is being read. The next part starts with a nesting of zero.
+    /// Ends the current part. The next part starts with a nesting of 0.
     fn separate(&mut self) {
         self.largest = self.largest.max(self.current);
         self.current = 0;
     }
 }
 
-/// Checks that `source` keeps to [`MAX_TOKENS`] and [`MAX_NESTING`].
+/// Checks that `source` has at most [`MAX_TOKENS`] tokens, and is nested at most [`MAX_NESTING`] deep.
 ///
 /// # Errors
-/// The first place beyond a limit.
+/// The first place that exceeds a limit.
 pub fn check(source: &str) -> Result<(), Excess> {
     let mut levels = vec![Level::default()];
-    // Nesting outside the innermost open bracket.
+    // Sum of the nesting of all levels except the innermost.
     let mut outside = 0;
     let mut after_block = false;
     for (count, (offset, token)) in tokens(source.as_bytes()).enumerate() {
@@ -68,7 +70,7 @@ pub fn check(source: &str) -> Result<(), Excess> {
             [end @ (b')' | b']' | b'}')] => {
                 level.separate();
                 let inner = level.largest;
-                // A closing bracket too many is no excess: naga reports it.
+                // A closing bracket without an opening one is ignored here, because naga reports it.
                 if levels.len() > 1 {
                     levels.pop();
                     if let Some(level) = levels.last_mut() {
@@ -94,8 +96,8 @@ pub fn check(source: &str) -> Result<(), Excess> {
     Ok(())
 }
 
-/// The tokens of `source` with their offsets: words, and single bytes of anything else. Blanks and comments are
-/// skipped.
+/// Returns the tokens of `source` with their offsets. A token is a word, or a single byte that belongs to no word.
+/// Blanks and comments are skipped.
 fn tokens(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     let mut at = 0;
     std::iter::from_fn(move || {
@@ -120,7 +122,7 @@ fn end_of_line(source: &[u8], start: usize) -> usize {
     source[start..].iter().position(|&byte| byte == b'\n').map_or(source.len(), |length| start + length)
 }
 
-/// Block comments nest in WGSL.
+/// Returns the offset after the block comment that begins at `start`. Block comments can be nested in WGSL.
 fn end_of_comment(source: &[u8], start: usize) -> usize {
     let (mut depth, mut at) = (0_usize, start);
     while at < source.len() {

@@ -1,22 +1,23 @@
-//! The list of the WGSL modules, and of the modules that each one needs.
+//! The list of the WGSL modules, with the modules that each one needs.
 
-/// One WGSL file.
+/// A WGSL module: one file.
 #[derive(Clone, Copy, Debug)]
 pub struct Module {
-    /// Its name: the file's path below `wgsl`, without the ending, as in `kernels/image`.
+    /// The module's name: the file's path in the folder `wgsl` without its ending, such as `kernels/image`.
     pub name: &'static str,
-    /// The file's path from the crate's folder.
+    /// The file's path, relative to the crate's folder.
     pub path: &'static str,
-    /// Its text.
+    /// The file's text.
     pub source: &'static str,
-    /// The modules whose names its text uses. The modules that these need in turn are not listed again.
+    /// Names of the modules whose functions, types or constants this module uses. What those modules need in turn is
+    /// not listed.
     pub needs: &'static [&'static str],
 }
 
 macro_rules! modules {
     ($($name:literal in $path:literal needs [$($need:literal)*];)*) => {
-        /// All modules but the two that define `real`, which [`crate::Precision`] chooses between. A module stands
-        /// after everything that it needs.
+        /// All modules except the two that define `real`, of which [`crate::Precision`] chooses one. Each module comes
+        /// after all modules that it needs.
         pub const MODULES: &[Module] = &[$(Module {
             name: $name,
             path: $path,
@@ -60,13 +61,13 @@ modules! {
     "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["trace"];
 }
 
-/// The two modules that define `real`.
+/// The two modules that define the number type `real`.
 pub const REALS: [Module; 2] = [
     Module { name: "real_f32", path: "wgsl/real_f32.wgsl", source: include_str!("../wgsl/real_f32.wgsl"), needs: &[] },
     Module { name: "real_f64", path: "wgsl/real_f64.wgsl", source: include_str!("../wgsl/real_f64.wgsl"), needs: &[] },
 ];
 
-/// The module of this name.
+/// Returns the module with this name, or `None` if there is none.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Module> {
     MODULES.iter().chain(&REALS).find(|module| module.name == name)

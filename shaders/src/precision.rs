@@ -1,13 +1,13 @@
-//! The number type that a composition is for.
+//! The number type of a composition.
 
 use std::fmt;
 
-/// What `real` stands for.
+/// The number type that `real` stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Precision {
-    /// 32 bits: every target has it.
+    /// 32-bit floating point (`f32`), which every target has.
     F32,
-    /// 64 bits, as in the renderer; few targets have it.
+    /// 64-bit floating point (`f64`), as in the renderer. Few targets have it.
     F64,
 }
 
@@ -15,7 +15,7 @@ impl Precision {
     /// Both precisions.
     pub const ALL: [Self; 2] = [Self::F32, Self::F64];
 
-    /// The module that defines `real`.
+    /// Returns the name of the module that defines `real` with this precision.
     #[must_use]
     pub const fn module(self) -> &'static str {
         match self {

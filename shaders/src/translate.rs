@@ -1,7 +1,7 @@
 //! Translates a valid shader into the languages of Vulkan, Metal, Direct3D and OpenGL.
 //!
-//! This module decides which languages can calculate in f64. It cannot leave that to naga, whose Metal writer panics on
-//! f64 and whose HLSL writer gives code whose `sqrt` silently rounds to f32.
+//! This module decides which languages can calculate in f64. naga's own checks are not enough: its Metal writer panics
+//! on f64, and its HLSL writer emits code whose `sqrt` silently rounds to f32.
 
 mod text;
 
@@ -12,7 +12,7 @@ use naga::back::pipeline_constants::process_overrides;
 
 use crate::{Error, Features, Precision, Validated};
 
-/// A language that naga writes.
+/// A language into which naga translates shaders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
     /// SPIR-V 1.0, for Vulkan.
@@ -27,12 +27,12 @@ pub enum Target {
     GlslEs310,
 }
 
-/// A shader in the language of a target.
+/// A shader, translated into the language of a target.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Translation {
-    /// Words of SPIR-V.
+    /// The words of a SPIR-V module.
     Words(Vec<u32>),
-    /// A text.
+    /// The text of the translation, for all other targets.
     Text(String),
 }
 
@@ -40,7 +40,7 @@ impl Target {
     /// All targets.
     pub const ALL: [Self; 5] = [Self::SpirV, Self::Msl, Self::Hlsl, Self::Glsl430, Self::GlslEs310];
 
-    /// Why the target cannot calculate in `precision`; `None` when it can.
+    /// Returns the reason why the target cannot calculate in `precision`, or `None` if it can.
     #[must_use]
     pub const fn obstacle(self, precision: Precision) -> Option<&'static str> {
         match (self, precision) {
@@ -51,7 +51,7 @@ impl Target {
         }
     }
 
-    /// The usual ending of a file's name.
+    /// Returns the usual ending of the name of a file in this language, without the dot.
     #[must_use]
     pub const fn extension(self) -> &'static str {
         match self {
@@ -76,10 +76,12 @@ impl fmt::Display for Target {
     }
 }
 
-/// Writes the only entry point of `shader` for `target`, specialised to `features` where it has such constants.
+/// Translates the only entry point of `shader` into the language of `target`. Constants of the shader that `features`
+/// names get the values in `features`.
 ///
 /// # Errors
-/// [`Error::Unsupported`] when the target lacks the precision, [`Error::Write`] when naga cannot write it.
+/// [`Error::Unsupported`] if the target lacks the precision; [`Error::Write`] if naga cannot write the shader, or if it
+/// does not have exactly one entry point.
 pub fn translate(shader: &Validated, target: Target, features: &Features) -> Result<Translation, Error> {
     let precision = shader.precision;
     if let Some(reason) = target.obstacle(precision) {

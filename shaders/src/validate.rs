@@ -1,4 +1,4 @@
-//! Has naga parse and validate a composition.
+//! Parses and validates a composition with naga.
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, Type};
@@ -8,13 +8,13 @@ use crate::{Composition, Diagnostic, Error, Precision, limits};
 /// A buffer that a shader binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Binding {
-    /// Its number, within group 0.
+    /// The buffer's number in group 0.
     pub number: u32,
-    /// Whether the shader writes it.
+    /// Whether the shader writes to the buffer.
     pub written: bool,
 }
 
-/// Every buffer that `module` binds.
+/// Returns every buffer that `module` binds.
 pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
     module.global_variables.iter().filter_map(|(_, variable)| {
         let written = match variable.space {
@@ -25,14 +25,14 @@ pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
     })
 }
 
-/// A composition that naga has read and found valid.
+/// A composition that naga has parsed and found valid.
 #[derive(Clone, Debug)]
 pub struct Validated {
     /// The module as naga represents it.
     pub module: Module,
-    /// The validator's analysis of the module, which naga's writers need.
+    /// Results of naga's validator, which naga's writers need.
     pub info: ModuleInfo,
-    /// What `real` stands for.
+    /// The precision of `real`.
     pub precision: Precision,
 }
 
@@ -46,7 +46,7 @@ impl Validated {
     fn by_naga(composition: &Composition) -> Result<Self, Error> {
         let module = naga::front::wgsl::parse_str(composition.source())
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
-        // f64 is allowed in an f64 composition only, so that an f32 composition runs on devices without f64.
+        // f64 is allowed only in an f64 composition, so that an f32 composition runs on devices without f64.
         let capabilities = match composition.precision() {
             Precision::F32 => Capabilities::empty(),
             Precision::F64 => Capabilities::FLOAT64,
@@ -57,12 +57,13 @@ impl Validated {
         Ok(Self { module, info, precision: composition.precision() })
     }
 
-    /// Every buffer that the shader binds in group 0.
+    /// Returns every buffer that the shader binds in group 0.
     pub fn bindings(&self) -> impl Iterator<Item = Binding> {
         bindings(&self.module)
     }
 
-    /// Size in bytes of the structure of this name, with its padding at the end; `None` if there is no such structure.
+    /// Returns the size in bytes of the structure with this name, including the padding at its end. Returns `None` if
+    /// there is no such structure.
     #[must_use]
     pub fn size_of(&self, structure: &str) -> Option<u32> {
         let is_it = |inner: &Type| inner.name.as_deref() == Some(structure);
@@ -73,14 +74,15 @@ impl Validated {
             .map(|(_, inner)| inner.inner.size(self.module.to_ctx()))
     }
 
-    /// Names of the entry points.
+    /// Returns the names of the entry points.
     #[must_use]
     pub fn entry_points(&self) -> Vec<&str> {
         self.module.entry_points.iter().map(|entry| entry.name.as_str()).collect()
     }
 }
 
-/// Runs `work` on a thread with a stack of [`limits::STACK_BYTES`], since the caller's stack may be too small for naga.
+/// Runs `work` on a thread with a stack of [`limits::STACK_BYTES`], because the caller's stack may be too small for
+/// naga. Returns the result of `work`, or an error if the thread cannot be started.
 fn on_a_large_stack<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, Error> {
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().name("naga".to_owned()).stack_size(limits::STACK_BYTES);
@@ -115,8 +117,8 @@ mod tests {
 
     #[test]
     fn a_needed_module_that_is_not_listed_is_noticed() {
-        // A module that is composed without one of the modules it needs uses an unknown name, and naga refuses it. So
-        // the list of needs cannot miss a module.
+        // If a module is composed without one of the modules that it needs, it uses an unknown name, and naga refuses
+        // it. So this test finds a module missing from a list of needs.
         let mut library = Library::standard();
         library.replace("vec3", "empty.wgsl", "").expect("it exists");
         assert!(library.compose("ray", Precision::F32).expect("it exists").validate().is_err());
@@ -147,7 +149,7 @@ mod tests {
 
     #[test]
     fn the_f32_composition_uses_no_f64() {
-        // For f32 the validator has no FLOAT64 capability, so it refuses a literal of type f64.
+        // The validator does not allow f64 in an f32 composition, so it refuses a literal of type f64.
         let mut library = Library::standard();
         library.replace("vec3", "mine.wgsl", "const wide = 0.1lf;").expect("it exists");
         assert!(library.compose("vec3", Precision::F32).expect("it exists").validate().is_err());

@@ -1,7 +1,7 @@
-//! Compares the f32 compositions in five languages with the copies in `goldens/`.
+//! Compares the translations of all kernels in f32, into five languages, with the files in `goldens/`.
 //!
-//! A change of a module, of naga or of its options shows as a difference of these files. When the change is intended,
-//! run the test with `BLESS=1` and commit what it writes.
+//! Any change of a module, of naga or of its options changes these files. If the change is intended, run the test with
+//! `BLESS=1` and commit the files that it writes.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,7 @@ use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
 use shaders::{Features, Library, Precision, Target, Translation, translate};
 
-/// The modules of all kernels.
+/// Returns the names of all kernel modules that are compared. `hit_report` is left out.
 fn kernels() -> Vec<&'static str> {
     let names = MODULES.iter().map(|module| module.name);
     names.filter(|name| name.starts_with("kernels/") && !name.ends_with("hit_report")).collect()
@@ -26,12 +26,12 @@ fn text(library: &Library, kernel: &str, target: Target) -> String {
     let shader = composition.validate().expect("it is valid");
     match translate(&shader, target, &Features::all(5)).unwrap_or_else(|error| panic!("{kernel}: {error}")) {
         Translation::Text(text) => text,
-        // SPIR-V is kept as assembly, so that a difference can be read.
+        // SPIR-V is stored as assembly text, so that a difference can be read.
         Translation::Words(words) => rspirv::dr::load_words(words).expect("naga writes valid words").disassemble(),
     }
 }
 
-/// The first line in which two texts differ.
+/// Returns a description of the first line in which two texts differ.
 fn first_difference(expected: &str, actual: &str) -> String {
     let (mut old, mut new) = (expected.lines(), actual.lines());
     for line in 1.. {

@@ -6,7 +6,7 @@ struct Background {
     light: vec3<real>,
 }
 
-// Background::color: `(1 - m) light + m dark` with `m = (unit(direction).y + 1) / 2`.
+// Background::color: returns `(1 - m) light + m dark` with `m = (unit(direction).y + 1) / 2`.
 fn background_color(background: Background, direction: vec3<real>) -> vec3<real> {
     let m = (direction.y / vec3_length(direction) + real(1.0)) / real(2.0);
     return background.light * (real(1.0) - m) + background.dark * m;

@@ -1,6 +1,6 @@
 // The rays through the projection window's pixels; twin of cpu/src/geometry/camera.rs.
 //
-// The CPU prepares the window, because that takes a tangent, and the tangent of a driver is not exact.
+// The CPU computes the window, because that needs a tangent, and the tangent of a driver is not exact.
 
 // Camera: the point where all camera rays start, the middle of the top left pixel, and the steps to the next pixels to
 // the right and below.
@@ -11,7 +11,7 @@ struct Camera {
     delta_y: vec3<real>,
 }
 
-// Camera::ray: the ray through the point `offset` pixels from the middle of pixel (`row`, `column`).
+// Camera::ray: returns the ray through the point `offset` pixels from the middle of pixel (`row`, `column`).
 fn camera_ray(camera: Camera, row: real, column: real, offset: vec2<real>) -> Ray {
     let x = offset.x;
     let y = offset.y;

@@ -1,6 +1,6 @@
 // The closest hit of a ray among all objects; twin of cpu/src/accel/every_object.rs.
 
-// ClosestHit: the closest hit so far.
+// ClosestHit: the closest hit found so far.
 struct ClosestHit {
     some: bool,
     lambda: real,
@@ -10,8 +10,8 @@ struct ClosestHit {
     part: u32,
 }
 
-// ClosestHit::update: whether a hit at `lambda` replaces the closest one. Of two hits at the same lambda, the hit of
-// the object that comes later in the file counts.
+// ClosestHit::update: returns whether a hit at `lambda` replaces the closest hit found so far. Of two hits at equal
+// lambdas, the hit of the object that comes later in the file counts.
 fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
     return !closest.some || lambda < closest.lambda || (lambda == closest.lambda && order > closest.order);
 }
@@ -27,7 +27,7 @@ struct SurfaceHit {
     part: u32,
 }
 
-// plain: the closest hit of the ray, by a loop over all objects.
+// plain: returns the closest hit of the ray, found by a loop over all objects.
 fn closest_hit(ray: Ray) -> SurfaceHit {
     var closest: ClosestHit;
     if has_spheres {

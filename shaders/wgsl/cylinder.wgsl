@@ -1,4 +1,4 @@
-// Ray against closed cylinder; twin of cpu/src/geometry/cylinder.rs, which has the equations.
+// Intersects a ray with a closed cylinder; twin of cpu/src/geometry/cylinder.rs, which has the equations.
 
 // CylinderRecord: a cylinder, and the values that every intersection with it needs, computed once.
 struct CylinderRecord {
@@ -16,7 +16,7 @@ const SIDE: u32 = 0u;
 const TOP: u32 = 1u;
 const BOTTOM: u32 = 2u;
 
-// CylinderRecord::new: the record of a cylinder. The length of `axis` is the height.
+// CylinderRecord::new: returns the record of a cylinder. The length of `axis` is the height.
 fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderRecord {
     let unit = vec3_unit_and_length(axis);
     let half_height = unit.length / real(2.0);
@@ -29,17 +29,17 @@ fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderR
 // CylinderView: the values that all rays from one origin share. Rust computes the distances to the caps in
 // CylinderRecord::intersect instead.
 struct CylinderView {
-    // From the centre to the origin, perpendicular to the axis.
+    // The vector from the centre to the origin, perpendicular to the axis.
     r_c: vec3<real>,
     // `r_c.r_c - r^2`: negative inside the infinite cylinder.
     c: real,
-    // From the origin to the top cap's plane, along the axis.
+    // The distance from the origin to the top cap's plane, along the axis.
     to_top: real,
-    // From the origin to the bottom cap's plane, along the axis.
+    // The distance from the origin to the bottom cap's plane, along the axis.
     to_bottom: real,
 }
 
-// CylinderRecord::seen_from
+// CylinderRecord::seen_from: returns the view of the cylinder for rays from `origin`.
 fn cylinder_seen_from(cylinder: CylinderRecord, origin: vec3<real>) -> CylinderView {
     let r_c = vec3_perpendicular_to(origin - cylinder.center, cylinder.axis);
     return CylinderView(
@@ -56,7 +56,7 @@ struct CylinderQuadratic {
     discriminant: real,
 }
 
-// CylinderRecord::quadratic: `a`, half of `b` and a quarter of the discriminant for the infinite cylinder.
+// CylinderRecord::quadratic: returns `a`, half of `b` and a quarter of the discriminant for the infinite cylinder.
 fn cylinder_quadratic(cylinder: CylinderRecord, view: CylinderView, along: vec3<real>) -> CylinderQuadratic {
     let direction = vec3_perpendicular_to(along, cylinder.axis);
     let a = vec3_dot(direction, direction);
@@ -64,13 +64,13 @@ fn cylinder_quadratic(cylinder: CylinderRecord, view: CylinderView, along: vec3<
     return CylinderQuadratic(a, h, h * h - a * view.c);
 }
 
-// CylinderRecord::within_height: whether the side's point at `lambda` lies between the caps.
+// CylinderRecord::within_height: returns whether the side's point at `lambda` lies between the caps.
 fn cylinder_within_height(cylinder: CylinderRecord, ray: Ray, lambda: real) -> bool {
     return abs(vec3_dot(ray_at(ray, lambda) - cylinder.center, cylinder.axis)) <= cylinder.half_height;
 }
 
-// The part of CylinderRecord::intersect that tries the side: the smaller root that is in range and between the caps,
-// else the larger. `some` tells whether one of them counts.
+// The part of CylinderRecord::intersect for the side. Returns the smaller root that is in range and between the caps,
+// or otherwise the larger root. `some` tells whether one of the two roots counts.
 fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadratic) -> Root {
     let root = sqrt(quadratic.discriminant);
     let near = (-quadratic.h - root) / quadratic.a;
@@ -80,8 +80,8 @@ fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadrati
     return Root(near_counts || far_counts, select(far, near, near_counts));
 }
 
-// The part of CylinderRecord::intersect that tries a cap: the disc around `center`, whose plane is `distance` along the
-// axis from the ray's origin. The limit 1e-8 is PARALLEL.
+// The part of CylinderRecord::intersect for a cap, which is the disc around `center`. `distance` is the distance along
+// the axis from the ray's origin to the disc's plane. The limit 1e-8 is PARALLEL.
 fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, distance: real) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
     let lambda = distance / slope;
@@ -89,7 +89,8 @@ fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, distance
     return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
 }
 
-// CylinderRecord::outward: the outward normal of `part` at `point`. Its length is the radius on the side, one on a cap.
+// CylinderRecord::outward: returns the outward normal of `part` at `point`. Its length is the radius on the side, 1 on
+// a cap.
 fn cylinder_outward(cylinder: CylinderRecord, part: u32, point: vec3<real>) -> vec3<real> {
     switch part {
         case SIDE: {
@@ -111,8 +112,8 @@ struct CylinderRoot {
     part: u32,
 }
 
-// CylinderRecord::intersect: the closest hit of the side, the top cap and the bottom cap. Of hits at the same lambda,
-// the later in this order counts.
+// CylinderRecord::intersect: returns the closest hit of the side, the top cap and the bottom cap. Of hits at equal
+// lambdas, the later in this order counts.
 fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let view = cylinder_seen_from(cylinder, ray.origin);
     let quadratic = cylinder_quadratic(cylinder, view, ray.direction);

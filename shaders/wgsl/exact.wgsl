@@ -12,7 +12,7 @@ struct ExactSum {
     error: real,
 }
 
-// two_sum in gpu-check/src/kernels/barrier.rs, with the barrier.
+// Returns what two_sum in gpu-check/src/kernels/barrier.rs returns, but computes it with the barrier.
 fn exact_two_sum(a: real, b: real, one: real) -> ExactSum {
     let sum = a * one + b;
     let b_part = sum - a;

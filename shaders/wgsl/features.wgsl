@@ -5,11 +5,11 @@
 override has_spheres: bool = true;
 // Whether any object is a cylinder.
 override has_cylinders: bool = true;
-// Whether any object is of a matte material.
+// Whether any object has a matte material.
 override has_matte: bool = true;
-// Whether any object is of a metal.
+// Whether any object has a metal material.
 override has_metal: bool = true;
-// Whether any object is of a refractive material.
+// Whether any object has a refractive material.
 override has_refraction: bool = true;
-// Config::max_depth: the most surfaces that a path may hit.
+// Config::max_depth: the largest number of surfaces that a path may hit.
 override max_depth: u32 = 5u;

@@ -6,10 +6,10 @@ const METAL: u32 = 1u;
 const REFRACTIVE: u32 = 2u;
 
 struct Material {
-    // Material::reflectance: what the colour of the scattered ray is multiplied by; one in a refractive material.
+    // Material::reflectance: the factor for the colour of the scattered ray; 1 in a refractive material.
     reflectance: vec3<real>,
     // The index of a refractive material: the sine of the angle of incidence divided by the sine of the angle of
-    // refraction, for light that enters. Zero for other materials.
+    // refraction, for light that enters. It is 0 for other materials.
     index: real,
     kind: u32,
 }

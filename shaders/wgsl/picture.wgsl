@@ -69,8 +69,8 @@ struct PackedBackground {
 struct Picture {
     camera: PackedCamera,
     background: PackedBackground,
-    // The offset from the middle of a pixel and the scatter vector: zero in deterministic mode. They are loaded all the
-    // same, since a driver that knew the zeros would drop the additions. But -0 + 0 is 0, and without the addition -0.
+    // The offset from the middle of a pixel, and the scatter vector. They are 0 in deterministic mode, but are loaded:
+    // a driver that knew the zeros would drop the additions. But -0 + 0 is 0, and without the addition it is -0.
     offset_x: real,
     offset_y: real,
     scatter_vector: PackedVec3,
@@ -79,14 +79,14 @@ struct Picture {
     pixel_count: u32,
     sphere_count: u32,
     cylinder_count: u32,
-    // This run follows paths from depth `first_depth` to before `end_depth`. Long paths take several runs (trace.wgsl).
+    // This run traces the depths from `first_depth` to below `end_depth`. Long paths need several runs (trace.wgsl).
     first_depth: u32,
     end_depth: u32,
     unused: u32,
 }
 
-// The state of a path between two runs: its next ray, and the number of its attenuations so far. `ended` is one when
-// the path has ended and its pixel has its colour.
+// The state of a path between two runs: its next ray, and the number of its attenuations so far. `ended` is 1 if the
+// path has ended and the colour of its pixel has been written.
 struct PackedPath {
     ray: PackedRay,
     attenuation_count: u32,
@@ -97,7 +97,7 @@ struct PackedPath {
 @group(0) @binding(1) var<storage, read> spheres: array<PlacedSphere>;
 @group(0) @binding(2) var<storage, read> cylinders: array<PlacedCylinder>;
 @group(0) @binding(3) var<storage, read> materials: array<PackedMaterial>;
-// The materials that attenuate each invocation's path, first hit first: max_depth places for each invocation.
+// The materials that attenuate each invocation's path, from the first hit on. Each invocation has max_depth entries.
 @group(0) @binding(4) var<storage, read_write> attenuations: array<u32>;
 // The linear colour of each pixel.
 @group(0) @binding(5) var<storage, read_write> pixels: array<PackedVec3>;

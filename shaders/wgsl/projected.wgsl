@@ -3,8 +3,9 @@
 // and goes half a chord from there to each side. So the numbers that cancel are as large as the distance from the line
 // to the centre, and not as large as the distance from the ray's origin.
 
-// crossings: both lambdas at which a line crosses a sphere or an infinite cylinder. The arguments are the direction of
-// the line and the vector from its start to the centre; for a cylinder, their components perpendicular to the axis.
+// crossings: returns both lambdas at which a line crosses a sphere or an infinite cylinder. The arguments are the
+// line's direction and the vector from its start to the centre; for a cylinder, their components perpendicular to the
+// axis.
 struct Crossings {
     some: bool,
     near: real,
@@ -23,14 +24,14 @@ fn projected_crossings(direction: vec3<real>, r_c: vec3<real>, radius_squared: r
     return Crossings(true, middle - half, middle + half);
 }
 
-// projected::sphere: the smaller lambda that is in range, else the larger, and whether that is in range.
+// projected::sphere: returns the smaller lambda that is in range, else the larger, and whether that lambda is in range.
 fn projected_sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     let crossings = projected_crossings(ray.direction, sphere.center - ray.origin, sphere.radius_squared);
     let lambda = select(crossings.far, crossings.near, in_range(crossings.near));
     return Root(crossings.some && in_range(lambda), lambda);
 }
 
-// The part of projected::cylinder that tries a cap.
+// The part of projected::cylinder for a cap.
 fn projected_cap(cylinder: CylinderRecord, ray: Ray, cap: vec3<real>) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
     let lambda = vec3_dot(cap - ray.origin, cylinder.axis) / slope;
@@ -38,8 +39,8 @@ fn projected_cap(cylinder: CylinderRecord, ray: Ray, cap: vec3<real>) -> Root {
     return Root(real(1e-8) <= abs(slope) && in_range(lambda) && on_disc, lambda);
 }
 
-// projected::cylinder: the closest hit of the side, the top cap and the bottom cap. Of hits at the same lambda, the
-// later in this order counts.
+// projected::cylinder: returns the closest hit of the side, the top cap and the bottom cap. Of hits at equal lambdas,
+// the later in this order counts.
 fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let r_c = vec3_perpendicular_to(cylinder.center - ray.origin, cylinder.axis);
     let along = vec3_perpendicular_to(ray.direction, cylinder.axis);

@@ -6,12 +6,12 @@ struct Ray {
     direction: vec3<real>,
 }
 
-// Ray::at: the point `origin + direction lambda`.
+// Ray::at: returns the point `origin + direction lambda`.
 fn ray_at(ray: Ray, lambda: real) -> vec3<real> {
     return ray.origin + ray.direction * lambda;
 }
 
-// in_range: whether a hit at `lambda` counts: it is at least LAMBDA_MIN, which is 1e-3. NaN never counts.
+// in_range: returns whether a hit at `lambda` counts: it is at least LAMBDA_MIN, which is 1e-3. NaN never counts.
 fn in_range(lambda: real) -> bool {
     return real(1e-3) <= lambda;
 }
@@ -26,15 +26,15 @@ fn root_none() -> Root {
     return Root(false, real(0.0));
 }
 
-// Hit: a point where a ray hits a surface, and the normal on the side that the ray comes from. `front` tells whether
-// that is the outside.
+// Hit: a point where a ray hits a surface, and the normal on the side from which the ray comes. `front` tells whether
+// that side is the outside.
 struct Hit {
     point: vec3<real>,
     normal: vec3<real>,
     front: bool,
 }
 
-// Hit::facing: the hit at `point` of a ray along `direction`, given the normal that points `outward`.
+// Hit::facing: returns the hit at `point` of a ray along `direction`, given the normal that points `outward`.
 fn hit_facing(direction: vec3<real>, point: vec3<real>, outward: vec3<real>) -> Hit {
     let front = vec3_dot(direction, outward) < real(0.0);
     if front {

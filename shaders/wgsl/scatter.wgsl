@@ -1,7 +1,7 @@
 // The directions in which surfaces scatter rays; twin of cpu/src/materials/scatter.rs. The caller gives the random
 // vectors.
 
-// scatter::matte: the sum of the normal and a random vector, or the normal alone when the sum is negligible.
+// scatter::matte: returns the sum of the normal and a random vector, or the normal alone if the sum is negligible.
 fn scatter_matte(normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
     let direction = normal + vector;
     if vec3_is_negligible(direction) {
@@ -10,23 +10,23 @@ fn scatter_matte(normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
     return direction;
 }
 
-// scatter::reflect: the mirror image of `direction` in a surface with this normal.
+// scatter::reflect: returns the mirror image of `direction` in a surface with this normal.
 fn scatter_reflect(direction: vec3<real>, normal: vec3<real>) -> vec3<real> {
     return direction - normal * (vec3_dot(direction, normal) * real(2.0));
 }
 
-// scatter::mirror: the direction, of length one, in which a metal surface without diffusion scatters a ray.
+// scatter::mirror: returns the direction, of length one, in which a metal without diffusion scatters a ray.
 fn scatter_mirror(direction: vec3<real>, normal: vec3<real>) -> vec3<real> {
     return vec3_unit(scatter_reflect(direction, normal));
 }
 
-// scatter::metal: the sum of the mirror direction and a random vector.
+// scatter::metal: returns the sum of the mirror direction and a random vector.
 fn scatter_metal(direction: vec3<real>, normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
     return scatter_mirror(direction, normal) + vector;
 }
 
-// scatter::refract: the direction refracted by Snell's law, or reflected beyond the critical angle. `ratio` is
-// `1 / index` when the ray enters the object and `index` when it leaves.
+// scatter::refract: returns the direction refracted by Snell's law, or reflected beyond the critical angle. `ratio` is
+// `1 / index` if the ray enters the object, and `index` if it leaves.
 fn scatter_refract(direction: vec3<real>, normal: vec3<real>, ratio: real) -> vec3<real> {
     let one = real(1.0);
     let u = vec3_unit(direction);

@@ -1,8 +1,8 @@
 // The colour that arrives along one path; twin of Path::color in cpu/src/reference.rs.
 
-// Path::color: writes the colour that arrives along `primary`; `slot` is the invocation's place in `attenuations`,
+// Path::color: writes the colour that arrives along `primary`. `slot` is the invocation's index in `attenuations`,
 // `paths` and `pixels`. Drivers limit the iterations of all loops of an invocation together (lavapipe: to 65,535), so a
-// long path takes several runs. Each run continues where the run before it ended.
+// long path needs several runs. Each run continues where the last one ended.
 fn trace_path(primary: Ray, slot: u32) {
     var ray = primary;
     let scatter_vector = vec3_load(picture.scatter_vector);
@@ -35,7 +35,7 @@ fn trace_path(primary: Ray, slot: u32) {
     paths[slot] = PackedPath(ray_store(ray), attenuation_count, 0u);
 }
 
-// The ray that a surface of `material` scatters when `ray` hits it at `hit`.
+// Returns the ray that a surface of `material` scatters when `ray` hits it at `hit`.
 fn scatter_ray(ray: Ray, hit: Hit, material: Material, scatter_vector: vec3<real>) -> Ray {
     var direction: vec3<real>;
     if has_matte && material.kind == MATTE {

@@ -1,4 +1,4 @@
-//! The messages for faults in a module, and the places that they give.
+//! Tests of the messages for errors in a module, and of the places that the messages show.
 
 use crate::{Error, Library, Precision};
 

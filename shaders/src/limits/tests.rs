@@ -1,17 +1,17 @@
-//! Texts at each limit are taken, and texts beyond it are refused.
+//! Tests that texts at each limit are accepted, and that texts beyond it are refused.
 
 use super::*;
 use crate::module::MODULES;
 use crate::{Error, Library, Precision};
 
-/// Validates `text` as the module `scatter`, together with the modules that it needs.
+/// Validates `text` in place of the module `scatter`, together with the modules that `scatter` needs.
 fn validate(text: &str) -> Result<(), Error> {
     let mut library = Library::standard();
     library.replace("scatter", "mine.wgsl", text).expect("the module exists");
     library.compose("scatter", Precision::F32).expect("the module exists").validate().map(drop)
 }
 
-/// A text in which `count` operators, brackets or branches of one kind are nested or chained.
+/// Returns a text in which `count` operators, brackets or branches of the kind `kind` are nested or chained.
 fn nested(kind: &str, count: usize) -> String {
     let chain = |part: &str| part.repeat(count);
     match kind {
@@ -30,7 +30,7 @@ fn nested(kind: &str, count: usize) -> String {
 const KINDS: [&str; 9] =
     ["not", "complement", "sum", "parentheses", "calls", "else if", "blocks", "else if with conditions", "arrays"];
 
-/// The largest count that the scan lets through.
+/// Returns the largest count of nested parts of the kind `kind` that [`check`] accepts.
 fn largest(kind: &str) -> usize {
     let excess = (1..=MAX_NESTING + 1).find(|&count| check(&nested(kind, count)).is_err());
     excess.unwrap_or_else(|| panic!("{kind}: any count is taken")) - 1
@@ -41,7 +41,7 @@ fn naga_survives_every_nesting_up_to_the_limit() {
     for kind in KINDS {
         let most = largest(kind);
         assert!(most >= MAX_NESTING / 10, "{kind}: {most}");
-        // naga may find the text invalid, but it must not overflow its stack.
+        // naga may find the text invalid, but its stack must not overflow.
         if let Err(Error::Invalid(diagnostic)) = validate(&nested(kind, most)) {
             assert!(!diagnostic.message.contains("nested in one statement"), "{kind}: {diagnostic}");
         }
@@ -68,7 +68,7 @@ fn sixty_thousand_chained_constants_are_refused() {
 
 #[test]
 fn the_longest_chain_of_constants_is_read_in_either_order() {
-    // The modules that the composition needs take a part of the tokens.
+    // The modules that the composition needs use up a part of the tokens.
     let scatter = Library::standard().compose("scatter", Precision::F32).expect("the module exists");
     let room = MAX_TOKENS - tokens(scatter.source().as_bytes()).count();
     let chain: Vec<String> = (1..room / 5).map(|i| format!("const a{i} = a{};\n", i - 1)).collect();

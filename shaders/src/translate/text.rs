@@ -1,4 +1,4 @@
-//! The calls of naga's writers, with the options that make their results complete.
+//! Calls naga's writers, with the options that make their results complete.
 
 use naga::back::{glsl, hlsl, msl, spv};
 use naga::proc::BoundsCheckPolicies;
@@ -7,7 +7,7 @@ use naga::{Module, ResourceBinding, ShaderStage};
 
 use crate::validate::{Binding, bindings};
 
-/// A module with one entry point, in which the pipeline-overridable constants have their values.
+/// A valid module and the name of its entry point. The pipeline-overridable constants have their final values.
 pub struct Input<'a> {
     pub module: &'a Module,
     pub info: &'a ModuleInfo,
@@ -15,13 +15,13 @@ pub struct Input<'a> {
 }
 
 impl Input<'_> {
-    /// Every buffer as naga names it, its number, and whether the shader writes it.
+    /// Returns every buffer of the module, with the identifier that naga's writers use for it.
     fn bindings(&self) -> impl Iterator<Item = (ResourceBinding, Binding)> {
         bindings(self.module).map(|binding| (ResourceBinding { group: 0, binding: binding.number }, binding))
     }
 
     pub fn spirv(&self) -> Result<Vec<u32>, String> {
-        // naga would otherwise write names in debug builds only, and the goldens would depend on the profile.
+        // Without this flag, naga writes names only in debug builds, and the goldens would depend on the build profile.
         let options = spv::Options { flags: spv::WriterFlags::DEBUG, ..spv::Options::default() };
         let entry = spv::PipelineOptions { shader_stage: ShaderStage::Compute, entry_point: self.entry.to_owned() };
         spv::write_vec(self.module, self.info, &options, Some(&entry)).map_err(|error| error.to_string())
@@ -35,7 +35,7 @@ impl Input<'_> {
             last = last.max(slot);
             slots.resources.insert(key, msl::BindTarget { buffer: Some(slot), mutable: written, ..Default::default() });
         }
-        // Metal does not tell a shader how long its buffers are: one more buffer holds their lengths.
+        // A Metal shader cannot find out the length of its buffers, so one more buffer holds their lengths.
         slots.sizes_buffer = Some(last + 1);
         let options = msl::Options {
             lang_version: (2, 0),

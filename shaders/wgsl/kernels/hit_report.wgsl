@@ -1,12 +1,12 @@
-// What a kernel reports of one ray and one object. All fields are numbers, so that each row of the output is a row of
-// reals.
+// The report of a kernel about one ray and one object. All fields are numbers, so that each row of the output is a row
+// of reals.
 
 struct HitReport {
-    // One for a hit; for a miss all fields are zero. Before the kernel writes it, an output holds the bytes 0xA5, so
-    // a missing report is not taken for a miss.
+    // 1 for a hit. For a miss all fields are 0. Before the kernel writes an output, the output holds the bytes 0xA5, so
+    // a missing report differs from a miss.
     some: real,
     lambda: real,
-    // The number of the CylinderPart; zero for a sphere.
+    // The number of the CylinderPart; 0 for a sphere.
     part: real,
     front: real,
     point: PackedVec3,

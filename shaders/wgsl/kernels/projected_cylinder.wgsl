@@ -1,4 +1,4 @@
-// Each invocation intersects one ray with one cylinder, by the projected form.
+// Each invocation intersects one ray with one cylinder, in the projected form.
 
 struct ProjectedCylinderCase {
     ray: PackedRay,

@@ -1,4 +1,4 @@
-// Each invocation intersects one ray with one sphere, by the projected form.
+// Each invocation intersects one ray with one sphere, in the projected form.
 
 struct ProjectedSphereCase {
     ray: PackedRay,

@@ -19,7 +19,7 @@ struct RewriteReport {
     root_squared: real,
     // -0 + 0, which is 0. A driver that drops the addition gives -0.
     zero_added: real,
-    // One when NaN != NaN holds, as it must; zero when the driver takes every x for equal to itself.
+    // 1 if NaN != NaN is true, as it must be; 0 if the driver assumes that every x is equal to itself.
     is_not_itself: real,
 }
 

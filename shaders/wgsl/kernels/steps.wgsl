@@ -1,9 +1,9 @@
 // Records every step of a pixel's path, for debug views and to compare two implementations step by step.
 
-// One ray of a path and its hit; twin of gpu_check::steps::Step. All fields are numbers, so that one comparison covers
-// them all.
+// A step: one ray of a path and its hit; twin of gpu_check::steps::Step. All fields are numbers, so that one function
+// can compare them all.
 struct Step {
-    // One when the ray hits an object, zero when it escapes to the background, minus one after the end of the path.
+    // 1 if the ray hits an object, 0 if it escapes to the background, -1 after the end of the path.
     is_hit: real,
     lambda: real,
     object: real,
@@ -14,7 +14,7 @@ struct Step {
     direction: PackedVec3,
     point: PackedVec3,
     normal: PackedVec3,
-    // The colour of the background, when the ray escapes.
+    // The colour of the background, if the ray escapes.
     light: PackedVec3,
 }
 
