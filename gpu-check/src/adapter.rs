@@ -1,19 +1,20 @@
-//! Which adapter to use: lavapipe, unless the environment names another.
+//! Chooses the GPU adapter: lavapipe, unless an environment variable names another one.
 //!
-//! The default is a fixed driver and not the fastest one, since results depend on the driver that gave them. The
-//! variable `WGPU_ADAPTER_NAME` takes any part of another adapter's name, and `WGPU_BACKEND` the interface to search.
+//! The default is a fixed driver and not the fastest one, because results depend on the driver. The variable
+//! `WGPU_ADAPTER_NAME` takes any part of another adapter's name. The variable `WGPU_BACKEND` takes the interface to
+//! search, such as `vulkan`.
 
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
 use crate::Error;
 
-/// Part of the name under which lavapipe reports itself.
+/// A part of the name that lavapipe reports.
 const LAVAPIPE: &str = "llvmpipe";
 
-/// The adapter to use.
+/// Returns the adapter to use.
 ///
 /// # Errors
-/// [`Error::NoAdapter`], with the names of the adapters that there are.
+/// [`Error::NoAdapter`] if no adapter has the wanted name. The error lists the names of the existing adapters.
 pub fn choose() -> Result<Adapter, Error> {
     let backends = Backends::from_env().unwrap_or(Backends::VULKAN);
     let instance = Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
@@ -24,7 +25,8 @@ pub fn choose() -> Result<Adapter, Error> {
     Ok(adapters.swap_remove(index))
 }
 
-/// The index of the first of `names` that contains `wanted`, or lavapipe's name; upper and lower case are equal.
+/// Returns the index of the first of `names` that contains `wanted`, or that contains lavapipe's name if `wanted` is
+/// `None`. The case of letters is ignored.
 fn pick(names: &[String], wanted: Option<&str>) -> Option<usize> {
     let wanted = wanted.unwrap_or(LAVAPIPE).to_lowercase();
     names.iter().position(|name| name.to_lowercase().contains(&wanted))

@@ -1,26 +1,27 @@
-//! Compares a kernel's f32 results with f64, within the bound that [`crate::running`] derives for each case.
+//! Compares a kernel's f32 results with the formula in f64. The difference must stay within the bound that
+//! [`crate::running`] computes for each case.
 
 use std::fmt;
 
 use crate::Kernel;
 use crate::running::{self, Running};
 
-/// How far f32 is from f64, and how far it may be.
+/// The distances between f32 and f64 results, compared with their bounds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spread {
     /// Number of cases.
     pub cases: usize,
-    /// Cases in which f32 certainly takes the decisions of f64.
+    /// Number of decided cases: f32 certainly takes the same decisions as f64.
     pub decided: usize,
-    /// Numbers in the decided cases whose bound is finite: these are compared.
+    /// Number of compared results: those of decided cases whose bound is finite.
     pub compared: usize,
-    /// Numbers farther from f64 than their bound.
+    /// Number of compared results whose distance from f64 exceeds the bound.
     pub beyond: usize,
-    /// The largest distance, as a share of its bound.
+    /// The largest quotient of a distance and its bound; at most 1 if no result exceeds its bound.
     pub closest: f64,
 }
 
-/// Compares the f32 `results` of `cases` with the formula in f64.
+/// Compares the f32 `results` for `cases` with the results of the formula in f64.
 #[must_use]
 pub fn spread(kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
     let mut spread = Spread::default();
@@ -43,11 +44,11 @@ pub fn spread(kernel: &Kernel, cases: &[f32], results: &[f32]) -> Spread {
 }
 
 impl Spread {
-    /// Counts one number, which should be `wide` and is `actual`.
+    /// Compares one number: `wide` is the value in f64 with its bound, `actual` is the result in f32.
     fn add(&mut self, wide: Running, actual: f64) {
         let distance = (wide.value - actual).abs();
         self.compared += 1;
-        // NaN compares false, so it counts as beyond the bound.
+        // A comparison with NaN is false, so a NaN counts as beyond the bound.
         let within = distance <= wide.bound;
         self.beyond += usize::from(!within);
         if distance > 0.0 {

@@ -1,4 +1,4 @@
-//! Compares a kernel's results with its formula in Rust, bit by bit.
+//! Compares a kernel's results with those of its formula in Rust, bit by bit.
 
 use std::fmt;
 use std::time::Duration;
@@ -8,48 +8,50 @@ use shaders::Library;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Kernel, Pipeline};
 
-/// Most cases in one run. The limit on a binding may allow fewer.
+/// Largest number of cases in one run. The device's limit on a binding may be lower.
 const BATCH: u64 = 1 << 18;
-/// Most differing cases that a tally keeps as text.
+/// Largest number of differing cases that a tally stores as text.
 const SHOWN: usize = 5;
 
-/// How many results were compared, and those that differ.
+/// The result of a comparison: the numbers of compared and of differing cases.
 #[derive(Clone, Debug)]
 pub struct Tally {
-    /// The kernel's module.
+    /// The name of the kernel's module.
     pub kernel: &'static str,
-    /// Cases compared.
+    /// Number of compared cases.
     pub cases: usize,
-    /// Numbers compared.
+    /// Number of compared results.
     pub numbers: usize,
-    /// Cases whose first number is not zero: the hits, where a kernel tells hits from misses.
+    /// Number of cases whose first result is not zero. For kernels that distinguish hits from misses, these are the
+    /// hits.
     pub nonzero: usize,
-    /// Cases in which a number differs.
+    /// Number of cases in which at least one result differs.
     pub differing: usize,
-    /// The first of the differing cases, as text.
+    /// Descriptions of the first differing cases.
     pub shown: Vec<String>,
 }
 
-/// Compiles `kernel` from `library`.
+/// Compiles `kernel` from `library`, in the precision of `T`.
 ///
 /// # Errors
-/// As [`Pipeline::new`].
+/// The errors of [`Pipeline::new`].
 pub fn compile<T: Float>(gpu: &Gpu, library: &Library, kernel: &Kernel) -> Result<Pipeline, Error> {
     Pipeline::new(gpu, &library.compose(kernel.module, T::PRECISION)?, None)
 }
 
-/// The kernel's results for `cases`, row after row, in batches that the device can bind.
+/// Returns the kernel's results for `cases`, row after row. The cases are run in batches whose buffers the device can
+/// bind.
 ///
 /// # Errors
-/// As [`Pipeline::run`].
+/// The errors of [`Pipeline::run`].
 pub fn results<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Vec<T>, Error> {
     Ok(timed_results(gpu, pipeline, kernel, cases)?.0)
 }
 
-/// The results as [`results`] gives them, and the time that the device took, without the transfers.
+/// Returns the results of [`results`], and the time of the device without the transfers.
 ///
 /// # Errors
-/// As [`Pipeline::run`].
+/// The errors of [`Pipeline::run`].
 pub fn timed_results<T: Float>(
     gpu: &Gpu,
     pipeline: &Pipeline,
@@ -73,7 +75,7 @@ pub fn timed_results<T: Float>(
     Ok((results, time))
 }
 
-/// Compares the kernel's results with the formula's.
+/// Compares `results`, the kernel's results for `cases`, with the results of the formula in Rust.
 #[must_use]
 pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     let formula = T::formula(kernel);
@@ -94,15 +96,15 @@ pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     tally
 }
 
-/// Runs the kernel for `cases` and compares its results with the formula's.
+/// Runs the kernel for `cases`, and compares its results with those of the formula in Rust.
 ///
 /// # Errors
-/// As [`Pipeline::run`].
+/// The errors of [`Pipeline::run`].
 pub fn check<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Tally, Error> {
     Ok(compare(kernel, cases, &results(gpu, pipeline, kernel, cases)?))
 }
 
-/// The case and the numbers that differ in it, as text.
+/// Returns a text with the inputs of the case and the results that differ.
 fn show<T: Float>(kernel: &Kernel, case: &[T], expected: &[T], actual: &[T]) -> String {
     let mut text = format!("case {case:?}");
     for ((name, expected), actual) in kernel.outputs.iter().zip(expected).zip(actual) {

@@ -1,4 +1,5 @@
-//! Compares the linear colours of two pictures: how far apart they are, in how many pixels, and where.
+//! Compares the linear colours of two pictures: the size of the differences, and the number of pixels that differ. It
+//! can also draw the differences.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -10,12 +11,13 @@ use output::{Options, Output};
 use crate::shader_lab::png::encoded;
 use crate::{Error, Float};
 
-/// How far two pictures are apart, in linear channels.
+/// The differences between two pictures, in linear channels (1 is white).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// Pixels compared.
+    /// Number of compared pixels.
     pub pixels: usize,
-    /// Pixels in which a channel has different bits, or different values if the precisions differ.
+    /// Number of pixels in which a channel has different bits. If the precisions differ, values are compared instead of
+    /// bits.
     pub differing: usize,
     /// Root of the mean square of the differences of all channels.
     pub rmse: f64,
@@ -23,7 +25,7 @@ pub struct Difference {
     pub largest: f64,
 }
 
-/// The difference of two channels: zero when both are NaN, infinite when one of them is.
+/// Returns the difference of two channels: 0 if both are NaN, infinity if only one is NaN.
 fn distance(one: f64, other: f64) -> f64 {
     match (one.is_nan(), other.is_nan()) {
         (true, true) => 0.0,
@@ -32,10 +34,10 @@ fn distance(one: f64, other: f64) -> f64 {
     }
 }
 
-/// How far apart two pictures of equal size are.
+/// Returns the differences between two pictures of equal size.
 ///
 /// # Panics
-/// When the numbers of pixels differ.
+/// If the pictures have different numbers of pixels.
 #[must_use]
 pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Difference {
     assert_eq!(one.len(), other.len(), "pictures of one size are compared");
@@ -55,8 +57,8 @@ pub fn difference<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Dif
     result
 }
 
-/// Returns three pictures in one, each below the one before: the picture `one`, the picture `other`, and the magnitude
-/// of their difference, multiplied by 20.
+/// Returns three pictures in one, below each other: the picture `one`, the picture `other`, and the magnitude of their
+/// difference, multiplied by 20.
 #[must_use]
 pub fn three_parts<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Vec<[u8; 3]> {
     const ENLARGED: f64 = 20.0;
@@ -72,11 +74,12 @@ pub fn three_parts<A: Float, B: Float>(one: &[Vec3<A>], other: &[Vec3<B>]) -> Ve
     pixels
 }
 
-/// Writes the picture of [`three_parts`] into `folder` and returns its path. A missing folder is created.
+/// Writes the picture of [`three_parts`] into the folder `folder`, and returns its path. If the folder does not exist,
+/// it is created.
 ///
 /// # Errors
-/// [`Error::File`] for the folder, or a picture too large for a PNG; [`Error::Output`] when the picture cannot be
-/// written.
+/// [`Error::File`] if the folder cannot be created, or if the picture is too large for a PNG; [`Error::Output`] if the
+/// picture cannot be written.
 pub fn write_png<A: Float, B: Float>(
     folder: &Path,
     name: &str,

@@ -1,28 +1,28 @@
-//! Why a shader gives no results, and what the user can do about it.
+//! The errors for which a shader gives no results. The messages tell what the user can do.
 
 use std::path::PathBuf;
 
-/// Why a shader gives no results.
+/// The reason why a shader gives no results.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// No adapter has the name that is asked for.
+    /// No adapter has the wanted name.
     #[error(
         "no GPU adapter {wanted}{found}; on Debian: apt-get install mesa-vulkan-drivers (gives lavapipe, the default), \
          or set WGPU_ADAPTER_NAME to part of another adapter's name and WGPU_BACKEND to its interface, as vulkan"
     )]
     NoAdapter {
-        /// The adapter that is asked for, in words.
+        /// Text that describes the wanted adapter.
         wanted: String,
-        /// The adapters that there are, in words.
+        /// Text that lists the existing adapters.
         found: String,
     },
-    /// The adapter has no 64-bit numbers in shaders.
+    /// The adapter has no 64-bit floating point in shaders.
     #[error("{adapter} has no f64 in shaders (SHADER_F64); unset WGPU_ADAPTER_NAME to use lavapipe, which has it")]
     NoF64 {
         /// The adapter's name.
         adapter: String,
     },
-    /// The adapter gives no device.
+    /// The adapter returns an error instead of a device.
     #[error("{adapter} gives no device: {cause}; unset WGPU_ADAPTER_NAME to use lavapipe")]
     NoDevice {
         /// The adapter's name.
@@ -30,7 +30,7 @@ pub enum Error {
         /// The driver's message.
         cause: String,
     },
-    /// The device is gone.
+    /// The device was lost, for example because the driver stopped it.
     #[error("the device was lost: {cause}; run again, and with WGPU_ADAPTER_NAME=llvmpipe if it happens again")]
     DeviceLost {
         /// The driver's message.
@@ -49,7 +49,7 @@ pub enum Error {
         what: &'static str,
         /// Size of the buffer in bytes.
         bytes: u64,
-        /// Most bytes of a binding.
+        /// Largest number of bytes that the device can bind.
         limit: u64,
     },
     /// One bounce of a ray would take more iterations than drivers allow.
@@ -57,17 +57,17 @@ pub enum Error {
     TooManyIterations {
         /// Number of spheres and cylinders.
         objects: u64,
-        /// Most surfaces that a path may hit.
+        /// Largest number of surfaces that a path may hit.
         depth: u64,
-        /// Most iterations of all loops of an invocation.
+        /// Largest number of iterations of all loops of an invocation together.
         limit: u64,
     },
-    /// The work did not end in time.
+    /// The device did not finish a run within the time limit.
     #[error(
         "the device did not finish a run within {seconds} seconds, which takes some seconds at most; has a loop no end?"
     )]
     Timeout {
-        /// How long the program waited.
+        /// The time limit in seconds.
         seconds: u64,
     },
     /// The driver refuses a shader that naga accepts.
@@ -76,31 +76,31 @@ pub enum Error {
         /// wgpu's message.
         cause: String,
     },
-    /// A kernel did not write a part of its output.
+    /// A kernel did not write all numbers of its output.
     #[error("the kernel [{kernel}] did not write {count} of the numbers it should have written")]
     Unwritten {
-        /// The kernel's module.
+        /// The name of the kernel's module.
         kernel: String,
-        /// How many numbers it did not write.
+        /// Number of results that were not written.
         count: usize,
     },
-    /// The driver rewrites formulas in spite of the barrier.
+    /// The driver rewrites formulas although they use the barrier.
     #[error("{adapter} breaks the barrier against rewriting: {count} of {of} sums differ; its bits prove nothing")]
     BarrierBroken {
         /// The adapter's name.
         adapter: String,
-        /// Sums that differ.
+        /// Number of sums that differ from those in Rust.
         count: usize,
-        /// Sums compared.
+        /// Number of compared sums.
         of: usize,
     },
     /// An option of the command line does not fit the shader or the picture.
     #[error("{message}")]
     Request {
-        /// Which option, and why.
+        /// The message: which option does not fit, and why.
         message: String,
     },
-    /// The shader is wrong.
+    /// naga finds an error in the shader.
     #[error(transparent)]
     Shader(#[from] shaders::Error),
     /// A file cannot be written.
@@ -109,10 +109,10 @@ pub enum Error {
     /// The configuration, the scene or the picture is wrong.
     #[error("{}", String::from_utf8_lossy(&.0.message_for_terminal()))]
     Scene(#[from] cpu::Error),
-    /// A file cannot be read or written.
+    /// A file or folder cannot be read or written.
     #[error("{}: {cause}", cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes()))]
     File {
-        /// The file's name.
+        /// The path of the file.
         path: PathBuf,
         /// The error of the system.
         cause: std::io::Error,

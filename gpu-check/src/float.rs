@@ -1,4 +1,4 @@
-//! The number types that kernels and their formulas in Rust calculate in.
+//! The number types in which kernels and their formulas in Rust can calculate.
 
 use std::fmt::{Debug, Display};
 
@@ -7,22 +7,22 @@ use shaders::Precision;
 
 use crate::Kernel;
 
-/// `f32` or `f64`: a number type of formulas whose values can be put into buffers.
+/// A number type of formulas whose values can be put into buffers: `f32` or `f64`.
 pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debug + Send + Sync {
-    /// The precision of a composition with this type as `real`.
+    /// The precision of a composition in which `real` stands for this type.
     const PRECISION: Precision;
 
-    /// The bits of the number; those of an `f32` in the lower half.
+    /// Returns the bits of the number. The bits of an `f32` are in the lower half.
     fn bits(self) -> u64;
 
-    /// The same value as `f64`, exactly.
+    /// Returns the number as `f64`, which is exact.
     fn wide(self) -> f64;
 
-    /// The kernel's formula in this precision.
+    /// Returns the function that computes the kernel's formula in this precision.
     fn formula(kernel: &Kernel) -> fn(&[Self], &mut [Self]);
 
-    /// Whether both have the same bits, or both are NaN. IEEE 754 leaves open which of the many bit patterns of NaN an
-    /// operation returns.
+    /// Whether both numbers have the same bits, or both are NaN. All NaN are equal here, because IEEE 754 does not tell
+    /// which bit pattern of NaN an operation returns.
     fn same(self, other: Self) -> bool {
         self.bits() == other.bits() || (self.wide().is_nan() && other.wide().is_nan())
     }

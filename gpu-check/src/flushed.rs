@@ -1,34 +1,35 @@
-//! f32 arithmetic in which subnormal numbers are replaced by zeros, as WGSL allows a driver to do.
+//! Arithmetic in f32 that replaces subnormal numbers by zeros, as WGSL allows a driver to do.
 //!
 //! Operands and results of arithmetic are flushed to zero, and so are operands of comparisons. Loads, stores, changes
-//! of sign and selections leave a number as it is. An x86 processor with the flags DAZ and FTZ set does so too, and
-//! SwiftShader runs on one. A result is flushed when its magnitude is below the smallest normal number after rounding
-//! to 24 bits with an unlimited exponent range.
+//! of sign and selections do not change a number. An x86 processor with the flags DAZ and FTZ set calculates in this
+//! way, and SwiftShader runs on such a processor. A result is flushed if, rounded to 24 bits with an unlimited exponent
+//! range, its magnitude is below the smallest normal number.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use cpu::internals::math::real::Real;
 
-/// A number in this arithmetic.
+/// A number whose arithmetic flushes subnormal numbers to zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flushed(pub f32);
 
-/// An operand as arithmetic sees it: zero with its sign where it is subnormal.
+/// Returns the value that arithmetic uses for an operand: a zero of its sign if it is subnormal, and otherwise the
+/// number.
 fn operand(number: Flushed) -> f64 {
     let Flushed(value) = number;
     f64::from(if value.is_subnormal() { 0.0_f32.copysign(value) } else { value })
 }
 
-/// Rounds a result to f32, or to a zero with its sign where it is tiny. `value` must be exact, or so close to the exact
-/// result that f32 rounds both to the same number.
+/// Rounds a result to f32, or to a zero of its sign if it is below the normal numbers. `value` must be exact, or so
+/// close to the exact result that f32 rounds both to one number.
 fn rounded(value: f64) -> Flushed {
-    // Halfway between the smallest normal number and the number below it, if the exponent range were unlimited.
+    // Halfway between the smallest normal number and the next smaller number of 24 bits in an unlimited exponent range.
     const TINY: f64 = f32::MIN_POSITIVE as f64 * (1.0 - f32::EPSILON as f64 / 4.0);
     Flushed(if value.abs() < TINY { 0.0_f32.copysign(value as f32) } else { value as f32 })
 }
 
-// Sums, products, quotients and roots of f32 may be computed in f64 and rounded again. The second rounding is harmless
-// because f64 has 53 bits, more than twice the 24 bits of f32 plus two.
+// Sums, products, quotients and roots of f32 can be computed in f64 and rounded again. The second rounding causes no
+// error, because f64 has 53 bits, at least twice the 24 bits of f32 plus two.
 
 impl Add for Flushed {
     type Output = Self;
@@ -117,7 +118,7 @@ mod tests {
         assert_eq!((subnormal * Flushed(1e30)).0.to_bits(), (-0.0_f32).to_bits());
         assert_eq!((Flushed(1.0) / subnormal).0, f32::NEG_INFINITY);
         assert!(!subnormal.less(Flushed(0.0)) && Flushed(0.0).less_equal(subnormal));
-        // A change of sign is no arithmetic, so the number stays subnormal.
+        // A change of sign does not flush, so the number stays subnormal.
         assert_eq!((-subnormal).0, 1e-40);
         // The exact product is below the smallest normal number, and f32 would round it up to that number.
         assert_eq!((small * Flushed(1.0_f32.next_down())).0, 0.0);

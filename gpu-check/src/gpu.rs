@@ -1,4 +1,4 @@
-//! A device: how it is opened, its limits, and its errors.
+//! An open device: opening it, its limits, and its errors.
 
 use std::fmt;
 use std::sync::{Arc, Mutex};
@@ -8,30 +8,30 @@ use wgpu::{AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits,
 
 use crate::{Error, adapter};
 
-/// An open device.
+/// An open device of an adapter.
 #[derive(Debug)]
 pub struct Gpu {
     pub(crate) device: Device,
     pub(crate) queue: Queue,
     info: AdapterInfo,
-    /// Why the device was lost, once it is.
+    /// The reason why the device was lost; `None` as long as it is not lost.
     lost: Arc<Mutex<Option<String>>>,
-    /// How long a run may take.
+    /// Time limit of a run.
     patience: Duration,
 }
 
-/// How long a run may take, unless [`Gpu::with_patience`] says otherwise.
+/// Time limit of a run, unless [`Gpu::with_patience`] sets another limit.
 pub const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Address space that must be free before a driver is loaded, in bytes. lavapipe, its compiler and their threads take
-/// most of it. With less, the driver or its compiler may end the process when a request for memory is refused.
+/// Number of bytes of address space that must be free before a driver is loaded. lavapipe, its compiler and their
+/// threads use most of it. With less, the driver may end the process when an allocation fails.
 const ROOM: usize = 768 << 20;
 
-/// Reserves [`ROOM`] bytes and frees them, to find out whether there is so much address space.
+/// Returns an error if [`ROOM`] bytes of address space are not free. It reserves the bytes and frees them.
 fn check_room() -> Result<(), Error> {
     let mut room = Vec::<u8>::new();
     let asked = room.try_reserve_exact(ROOM);
-    // Without this the compiler removes the request, since the memory is not used.
+    // Without this, the compiler would remove the allocation, because its memory is not used.
     std::hint::black_box(&room);
     asked.map_err(|_| Error::OutOfMemory {
         cause: format!("the driver needs {} MiB of address space, see ulimit -v", ROOM >> 20),
@@ -39,15 +39,16 @@ fn check_room() -> Result<(), Error> {
 }
 
 impl Gpu {
-    /// Opens the adapter of [`adapter::choose`], with f64 where it has that.
+    /// Opens the adapter of [`adapter::choose`]. If the adapter supports f64 in shaders, it is switched on.
     ///
     /// # Errors
-    /// [`Error::NoAdapter`], [`Error::NoDevice`], or [`Error::OutOfMemory`] before any driver is loaded.
+    /// [`Error::NoAdapter`], [`Error::NoDevice`], or [`Error::OutOfMemory`] if the address space is too small; then no
+    /// driver is loaded.
     pub fn open() -> Result<Self, Error> {
         check_room()?;
         let adapter = adapter::choose()?;
         let info = adapter.get_info();
-        // The limits of the WebGPU standard, which a browser gives too. One of them is 128 MiB for a binding.
+        // The limits of the WebGPU standard, which browsers have too. One limit is 128 MiB for a binding.
         let descriptor = DeviceDescriptor {
             required_features: adapter.features() & Features::SHADER_F64,
             required_limits: Limits::default(),
@@ -65,49 +66,49 @@ impl Gpu {
         Ok(Self { device, queue, info, lost, patience: PATIENCE })
     }
 
-    /// The device with the limit `patience` on the time of a run, instead of [`PATIENCE`].
+    /// Returns this device with the time limit `patience` for a run, instead of [`PATIENCE`].
     #[must_use]
     pub fn with_patience(self, patience: Duration) -> Self {
         Self { patience, ..self }
     }
 
-    /// How long a run may take.
+    /// Returns the time limit of a run.
     pub(crate) fn patience(&self) -> Duration {
         self.patience
     }
 
-    /// The adapter's name.
+    /// Returns the adapter's name.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.info.name
     }
 
-    /// Whether the driver is lavapipe, which `docs/gpu.md` describes.
+    /// Whether the driver is lavapipe, for which `docs/gpu.md` describes the results.
     #[must_use]
     pub fn is_lavapipe(&self) -> bool {
         self.info.driver == "llvmpipe"
     }
 
-    /// Whether shaders have f64.
+    /// Whether shaders can use f64.
     #[must_use]
     pub fn has_f64(&self) -> bool {
         self.device.features().contains(Features::SHADER_F64)
     }
 
-    /// Most bytes that one binding may have.
+    /// Returns the largest number of bytes that one binding may have.
     #[must_use]
     pub fn binding_limit(&self) -> u64 {
         self.device.limits().max_storage_buffer_binding_size
     }
 
-    /// Destroys the device. Later runs end with [`Error::DeviceLost`].
+    /// Destroys the device. Later runs return [`Error::DeviceLost`].
     pub fn close(&self) {
         self.device.destroy();
-        // This poll calls the callback for lost devices. Its own result does not matter.
+        // This poll calls the callback for a lost device. Its own result is not needed.
         let _ = self.device.poll(PollType::Poll);
     }
 
-    /// Does `work` and returns an error if wgpu reports one meanwhile.
+    /// Calls `work`, and returns its result, or an error if wgpu reports an error during the call.
     pub(crate) fn scoped<R>(&self, work: impl FnOnce() -> R) -> Result<R, Error> {
         let validation = self.device.push_error_scope(ErrorFilter::Validation);
         let memory = self.device.push_error_scope(ErrorFilter::OutOfMemory);
@@ -124,7 +125,7 @@ impl Gpu {
         }
     }
 
-    /// Returns an error once the device is lost.
+    /// Returns an error if the device was lost.
     pub(crate) fn check_lost(&self) -> Result<(), Error> {
         let lost = self.lost.lock().map(|lost| lost.clone()).unwrap_or_else(|_| Some("unknown".to_owned()));
         match lost {

@@ -1,6 +1,7 @@
-//! A kernel: a formula in Rust, its module in WGSL, and the cases on which both are compared.
+//! A kernel: a formula in Rust, its module in WGSL, and the cases for which both are compared.
 //!
-//! A case is a row of numbers, and so is a result. Flags are numbers too, so that one comparison serves all kernels.
+//! A case is a row of numbers, and so is the result of a case. Flags are stored as numbers too, so that one function
+//! can compare all kernels.
 
 use cpu::Vec3;
 use cpu::internals::math::real::Real;
@@ -10,31 +11,31 @@ use crate::Float;
 use crate::flushed::Flushed;
 use crate::running::Running;
 
-/// A formula of `cpu` and the module of `shaders` that should give its bits.
+/// A formula of `cpu`, and the kernel of `shaders` that should give its bits.
 pub trait Formula {
-    /// The kernel's module.
+    /// The name of the kernel's module.
     const MODULE: &'static str;
-    /// Numbers in a case.
+    /// Number of inputs of a case.
     const INPUTS: usize;
-    /// Names of a result's numbers.
+    /// Names of the numbers of a result.
     const OUTPUTS: &'static [&'static str];
 
-    /// The formula, as `cpu` has it.
+    /// Computes the formula with the code of `cpu`. Reads the inputs from `case` and writes the outputs to `result`.
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]);
-    /// The edge cases, at which a decision changes or a number overflows or underflows, row after row.
+    /// Returns the edge cases, row after row. At these a decision changes, or a number overflows or underflows.
     fn edges() -> Vec<f64>;
-    /// Fills `case` from a stream of random numbers.
+    /// Fills `case` with random inputs from the generator `draws`.
     fn random(draws: &mut Uniform, case: &mut [f64]);
 }
 
-/// A [`Formula`] as a value, so that kernels can be listed.
+/// A [`Formula`] as a value, so that an array can list kernels.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
-    /// The kernel's module in `shaders`.
+    /// The name of the kernel's module in `shaders`.
     pub module: &'static str,
-    /// Numbers in a case.
+    /// Number of inputs of a case.
     pub inputs: usize,
-    /// Names of a result's numbers.
+    /// Names of the numbers of a result.
     pub outputs: &'static [&'static str],
     pub(crate) wide: fn(&[f64], &mut [f64]),
     pub(crate) single: fn(&[f32], &mut [f32]),
@@ -45,7 +46,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// The kernel of a formula.
+    /// Returns the kernel of the formula `F`.
     #[must_use]
     pub const fn of<F: Formula>() -> Self {
         Self {
@@ -61,7 +62,7 @@ impl Kernel {
         }
     }
 
-    /// The result of a case in f32 arithmetic that flushes subnormal numbers to zero.
+    /// Returns the result of `case` in f32 arithmetic that flushes subnormal numbers to zero.
     #[must_use]
     pub fn flushed(&self, case: &[f32]) -> Vec<f32> {
         let case: Vec<_> = case.iter().copied().map(Flushed).collect();
@@ -70,13 +71,13 @@ impl Kernel {
         result.into_iter().map(|Flushed(number)| number).collect()
     }
 
-    /// The edge cases, row after row.
+    /// Returns the edge cases, row after row.
     #[must_use]
     pub fn edge_cases<T: Float>(&self) -> Vec<T> {
         (self.edges)().into_iter().map(T::of).collect()
     }
 
-    /// `count` random cases, row after row. Equal seeds give equal cases.
+    /// Returns `count` random cases, row after row. Equal seeds give equal cases.
     #[must_use]
     pub fn random_cases<T: Float>(&self, count: usize, seed: u64) -> Vec<T> {
         let mut draws = Uniform::new(seed);
@@ -90,22 +91,22 @@ impl Kernel {
     }
 }
 
-/// Reads numbers and vectors from a row, one after another.
+/// Reads numbers and vectors from a row, one after the other.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a, T>(pub &'a [T]);
 
 impl<T: Real> Reader<'_, T> {
-    /// The next number.
+    /// Removes the next number from the row, and returns it.
     ///
     /// # Panics
-    /// At the end of the row.
+    /// If the row has no more numbers.
     pub fn number(&mut self) -> T {
         let (first, rest) = self.0.split_first().expect("the row is as long as its kernel says");
         self.0 = rest;
         *first
     }
 
-    /// The next three numbers.
+    /// Removes the next three numbers from the row, and returns them as a vector.
     pub fn vector(&mut self) -> Vec3<T> {
         Vec3::new(self.number(), self.number(), self.number())
     }

@@ -1,4 +1,5 @@
-//! The formulas that are compared, one file for each module of `cpu`, and the projected form of `stability`.
+//! The formulas that are compared: those of `cpu`, with a file for each of its modules, and the projected form of
+//! `stability`.
 
 mod background;
 mod barrier;
@@ -16,16 +17,16 @@ use cpu::internals::math::real::Real;
 
 use crate::Kernel;
 
-/// Ray against sphere, by the plain formula.
+/// The intersection of a ray with a sphere, by the plain formula.
 pub const SPHERE: Kernel = Kernel::of::<sphere::Sphere>();
-/// Ray against cylinder, by the plain formula.
+/// The intersection of a ray with a cylinder, by the plain formula.
 pub const CYLINDER: Kernel = Kernel::of::<cylinder::Cylinder>();
-/// Ray against sphere in the projected form.
+/// The intersection of a ray with a sphere, in the projected form.
 pub const PROJECTED_SPHERE: Kernel = Kernel::of::<projected::Sphere>();
-/// Ray against cylinder in the projected form.
+/// The intersection of a ray with a cylinder, in the projected form.
 pub const PROJECTED_CYLINDER: Kernel = Kernel::of::<projected::Cylinder>();
 
-/// Every kernel that must give its formula's bits.
+/// All kernels whose results must have the bits of their formulas.
 pub const KERNELS: [Kernel; 11] = [
     SPHERE,
     CYLINDER,
@@ -40,11 +41,11 @@ pub const KERNELS: [Kernel; 11] = [
     Kernel::of::<barrier::Barrier>(),
 ];
 
-/// The numbers of a `HitReport`, as `kernels/hit_report.wgsl` has them.
+/// Names of the numbers of a `HitReport`, in the order of `kernels/hit_report.wgsl`.
 const HIT_REPORT: &[&str] =
     &["some", "lambda", "part", "front", "point.x", "point.y", "point.z", "normal.x", "normal.y", "normal.z"];
 
-/// Writes the report of a hit, or zeros for a miss.
+/// Writes the report of a hit to `result`, or zeros for a miss.
 fn report<T: Real>(hit: Option<(T, u32, Hit<T>)>, result: &mut [T]) {
     let Some((lambda, part, hit)) = hit else {
         return result.fill(T::of(0.0));
@@ -55,7 +56,7 @@ fn report<T: Real>(hit: Option<(T, u32, Hit<T>)>, result: &mut [T]) {
     store(hit.normal, &mut result[7..]);
 }
 
-/// Writes a vector at the start of `result`.
+/// Writes a vector to the first three numbers of `result`.
 fn store<T: Copy>(vector: Vec3<T>, result: &mut [T]) {
     result[..3].copy_from_slice(&vector.to_array());
 }

@@ -1,18 +1,19 @@
 //! Runs the WGSL port of the renderer's mathematics and compares it with `cpu`, bit by bit.
 //!
-//! The port ([`shaders`]) is a second, independent implementation in another language, by another compiler, with other
-//! instructions. A result that both give to the last bit is not wrong by accident. On Mesa's lavapipe, a Vulkan driver
-//! that calculates on the CPU, f64 agrees exactly; `docs/gpu.md` says what cannot agree and why.
+//! The port ([`shaders`]) is an independent second implementation, in another language and with another compiler. If
+//! two such implementations give the same bits, a mistake in one of them is very unlikely. On Mesa's lavapipe, a Vulkan
+//! driver that calculates on the CPU, the results in f64 are equal. `docs/gpu.md` lists the results that cannot be
+//! equal, with the reasons.
 //!
-//! - [`adapter`] and [`gpu`] open a device and run a kernel;
+//! - [`adapter`] and [`gpu`] open a device;
 //! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
-//! - [`methods`] lets `stability` compare the intersections with exact arithmetic;
-//! - [`running`] bounds how far f32 may be from f64, and [`flushed`] is f32 without subnormal numbers;
-//! - [`picture`], [`renderer`] and [`twin`] render whole images in deterministic mode, on the GPU and in Rust;
-//! - [`steps`] follows single pixels step by step on both, and [`shader_lab`] tries a user's own modules;
-//! - [`web`] serves a page that runs the f32 shader in a browser, which has another compiler;
+//! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
+//! - [`running`] computes a bound on the error of f32, and [`flushed`] is f32 arithmetic without subnormal numbers;
+//! - [`picture`], [`renderer`] and [`twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
+//! - [`steps`] traces single pixels step by step on both, and [`shader_lab`] renders with a user's own modules;
+//! - [`web`] serves a page that runs the f32 shader in a browser, which has another shader compiler;
 //! - [`rewrites`] finds out how a driver rewrites formulas;
-//! - [`mutants`] are faults that these checks must notice.
+//! - [`mutants`] are deliberate errors that these checks must notice.
 //!
 //! ```no_run
 //! use gpu_check::{Gpu, Picture, Renderer, features_of};

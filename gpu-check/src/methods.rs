@@ -1,4 +1,4 @@
-//! The intersections in WGSL as methods, which `stability` compares with exact arithmetic.
+//! Makes the intersections in WGSL available as methods of `stability`, which compares them with exact arithmetic.
 
 use std::marker::PhantomData;
 use std::rc::Rc;
@@ -14,17 +14,18 @@ use crate::kernel::Reader;
 use crate::kernels::{CYLINDER, PROJECTED_CYLINDER, PROJECTED_SPHERE, SPHERE};
 use crate::{Error, Float, Gpu, Kernel, Pipeline, check};
 
-/// The name of the plain formulas in f64.
+/// Name of the method with the plain formulas in f64.
 pub const PLAIN: &str = "WGSL plain f64";
-/// The name of the plain formulas in f32.
+/// Name of the method with the plain formulas in f32.
 pub const PLAIN_SINGLE: &str = "WGSL plain f32";
-/// The name of the projected form in f32.
+/// Name of the method with the projected form in f32.
 pub const PROJECTED: &str = "WGSL projected f32";
 
-/// All methods that `gpu` can run, in the order of the table's rows. Without f64 in shaders these are the f32 methods.
+/// Returns all methods that `gpu` can run, in the order of the table's rows. If shaders have no f64, these are the f32
+/// methods.
 ///
 /// # Errors
-/// As [`Pipeline::new`].
+/// The errors of [`Pipeline::new`].
 pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
     let gpu = Rc::new(gpu);
     let mut methods: Vec<Box<dyn Method>> = Vec::new();
@@ -36,7 +37,7 @@ pub fn all(gpu: Gpu) -> Result<Vec<Box<dyn Method>>, Error> {
     Ok(methods)
 }
 
-/// A method: the kernels of spheres and of cylinders, compiled for one precision.
+/// A method: a kernel for spheres and a kernel for cylinders, compiled for one precision.
 struct Wgsl<T> {
     name: &'static str,
     gpu: Rc<Gpu>,
@@ -51,7 +52,7 @@ impl<T: Float> Wgsl<T> {
         Ok(Self { name, gpu: Rc::clone(gpu), kernels, precision: PhantomData })
     }
 
-    /// The kernel for these cases, which are all spheres or all cylinders.
+    /// Returns the kernel for `cases`, which must be all spheres or all cylinders.
     fn kernel(&self, cases: &[Case]) -> &(Kernel, Pipeline) {
         let cylinders = matches!(cases.first(), Some(Case { shape: Shape::Cylinder(_), .. }));
         &self.kernels[usize::from(cylinders)]
@@ -76,14 +77,15 @@ impl<T: Float> Method for Wgsl<T> {
         Ok(reports.chunks(kernel.outputs.len()).map(answer).collect())
     }
 
-    /// The device's time. Unlike in the renderer, it includes computing the objects' records, and all cores work.
+    /// Returns a stopwatch that measures the device's time. Unlike the renderer's time, it includes computing the
+    /// records of the objects, and all cores of the processor work.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
         let ((kernel, pipeline), rows) = (self.kernel(cases), rows::<T>(cases));
         Ok(Box::new(move || Ok(check::timed_results(&self.gpu, pipeline, kernel, &rows)?.1)))
     }
 }
 
-/// The cases as rows of the kernels' inputs.
+/// Returns the cases as rows of inputs for the kernels.
 fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
     let mut rows = Vec::new();
     for Case { shape, ray } in cases {
@@ -105,7 +107,7 @@ fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
     rows
 }
 
-/// The answer in one row of a kernel's output, which is a `HitReport`.
+/// Returns the answer in one row of a kernel's output, which is a `HitReport`, or `None` for a miss.
 fn answer<T: Float>(report: &[T]) -> Option<Answer> {
     let mut report = Reader(report);
     let some = report.number().wide() == 1.0;

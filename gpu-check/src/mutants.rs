@@ -1,8 +1,8 @@
-//! Faults that the checks must notice: one operator, sign, comparison or constant changed in a module.
+//! Deliberate errors that the checks must notice: one operator, sign, comparison or constant changed in a module.
 //!
-//! A check that finds no fault proves something only if it finds the faults that there are. Each mutant replaces a text
-//! that stands in its module exactly once. [`Examiner`] runs the suite's checks with fewer cases, and tells which check
-//! was the first to notice the mutant.
+//! A check that finds no error proves something only if it would find an existing one. Each mutant replaces a text that
+//! occurs exactly once in its module. [`Examiner`] runs the suite's checks with fewer cases, and returns the first
+//! check that notices the mutant.
 
 mod examiner;
 mod table;
@@ -12,10 +12,10 @@ pub use table::MUTANTS;
 
 use shaders::Library;
 
-/// A module with one fault.
+/// A mutant: a module with one deliberate error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mutant {
-    /// The module's name.
+    /// The name of the module.
     pub module: &'static str,
     /// The text that is replaced.
     pub from: &'static str,
@@ -24,13 +24,13 @@ pub struct Mutant {
 }
 
 impl Mutant {
-    /// The crate's modules with this fault.
+    /// Returns the crate's modules with this error.
     ///
     /// # Errors
-    /// [`shaders::Error::UnknownModule`].
+    /// [`shaders::Error::UnknownModule`] if there is no such module.
     ///
     /// # Panics
-    /// When the text to replace does not stand in the module exactly once.
+    /// If the text to replace does not occur exactly once in the module.
     pub fn library(&self) -> Result<Library, shaders::Error> {
         let mut library = Library::standard();
         let source = library.source(self.module)?;
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn every_module_with_a_formula_has_a_mutant() {
-        // Kernels only carry numbers to a formula and back, and features.wgsl holds declarations alone.
+        // Kernels only pass numbers to a formula and back, and features.wgsl has only declarations.
         let formulas =
             MODULES.iter().filter(|module| !module.name.starts_with("kernels/") && module.name != "features");
         for module in formulas {

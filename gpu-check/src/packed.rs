@@ -1,7 +1,7 @@
-//! Packs values into the bytes of the WGSL structures that shaders read.
+//! Converts values into the bytes of the WGSL structures that shaders read.
 //!
-//! These structures have only scalar fields of 4 or 8 bytes and no padding. So a value's bytes are the bytes of its
-//! numbers, in order.
+//! These structures have only scalar fields of 4 or 8 bytes, and no padding. So the bytes of a value are the bytes of
+//! its numbers, in order.
 
 use cpu::Vec3;
 use cpu::internals::Camera;
@@ -13,13 +13,13 @@ use cpu::internals::render::background::Background;
 use crate::Float;
 use crate::picture::PackedMaterial;
 
-/// A value that shaders read.
+/// A value that can be written into a buffer for shaders.
 pub trait Packed {
-    /// Appends the value's bytes.
+    /// Appends the bytes of the value to `bytes`.
     fn pack(&self, bytes: &mut Vec<u8>);
 }
 
-/// The bytes of a buffer of `values`.
+/// Returns the bytes of a buffer that holds `values`.
 #[must_use]
 pub fn buffer<P: Packed>(values: &[P]) -> Vec<u8> {
     let mut bytes = Vec::new();

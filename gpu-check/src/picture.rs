@@ -1,4 +1,4 @@
-//! A scene prepared for a device: the contents of the buffers of `shaders/wgsl/picture.wgsl`.
+//! A scene in the form for a device: the contents of the buffers of `shaders/wgsl/picture.wgsl`.
 
 use cpu::internals::Camera;
 use cpu::internals::geometry::cylinder::CylinderRecord;
@@ -12,18 +12,18 @@ use shaders::Features;
 
 use crate::Error;
 
-/// A material in the form that `material.wgsl` has.
+/// A material in the form of `material.wgsl`.
 #[derive(Clone, Copy, Debug)]
 pub struct PackedMaterial<T> {
-    /// What the colour of the scattered ray is multiplied by.
+    /// The factor by which the surface multiplies the colour of the scattered ray.
     pub reflectance: Vec3<T>,
-    /// The refractive index; zero for other materials.
+    /// The refractive index; 0 for materials that are not refractive.
     pub index: T,
     /// The variant of [`Material`].
     pub kind: Kind,
 }
 
-/// The variants of [`Material`], numbered as in `material.wgsl`.
+/// The variants of [`Material`], with the numbers that `material.wgsl` gives them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Kind {
@@ -35,30 +35,32 @@ pub enum Kind {
     Refractive = 2,
 }
 
-/// A scene in one precision, seen by a camera, in deterministic mode.
+/// A scene in one precision with its camera, for rendering in deterministic mode.
 #[derive(Clone, Debug)]
 pub struct Picture<T> {
-    /// Columns and rows.
+    /// Number of columns and rows.
     pub size: Size,
-    /// The camera. Its window is computed in f64, because that takes a tangent, and then rounded.
+    /// The camera. Its window is computed in f64 and then rounded, because it needs a tangent.
     pub camera: Camera<T>,
-    /// The colours of rays that hit no object.
+    /// The colours for rays that hit no object.
     pub background: Background<T>,
     /// The spheres in the order of the file.
     pub spheres: Vec<Placed<SphereRecord<T>>>,
     /// The cylinders in the order of the file.
     pub cylinders: Vec<Placed<CylinderRecord<T>>>,
-    /// All materials.
+    /// The materials, in the order of the file.
     pub materials: Vec<PackedMaterial<T>>,
-    /// Most surfaces that a path may hit.
+    /// Largest number of surfaces that a path may hit.
     pub max_depth: u32,
 }
 
 impl<T: Real> Picture<T> {
-    /// The picture of `scene` with `config`. Every number is rounded once to the precision `T`.
+    /// Returns the picture of `scene` with the configuration `config`. Every number is rounded once to the precision
+    /// `T`.
     ///
     /// # Errors
-    /// [`Error::Scene`] when the configuration makes no picture.
+    /// [`Error::Scene`] if the configuration makes no picture; [`Error::TooLarge`] if the maximum depth does not fit in
+    /// 32 bits.
     pub fn new(config: &Config, scene: &Scene) -> Result<Self, Error> {
         let size = config.image_size().map_err(CpuError::from)?;
         let camera = Camera::new(config, size).map_err(CpuError::from)?.lanes();
@@ -83,7 +85,8 @@ impl<T: Real> Picture<T> {
     }
 }
 
-/// The maximum depth. One beyond 32 bits is refused, since no device could hold the list of a path's surfaces.
+/// Returns the maximum depth, or an error if it does not fit in 32 bits, because no device could hold the list of a
+/// path's surfaces.
 fn depth(config: &Config) -> Result<u32, Error> {
     u32::try_from(config.max_depth).map_err(|_| Error::TooLarge {
         what: "the materials that attenuate each path",
@@ -101,10 +104,10 @@ fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
     PackedMaterial { reflectance: material.reflectance().map(T::of), index: T::of(index), kind }
 }
 
-/// The features that a pipeline for `scene` needs. Materials that no object has do not count.
+/// Returns the features that a pipeline for `scene` needs. Materials that no object has are ignored.
 ///
 /// # Errors
-/// [`Error::TooLarge`] for a depth that no device can follow.
+/// [`Error::TooLarge`] if the maximum depth does not fit in 32 bits.
 pub fn features_of(config: &Config, scene: &Scene) -> Result<Features, Error> {
     let of_shape =
         |spheres: bool| scene.objects.iter().any(|object| matches!(object.shape, Shape::Sphere(_)) == spheres);

@@ -15,25 +15,25 @@ use wgpu::{
 use crate::{Error, Gpu};
 use buffers::{SENTINEL, create, layout_entry, wait};
 
-/// Invocations in a workgroup of every kernel.
+/// Number of invocations in a workgroup of every kernel.
 const WORKGROUP: u64 = 64;
-/// Most invocations in one run: WebGPU allows 65,535 workgroups along a dimension.
+/// Largest number of invocations in one run, because WebGPU allows 65,535 workgroups in a dimension.
 pub const MAX_INVOCATIONS: u64 = 65_535 * WORKGROUP;
 
-/// The content of the buffer that is bound at one number.
+/// The content of one buffer. Its position in a list is the number of the binding.
 #[derive(Clone, Copy, Debug)]
 pub enum Content<'a> {
     /// Bytes that the kernel reads.
     Input(&'a [u8]),
-    /// Bytes that the kernel reads, one entry for each of several consecutive runs.
+    /// Bytes that the kernel reads. Several runs follow each other, and each has its own entry.
     Inputs(&'a [Vec<u8>]),
-    /// A buffer of this many bytes for the kernel's intermediate values.
+    /// A buffer of this many bytes for intermediate values of the kernel.
     Scratch(u64),
-    /// A buffer of this many bytes, all of which the kernel must write.
+    /// A buffer of this many bytes for results. The kernel must write all of them.
     Output(u64),
 }
 
-/// A kernel, compiled for a device.
+/// A kernel that is compiled for a device.
 #[derive(Debug)]
 pub struct Pipeline {
     name: &'static str,
@@ -47,14 +47,14 @@ pub struct Pipeline {
 /// The results of a run.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// The outputs in the order of their numbers.
+    /// The contents of all [`Content::Output`] buffers, in the order of their bindings.
     pub outputs: Vec<Vec<u8>>,
-    /// The time from submitting the work until the device has done it, without the transfers.
+    /// The time from submitting the work until the device has finished it, without the transfers.
     pub time: Duration,
 }
 
 impl Content<'_> {
-    /// Number of runs that the content is for.
+    /// Returns the number of runs for which there is content.
     const fn runs(&self) -> usize {
         match self {
             Self::Inputs(each) => each.len(),
@@ -64,19 +64,20 @@ impl Content<'_> {
 }
 
 impl Pipeline {
-    /// Compiles the only entry point of `composition`, specialised to `features` where it has such constants.
+    /// Compiles the only entry point of `composition`. Constants of the shader that `features` names get the values in
+    /// `features`.
     ///
     /// # Errors
-    /// [`Error::Shader`] with the place in the module's file, [`Error::NoF64`], or what the driver finds wrong.
+    /// [`Error::Shader`] with the place in the module's file, [`Error::NoF64`], or an error of the driver.
     pub fn new(gpu: &Gpu, composition: &Composition, features: Option<&Features>) -> Result<Self, Error> {
         let constants = features.map(Features::constants);
         Self::with_constants(gpu, composition, constants.as_ref().map_or(&[], |constants| &constants[..]))
     }
 
-    /// Compiles as [`Self::new`] does, with any pipeline-overridable constants by name.
+    /// Compiles as [`Self::new`] does, with the names and values of any pipeline-overridable constants.
     ///
     /// # Errors
-    /// As [`Self::new`], and [`Error::Refused`] for a name that the shader does not declare.
+    /// The errors of [`Self::new`], and [`Error::Refused`] if the shader does not declare one of the names.
     pub fn with_constants(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
         if composition.precision() == Precision::F64 && !gpu.has_f64() {
             return Err(Error::NoF64 { adapter: gpu.name().to_owned() });
@@ -107,25 +108,25 @@ impl Pipeline {
         })
     }
 
-    /// Has the driver compile the kernel to machine code, and runs no invocation. A run without invocations is needed,
-    /// because lavapipe makes machine code only for a run.
+    /// Makes the driver compile the kernel to machine code, without an invocation. It submits a run of 0 invocations,
+    /// because lavapipe creates machine code only for a run.
     ///
     /// # Errors
-    /// [`Error::Timeout`], or what the driver finds wrong.
+    /// [`Error::Timeout`], or an error of the driver.
     pub fn warm_up(&self, gpu: &Gpu) -> Result<(), Error> {
         gpu.check_lost()?;
         let contents = vec![Content::Scratch(0); self.bindings];
         gpu.scoped(|| self.dispatch(gpu, &contents, 0))?.1.map(drop)
     }
 
-    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on: once, or once for each entry of a
+    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on. It runs once, or once for each entry of a
     /// [`Content::Inputs`].
     ///
     /// # Errors
-    /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or what the driver finds wrong.
+    /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or an error of the driver.
     ///
     /// # Panics
-    /// With more than [`MAX_INVOCATIONS`].
+    /// If `invocations` is more than [`MAX_INVOCATIONS`].
     pub fn run(&self, gpu: &Gpu, contents: &[Content<'_>], invocations: u64) -> Result<Run, Error> {
         assert!(invocations <= MAX_INVOCATIONS, "{invocations} invocations are more than a run may have");
         gpu.check_lost()?;
@@ -158,8 +159,8 @@ impl Pipeline {
         Ok(())
     }
 
-    /// Creates the buffers and does all runs. Returns the buffers of the first run, of which outputs can be read, and
-    /// the time.
+    /// Creates the buffers and does all runs. Returns the buffers of the first run, whose outputs can be read, and the
+    /// time of all runs.
     fn dispatch(
         &self,
         gpu: &Gpu,
@@ -208,7 +209,7 @@ impl Pipeline {
             let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some(self.name) });
             encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
             gpu.queue.submit([encoder.finish()]);
-            // A failure to map is reported by `get_mapped_range` below.
+            // If mapping fails, `get_mapped_range` below reports it.
             staging.map_async(MapMode::Read, .., |_| ());
             staging
         })?;
@@ -217,7 +218,7 @@ impl Pipeline {
         Ok(range.to_vec())
     }
 
-    /// Returns an error if a number of the output still has the bytes from before the run.
+    /// Returns an error if a number of the output still has the bytes that it had before the run.
     fn check_written(&self, bytes: &[u8]) -> Result<(), Error> {
         let width = match self.precision {
             Precision::F32 => size_of::<f32>(),

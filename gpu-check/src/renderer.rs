@@ -12,56 +12,56 @@ use crate::packed::{Packed, buffer};
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
-/// Most pixels in one run. The limit on a binding may allow fewer.
+/// Largest number of pixels in one run. The device's limit on a binding may be lower.
 pub(crate) const BATCH: u64 = 1 << 18;
 
-/// Most tests of a ray against an object in one run, if every path has the maximum depth. They take seconds on a CPU
-/// that acts as a GPU. So a large scene is rendered in many runs, each within its time limit, and progress can be
-/// reported between them.
+/// Largest number of tests of a ray against an object in one run, if every path has the maximum depth. On a CPU that
+/// acts as a GPU they take seconds. So a large scene is rendered in many runs, each run stays within its time limit,
+/// and the program can report progress between them.
 const TESTS: u64 = 1 << 28;
 
-/// Fewest pixels in one run, unless a limit forces fewer. With less, most of a device would be idle.
+/// Smallest number of pixels in one run, unless a limit requires fewer. With fewer, most of a device would be idle.
 const LEAST_BATCH: u64 = 1 << 10;
 
-/// Most iterations of all loops of an invocation together. After 65,535 iterations lavapipe leaves a loop without an
-/// error, and the colours are wrong.
+/// Largest number of iterations of all loops of an invocation together. After 65,535 iterations lavapipe leaves a loop
+/// without an error, so the colours would be wrong.
 pub(crate) const MAX_ITERATIONS: u64 = 65_535;
 
-/// A pipeline that renders, for one precision and one set of features.
+/// A pipeline that renders pictures in one precision, with one set of features.
 #[derive(Debug)]
 pub struct Renderer<'a, T> {
     gpu: &'a Gpu,
     pipeline: Pipeline,
     features: Features,
-    /// Most surfaces that paths hit in one run; `None` for as many as the loops allow.
+    /// Largest number of surfaces that paths hit in one run; `None` if only the limit on iterations applies.
     step: Option<u32>,
     precision: PhantomData<T>,
 }
 
-/// A picture's linear colours, before they become bytes.
+/// The linear colours of a picture, before they are converted to bytes.
 #[derive(Clone, Debug)]
 pub struct Rendering<T> {
-    /// Columns and rows.
+    /// Number of columns and rows.
     pub size: Size,
     /// The colours, row by row from the top left.
     pub pixels: Vec<Vec3<T>>,
-    /// The time that the device took, without the transfers.
+    /// The time that the device needed, without the transfers.
     pub time: Duration,
 }
 
 impl<'a, T: Float> Renderer<'a, T> {
-    /// Compiles `kernels/image` from `library`, specialised to `features`.
+    /// Compiles `kernels/image` from `library`, with the constants of `features`.
     ///
     /// # Errors
-    /// As [`Pipeline::new`].
+    /// The errors of [`Pipeline::new`].
     pub fn new(gpu: &'a Gpu, library: &Library, features: &Features) -> Result<Self, Error> {
         Self::with_constants(gpu, library, features, &[])
     }
 
-    /// Compiles as [`Self::new`] does. `own` are the values of constants that a replaced module declares.
+    /// Compiles as [`Self::new`] does. `own` has the names and values of constants that a replaced module declares.
     ///
     /// # Errors
-    /// As [`Pipeline::with_constants`].
+    /// The errors of [`Pipeline::with_constants`].
     pub fn with_constants(
         gpu: &'a Gpu,
         library: &Library,
@@ -74,37 +74,37 @@ impl<'a, T: Float> Renderer<'a, T> {
         Ok(Self { gpu, pipeline, features: *features, step: None, precision: PhantomData })
     }
 
-    /// The renderer with at most `surfaces` hits of a path in each run. Tests use it to show that results do not depend
-    /// on the number of runs.
+    /// Returns this renderer, changed so that a path hits at most `surfaces` surfaces in each run. Tests use it to show
+    /// that results do not depend on the number of runs.
     ///
     /// # Panics
-    /// When `surfaces` is zero.
+    /// If `surfaces` is 0.
     #[must_use]
     pub fn in_steps_of(self, surfaces: u32) -> Self {
         assert!(surfaces > 0, "a run needs at least one surface");
         Self { step: Some(surfaces), ..self }
     }
 
-    /// Renders `picture` with the maximum depth of the features.
+    /// Renders `picture` with the maximum depth of the features of this renderer.
     ///
     /// # Errors
-    /// As [`Pipeline::run`].
+    /// The errors of [`Pipeline::run`], and [`Error::TooManyIterations`].
     pub fn render(&self, picture: &Picture<T>) -> Result<Rendering<T>, Error> {
         self.render_telling(picture, |_, _| ())
     }
 
-    /// Renders as [`Self::render`] does, and calls `tell` after each run with the number of pixels that are done and
-    /// the number of all pixels.
+    /// Renders as [`Self::render`] does. After each run it calls `tell` with the number of finished pixels and the
+    /// number of all pixels.
     ///
     /// # Errors
-    /// As [`Pipeline::run`].
+    /// The errors of [`Self::render`].
     pub fn render_telling(&self, picture: &Picture<T>, mut tell: impl FnMut(u64, u64)) -> Result<Rendering<T>, Error> {
         let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
         let materials = buffer(&picture.materials);
         let count = picture.size.pixels() as u64;
         let color = size_of::<Vec3<T>>() as u64;
         let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
-        // At least one pixel. If the path of one pixel is too long for a binding, the run returns the error.
+        // At least one pixel. If the path of one pixel is too long for a binding, the run returns an error.
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
         let tests = (objects * u64::from(self.features.max_depth)).max(1);
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
@@ -133,15 +133,15 @@ impl<'a, T: Float> Renderer<'a, T> {
         Ok(rendering)
     }
 
-    /// The depths from 0 to the maximum depth, divided into ranges. One run can loop through each of them.
+    /// Returns ranges of depths that together cover 0 to the maximum depth. Each range is small enough for one run.
     fn depths(&self, picture: &Picture<T>) -> Result<Vec<Range<u32>>, Error> {
         let depth = self.features.max_depth;
         if let Some(step) = self.step {
             return Ok(steps(depth, step));
         }
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        // For each surface there is a loop over the objects. In addition the loop over a path's materials is counted,
-        // since the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
+        // Each surface needs a loop over the objects. The loop over a path's materials is counted for each surface too:
+        // the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
         let iterations = objects + u64::from(depth) + 1;
         let step = MAX_ITERATIONS / iterations;
         if step == 0 {
@@ -151,17 +151,18 @@ impl<'a, T: Float> Renderer<'a, T> {
     }
 }
 
-/// Divides `0..depth` into ranges of `step`; at least one range, even if it is empty.
+/// Divides `0..depth` into ranges of length `step`. Returns at least one range, even if it is empty.
 fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
     (0..depth.max(1)).step_by(step as usize).map(|first| first..first.saturating_add(step).min(depth)).collect()
 }
 
-/// The bytes of the structure `Picture` of `picture.wgsl`, for a run of `pixels` pixels from `first` at these `depths`.
+/// Returns the bytes of the structure `Picture` in `picture.wgsl`, for a run of `pixels` pixels from pixel `first`, at
+/// the depths `depths`.
 pub(crate) fn head<T: Float>(picture: &Picture<T>, first: u32, pixels: u32, depths: &Range<u32>) -> Vec<u8> {
     let mut bytes = Vec::new();
     picture.camera.pack(&mut bytes);
     picture.background.pack(&mut bytes);
-    // Deterministic mode: two offsets and the three components of the scatter vector are zero.
+    // In deterministic mode the two offsets and the three components of the scatter vector are zero.
     [T::of(0.0); 5][..].pack(&mut bytes);
     let counts = [picture.spheres.len() as u32, picture.cylinders.len() as u32];
     let numbers = [picture.size.width() as u32, first, pixels, counts[0], counts[1], depths.start, depths.end, 0];
@@ -174,7 +175,7 @@ mod tests {
     use super::*;
     use shaders::Precision;
 
-    /// The size that WGSL gives the structure `name`.
+    /// Returns the size in bytes that WGSL gives to the structure `name`.
     fn size_in_wgsl(name: &str, precision: Precision) -> usize {
         let composition = Library::standard().compose("kernels/image", precision).expect("it exists");
         let shader = composition.validate().expect("it is valid");

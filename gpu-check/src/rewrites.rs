@@ -1,8 +1,8 @@
 //! Finds out how a driver rewrites formulas.
 //!
-//! Vulkan allows a driver to rewrite floating-point formulas by the laws of real numbers unless the shader forbids it,
-//! and naga's shaders do not forbid it. [`observe`] finds out which laws a driver applies. [`require_barrier`] is a
-//! self-test: when it passes, formulas can rely on the barrier of `exact.wgsl`.
+//! Vulkan allows a driver to rewrite floating-point formulas by the laws of real numbers, unless the shader forbids it.
+//! naga's shaders do not forbid it. [`observe`] finds out which laws a driver applies. [`require_barrier`] is a
+//! self-test: if it passes, formulas can rely on the barrier of `exact.wgsl`.
 
 use std::fmt;
 
@@ -12,30 +12,30 @@ use shaders::Library;
 use crate::pipeline::{Content, Pipeline};
 use crate::{Error, Float, Gpu, check, kernels, special};
 
-/// Number of random cases: enough that every rewriting changes a result.
+/// Number of random cases. It is large enough that every rewriting changes at least one result.
 const CASES: usize = 4096;
-/// Numbers in a case, and in its result.
+/// Number of inputs of a case, and of numbers of its result.
 const NUMBERS: usize = 5;
 
-/// The laws of real numbers that a driver applies to floating point numbers.
+/// The laws of real numbers that a driver applies to floating-point numbers, although they are not exact there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rewrites {
-    /// `(x + y) - x` is taken to be `y`.
+    /// Whether the driver replaces `(x + y) - x` by `y`.
     pub cancels_terms: bool,
-    /// `x y + x z` is taken to be `x (y + z)`.
+    /// Whether the driver replaces `x y + x z` by `x (y + z)`.
     pub factors_out: bool,
-    /// `sqrt(x) sqrt(x)` is taken to be `x`.
+    /// Whether the driver replaces `sqrt(x) sqrt(x)` by `x`.
     pub squares_roots: bool,
-    /// `x + 0` is taken to be `x`, though `-0 + 0` is `0`.
+    /// Whether the driver replaces `x + 0` by `x`, although `-0 + 0` is `0`.
     pub drops_zeros: bool,
-    /// `x != x` is taken to be false, though it is true for NaN.
+    /// Whether the driver replaces `x != x` by false, although it is true for NaN.
     pub forgets_nan: bool,
 }
 
-/// Which rewritings the driver applies in this precision.
+/// Returns the rewritings that the driver applies in the precision of `T`.
 ///
 /// # Errors
-/// As [`Pipeline::new`] and [`Pipeline::run`].
+/// The errors of [`Pipeline::new`] and [`Pipeline::run`].
 pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error> {
     let pipeline = Pipeline::new(gpu, &library.compose("kernels/rewrites", T::PRECISION)?, None)?;
     let mut draws = Uniform::new(7);
@@ -60,10 +60,10 @@ pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error
     Ok(Rewrites { cancels_terms, factors_out, squares_roots, drops_zeros, forgets_nan })
 }
 
-/// Checks that sums with the barrier have the rounding errors that Rust computes, bit for bit.
+/// Checks that the rounding errors of sums with the barrier have the bits that Rust computes.
 ///
 /// # Errors
-/// [`Error::BarrierBroken`] when one differs, or as [`Pipeline::new`] and [`Pipeline::run`].
+/// [`Error::BarrierBroken`] if a sum or an error differs, or the errors of [`Pipeline::new`] and [`Pipeline::run`].
 pub fn require_barrier<T: Float>(gpu: &Gpu, library: &Library) -> Result<(), Error> {
     let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/barrier").expect("it is listed");
     let pipeline = check::compile::<T>(gpu, library, kernel)?;

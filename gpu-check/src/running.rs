@@ -1,66 +1,67 @@
-//! Bounds how far f32 may be from the exact result, by running error analysis (N. Higham, Accuracy and Stability of
+//! Computes a bound on the error of f32 formulas, by running error analysis (N. Higham, Accuracy and Stability of
 //! Numerical Algorithms, section 3.3).
 //!
-//! A [`Running`] is a value together with a bound on the distance between this value and the result of the formula in
-//! f32. An operation of IEEE 754 returns the exact result of its operands, rounded. The rounding error is at most half
-//! a unit in the last place: `u = 2^-24` times the result, or `2^-150` below the normal numbers. If the errors of `x`
-//! and `y` are at most `e` and `f`, the errors are at most
+//! A [`Running`] is a value with a bound on the distance between this value and the result of the formula in f32. An
+//! operation of IEEE 754 returns the exact result of its operands, rounded. The rounding error is at most half a unit
+//! in the last place: `u = 2^-24` times the result, or `2^-150` below the normal numbers. If the errors of `x` and `y`
+//! are at most `e` and `f`, the errors of results are at most
 //!
 //! - for `x + y`: `e + f`, plus the rounding error;
 //! - for `x y`: `|x| f + |y| e + e f`, plus the rounding error;
-//! - for `x / y`: `(e + |x / y| f) / (|y| - f)`, plus the rounding error; without a bound when `f >= |y|`;
-//! - for `sqrt x`: `e / (sqrt x + sqrt(x - e))`, plus the rounding error; without a bound when `e >= x`.
+//! - for `x / y`: `(e + |x / y| f) / (|y| - f)`, plus the rounding error; there is no bound if `f >= |y|`;
+//! - for `sqrt x`: `e / (sqrt x + sqrt(x - e))`, plus the rounding error; there is no bound if `e >= x`.
 //!
-//! The formulas of `cpu` are generic, so the bound is computed by the code of the formula itself. A comparison whose
-//! operands are closer than their bounds may have another result in f32. It is recorded, and the case is not compared.
-//! The value is computed in f64, whose rounding errors of `2^-53` the factor `SLACK` covers.
+//! The formulas of `cpu` are generic, so the formula's own code computes the bound. If the operands of a comparison are
+//! closer than their bounds, the comparison may have another result in f32. Then the case is marked and not compared.
+//! The value is computed in f64, whose rounding errors of `2^-53` are covered by the factor `SLACK`.
 
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use cpu::internals::math::real::Real;
 
-/// Half a unit in the last place of f32, relative.
+/// Half a unit in the last place of f32, relative to the number: `2^-24`.
 const U: f64 = 1.0 / 16_777_216.0;
 /// Half of the smallest positive f32, `2^-150`: the largest rounding error below the normal numbers.
 const ETA: f64 = f64::from_bits((1023 - 150) << 52);
-/// Covers the rounding errors of the bound and the value, which are computed in f64. It is about 4,500 times the
-/// epsilon of f64.
+/// A factor that covers the rounding errors of the bound and of the value, which are computed in f64. The part above 1
+/// is about 4,500 times the epsilon of f64.
 const SLACK: f64 = 1.0 + 1e-12;
-/// The largest f32. Larger results overflow to infinity.
+/// The largest finite f32. Larger results overflow to infinity.
 const LARGEST: f64 = f32::MAX as f64;
 
 thread_local! {
-    /// Whether a comparison may have another result in f32.
+    /// Whether any comparison since the start of [`observe`] may have another result in f32.
     static UNDECIDED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// A value, and a bound on how far f32 may be from it.
+/// A value in f64, and a bound on its distance from the result in f32.
 #[derive(Clone, Copy, Debug)]
 pub struct Running {
     /// The value in f64.
     pub value: f64,
-    /// The bound; infinite when nothing is known.
+    /// The bound on the distance; infinite if there is no bound.
     pub bound: f64,
 }
 
 impl Running {
-    /// An input that is exact in f32 and in f64.
+    /// Returns an input, which is exact in f32 and in f64.
     #[must_use]
     pub const fn exact(value: f64) -> Self {
         Self { value, bound: 0.0 }
     }
 
-    /// A result in which the errors of the operands cause an error of `carried`, to which the rounding error is added.
+    /// Returns a result with its bound. `carried` bounds the error that comes from the operands; the rounding error is
+    /// added here.
     fn rounded(value: f64, carried: f64) -> Self {
         let largest = value.abs() + carried;
         let bound = (carried + U * largest + ETA) * SLACK;
-        // Without a bound if f32 may overflow, or if a number is NaN: then the comparison is false.
+        // There is no bound if f32 may overflow, or if a number is NaN, for which the comparison is false.
         let known = largest + bound < LARGEST;
         Self { value, bound: if known { bound } else { f64::INFINITY } }
     }
 
-    /// Records whether a comparison of the two may have another result in f32.
+    /// Records whether a comparison of `self` with `other` may have another result in f32.
     fn compare(self, other: Self) {
         let distance = (self.value - other.value).abs();
         let decided = distance > (self.bound + other.bound) * SLACK || self.is_exact() && other.is_exact();
@@ -74,7 +75,7 @@ impl Running {
     }
 }
 
-/// Does `work`. The second result tells whether all its comparisons certainly have these results in f32 too.
+/// Calls `work`. Returns its result, and whether all comparisons in it certainly have the same results in f32.
 pub fn observe<R>(work: impl FnOnce() -> R) -> (R, bool) {
     UNDECIDED.set(false);
     let result = work();
@@ -162,7 +163,7 @@ mod tests {
     use super::*;
     use cpu::internals::sampling::uniform::Uniform;
 
-    /// A formula with every operation, cancellation included.
+    /// A formula that uses every operation, and in which numbers cancel.
     fn formula<T: Real>(x: T, y: T, z: T) -> T {
         ((x * x + y * y - z * z).abs().sqrt() - x * y) / (z + T::of(0.1)) - y
     }

@@ -1,7 +1,8 @@
-//! The folder of the session, which Mesa's drivers look for.
+//! Sets the folder of the user's session, which Mesa's drivers look for.
 
-/// If `XDG_RUNTIME_DIR` is not set, replaces this process by a new start of the program with the variable set. Without
-/// it Mesa writes a warning to standard error before every run. Setting the variable in a running process is unsafe.
+/// Starts the program again with the variable `XDG_RUNTIME_DIR` if that variable is not set; the new start replaces
+/// this process. Without the variable, Mesa writes a warning to standard error before every run. Setting a variable in
+/// a running process is unsafe.
 pub fn ensure_folder() {
     #[cfg(unix)]
     {
@@ -11,8 +12,8 @@ pub fn ensure_folder() {
         use output::{Options, Output};
 
         const NAME: &str = "XDG_RUNTIME_DIR";
-        // If standard output is closed, a new start would hide that, because the standard library then opens /dev/null
-        // in its place.
+        // A new start would hide that standard output is closed, because the standard library opens /dev/null in its
+        // place.
         if Output::open(Path::new("/dev/stdout"), Options::default()).is_err() {
             return;
         }
@@ -21,7 +22,7 @@ pub fn ensure_folder() {
         }
         if let Ok(program) = std::env::current_exe() {
             let mut command = std::process::Command::new(program);
-            // `exec` returns only when it fails. Then the program goes on, and Mesa writes its warning.
+            // `exec` returns only if it fails. Then the program continues, and Mesa writes its warning.
             let _ = command.args(std::env::args_os().skip(1)).env(NAME, std::env::temp_dir()).exec();
         }
     }

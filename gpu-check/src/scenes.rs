@@ -1,5 +1,5 @@
-//! The scenes of which whole pictures are compared: the scenes of the repository, random scenes, and edge cases that
-//! are made to show differences between two implementations.
+//! The scenes for comparing whole pictures: those of the repository, random scenes, and edge cases that show
+//! differences between two implementations.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,22 +10,22 @@ use cpu::{Config, Material, Vec3};
 
 use crate::{Error, special};
 
-/// A scene, how to render it, and its name in messages.
+/// A scene with its configuration and its name.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// Its name in messages: its folder, or what is special about it.
+    /// The name in messages: the folder of the scene, or a description of the edge case.
     pub name: String,
-    /// How to render it.
+    /// The configuration.
     pub config: Config,
-    /// What to render.
+    /// The scene.
     pub scene: Scene,
 }
 
-/// Every scene in `folder`: each subfolder that holds `config.txt` and `scene.txt`, in the order of the names. The list
-/// is empty when `folder` does not exist.
+/// Returns all scenes in `folder`, in the order of their names. A scene is a subfolder with `config.txt` and
+/// `scene.txt`. The list is empty if `folder` does not exist.
 ///
 /// # Errors
-/// [`Error::File`] or [`Error::Scene`] for a scene that cannot be read.
+/// [`Error::File`] or [`Error::Scene`] if a folder or a scene cannot be read.
 pub fn in_folder(folder: &Path) -> Result<Vec<Case>, Error> {
     if !folder.exists() {
         return Ok(Vec::new());
@@ -45,15 +45,15 @@ fn read(folder: &Path) -> Result<Case, Error> {
     Ok(Case { name: format!("{}/{}", parts[1], parts[0]), config, scene })
 }
 
-/// The path of `folder`, which is relative to the root of the repository.
+/// Returns the path of `folder`, which is given relative to the root of the repository.
 #[must_use]
 pub fn repository(folder: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder)
 }
 
 impl Case {
-    /// The case with fewer pixels, if the pixels times the objects were more than `tests`. A pixel counts 100 objects
-    /// more than there are, because it takes time even without objects.
+    /// Returns the case with fewer pixels if its pixels times its objects are more than `tests`. The number of objects
+    /// is increased by 100, because a pixel takes time even without objects.
     #[must_use]
     pub fn within(mut self, tests: usize) -> Self {
         let objects = self.scene.objects.len() + 100;
@@ -66,8 +66,8 @@ impl Case {
     }
 }
 
-/// Scenes in which two implementations that decide differently give different pixels. They have objects of different
-/// materials at one place, a camera inside an object, and rays along an axis and in the plane of a cap.
+/// Returns edge cases: scenes whose pixels differ if two implementations decide differently. They have objects of
+/// different materials at one place, a camera inside an object, and rays along an axis and in the plane of a cap.
 #[must_use]
 pub fn edges() -> Vec<Case> {
     const MATERIALS: &str = "matte: red .9 .1 .2\nmatte: green .1 .8 .3\nmetal: mirror .9 .8 .7 .1\nrefractive: glass 1.5\n\
@@ -96,7 +96,8 @@ pub fn edges() -> Vec<Case> {
         .collect()
 }
 
-/// A random scene with all materials, all shapes and a maximum depth of up to 50. Equal seeds give equal scenes.
+/// Returns a random scene with all materials, all shapes and a maximum depth of up to 50. Equal seeds give equal
+/// scenes.
 #[must_use]
 pub fn random(seed: u64) -> Case {
     let mut draws = Uniform::new(seed);

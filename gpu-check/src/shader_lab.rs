@@ -1,10 +1,10 @@
 //! The parts of the program `shader-lab`, which renders with WGSL modules of the user.
 //!
-//! - [`args`] reads the command line, [`files`] and [`sources`] read the user's files;
+//! - [`args`] reads the command line; [`files`] and [`sources`] read the user's files;
 //! - [`guard`] compiles the modules in a process whose memory and time are limited;
-//! - [`truth`] is the picture by the CPU, computed once for many trials;
-//! - [`trial`] renders with the modules and compares the picture with the CPU's, [`differences`] shows the differences;
-//! - [`view`] shows in false colours what a ray hits, [`pixel`] shows one pixel's path by WGSL and by the CPU;
+//! - [`truth`] holds the picture by the CPU, which is computed once for many trials;
+//! - [`trial`] renders with the modules and compares the picture with the CPU's; [`differences`] draws the differences;
+//! - [`view`] shows in false colours what a ray hits; [`pixel`] prints one pixel's path by WGSL and by the CPU;
 //! - [`watch`] renders again when a file has changed.
 
 pub mod args;
@@ -20,5 +20,5 @@ pub mod truth;
 pub mod view;
 pub mod watch;
 
-/// The module that `--template` writes: a picture of the normals, to be changed.
+/// The text of the module that `--template` writes: it draws a picture of the normals, and the user can change it.
 pub const TEMPLATE: &str = include_str!("../templates/normals.wgsl");

@@ -1,9 +1,10 @@
-//! Numbers and vectors that are hard for floating-point formulas, and random ones of every size.
+//! Numbers and vectors that are hard for floating-point formulas, and random ones of all magnitudes.
 
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
 
-/// Zeros, subnormal, very small and very large numbers of f64 and of f32, ordinary ones, and infinity.
+/// Numbers for edge cases: zeros, subnormal, very small and very large numbers of f64 and of f32, ordinary numbers, and
+/// infinity.
 pub const NUMBERS: [f64; 21] = [
     0.0,
     -0.0,
@@ -28,7 +29,8 @@ pub const NUMBERS: [f64; 21] = [
     f64::INFINITY,
 ];
 
-/// Directions along axes, directions with tiny, huge and very different components, the null vector, and one with NaN.
+/// Directions for edge cases: along axes, with tiny, huge or very different components, the null vector, and one with
+/// NaN.
 pub const DIRECTIONS: [[f64; 3]; 22] = [
     [0.0, 0.0, 1.0],
     [0.0, 0.0, -2.0],
@@ -54,18 +56,18 @@ pub const DIRECTIONS: [[f64; 3]; 22] = [
     [f64::NAN, 1.0, 0.0],
 ];
 
-/// A random number of either sign whose magnitude lies between `10^low` and `10^high`.
+/// Returns a random number of either sign, whose magnitude is between `10^low` and `10^high`.
 pub fn of_any_size(draws: &mut Uniform, low: f64, high: f64) -> f64 {
     let size = 10.0_f64.powf(draws.draw(low, high));
     if draws.canonical() < 0.5 { -size } else { size }
 }
 
-/// A random vector in the cube around the origin with sides of `2 * extent`.
+/// Returns a random vector in the cube around the origin with sides of length `2 * extent`.
 pub fn in_cube(draws: &mut Uniform, extent: f64) -> Vec3 {
     Vec3::from([(); 3].map(|()| draws.draw(-extent, extent)))
 }
 
-/// A random unit vector. About one in seven lies in the xy plane or in the yz plane.
+/// Returns a random unit vector. About one in seven lies in the xy plane or in the yz plane.
 pub fn direction(draws: &mut Uniform) -> Vec3 {
     loop {
         let mut vector = in_cube(draws, 1.0);
@@ -80,23 +82,23 @@ pub fn direction(draws: &mut Uniform) -> Vec3 {
     }
 }
 
-/// A random choice that is true once in `times`.
+/// Returns a random bool that is true with the probability `1 / times`.
 pub fn once_in(draws: &mut Uniform, times: f64) -> bool {
     draws.canonical() * times < 1.0
 }
 
-/// A row of numbers, to which vectors and numbers are added in order.
+/// A row of numbers, to which vectors and numbers are appended.
 #[derive(Debug, Default)]
 pub struct Row(pub Vec<f64>);
 
 impl Row {
-    /// Adds a vector.
+    /// Appends the three components of a vector.
     pub fn vector(&mut self, vector: impl Into<Vec3>) -> &mut Self {
         self.0.extend(vector.into().to_array());
         self
     }
 
-    /// Adds a number.
+    /// Appends a number.
     pub fn number(&mut self, number: f64) -> &mut Self {
         self.0.push(number);
         self

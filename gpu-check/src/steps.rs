@@ -1,4 +1,5 @@
-//! Records a pixel's path through the scene step by step, on a device and in Rust, to find the first difference.
+//! Records a pixel's path step by step, on a device and in Rust, to find the first difference. A step is one ray and
+//! its hit.
 
 use std::marker::PhantomData;
 
@@ -11,7 +12,7 @@ use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::renderer::{BATCH, MAX_ITERATIONS, head};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
-/// Names of a step's numbers, in the order of `kernels/steps.wgsl`.
+/// Names of the numbers of a step (one ray of a path and its hit), in the order of `kernels/steps.wgsl`.
 pub const NAMES: [&str; 21] = [
     "is_hit",
     "lambda",
@@ -36,50 +37,51 @@ pub const NAMES: [&str; 21] = [
     "light.b",
 ];
 
-/// One ray of a path and its hit, as the numbers that [`NAMES`] names.
+/// A step: one ray of a path and its hit. [`NAMES`] has the names of its numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<T>(pub [T; NAMES.len()]);
 
 impl<T: Copy> Step<T> {
-    /// One when the ray hits an object, zero when it escapes to the background, minus one after the end of the path.
+    /// Returns 1 if the ray hits an object, 0 if it escapes to the background, and -1 for steps after the end of the
+    /// path.
     pub const fn is_hit(&self) -> T {
         self.0[0]
     }
 
-    /// The lambda of the hit.
+    /// Returns the lambda of the hit.
     pub const fn lambda(&self) -> T {
         self.0[1]
     }
 
-    /// The object's place in the file.
+    /// Returns the object's index in the scene file.
     pub const fn object(&self) -> T {
         self.0[2]
     }
 
-    /// The part of a cylinder; zero on a sphere.
+    /// Returns the number of the part of a cylinder, or 0 for a sphere.
     pub const fn part(&self) -> T {
         self.0[3]
     }
 
-    /// One when the ray comes from outside the object.
+    /// Returns 1 if the ray comes from outside the object, and otherwise 0.
     pub const fn front(&self) -> T {
         self.0[4]
     }
 
-    /// The normal on the side that the ray comes from.
+    /// Returns the normal on the side from which the ray comes.
     pub const fn normal(&self) -> [T; 3] {
         [self.0[15], self.0[16], self.0[17]]
     }
 }
 
-/// The index of the first number in which two steps differ.
+/// Returns the index of the first number in which two steps differ, or `None` if they are equal.
 #[must_use]
 pub fn first_difference<T: Float>(one: &Step<T>, other: &Step<T>) -> Option<usize> {
     one.0.iter().zip(&other.0).position(|(one, other)| !one.same(*other))
 }
 
 impl<T: Real<Mask = bool>> Picture<T> {
-    /// The steps of the pixel at `index`, computed in Rust. There are as many as the maximum depth.
+    /// Returns the steps of the pixel at `index`, computed in Rust. Their number is the maximum depth.
     #[must_use]
     pub fn steps(&self, index: usize) -> Vec<Step<T>> {
         let (zero, one) = (T::of(0.0), T::of(1.0));
@@ -131,11 +133,11 @@ pub struct Follower<'a, T> {
 }
 
 impl<'a, T: Float> Follower<'a, T> {
-    /// Compiles `kernels/steps` from `library`. It records as many steps as the maximum depth of `features`. `own` are
-    /// the values of constants that a replaced module declares.
+    /// Compiles `kernels/steps` from `library`. The number of recorded steps is the maximum depth of `features`. `own`
+    /// has the names and values of constants that a replaced module declares.
     ///
     /// # Errors
-    /// As [`Pipeline::with_constants`].
+    /// The errors of [`Pipeline::with_constants`].
     pub fn new(gpu: &'a Gpu, library: &Library, features: &Features, own: &[(&str, f64)]) -> Result<Self, Error> {
         let composition = library.compose("kernels/steps", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
@@ -143,10 +145,11 @@ impl<'a, T: Float> Follower<'a, T> {
         Ok(Self { gpu, pipeline, depth: features.max_depth, precision: PhantomData })
     }
 
-    /// Hands the steps of `count` pixels from `first` to `each`, pixel by pixel.
+    /// Records the steps of `count` pixels, from the pixel `first`. Calls `each` with the index and the steps of each
+    /// pixel.
     ///
     /// # Errors
-    /// [`Error::TooManyIterations`] for paths that take more than one run, else as [`Pipeline::run`].
+    /// [`Error::TooManyIterations`] if the paths need more than one run, or the errors of [`Pipeline::run`].
     pub fn follow(
         &self,
         picture: &Picture<T>,
@@ -175,7 +178,7 @@ impl<'a, T: Float> Follower<'a, T> {
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
                 Content::Input(&materials),
-                // The attenuations, pixels and paths, which only `kernels/image` writes.
+                // The attenuations, pixels and paths. Only `kernels/image` writes these buffers.
                 Content::Scratch(0),
                 Content::Scratch(0),
                 Content::Scratch(0),

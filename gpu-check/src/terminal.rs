@@ -1,18 +1,19 @@
-//! Writes the messages of this package's programs to standard output and standard error.
+//! Writes the messages of this package's programs to standard output and to standard error.
 //!
-//! The macros of the standard library panic when a stream cannot be written, and report no error for a closed stream.
+//! This module does not use the macros of the standard library, which panic if a stream cannot be written, and report
+//! no error if a stream is closed.
 
 use std::io::{self, Write};
 use std::path::Path;
 
 use output::{Options, Output};
 
-/// Writes `text` to standard output, with all control characters but its line ends escaped.
+/// Writes `text` to standard output. All control characters except line ends are escaped.
 ///
-/// It is no error if the reader has closed the pipe, as `head` does after ten lines.
+/// A closed pipe is not an error, because programs such as `head` stop reading before the end.
 ///
 /// # Errors
-/// Standard output is closed, full or not writable.
+/// An error if standard output is closed, full or not writable.
 pub fn print(text: &str) -> Result<(), output::Error> {
     let output = Output::open(Path::new("/dev/stdout"), Options::default());
     match output.and_then(|output| output.fill(|file| file.write_all(escaped(text).as_bytes()))) {
@@ -21,13 +22,14 @@ pub fn print(text: &str) -> Result<(), output::Error> {
     }
 }
 
-/// Writes `text` and a line end to standard error, with control characters escaped. An error is ignored, since there is
-/// no other stream to report it to.
+/// Writes `text` and a line end to standard error, with control characters escaped. An error is ignored, because there
+/// is no other stream on which to report it.
 pub fn note(text: &str) {
     let _ = io::stderr().write_all(format!("{}\n", escaped(text)).as_bytes());
 }
 
-/// The text with all control characters escaped but its line ends, so that it cannot command the terminal.
+/// Returns `text` with all control characters except line ends escaped, so that it cannot send commands to the
+/// terminal.
 fn escaped(text: &str) -> String {
     text.split('\n').map(|line| cpu::internals::input::text::escape(line.as_bytes())).collect::<Vec<_>>().join("\n")
 }

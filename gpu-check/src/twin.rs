@@ -1,7 +1,6 @@
-//! The renderer of `shaders/wgsl/trace.wgsl` in Rust, for any number type. With f32 it gives the bits that the f32 port
-//! must give. With [`crate::running::Running`] it tells how far f32 may be from f64 in each pixel.
-//!
-//! It uses the formulas of `cpu`. The f64 port is compared with `cpu::reference` instead, which has its own formulas.
+//! The twin of `shaders/wgsl/trace.wgsl` in Rust: a renderer for any number type. With f32 it gives the bits that the
+//! f32 shader must give. With [`crate::running::Running`] it gives a bound on the difference between f32 and f64 in
+//! each pixel.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
@@ -14,21 +13,21 @@ use cpu::{Ray, Vec3};
 use crate::Picture;
 use crate::picture::Kind;
 
-/// The closest hit so far. Of two hits at the same lambda, the one on the later object of the file counts.
+/// The closest hit found so far. Of two hits at equal lambdas, the hit on the later object of the file counts.
 struct ClosestHit<T> {
     lambda: T,
     order: u32,
     surface: Surface,
 }
 
-/// The surface that a ray hits first.
+/// The surface that a ray hits first, with the hit.
 pub(crate) struct SurfaceHit<T> {
     pub(crate) hit: Hit<T>,
     pub(crate) material: u32,
     pub(crate) lambda: T,
-    /// The object's place in the file.
+    /// The object's index in the scene file.
     pub(crate) order: u32,
-    /// The part of a cylinder, as `cylinder.wgsl` numbers them; zero on a sphere.
+    /// The number of the part of a cylinder, as in `cylinder.wgsl`; 0 for a sphere.
     pub(crate) part: u32,
 }
 
@@ -38,7 +37,7 @@ enum Surface {
 }
 
 impl<T: Real<Mask = bool>> Picture<T> {
-    /// The linear colour of the pixel at `index`.
+    /// Returns the linear colour of the pixel at `index`.
     #[must_use]
     pub fn color(&self, index: usize) -> Vec3<T> {
         let width = self.size.width();
@@ -59,7 +58,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
         Vec3::splat(T::of(0.0))
     }
 
-    /// The ray that the surface scatters.
+    /// Returns the ray that the surface scatters when `ray` hits it.
     pub(crate) fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>) -> Ray<T> {
         let material = self.materials[surface.material as usize];
         let (hit, vector) = (surface.hit, Vec3::splat(T::of(0.0)));
@@ -74,7 +73,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
         Ray { origin: hit.point, direction }
     }
 
-    /// The closest hit of the ray, by a loop over all objects.
+    /// Returns the closest hit of the ray, found by a loop over all objects, or `None` if the ray escapes.
     pub(crate) fn closest_hit(&self, ray: &Ray<T>) -> Option<SurfaceHit<T>> {
         let mut closest = None;
         for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {

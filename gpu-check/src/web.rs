@@ -1,8 +1,8 @@
-//! Serves one page to browsers on this machine: the files of `web/`, and the data that the page fetches.
+//! Serves one page to browsers on this machine: the files of `web/`, and the data that the page loads.
 //!
-//! A page that is opened from a file may not fetch data, and WebGPU needs a trusted origin, which the loopback address
-//! is. The server answers a request and closes its connection. It is not made for the open network. [`request`] reads
-//! requests within limits.
+//! A page that is opened from a file may not load data. WebGPU needs a trusted origin, and the loopback address is one.
+//! The server answers one request on each connection and closes it. The server is not made for an open network.
+//! [`request`] reads requests and limits their size and time.
 
 pub mod data;
 pub mod request;
@@ -20,12 +20,12 @@ use request::{Refusal, Request};
 /// The page's icon.
 const ICON: &str = include_str!("../web/icon.svg");
 
-/// The page's files: path, content type and text.
+/// The page's files: the path of the request, the content type and the text.
 const FILES: [(&str, &str, &str); 9] = [
     ("/", "text/html", include_str!("../web/index.html")),
     ("/?drive", "text/html", include_str!("../web/index.html")),
     ("/icon.svg", "image/svg+xml", ICON),
-    // Browsers request it before they have read which icon the page names.
+    // Browsers request this icon before they have read which icon the page names.
     ("/favicon.ico", "image/svg+xml", ICON),
     ("/lab.css", "text/css", include_str!("../web/lab.css")),
     ("/page.js", "text/javascript", include_str!("../web/page.js")),
@@ -34,25 +34,25 @@ const FILES: [(&str, &str, &str); 9] = [
     ("/drive.js", "text/javascript", include_str!("../web/drive.js")),
 ];
 
-/// Most connections at a time. A browser opens six to one server.
+/// Largest number of connections at a time. A browser opens up to six connections to one server.
 pub const MAX_CONNECTIONS: usize = 32;
 
-/// How long the client may take to accept the next bytes of an answer.
+/// Time limit for the client to accept the next bytes of an answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 
-/// How long the server waits for a resource, such as a free file descriptor, before it accepts again.
+/// Time that the server waits for a resource, such as a free file descriptor, before it accepts connections again.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// The server, bound to its port.
+/// A server that listens at a port.
 #[derive(Debug)]
 pub struct Server {
     listener: TcpListener,
     data: BTreeMap<String, Vec<u8>>,
-    /// Connections being served.
+    /// Number of connections that are being served.
     connections: AtomicUsize,
-    /// Bytes of all bodies that are being received.
+    /// Sum of the lengths of all bodies that are being received, in bytes.
     bodies: AtomicUsize,
-    /// How long a client may take for its whole request, and to accept the next bytes of an answer.
+    /// Two time limits for a client: to send its whole request, and to accept the next bytes of an answer.
     patience: [Duration; 2],
 }
 
@@ -65,11 +65,11 @@ pub struct Posted {
     pub body: Vec<u8>,
 }
 
-/// An amount that is added to a counter, and subtracted when it is dropped.
+/// An amount that has been added to a counter. It is subtracted when this value is dropped.
 struct Share<'a>(&'a AtomicUsize, usize);
 
 impl<'a> Share<'a> {
-    /// Adds `amount` to `counter`, unless the sum would exceed `most`.
+    /// Adds `amount` to `counter`. Returns `None`, and adds nothing, if the sum would exceed `most`.
     fn take(counter: &'a AtomicUsize, amount: usize, most: usize) -> Option<Self> {
         let add = |taken: usize| taken.checked_add(amount).filter(|&sum| sum <= most);
         counter.fetch_update(Ordering::SeqCst, Ordering::SeqCst, add).ok().map(|_| Self(counter, amount))
@@ -83,18 +83,18 @@ impl Drop for Share<'_> {
 }
 
 impl Server {
-    /// A server at `port`, or at any free port if `port` is zero. The keys of `data` are the parts of the path after
-    /// `data/`.
+    /// Returns a server that listens at `port`, or at any free port if `port` is 0. The server answers a request for
+    /// `data/KEY` with the bytes of that key in `data`.
     ///
     /// # Errors
-    /// When the port is in use.
+    /// An error if the port is in use.
     pub fn new(port: u16, data: BTreeMap<String, Vec<u8>>) -> io::Result<Self> {
         let listener = TcpListener::bind(("127.0.0.1", port))?;
         let (connections, bodies) = (AtomicUsize::new(0), AtomicUsize::new(0));
         Ok(Self { listener, data, connections, bodies, patience: [request::MAX_TIME, PATIENCE] })
     }
 
-    /// The address at which the server listens.
+    /// Returns the address at which the server listens.
     ///
     /// # Errors
     /// The error of the system.
@@ -102,11 +102,12 @@ impl Server {
         self.listener.local_addr()
     }
 
-    /// Answers every client, each in a thread of its own, since browsers open connections that they may use later.
-    /// `take` is called with each result that the page sends.
+    /// Answers every client in its own thread, because browsers open connections that they may use only later. Calls
+    /// `take` with each result that the page sends.
     ///
     /// # Errors
-    /// When accepting connections fails for good, and not only for a while as when file descriptors are short.
+    /// An error if the system can accept no more connections. A temporary error, such as too few file descriptors, is
+    /// not returned.
     pub fn serve(self, take: impl Fn(Posted) + Send + Sync + 'static) -> io::Result<Infallible> {
         let shared = Arc::new((self, take));
         loop {
@@ -128,18 +129,18 @@ impl Server {
             let talk = move || {
                 let (server, take) = &*connection;
                 let _share = Share(&server.connections, 1);
-                // An error means that the client has closed the connection, so it cannot be reported to it.
+                // An error is ignored: it means that the client has closed the connection.
                 drop(server.talk(&stream, take));
             };
             if std::thread::Builder::new().name("connection".to_owned()).spawn(talk).is_err() {
-                // Without a thread the connection is closed, and the client may try again.
+                // If no thread could be started, the connection is closed, and the client may try again.
                 shared.0.connections.fetch_sub(1, Ordering::SeqCst);
             }
         }
     }
 
-    /// Answers one request. A posted result is handed to `take` before the answer, so that the page's results arrive in
-    /// order.
+    /// Answers one request. If it posts a result, calls `take` before the answer, so that the results of a page arrive
+    /// in order.
     fn talk(&self, stream: &TcpStream, take: impl Fn(Posted)) -> io::Result<()> {
         let mut share = None;
         let reserve = |length| {
@@ -171,8 +172,8 @@ impl Server {
     }
 }
 
-/// Whether accepting connections may work again later: a client closed its connection, or file descriptors or memory
-/// are short.
+/// Whether the error is temporary, so that accepting connections may work again: a client closed its connection, or
+/// file descriptors or memory are short.
 fn may_pass(error: &io::Error) -> bool {
     #[cfg(unix)]
     {
@@ -198,7 +199,7 @@ fn respond(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8]) -> io:
     stream.write_all(body)
 }
 
-/// Reads what a refused client still sends, for a moment. If the connection were closed at once, the client might lose
+/// Reads for a moment what a refused client still sends. If the connection were closed at once, the client might lose
 /// the answer.
 fn drain(mut stream: &TcpStream) -> io::Result<()> {
     stream.shutdown(Shutdown::Write)?;

@@ -1,8 +1,9 @@
-//! Compares the f32 shader by a second compiler, headless Chromium's Tint on SwiftShader, with lavapipe and Rust.
+//! Compares the f32 shader in a browser with lavapipe and Rust. The browser is headless Chromium, with the compiler
+//! Tint and the driver SwiftShader.
 //!
-//! The page is driven by `web/drive.js`, which does what a user would do and posts each result to the server here.
+//! The script `web/drive.js` operates the page as a user would, and posts each result to the server of this test.
 //! `tests/run --browser` installs Chromium. Without Chromium the test is shown as ignored. If the variable `SCREENSHOT`
-//! has the name of a file, relative to the project's folder, the test writes a picture of the page there.
+//! has the path of a file, relative to the project's folder, the test writes a picture of the page there.
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
@@ -21,7 +22,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use shaders::Library;
 use test_support::folder::Folder;
 
-/// How long the page may take for its next result.
+/// Time limit for the next result of the page.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 const SCENE: &str = "matte: grey .5 .5 .5\nmetal: mirror .9 .9 .9 0\nrefractive: glass 1.5\n\
@@ -39,7 +40,8 @@ fn main() -> ExitCode {
     libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
 }
 
-/// The browser: the file that `CHROMIUM` names, or the first file in the path with one of the usual names.
+/// Returns the path of the browser: the file that the variable `CHROMIUM` names, or the first file with a usual name in
+/// the folders of `PATH`. Returns `None` if there is no browser.
 fn chromium() -> Option<PathBuf> {
     if let Some(path) = std::env::var_os("CHROMIUM") {
         return Some(path.into());
@@ -49,7 +51,7 @@ fn chromium() -> Option<PathBuf> {
     names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|path| path.is_file())
 }
 
-/// A browser, which is killed when the value is dropped.
+/// A running browser. It is killed when this value is dropped.
 struct Browser(Child);
 
 impl Drop for Browser {
@@ -65,18 +67,18 @@ fn open(chromium: &Path, profile: &Path, more: &[String], url: &str) -> std::io:
     command.args(["--headless", "--enable-unsafe-webgpu", "--no-sandbox", "--disable-quic", "--no-first-run"]);
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
     command.arg(format!("--user-data-dir={}", profile.display()));
-    // Its messages must not appear among the test's.
+    // The browser's messages must not appear between those of the test.
     let child = command.arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn()?;
     Ok(Browser(child))
 }
 
-/// All results that the page posts until it is done, by name.
+/// Starts the browser, and returns all results that the page posts until it is finished, by name.
 fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
     let profile = Folder::new();
     let address = server.address()?;
     let browser = open(chromium, profile.path(), &[], &format!("http://{address}/?drive"))?;
     let (sender, receiver) = mpsc::channel();
-    // The thread ends with the process. Results after the last one are dropped.
+    // The thread runs until the process ends. Results after the last one are ignored.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
     let mut results = BTreeMap::new();
     loop {
@@ -95,9 +97,9 @@ fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>,
     Ok(results)
 }
 
-/// Drives the page once more and writes a picture of it. The browser takes the picture when everything is loaded, but
-/// the page is loaded before it has calculated anything. So the page is put in a frame beside an image. This test sends
-/// the image only when `posted` says that the page is done.
+/// Starts the browser once more, and writes a picture of the finished page. The browser takes the picture when
+/// everything is loaded, but the page counts as loaded before it has calculated anything. So the page is in a frame
+/// beside an image, and this test sends the image only after `posted` tells that the page is finished.
 fn photograph(chromium: &Path, address: SocketAddr, posted: &Receiver<Posted>, picture: &str) -> Result<(), Failed> {
     let frame = format!(
         "<!doctype html><style>body{{margin:0}}iframe{{border:0;width:100vw;height:100vh}}img{{display:none}}</style>\
@@ -132,7 +134,7 @@ fn drive(chromium: &Path) -> Result<(), Failed> {
     println!("native: {gpu}");
     let (config, scene) = match std::env::var_os("SCREENSHOT") {
         None => (Config { image_width: 64, ..Config::default() }, Scene::parse(SCENE.as_bytes())?),
-        // A scene that is worth a picture.
+        // A picture was asked for, so this is a scene that is worth looking at.
         Some(_) => {
             let config = Config::read(&repository("scenes/materials/config.txt"))?;
             (Config { image_width: 300, ..config }, Scene::read(&repository("scenes/materials/scene.txt"))?)
@@ -153,8 +155,8 @@ fn floats(bytes: &[u8]) -> Result<Vec<f32>, Failed> {
     Ok(bytemuck::pod_collect_to_vec(bytes))
 }
 
-/// Checks Tint's results of every kernel. Each row must be as in Rust's f32 and on lavapipe, or else as in f32 without
-/// subnormal numbers, which WGSL allows.
+/// Checks the results of every kernel compiled by Tint. Each row must be equal to Rust's f32 and to lavapipe, or to f32
+/// without subnormal numbers, which WGSL allows.
 fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
     let (mut compared, mut flushed) = (0, 0);
     let mut faults = Vec::new();
@@ -203,8 +205,8 @@ fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed
     if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
 }
 
-/// Checks that the page shows the native picture's bits, follows an edit, and keeps the last good picture beside an
-/// error.
+/// Checks three things of the page: its picture has the bits of the native picture, an edit changes the picture, and an
+/// error leaves the last good picture.
 fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed> {
     let differing = |name: &str| -> Result<usize, Failed> {
         let here = floats(&results[name])?;
@@ -218,7 +220,8 @@ fn page(native: &[f32], results: &BTreeMap<String, Vec<u8>>) -> Result<(), Faile
     assert!(results["shown"].chunks(4).any(|pixel| pixel[..3] != [0; 3]), "the canvas shows something");
     let error = String::from_utf8_lossy(&results["error"]);
     println!("{error}");
-    // The columns of the page's table: formula, cases, cases as in f32, cases as in flushed f32, other cases.
+    // The columns of the page's table: formula, number of cases, of those equal to f32, of those equal to flushed f32,
+    // and of all others.
     let table = String::from_utf8_lossy(&results["table"]);
     let rows: Vec<Vec<String>> = table
         .trim_matches(['[', ']', '"'])

@@ -1,4 +1,4 @@
-//! The device: the message when there is none, its faults as errors, and how its driver rewrites formulas.
+//! Tests of the device: the message if there is none, its faults as errors, and the rewritings of its driver.
 
 mod common;
 
@@ -13,7 +13,8 @@ fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
     (kernel, check::compile::<f64>(gpu, &Library::standard(), kernel).unwrap_or_else(|error| panic!("{error}")))
 }
 
-/// Runs the test of this name in this file with these environment variables. Returns whether it passes, and its output.
+/// Runs the test `name` of this file in a new process, with these environment variables. Returns whether it passes, and
+/// its output.
 fn test_with(name: &str, variables: &[(&str, &str)]) -> (bool, String) {
     let program = std::env::current_exe().expect("a test knows its own name");
     let output = Command::new(program)
@@ -106,14 +107,14 @@ fn keeps_the_barrier<T: Float>(gpu: &Gpu) {
     println!("{}: {rewrites}", T::PRECISION);
     rewrites::require_barrier::<T>(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
 
-    // A check of the self-test: without the barrier, a driver that cancels terms must fail it.
+    // This checks the self-test: without the barrier, a driver that cancels terms must fail it.
     let mut without = Library::standard();
     let source = without.source("exact").expect("it exists").replace("a * one + b", "a + b");
     without.replace("exact", "without barrier", source).expect("it exists");
     let passes = rewrites::require_barrier::<T>(gpu, &without).is_ok();
     assert_eq!(passes, !rewrites.cancels_terms, "{rewrites}");
     if gpu.is_lavapipe() {
-        // When a new version of Mesa or naga stops rewriting, this fails, and docs/gpu.md must be changed.
+        // This fails if a new version of Mesa or naga stops rewriting. Then docs/gpu.md must be changed.
         let expected = rewrites::Rewrites {
             cancels_terms: true,
             factors_out: true,

@@ -1,4 +1,4 @@
-//! `shader-lab --serve` without a free file descriptor: it waits, and answers once descriptors are free again.
+//! Tests `shader-lab --serve` without a free file descriptor: it waits, and answers when descriptors are free again.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -10,10 +10,10 @@ use std::time::{Duration, Instant};
 use gpu_check::scenes::repository;
 use test_support::folder::Folder;
 
-/// How long the program may take on a busy machine.
+/// Time limit for the program, long enough for a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A server, which is killed when the value is dropped, and its address.
+/// A running server and its address. It is killed when this value is dropped.
 struct Server(Child, String);
 
 impl Server {
@@ -32,7 +32,7 @@ impl Server {
         Self(child, address)
     }
 
-    /// Number of file descriptors that the process has open.
+    /// Returns the number of file descriptors that the process has open.
     fn descriptors(&self) -> usize {
         fs::read_dir(format!("/proc/{}/fd", self.0.id())).expect("it runs").count()
     }
@@ -67,7 +67,7 @@ fn answer(mut stream: TcpStream) -> String {
 fn a_server_without_a_free_descriptor_answers_once_there_is_one() {
     let mut server = Server::start();
     assert!(answer(server.ask()).starts_with("HTTP/1.1 200"));
-    // Fewer free descriptors than the connections that the server accepts at a time.
+    // Leaves fewer free descriptors than the number of connections that the server accepts at a time.
     let most = server.descriptors() + 5;
     let process = server.0.id().to_string();
     let limited = Command::new("prlimit").args(["--pid", &process, &format!("--nofile={most}")]).status();
@@ -80,7 +80,7 @@ fn a_server_without_a_free_descriptor_answers_once_there_is_one() {
         std::thread::sleep(Duration::from_millis(5));
     }
     let waiting = server.ask();
-    // Long enough for the server to try several times to accept the connection.
+    // The server tries several times in this time to accept the connection.
     std::thread::sleep(Duration::from_millis(300));
     assert_eq!(server.0.try_wait().expect("it can be asked"), None, "it goes on");
     waiting.set_nonblocking(true).expect("it is open");

@@ -1,4 +1,5 @@
-//! A pipeline specialised to its scene gives the bits of the general one. The test also prints how much faster it is.
+//! Tests that a pipeline specialised to its scene gives the bits of the general pipeline. The last test prints the
+//! times of both.
 
 mod common;
 
@@ -9,15 +10,15 @@ use gpu_check::scenes::{self, Case};
 use gpu_check::{Float, Gpu, Picture, Renderer, features_of};
 use shaders::{Features, Library};
 
-/// Random scenes that are compared, besides the repository's scenes and the edge cases.
+/// Number of random scenes that are compared, in addition to the repository's scenes and the edge cases.
 const RANDOM_SCENES: u64 = 12;
-/// Limit on the pixels times the objects of one picture; see [`Case::within`].
+/// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 1_000_000;
 
 fn render<T: Float>(gpu: &Gpu, case: &Case, features: &Features) -> (Vec<cpu::Vec3<T>>, Duration) {
     let rendering = Renderer::<T>::new(gpu, &Library::standard(), features).and_then(|renderer| {
         let picture = Picture::new(&case.config, &case.scene)?;
-        // The first rendering is not timed.
+        // The first rendering is not measured.
         renderer.render(&picture)?;
         renderer.render(&picture)
     });
@@ -55,7 +56,8 @@ fn specialised_pipelines_give_the_bits_of_general_ones_in_f32() {
     specialised_pipelines_give_the_same_bits::<f32>(&common::gpu());
 }
 
-/// A scene of 200 objects of one shape and material, in which the code for the others costs most.
+/// Returns a scene of 200 objects of one shape and one material, for which the code of other shapes and materials costs
+/// most.
 fn crowd(name: &str, line: &str) -> Case {
     let mut text = "matte: m .8 .8 .8\nmetal: n .9 .9 .9 0\nrefractive: o 1.5\n".to_owned();
     for number in 0..200 {

@@ -1,5 +1,5 @@
-//! Compares whole pictures in deterministic mode, in WGSL and in Rust: every scene of the repository, random scenes,
-//! and edge cases.
+//! Compares whole pictures in WGSL with pictures in Rust, in deterministic mode: every scene of the repository, random
+//! scenes, and edge cases.
 
 mod common;
 
@@ -13,10 +13,10 @@ use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
 const RANDOM_SCENES: u64 = 60;
-/// Limit on the pixels times the objects of one picture; see [`Case::within`].
+/// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 15_000_000;
 
-/// All cases, and how many of them come from the repository.
+/// Returns all cases, and the number of cases that come from the repository.
 fn cases() -> (Vec<Case>, usize) {
     let mut cases = Vec::new();
     for folder in ["tests/cases", "scenes"] {
@@ -46,7 +46,7 @@ fn by_reference(case: &Case) -> Vec<Vec3> {
     means
 }
 
-/// Writes both pictures and their difference to a file, and returns a message that names it.
+/// Writes both pictures and their difference into one file, and returns a message that names the file.
 fn show<A: Float, B: Float>(case: &Case, rendering: &Rendering<A>, other: &[Vec3<B>]) -> String {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("differences");
     let name = format!("{} {}", case.name, A::PRECISION);
@@ -104,7 +104,7 @@ fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
     assert!(all.overall.rmse < 0.02, "the pictures are alike: {all}");
 }
 
-/// Renders as [`on_device`] does, with at most `surfaces` hits of a path in each run.
+/// Renders as [`on_device`] does, but a path hits at most `surfaces` surfaces in each run.
 fn in_steps_of(surfaces: u32, gpu: &Gpu, case: &Case) -> Result<Rendering<f64>, gpu_check::Error> {
     let features = features_of(&case.config, &case.scene)?;
     let renderer = Renderer::<f64>::new(gpu, &Library::standard(), &features)?.in_steps_of(surfaces);
@@ -131,7 +131,7 @@ fn a_long_path_in_several_runs_gives_the_reference_to_the_bit() {
 #[test]
 fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() {
     let gpu = common::gpu();
-    // The last of 66,000 spheres is the one in front of the camera.
+    // Only the last of 66,000 spheres is in front of the camera.
     let behind = "sphere: 0 0 -900 1 red
 "
     .repeat(66_000);
@@ -158,27 +158,27 @@ fn more_objects_than_a_loop_may_pass_are_refused_and_lavapipe_would_lose_them() 
     );
 
     if gpu.is_lavapipe() {
-        // When a new version of Mesa runs loops to their end, this fails, and docs/gpu.md must be changed.
+        // This fails if a new version of Mesa runs loops to their end. Then docs/gpu.md must be changed.
         let lost = in_steps_of(1, &gpu, &case).unwrap_or_else(|error| panic!("{error}"));
         let found = difference(&lost.pixels, &by_reference(&case));
         assert!(found.differing > 0, "lavapipe renders the last of 66,001 objects: {found}");
     }
 }
 
-/// Why f32 pixels differ from f64 ones.
+/// Numbers of pixels by the reason why their f32 colour differs from the f64 colour.
 #[derive(Default)]
 struct Reasons {
     overall: Difference,
-    /// Pixels whose difference is zero, or within the bound on the rounding errors along the path.
+    /// Number of pixels whose difference is 0, or within the bound on the rounding errors along the path.
     rounding: usize,
-    /// Pixels for which there is no bound. The ray may pass so near an edge, a tangent, a critical angle or its own
-    /// origin that f32 may decide otherwise. Or the error has grown without bound from bounce to bounce.
+    /// Number of pixels without a bound. The ray may pass so near an edge, a tangent, a critical angle or its own
+    /// origin that f32 may decide differently. Or the error has grown without bound from bounce to bounce.
     undecided: usize,
-    /// Pixels whose difference exceeds the bound: a fault.
+    /// Number of pixels whose difference exceeds the bound, which is an error.
     unexplained: usize,
-    /// The largest difference of the pixels that have a bound.
+    /// The largest difference of the pixels with a bound.
     largest: f64,
-    /// Pixels that are more than a step of a byte apart.
+    /// Number of pixels whose difference is more than one step of a byte.
     visible: usize,
 }
 

@@ -1,4 +1,5 @@
-//! Compares every formula in WGSL with its twin in `cpu`, bit by bit, on a million random cases and the edge cases.
+//! Compares every formula in WGSL with its twin in `cpu`, bit by bit, for a million random cases and for the edge
+//! cases.
 
 mod common;
 
@@ -11,7 +12,7 @@ use shaders::Library;
 const RANDOM_CASES: usize = 1 << 20;
 const FEWEST_EDGES: usize = 400;
 
-/// Compares the results of edge cases and random cases, and returns how many numbers were compared.
+/// Compares the results of edge cases and random cases. Returns the number of compared results.
 fn gives_the_bits_of_cpu<T: Float>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, Error> {
     let pipeline = compile::<T>(gpu, &Library::standard(), kernel)?;
     let (edges, random) = (kernel.edge_cases::<T>(), kernel.random_cases::<T>(RANDOM_CASES, 42));
@@ -77,7 +78,7 @@ fn f32_is_within_its_bound_of_f64() {
         assert!(found.decided > RANDOM_CASES / 2, "too few: {} {found}", kernel.module);
         assert!(found.compared > found.decided && found.closest > 0.1, "too large a bound: {} {found}", kernel.module);
 
-        // A check of the bound: results that are a little too large must be beyond it.
+        // This checks the bound itself: results that are slightly too large must exceed it.
         let wrong: Vec<_> = results.iter().map(|number| number * 1.001 + 0.001).collect();
         let noticed = spread(kernel, &cases, &wrong).beyond;
         assert!(noticed > RANDOM_CASES / 2, "{} notices {noticed}", kernel.module);

@@ -1,5 +1,5 @@
-//! The limits on memory and time for compiling and running a shader. Each limit ends the work when its value is small,
-//! and does not when it is larger. No times are asserted, only which limit ends the work.
+//! Tests of the limits on memory and time for compiling and running a shader. A small limit must end the work, and a
+//! larger one must not. The tests check only which limit ends the work, and no times.
 
 mod common;
 
@@ -16,7 +16,8 @@ fn check(limits: Limits, text: String) -> Result<(), Error> {
     check_within(program, limits, &Composition::of_text(text, Precision::F32), &[])
 }
 
-/// A kernel that computes a number for each invocation. `before` is put before the function, `body` into it.
+/// Returns a kernel that computes a number for each invocation. `before` is the text before its function, and `body` a
+/// part of the function's text.
 fn kernel(before: &str, body: &str) -> String {
     format!(
         "@group(0) @binding(0) var<storage, read_write> numbers: array<f32>;\n{before}\n\
@@ -25,7 +26,8 @@ fn kernel(before: &str, body: &str) -> String {
     )
 }
 
-/// A kernel that makes naga hold and compare `count` elements of some 16 bytes each. naga refuses the comparison.
+/// Returns a kernel that makes naga store and compare `count` elements of about 16 bytes each. naga refuses the
+/// comparison.
 fn many_elements(count: usize) -> String {
     kernel(&format!("const many = array<i32, {count}>();\nconst_assert many == many;"), "")
 }
@@ -42,13 +44,14 @@ fn compiling_ends_at_the_limit_on_memory() {
     let text = || many_elements(20_000_000);
     let limits = |memory: u64| Limits { memory: memory << 20, ..Limits::STANDARD };
     assert_ended(check(limits(384), text()), "at most 384 MiB of memory");
-    // naga refuses the text here too, but that is no error of this process: the text is compiled again to report it.
+    // naga refuses this text too, but `check` returns no error for that: the caller compiles the text again to report
+    // it.
     check(limits(2048), text()).expect("this is enough");
 }
 
 #[test]
 fn compiling_ends_at_the_limit_on_processor_time_in_the_driver_too() {
-    // One long chain: the driver takes several seconds, and little memory.
+    // One long chain of operations, for which the driver needs several seconds and little memory.
     let slow = kernel("", &"x = sqrt(x * x + sin(x) / (x + 1.5));\n".repeat(2_900));
     assert_ended(check(Limits { seconds: 1, ..Limits::STANDARD }, slow), "ended by signal");
     check(Limits { seconds: 1, ..Limits::STANDARD }, kernel("", "x = sqrt(x);")).expect("this is quick");

@@ -1,5 +1,5 @@
-//! Runs `shader-lab` with more and more address space. While that is too little, the program must end with a message
-//! and status 2, and not by a panic or a signal.
+//! Runs `shader-lab` with more and more address space. As long as that is too little, the program must end with a
+//! message and status 2, and not by a panic or a signal.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -9,7 +9,8 @@ use gpu_check::scenes::repository;
 use gpu_check::shader_lab::TEMPLATE;
 use test_support::folder::Folder;
 
-/// Least address space with which the system's loader can start the program, in kB as the other constants.
+/// Smallest address space in kB with which the system's loader can start the program. The constants below are in kB
+/// too.
 const LEAST: usize = 40_000;
 const STEP: usize = 25_000;
 const MOST: usize = 4_000_000;

@@ -1,4 +1,5 @@
-//! A test of the checks: they notice every fault that is put into the WGSL, and none where there is no fault.
+//! Tests the checks themselves: they must notice every deliberate error in the WGSL, and report nothing if there is
+//! none.
 
 mod common;
 

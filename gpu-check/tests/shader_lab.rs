@@ -104,7 +104,7 @@ fn an_unknown_module_is_shown_with_its_place_and_all_known_ones() {
     assert!(message.ends_with(shown), "{message}");
     assert!(MODULES.iter().all(|module| message.contains(module.name)), "{message}");
 
-    // If the unknown name is the file's, there is no line to show.
+    // If the unknown name is the name of the file, there is no line to show.
     fs::write(folder.file("torus.wgsl"), "fn f() {}\n").expect("the folder is writable");
     let message = fault(folder.path(), "torus.wgsl");
     assert!(message.starts_with("Error: torus.wgsl: no module is called [torus], as the file is; "), "{message}");
@@ -190,7 +190,7 @@ fn a_dash_is_standard_input_and_output() {
     report(folder.path(), "my.wgsl");
     let piped = command(folder.path(), "-");
     let arguments: Vec<_> = piped.get_args().map(ToOwned::to_owned).collect();
-    // The last argument is OUT.
+    // The last argument is the path OUT.
     let (out, arguments) = arguments.split_last().expect("there are some");
     assert_eq!(out, "out.png");
     let module = fs::File::open(folder.file("my.wgsl")).expect("it was written");
@@ -221,7 +221,7 @@ fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
     let folder = Folder::new();
     fs::write(folder.file("background.wgsl"), standard("background")).expect("the folder is writable");
     let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-    // The scene of scenes/ten-thousand with fewer pixels. Each run is as long as one of the whole picture.
+    // The scene of scenes/ten-thousand with fewer pixels. Each run takes as long as a run of the whole picture.
     fs::write(
         folder.file("few"),
         fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("there") + "image_width: 64\n",

@@ -11,7 +11,8 @@ use stability::run;
 
 const SEED: u64 = 5;
 const RAYS: usize = 20_000;
-/// Regimes in which no ray starts on its sphere, or so near that lambda may be too small to be in range.
+/// Names of the regimes in which no ray starts on its sphere, or so near to it that lambda may be too small to be in
+/// range.
 const OFF_THE_SURFACE: [&str; 5] =
     ["ordinary", "far and small", "grazing", "tangent to the last bit", "direction lengths"];
 
@@ -41,7 +42,7 @@ fn answers_of_wgsl_to_hard_rays_have_the_bits_of_rust() {
             let cases = regime.cases(SEED, RAYS);
             let (wgsl, rust) = (answers(method.as_ref(), &cases), answers(twin.as_ref(), &cases));
             assert_eq!(wgsl.len(), RAYS);
-            // Equal numbers have equal bits, except zeros of different sign, which tests/kernels.rs compares.
+            // Equal numbers have equal bits, except zeros of different signs, which tests/kernels.rs compares.
             let parted = wgsl.iter().zip(&rust).filter(|(wgsl, rust)| wgsl != rust).count();
             assert_eq!(parted, 0, "{name}, {}", regime.name);
             hits += wgsl.iter().flatten().count();

@@ -1,4 +1,4 @@
-//! Runs the program `stress` as a user does: its help, and that it writes only into the given folder.
+//! Runs the program `stress` as a user does. Checks its help, and that it writes only into the given folder.
 
 mod common;
 

@@ -1,4 +1,4 @@
-//! Renders with the user's own WGSL modules, and reports how far the picture is from the one by the CPU.
+//! Renders with the user's own WGSL modules, and reports the difference between that picture and the CPU's picture.
 
 use std::convert::Infallible;
 use std::ffi::OsStr;
@@ -13,22 +13,23 @@ use gpu_check::web::{Server, data};
 use gpu_check::{Error, Gpu, terminal};
 use output::{Options, Output, stop};
 
-/// Exit status with `--check` for a picture that differs; `diff` and `render-lab` have it too.
+/// Exit status with `--check` if the picture differs from the CPU's, as for `diff` and `render-lab`.
 const DIFFERS: u8 = 1;
 /// Exit status for an error.
 const TROUBLE: u8 = 2;
-/// Exit status for a panic, as the standard library has it. By it [`guard::check`] tells a panic from an error message.
+/// Exit status of a panic, the same as that of the standard library. [`guard::check`] uses it to distinguish a panic
+/// from an error message.
 const PANICKED: u8 = 101;
 
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
-    // From here on a signal that ends the process leaves no temporary file.
+    // From here on, a signal that ends the process first removes the temporary files.
     stop::remove_temporary_when_stopped();
-    // naga, wgpu and drivers read nested text by recursion, and the stack of the main thread may be too small for that.
+    // naga, wgpu and drivers read nested text by recursion. The stack of the main thread may be too small for that.
     let thread = std::thread::Builder::new().name("lab".to_owned()).stack_size(shaders::limits::STACK_BYTES);
     match thread.spawn(run).map(std::thread::JoinHandle::join) {
         Ok(Ok(status)) => status,
-        // The panic has written its message already.
+        // The thread panicked, and the panic has printed its message.
         Ok(Err(_)) => ExitCode::from(PANICKED),
         Err(cause) => failed(&format!("no thread with a stack of {} bytes: {cause}", shaders::limits::STACK_BYTES)),
     }
@@ -55,7 +56,7 @@ fn run() -> ExitCode {
         },
         Command::Render(options) => {
             let (watch, check) = (options.watch, options.check);
-            // When the picture goes to standard output, the report goes to standard error.
+            // If the picture goes to standard output, the report goes to standard error.
             let is_output_taken = [OsStr::new("-"), OsStr::new(STANDARD_OUTPUT)].contains(&options.out.as_os_str());
             let said = move |text: &str| {
                 if is_output_taken {
@@ -115,7 +116,7 @@ fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     let server = Server::new(port, data).map_err(at_port)?;
     let address = server.address().map_err(at_port)?;
     said(&format!("http://{address}/ for a browser with WebGPU; on Linux: chromium --enable-unsafe-webgpu\n"));
-    // Only the page of a test sends results, so they are dropped.
+    // Only the page of a test sends results, so this server ignores them.
     server.serve(drop).map_err(at_port)
 }
 

@@ -1,4 +1,4 @@
-//! Sums with their rounding error, behind the barrier against rewriting.
+//! Sums with their rounding errors, computed with the barrier against rewriting.
 
 use cpu::internals::math::real::Real;
 use cpu::internals::sampling::uniform::Uniform;
@@ -8,8 +8,9 @@ use crate::special::{self, NUMBERS, Row};
 
 pub enum Barrier {}
 
-/// The rounded sum of two numbers and its error: `sum + error` is exactly `a + b`, unless the sum overflows (Knuth,
-/// TAOCP 4.2.2, theorem B). Rust does not rewrite floating-point operations, so it needs no barrier.
+/// Returns the rounded sum of two numbers and its rounding error. `sum + error` is exactly `a + b`, unless the sum
+/// overflows (Knuth, TAOCP 4.2.2, theorem B). Rust does not rewrite floating-point operations, so this function needs
+/// no barrier.
 pub fn two_sum<T: Real>(a: T, b: T) -> (T, T) {
     let sum = a + b;
     let b_part = sum - a;
@@ -23,7 +24,7 @@ impl Formula for Barrier {
     const OUTPUTS: &'static [&'static str] = &["sum", "error"];
 
     fn evaluate<T: Real<Mask = bool>>(case: &[T], result: &mut [T]) {
-        // The third number is the barrier, one in every case.
+        // The third input is the barrier, which is 1 in every case.
         let mut case = Reader(case);
         let (sum, error) = two_sum(case.number(), case.number());
         result.copy_from_slice(&[sum, error]);

@@ -52,7 +52,8 @@ impl Formula for CameraRay {
             ..Config::default()
         };
         let size = config.image_size().expect("the width is small");
-        // A random north is almost never parallel to the view, which makes no window. Then any camera will do.
+        // If the random north is parallel to the view, which is very rare, there is no window. Then any camera can be
+        // used.
         let camera = Camera::new(&config, size).unwrap_or(Camera {
             position: Vec3::ZERO,
             origin: Vec3::ONE,

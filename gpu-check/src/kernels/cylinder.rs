@@ -1,4 +1,4 @@
-//! Ray against closed cylinder: its side and both caps.
+//! The intersection of a ray with a closed cylinder: its side and both caps.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderRecord;
@@ -12,7 +12,7 @@ use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 pub enum Cylinder {}
 
-/// Origins of rays around an upright cylinder of radius 1 and height 4.
+/// Origins of rays, relative to an upright cylinder of radius 1 and height 4.
 const ORIGINS: [[f64; 3]; 25] = [
     [0.0, 0.0, 0.0],  // at the centre
     [0.0, 0.0, -3.0], // beside, before and behind
@@ -42,7 +42,7 @@ const ORIGINS: [[f64; 3]; 25] = [
 ];
 
 const CENTERS: [[f64; 3]; 3] = [[0.0; 3], [1.0, -2.0, 0.5], [1e-40, 1e6, 0.1]];
-/// Axes, whose lengths are the heights of the cylinders.
+/// Axes of cylinders. The length of an axis is the height of the cylinder.
 const AXES: [[f64; 3]; 10] = [
     [0.0, 4.0, 0.0],
     [0.0, -4.0, 0.0],
@@ -106,8 +106,8 @@ impl Formula for Cylinder {
         let (radius, height) = (size * draws.draw(0.1, 3.0), size * draws.draw(0.1, 6.0));
         let center = special::in_cube(draws, 10.0 * size);
         let axis = special::direction(draws);
-        // The ray aims at a point on the side, on a cap, on a rim or inside. `out` and `along` are its distances from
-        // the axis and the centre, in radii and heights.
+        // The ray aims at a point on the side, on a cap, on a rim or inside. `out` is that point's distance from the
+        // axis in radii, and `along` its distance from the centre in heights.
         let across = special::direction(draws).perpendicular_to(axis);
         let across = across / across.length().max(1e-9);
         let place = draws.canonical();

@@ -1,4 +1,5 @@
-//! Ray against sphere and cylinder in the projected form, with the cases of the plain formulas.
+//! The intersection of a ray with a sphere and with a cylinder in the projected form, for the cases of the plain
+//! formulas.
 
 use cpu::Ray;
 use cpu::internals::Hit;

@@ -1,4 +1,4 @@
-//! How surfaces scatter rays: matte, reflection, metal and refraction.
+//! The directions in which surfaces scatter rays: matte, reflection, metal and refraction.
 
 use cpu::Vec3;
 use cpu::internals::materials::{reflection, refraction, scatter};
@@ -17,7 +17,7 @@ pub enum Refraction {}
 
 const VECTOR: &[&str] = &["x", "y", "z"];
 
-/// Normals of length one, others of a cylinder's radius, tiny ones and huge ones.
+/// Normals for edge cases: of length 1, of the length of a cylinder's radius, tiny ones and huge ones.
 const NORMALS: [[f64; 3]; 10] = [
     [0.0, 1.0, 0.0],
     [0.0, -1.0, 0.0],
@@ -31,7 +31,7 @@ const NORMALS: [[f64; 3]; 10] = [
     [0.0, 1e160, 0.0],
 ];
 
-/// A random normal: of length one, or, as on the side of a cylinder, of any length.
+/// Returns a random normal. Its length is 1, or any length, as on the side of a cylinder.
 fn normal(draws: &mut Uniform) -> Vec3 {
     let length = if special::once_in(draws, 3.0) { special::of_any_size(draws, -3.0, 3.0).abs() } else { 1.0 };
     special::direction(draws) * length
@@ -53,7 +53,8 @@ impl Formula for Matte {
             for vector in DIRECTIONS.into_iter().chain(NORMALS) {
                 rows.vector(normal).vector(vector);
             }
-            // Sums just below and above 1e-8 in each component. Below that, the scattered direction is the normal.
+            // Sums of the normal and the random vector just below and above 1e-8 in each component. Below 1e-8, the
+            // scattered direction is the normal.
             for limit in [1e-8, 1e-8_f64.next_down(), 1e-8_f64.next_up(), 9e-9, 2e-8] {
                 for sign in [1.0, -1.0] {
                     for axis in 0..3 {
@@ -166,7 +167,8 @@ impl Formula for Refraction {
                 }
             }
         }
-        // Around the critical angle: the sine of incidence is within a few units in the last place of 1 / ratio.
+        // Cases around the critical angle: the sine of the angle of incidence is within a few units in the last place
+        // of 1 / ratio.
         for (x, y) in [(3.0, -4.0), (4.0, -3.0), (5.0, -12.0), (1.0, -1.0), (1.0, 0.0)] {
             let sine = x / f64::hypot(x, y);
             let mut ratio = 1.0 / sine;
@@ -188,7 +190,7 @@ impl Formula for Refraction {
         let direction = special::direction(draws);
         let mut ratio = if special::once_in(draws, 2.0) { draws.draw(1.0, 3.0) } else { draws.draw(0.3, 1.0) };
         if special::once_in(draws, 3.0) {
-            // Near the critical angle.
+            // The case is near the critical angle.
             let cosine = direction.dot(normal);
             let sine = (1.0 - cosine * cosine).max(1e-6).sqrt();
             ratio = (1.0 / sine) * (1.0 + special::of_any_size(draws, -17.0, -3.0));

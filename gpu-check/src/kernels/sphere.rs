@@ -1,4 +1,4 @@
-//! Ray against sphere.
+//! The intersection of a ray with a sphere.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::sphere::SphereRecord;
@@ -12,7 +12,7 @@ use crate::special::{self, DIRECTIONS, NUMBERS, Row};
 
 pub enum Sphere {}
 
-/// Origins of rays relative to the centre, in radii.
+/// Origins of rays, relative to the centre of the sphere, in radii.
 const ORIGINS: [[f64; 3]; 20] = [
     [0.0, 0.0, 0.0],  // at the centre
     [0.0, 0.0, -3.0], // outside, before and behind
@@ -81,7 +81,7 @@ impl Formula for Sphere {
         let ordinary = draws.canonical() < 0.7;
         let radius = if ordinary { draws.draw(0.1, 5.0) } else { special::of_any_size(draws, -6.0, 9.0).abs() };
         let center = special::in_cube(draws, if ordinary { 10.0 } else { radius * 3.0 });
-        // The ray starts on the surface, inside, near or far away.
+        // The ray starts on the surface, inside, near the sphere or far away.
         let place = draws.canonical();
         let distance = match place {
             _ if place < 0.2 => radius,
@@ -90,7 +90,8 @@ impl Formula for Sphere {
             _ => radius + special::of_any_size(draws, -2.0, 12.0).abs(),
         };
         let origin = center + special::direction(draws) * distance;
-        // The ray aims at a point inside the sphere in 8 of 10 cases, at its surface in one, and anywhere in one.
+        // The ray aims at a point inside the sphere in 8 of 10 cases, at its surface in one case, and anywhere in one
+        // case.
         let aim = draws.canonical();
         let spread = if aim < 0.1 { 1.0 } else { draws.canonical() };
         let towards = center + special::direction(draws) * (radius * spread) - origin;

@@ -1,4 +1,4 @@
-//! Runs the suite's checks with fewer cases, one after another, until one of them notices a fault.
+//! Runs the suite's checks with fewer cases, one after the other, until one of them notices an error.
 
 use cpu::{Scatter, Vec3, reference};
 use shaders::{Library, Precision};
@@ -9,14 +9,14 @@ use crate::kernels::KERNELS;
 use crate::scenes::{self, Case};
 use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
 
-/// Random cases of each kernel.
+/// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
-/// Random scenes.
+/// Number of random scenes.
 const RANDOM_SCENES: u64 = 6;
-/// Limit on the pixels times the objects of one picture; see [`Case::within`].
+/// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 500_000;
 
-/// Cases, prepared once for all mutants.
+/// The cases and pictures of the checks, prepared once for all mutants.
 #[derive(Debug)]
 pub struct Examiner<'a> {
     gpu: &'a Gpu,
@@ -25,10 +25,10 @@ pub struct Examiner<'a> {
 }
 
 impl<'a> Examiner<'a> {
-    /// Prepares the cases.
+    /// Prepares the cases and pictures.
     ///
     /// # Errors
-    /// [`Error::Scene`].
+    /// [`Error::Scene`] if a scene cannot be rendered.
     pub fn new(gpu: &'a Gpu) -> Result<Self, Error> {
         let cases = |kernel: &Kernel| [kernel.edge_cases(), kernel.random_cases(RANDOM_CASES, 44)].concat();
         let kernels = KERNELS.iter().map(|kernel| (kernel, cases(kernel))).collect();
@@ -37,18 +37,19 @@ impl<'a> Examiner<'a> {
         Ok(Self { gpu, kernels, pictures })
     }
 
-    /// The first check that notices `mutant`; `None` when no check does.
+    /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
     ///
     /// # Errors
-    /// A fault of the device, or of the mutant's WGSL: then no check could run.
+    /// An error of the device or of the mutant's WGSL, for which no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
         self.examine(&mutant.library()?, mutant.module)
     }
 
-    /// The first of the checks which run `module` that notices a fault in `library`; `None` when no check does.
+    /// Returns a description of the first check that notices an error in `library`, or `None` if no check does. Only
+    /// checks whose kernel needs `module` are run.
     ///
     /// # Errors
-    /// A fault of the device or of the library's WGSL.
+    /// An error of the device or of the library's WGSL.
     pub fn examine(&self, library: &Library, module: &str) -> Result<Option<String>, Error> {
         for (kernel, cases) in &self.kernels {
             if runs(kernel.module, module)? {
@@ -64,7 +65,7 @@ impl<'a> Examiner<'a> {
         }
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
-            // In several runs, so that a fault in continuing paths shows.
+            // The picture is rendered in several runs, so that an error in continuing the paths is noticed.
             let renderer = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2);
             let rendering = renderer.render(&Picture::new(&case.config, &case.scene)?)?;
             let found = difference(&rendering.pixels, expected);
@@ -76,14 +77,14 @@ impl<'a> Examiner<'a> {
     }
 }
 
-/// The case and its picture by the reference.
+/// Returns the case, and the linear colours of its picture by the reference.
 fn expected(case: Case) -> Result<(Case, Vec<Vec3>), Error> {
     let mut means = Vec::new();
     reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| means.push(mean))?;
     Ok((case, means))
 }
 
-/// Whether `kernel` needs `module`.
+/// Whether the kernel `kernel` needs the module `module`.
 fn runs(kernel: &str, module: &str) -> Result<bool, Error> {
     const MARK: &str = "// This module is part of it.";
     let mut marked = Library::standard();

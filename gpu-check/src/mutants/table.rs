@@ -1,10 +1,10 @@
-//! The mutants, module by module.
+//! The list of the mutants, module by module.
 
 use super::Mutant;
 
 macro_rules! mutants {
     ($($module:literal: $($from:literal => $to:literal,)*;)*) => {
-        /// Every fault that the checks must notice.
+        /// All mutants that the checks must notice.
         pub const MUTANTS: &[Mutant] = &[$($(Mutant { module: $module, from: $from, to: $to },)*)*];
     };
 }

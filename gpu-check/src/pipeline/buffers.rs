@@ -1,4 +1,4 @@
-//! Binds and fills buffers, and waits until the device has written them.
+//! Creates and fills the buffers of a kernel, and waits until the device has written them.
 
 use wgpu::{
     BindGroupLayoutEntry, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages, PollType,
@@ -8,13 +8,14 @@ use wgpu::{
 use super::Content;
 use crate::{Error, Gpu};
 
-/// The value of every byte of an output before the kernel writes it. No formula gives a number of these bytes by
-/// accident.
+/// The value of every byte of an output before the kernel writes it. No formula is expected to give a number whose
+/// bytes all have this value.
 pub const SENTINEL: u8 = 0xA5;
-/// Size in bytes of a buffer without content, since no buffer may be empty. It is more than any structure takes.
+/// Size in bytes of a buffer without content, because no buffer may be empty. It is larger than any structure in the
+/// shaders.
 const SMALLEST: usize = 256;
 
-/// How a binding of the shader is bound.
+/// Returns the entry of the bind group's layout for a binding of the shader.
 pub fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
     BindGroupLayoutEntry {
         binding: binding.number,
@@ -28,8 +29,8 @@ pub fn layout_entry(binding: shaders::Binding) -> BindGroupLayoutEntry {
     }
 }
 
-/// A buffer with its content for the run number `run`. The content is written through the queue, since mapping the
-/// buffer would panic on a lost device.
+/// Returns a new buffer with its content for run number `run`. The queue writes the content, because mapping the buffer
+/// would panic if the device was lost.
 pub fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
     let filler;
     let (size, bytes) = match content {
@@ -52,7 +53,8 @@ pub fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
     buffer
 }
 
-/// Waits until the device has done all submitted work, or the limit on its time is reached.
+/// Waits until the device has finished all submitted work. Returns an error after the time limit of the device, or if
+/// the device was lost.
 pub fn wait(gpu: &Gpu) -> Result<(), Error> {
     let poll = PollType::Wait { submission_index: None, timeout: Some(gpu.patience()) };
     match gpu.device.poll(poll) {

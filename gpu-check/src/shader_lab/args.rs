@@ -8,7 +8,7 @@ use shaders::{Features, Precision};
 use super::png;
 use super::view::View;
 
-/// How the program is called.
+/// The help text of the program.
 pub const USAGE: &str = "\
 shader-lab MODULES --config CONFIG --scene SCENE --out OUT [options]
 shader-lab --template NEW_FILE.wgsl
@@ -37,15 +37,15 @@ Examples:
 
 Exit status: 0 done, 1 --check and a bit differs, 2 an error or a command line that is not understood, 130 interrupted";
 
-/// Names and values of the constants that a user's module declares.
+/// Names and values of constants that a user's module declares.
 pub type Own<'a> = Vec<(&'a str, f64)>;
 
-/// What the program is asked to do.
+/// The action that the command line asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// Print [`USAGE`].
     Help,
-    /// Write the template to this file.
+    /// Write the template into this new file.
     Template(PathBuf),
     /// Render a picture.
     Render(Options),
@@ -60,37 +60,38 @@ pub enum Command {
     },
 }
 
-/// What to render, and how.
+/// The options for rendering a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// A WGSL file or a folder of them.
+    /// Path of a WGSL file, or of a folder with WGSL files.
     pub modules: PathBuf,
-    /// The configuration's file.
+    /// Path of the configuration.
     pub config: PathBuf,
-    /// The scene's file.
+    /// Path of the scene.
     pub scene: PathBuf,
-    /// The picture to write.
+    /// Path of the picture to write.
     pub out: PathBuf,
-    /// What `real` stands for.
+    /// The number type that `real` stands for.
     pub precision: Precision,
-    /// Pipeline constants, by name.
+    /// Names and values of pipeline constants.
     pub constants: Vec<(String, f64)>,
-    /// The view to show in place of the picture.
+    /// The view to show instead of the picture.
     pub view: Option<View>,
-    /// Column and row of a pixel whose path is printed.
+    /// Column and row of the pixel whose path is printed; `None` if no path is printed.
     pub pixel: Option<[usize; 2]>,
-    /// Whether to render again when files change.
+    /// Whether to render again whenever a file changes.
     pub watch: bool,
     /// Whether to wait until pictures are on the disk.
     pub sync: bool,
-    /// Whether the exit status is 1 for a picture that differs from the CPU's in a bit.
+    /// Whether the exit status is 1 if any bit of the picture differs from the CPU's picture.
     pub check: bool,
 }
 
-/// Reads the arguments that follow the program's name. Names of files may be any bytes.
+/// Returns the command that `arguments` ask for. `arguments` must not include the program's name. Names of files may be
+/// any bytes.
 ///
 /// # Errors
-/// A message for the user.
+/// A message for the user that tells what is wrong.
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
@@ -149,19 +150,19 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, check, sync }))
 }
 
-/// An argument as text; bytes that are not UTF-8 become replacement characters.
+/// Returns an argument as text. Replacement characters stand for bytes that are not UTF-8.
 fn shown(argument: &OsStr) -> String {
     argument.to_string_lossy().into_owned()
 }
 
-/// The path to open: for `-` it is that of standard input.
+/// Returns the path to open: `/dev/stdin` if `path` is `-`, and otherwise `path`.
 fn input(path: PathBuf) -> PathBuf {
     if path.as_os_str() == "-" { PathBuf::from("/dev/stdin") } else { path }
 }
 
-/// The message for an option that does not exist. It suggests the most similar option, if there is one.
+/// Returns the message for an unknown option. It suggests the most similar option, if there is one.
 fn unknown(option: &str) -> String {
-    /// The smallest similarity of Jaro and Winkler with which an option is suggested.
+    /// The smallest Jaro-Winkler similarity (from 0 to 1) of an option that is suggested.
     const LIKE: f64 = 0.8;
     let known = OPTIONS.iter().map(|known| (strsim::jaro_winkler(option, known), known));
     let nearest = known.filter(|(likeness, _)| *likeness > LIKE).max_by(|one, other| one.0.total_cmp(&other.0));
@@ -169,7 +170,7 @@ fn unknown(option: &str) -> String {
     format!("there is no option [{option}]{hint}")
 }
 
-/// Every option.
+/// Names of all options.
 const OPTIONS: [&str; 14] = [
     "--help",
     "--template",
@@ -198,10 +199,11 @@ fn constant(text: &str) -> Result<(String, f64), String> {
 }
 
 impl Options {
-    /// Returns the scene's features, changed by the constants that name a feature, and all other constants.
+    /// Returns the scene's features and the other constants. Constants of the command line that name a feature change
+    /// that feature.
     ///
     /// # Errors
-    /// A message, when a feature cannot have its value.
+    /// A message for the user, if a feature cannot have the given value.
     pub fn apply(&self, mut features: Features) -> Result<(Features, Own<'_>), String> {
         let mut own = Vec::new();
         for (name, value) in &self.constants {

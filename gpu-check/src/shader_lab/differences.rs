@@ -1,16 +1,19 @@
-//! Shows the differences of two pictures as colours, on a scale that is made for these differences.
+//! Draws the differences of two pictures in false colours, on a scale that fits these differences.
 
 use cpu::Vec3;
 
 use crate::Float;
 
-/// Returns a colour for each pixel, by the largest difference of its channels, and a description of the scale.
+/// Returns a colour for each pixel and a description of the scale. The colour depends on the largest difference of the
+/// pixel's channels.
 ///
-/// The scale is logarithmic, from the smallest difference to the largest, since rounding errors differ by many orders
-/// of magnitude. Pixels without a difference are black. A channel that is NaN in only one picture has the last colour.
+/// The scale is logarithmic, from the smallest difference to the largest, because rounding errors differ by many orders
+/// of magnitude. Pixels without a difference are black. If a channel is NaN in only one picture, the pixel has the
+/// colour of the largest difference.
 #[must_use]
 pub fn differences<T: Float>(one: &[Vec3<T>], other: &[Vec3<T>]) -> (Vec<[u8; 3]>, String) {
-    /// The place of the smallest difference in the colour map, so that it looks different from black.
+    /// The position of the smallest difference in the colour map, from 0 to 1. It is above 0, so that this difference
+    /// does not look black.
     const FIRST: f64 = 0.25;
     let apart = |(one, other): (&Vec3<T>, &Vec3<T>)| {
         let channels = one.to_array().into_iter().zip(other.to_array());

@@ -1,4 +1,4 @@
-//! The user's modules, and which of the crate's modules each of them replaces.
+//! Reads the user's modules, and finds out which of the crate's modules each of them replaces.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,31 +7,31 @@ use shaders::{Library, module};
 
 use crate::Error;
 
-/// The start of a first line that says which module the file replaces.
+/// The start of a first line that names the module which the file replaces.
 const MARK: &str = "// module:";
 
-/// Largest module that is read, in bytes. A text of this length usually has more tokens than [`shaders::limits`]
-/// allows.
+/// Largest size of a module that is read, in bytes. A text of this size usually has more tokens than
+/// [`shaders::limits`] allows.
 pub const MAX_BYTES: u64 = 1 << 20;
 
-/// Most WGSL files that are read from a folder and its `kernels`.
+/// Largest number of WGSL files that are read from a folder and its subfolder `kernels`.
 pub const MAX_FILES: usize = 256;
 
-/// A module of the user.
+/// A WGSL module that the user has written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UserModule {
-    /// The name of the module that it replaces.
+    /// The name of the crate's module that this module replaces.
     pub name: String,
-    /// Its file, as the user named it.
+    /// The path of the file, as the user named it.
     pub path: PathBuf,
-    /// Its text.
+    /// The text of the module.
     pub text: String,
 }
 
-/// The modules in a file, or in a folder and its `kernels`.
+/// Returns the module in a file, or the modules in a folder and its subfolder `kernels`.
 ///
 /// # Errors
-/// [`Error::File`]. If a file replaces no module, the message says what to do.
+/// [`Error::File`]. If a file replaces no module, the message tells what to do.
 pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
     if !path.is_dir() {
         return Ok(vec![read_one(path)?]);
@@ -42,7 +42,7 @@ pub fn read(path: &Path) -> Result<Vec<UserModule>, Error> {
             let entries = fs::read_dir(&folder).map_err(|cause| Error::File { path: folder.clone(), cause })?;
             let paths = entries.filter_map(Result::ok).map(|entry| entry.path());
             let modules = paths.filter(|path| path.extension().is_some_and(|ending| ending == "wgsl"));
-            // One file more than allowed is enough to find out that there are too many.
+            // One more file than allowed is enough to find out that there are too many.
             files.extend(modules.take(MAX_FILES + 1));
         }
     }
@@ -66,8 +66,8 @@ fn read_one(path: &Path) -> Result<UserModule, Error> {
     Ok(UserModule { name, path: path.to_owned(), text })
 }
 
-/// The error for a module that does not exist. It lists all names, and if the first line of the file gives the name, it
-/// shows the place there.
+/// Returns the error for a module name that does not exist. The message lists all names. If the name is in the first
+/// line of the file, the message shows its place there.
 fn unknown(path: &Path, text: &str, name: &str) -> Error {
     let known: Vec<_> = module::MODULES.iter().chain(&module::REALS).map(|module| module.name).collect();
     let known = known.join(", ");
@@ -87,8 +87,8 @@ fn unknown(path: &Path, text: &str, name: &str) -> Error {
     }
 }
 
-/// The name of the module that a file replaces: the name in its first line, or else the file's name. `kernels/` is put
-/// before it if the folder is `kernels`.
+/// Returns the name of the module that a file replaces: the name in its first line, or else the file's name without its
+/// ending. If the file is in a folder `kernels`, `kernels/` is put before the file's name.
 fn name(path: &Path, text: &str) -> String {
     if let Some(name) = text.lines().next().and_then(|line| line.strip_prefix(MARK)) {
         return name.trim().to_owned();
@@ -98,7 +98,7 @@ fn name(path: &Path, text: &str) -> String {
     if in_kernels { format!("kernels/{stem}") } else { stem.into_owned() }
 }
 
-/// The name of a file for a message, with control characters escaped.
+/// Returns the name of a file for messages, with control characters escaped.
 #[must_use]
 pub fn shown(path: &Path) -> String {
     cpu::internals::input::text::escape(path.as_os_str().as_encoded_bytes())
@@ -108,10 +108,10 @@ fn fault(path: &Path, message: String) -> Error {
     Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
 }
 
-/// The crate's modules, some of them replaced by `modules`.
+/// Returns the crate's modules, in which `modules` replace some.
 ///
 /// # Errors
-/// [`Error::Shader`] for a name that no module has.
+/// [`Error::Shader`] if a name is not that of a module.
 pub fn library(modules: &[UserModule]) -> Result<Library, Error> {
     let mut library = Library::standard();
     for module in modules {

@@ -1,8 +1,9 @@
-//! Compiles a shader first in a separate process, whose memory and time are limited.
+//! Compiles a shader in a separate process first, whose memory and time are limited.
 //!
-//! A short module can make naga or the driver's compiler take any amount of memory or time, for example by comparing
+//! A short module can make naga or the driver's compiler use any amount of memory or time, for example by comparing
 //! arrays of 500,000,000 elements. Neither can be stopped from inside the process. So `shader-lab` starts itself again
-//! with [`FLAG`] and hands over the text. It compiles the text itself only if that process has ended within the limits.
+//! with [`FLAG`], and sends the text to that process. Only if that process ends within the limits does `shader-lab`
+//! compile the text itself.
 
 use std::ffi::OsString;
 use std::io::{self, Read, Write};
@@ -14,37 +15,37 @@ use shaders::{Composition, Precision};
 
 use crate::{Error, Gpu, Pipeline};
 
-/// The first argument of the separate process. With it the program only compiles.
+/// The first argument of the separate process. With this argument the program only compiles.
 pub const FLAG: &str = "--compile-standard-input";
 
 /// The limits of the separate process.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Address space, in bytes.
+    /// Largest address space in bytes.
     pub memory: u64,
-    /// Processor time, in seconds. The system counts in whole seconds, at least one.
+    /// Largest processor time in whole seconds, at least 1.
     pub seconds: u64,
-    /// Wall-clock time.
+    /// Largest wall-clock time.
     pub patience: Duration,
 }
 
 impl Limits {
-    /// The limits that `shader-lab` uses. The largest of the project's own shaders needs a quarter of the memory. The
-    /// limit on wall-clock time is six times that on processor time, for a busy machine.
+    /// The limits that `shader-lab` uses. The largest shader of this project needs a quarter of the memory. The
+    /// wall-clock limit is six times the limit on processor time, because the machine may be busy.
     pub const STANDARD: Self = Self { memory: 4 << 30, seconds: 20, patience: Duration::from_secs(120) };
 }
 
-/// Exit status of the separate process when the device had too little memory. The parent process, whose memory has no
-/// limit, must not compile the shader then.
+/// Exit status of the separate process if the device had too little memory. The parent process has no limit on its
+/// memory, so it must not compile the shader then.
 const OUT_OF_MEMORY: i32 = 3;
 
-/// Largest text that the separate process reads, in bytes: all modules of a composition.
+/// Largest size in bytes of the text that the separate process reads: all modules of a composition.
 const MAX_TEXT: u64 = 1 << 26;
 
-/// Compiles `composition` in a separate process, within [`Limits::STANDARD`].
+/// Compiles `composition` in a separate process, within the limits [`Limits::STANDARD`].
 ///
 /// # Errors
-/// As [`check_within`].
+/// The errors of [`check_within`].
 pub fn check(composition: &Composition, constants: &[(&str, f64)]) -> Result<(), Error> {
     let program = std::env::current_exe().map_err(failed)?;
     check_within(&program, Limits::STANDARD, composition, constants)
@@ -54,12 +55,13 @@ fn failed(cause: io::Error) -> Error {
     Error::Request { message: format!("the process to compile in: {cause}") }
 }
 
-/// Compiles `composition` in a process of `program`, which is `shader-lab`, within `limits`.
+/// Compiles `composition` in a process of `program` (which is `shader-lab`), within `limits`.
 ///
-/// A fault in the text is no error here. The caller compiles the text again, and then reports the fault with its place.
+/// An error in the text is not returned here, because the caller compiles the text again and then reports the error
+/// with its place.
 ///
 /// # Errors
-/// [`Error::Request`] when the process was ended by a limit or a fault, or could not be started.
+/// [`Error::Request`] if a limit or a fault ended the process, or if it could not be started.
 pub fn check_within(
     program: &Path,
     limits: Limits,
@@ -73,11 +75,11 @@ pub fn check_within(
     command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null());
     let mut child = command.spawn().map_err(failed)?;
     if let Some(mut input) = child.stdin.take() {
-        // Writing fails if the process has ended already. Its status says why it ended.
+        // An error is ignored: writing fails if the process has ended already, and its status tells why it ended.
         let _ = input.write_all(composition.source().as_bytes());
     }
     let status = wait(&mut child, limits.patience).map_err(failed)?;
-    // 2 stands for an error message; a panic has another status.
+    // Status 2 means that the process has printed an error message. A panic has another status.
     if status.is_some_and(|status| matches!(status.code(), Some(0 | 2))) {
         return Ok(());
     }
@@ -91,7 +93,8 @@ pub fn check_within(
     Err(Error::Request { message })
 }
 
-/// Waits for the process. Returns its status, or `None` when it was killed after `patience`.
+/// Waits until the process ends, and returns its status. After the time `patience`, kills the process and returns
+/// `None`.
 fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>> {
     let start = Instant::now();
     while start.elapsed() < patience {
@@ -105,10 +108,10 @@ fn wait(child: &mut Child, patience: Duration) -> io::Result<Option<ExitStatus>>
     Ok(None)
 }
 
-/// The work of the separate process: limits itself, reads the text from standard input and compiles it.
+/// Does the work of the separate process: sets its own limits, reads the text from standard input and compiles it.
 ///
 /// # Errors
-/// The error of naga or of the driver, or that the arguments are not those of [`check`].
+/// An error of naga or of the driver, or an error if `arguments` are not those that [`check`] passes.
 pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Error> {
     let wrong = |message: &str| Error::Request { message: message.to_owned() };
     let mut arguments = arguments.into_iter().map(|argument| argument.to_string_lossy().into_owned());
@@ -125,7 +128,7 @@ pub fn compile(arguments: impl IntoIterator<Item = OsString>) -> Result<(), Erro
     let mut text = String::new();
     io::stdin().take(MAX_TEXT).read_to_string(&mut text).map_err(|error| wrong(&error.to_string()))?;
     let composition = Composition::of_text(text, precision);
-    // Validated before the driver is loaded, so that the driver's memory does not count.
+    // The text is validated before the driver is loaded, so that the driver's memory does not count against the limit.
     composition.validate()?;
     let compiled = || {
         let gpu = Gpu::open()?;
@@ -150,8 +153,8 @@ fn limit_this_process(memory: u64, seconds: u64) -> Result<(), Error> {
     Ok(())
 }
 
-/// Does nothing, since systems other than Unix have no such limits. There only the parent's limit on wall-clock time
-/// ends the process.
+/// Does nothing, because systems other than Unix have no such limits. On these systems only the wall-clock limit of the
+/// parent ends the process.
 #[cfg(not(unix))]
 fn limit_this_process(_memory: u64, _seconds: u64) -> Result<(), Error> {
     Ok(())

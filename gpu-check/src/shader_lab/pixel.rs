@@ -1,12 +1,12 @@
-//! Prints one pixel's path by the CPU and by WGSL side by side, and the first bit that differs.
+//! Formats one pixel's path by the CPU and by WGSL side by side, and marks the first bit that differs.
 
 use std::fmt::Write as _;
 
 use crate::Float;
 use crate::steps::{NAMES, Step, first_difference};
 
-/// Indices of the numbers that are printed of a step: all but the background for a hit; origin, direction and
-/// background for an escape.
+/// Returns the indices of the numbers of a step that are printed. `hit` is the step's `is_hit`. For a hit these are all
+/// numbers except the background. For an escape these are origin, direction and background.
 fn shown(hit: f64) -> Vec<usize> {
     match hit {
         1.0 => (0..18).collect(),
@@ -15,7 +15,7 @@ fn shown(hit: f64) -> Vec<usize> {
     }
 }
 
-/// The steps of both paths as text, in two columns.
+/// Returns the steps of both paths as text in two columns.
 #[must_use]
 pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
     let mut text = String::new();
@@ -47,13 +47,13 @@ pub fn side_by_side<T: Float>(cpu: &[Step<T>], wgsl: &[Step<T>]) -> String {
     text
 }
 
-/// A number as text. Indices and flags are printed without a decimal point.
+/// Returns a number as text. Indices and flags have no decimal point.
 fn number<T: Float>(place: usize, value: T) -> String {
     let is_name = matches!(NAMES[place], "is_hit" | "object" | "part" | "front" | "material");
     if is_name && value.wide().fract() == 0.0 { format!("{:.0}", value.wide()) } else { format!("{value:?}") }
 }
 
-/// The pixel's colour by the CPU and by WGSL, one line for each channel.
+/// Returns the pixel's colour by the CPU and by WGSL as text, with one line for each channel.
 #[must_use]
 pub fn colors<T: Float>(cpu: [T; 3], wgsl: [T; 3]) -> String {
     let mut text = String::from("colour\n");
@@ -64,7 +64,8 @@ pub fn colors<T: Float>(cpu: [T; 3], wgsl: [T; 3]) -> String {
     text
 }
 
-/// Both numbers in binary, with sign, exponent and fraction separated, and a caret under the first bit that differs.
+/// Returns both numbers in binary on two lines, with blanks between sign, exponent and fraction. A caret marks the
+/// first bit that differs.
 fn bits<T: Float>(a: T, b: T) -> String {
     let (width, exponent) = if size_of::<T>() == 8 { (64, 11) } else { (32, 8) };
     let binary = |number: T| {

@@ -1,7 +1,7 @@
-//! Writes the pictures of a trial.
+//! Opens and writes the pictures of a trial.
 //!
-//! All files are opened before anything is rendered. A file is replaced only when its picture is complete, so that no
-//! program that reads the file gets half of a picture.
+//! All files are opened before the rendering. A file is replaced only when its picture is complete, so that no program
+//! can read half of a picture.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -16,31 +16,32 @@ use super::files::{UserModule, shown};
 use super::view::View;
 use crate::{Error, Float};
 
-/// An opened output for a picture, and its name.
+/// An opened output for one picture, with its path.
 #[derive(Debug)]
 pub struct Place {
-    /// Its name.
+    /// The path, as the user named it.
     pub path: PathBuf,
     output: Output,
 }
 
-/// The places of all pictures of a trial.
+/// The opened outputs for all pictures of a trial.
 #[derive(Debug)]
 pub struct Places {
-    /// The picture OUT.
+    /// The output for the picture itself.
     pub out: Place,
-    /// The picture of differences. `None` when a view is shown, and when `out` is a device or a pipe, since the user
-    /// does not expect a file beside these.
+    /// The output for the picture of differences. `None` if a view is shown, or if `out` is a device or a pipe, because
+    /// the user does not expect other files beside these.
     pub difference: Option<Place>,
-    /// The view by WGSL and by the CPU, beside each other.
+    /// The output for the view by WGSL and by the CPU. `None` if no such view is shown, or if `out` is a device or a
+    /// pipe.
     pub view: Option<Place>,
 }
 
 impl Places {
-    /// Opens all places that `options` need.
+    /// Opens all outputs that `options` need.
     ///
     /// # Errors
-    /// [`Error::Output`] for a file that cannot be written, or that is also an input.
+    /// [`Error::Output`] if a file cannot be written, or is also an input.
     pub fn open(options: &Options, modules: &[UserModule]) -> Result<Self, Error> {
         let mut inputs = vec![options.config.as_path(), options.scene.as_path()];
         inputs.extend(modules.iter().map(|module| module.path.as_path()));
@@ -62,18 +63,19 @@ impl Places {
 }
 
 impl Place {
-    /// Writes a picture of `size`, or several pictures of `size` below each other.
+    /// Writes a picture of `size`. `pixels` may also hold several pictures of `size`, which are drawn below each other.
     ///
     /// # Errors
-    /// [`Error::Output`] when it cannot be written, [`Error::File`] when it is too large for a PNG.
+    /// [`Error::Output`] if the file cannot be written, [`Error::File`] if the picture is too large for a PNG.
     pub fn write(self, size: Size, pixels: &[[u8; 3]]) -> Result<(), Error> {
         self.write_rows(size.width(), pixels)
     }
 
-    /// Writes panels of `width` below each other, each with its caption.
+    /// Writes panels of `width` pixels below each other, each with its caption above it. A panel is a caption and its
+    /// pixels.
     ///
     /// # Errors
-    /// As [`Place::write`], and [`Error::Scene`] when there is too little memory.
+    /// The errors of [`Place::write`], and [`Error::Scene`] if there is too little memory.
     pub fn write_panels(self, panels: &[(&str, &[[u8; 3]])], width: usize) -> Result<(), Error> {
         let canvas = annotate::panels(panels, width);
         let canvas = canvas.map_err(|_| cpu::internals::input::error::Error::OutOfMemory { what: "the panels" })?;
@@ -85,20 +87,21 @@ impl Place {
         Ok(self.output.fill(|file| file.write_all(&bytes))?)
     }
 
-    /// The name for a message, with control characters escaped.
+    /// Returns the path for messages, with control characters escaped.
     #[must_use]
     pub fn name(&self) -> String {
         if self.path.as_os_str() == "-" { "- (standard output)".to_owned() } else { shown(&self.path) }
     }
 }
 
-/// The file of standard output, which the user names `-`.
+/// The path of standard output. Users write `-` for it.
 pub const STANDARD_OUTPUT: &str = "/dev/stdout";
 
-/// The bytes of a picture file with rows of `width` pixels: a PNG if the name ends in `.png`, else a PPM.
+/// Returns the bytes of a picture file whose rows have `width` pixels. The format is PNG if `path` ends in `.png`, and
+/// otherwise PPM.
 ///
 /// # Errors
-/// The picture has more rows or columns than a PNG may have.
+/// An error if the picture has more rows or columns than a PNG can have.
 pub(crate) fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io::Result<Vec<u8>> {
     let height = pixels.len() / width.max(1);
     if !is_png(path) {
@@ -115,13 +118,14 @@ pub(crate) fn encoded(path: &Path, width: usize, pixels: &[[u8; 3]]) -> std::io:
     Ok(bytes)
 }
 
-/// Whether other pictures may be written beside `out`: not if it is a device, a pipe or standard output.
+/// Whether other pictures may be written beside `out`. The result is false if `out` is a device, a pipe or standard
+/// output.
 fn allows_other_files(out: &Path) -> bool {
     let is_of_the_system = ["/dev", "/proc"].iter().any(|folder| out.starts_with(folder));
     !is_of_the_system && out.as_os_str() != "-" && out.metadata().map_or(true, |metadata| metadata.is_file())
 }
 
-/// `out` with `-suffix` before its ending.
+/// Returns the path of a PNG beside `out`, named after `out` with `-suffix` before its ending.
 #[must_use]
 pub fn beside(out: &Path, suffix: &str) -> PathBuf {
     let mut name = OsString::from(out.file_stem().unwrap_or_default());
@@ -129,17 +133,16 @@ pub fn beside(out: &Path, suffix: &str) -> PathBuf {
     out.with_file_name(name)
 }
 
-/// The bytes of linear colours, quantised as the renderer does.
+/// Returns the bytes of linear colours, quantised as the renderer does.
 #[must_use]
 pub fn bytes<T: Float>(pixels: &[Vec3<T>], gamma: f64) -> Vec<[u8; 3]> {
     pixels.iter().map(|color| color.to_array().map(|channel| quantize(channel.wide(), gamma))).collect()
 }
 
-/// Checks that a picture can be written under this name. It must end in `.png` or `.ppm`, or have no ending, which
-/// gives a PPM.
+/// Checks that the name of a picture's file ends in `.png` or `.ppm`, or has no ending, which means PPM.
 ///
 /// # Errors
-/// A message for the user.
+/// A message for the user, if the name has another ending.
 pub fn check_name(path: &Path) -> Result<(), String> {
     match path.extension() {
         None => Ok(()),

@@ -1,11 +1,11 @@
-//! Progress reports for renderings that take long.
+//! Progress reports for long renderings.
 
 use std::time::{Duration, Instant};
 
-/// Least time between two reports, and before the first one.
+/// Shortest time between two reports, and before the first report.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Reports the progress of work in many parts, at intervals.
+/// Reports the progress of work that consists of many parts.
 #[derive(Debug)]
 pub struct Progress {
     start: Instant,
@@ -13,14 +13,15 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// The progress of work that begins now.
+    /// Returns the progress of work that begins now.
     #[must_use]
     pub fn start() -> Self {
         let now = Instant::now();
         Self { start: now, last: now }
     }
 
-    /// The report after `done` of `of` parts. `None` at the end, and when the last report is less than two seconds old.
+    /// Returns the report when `done` of `of` parts are finished. Returns `None` if no part or all parts are finished,
+    /// or if the last report is less than two seconds old.
     pub fn tell(&mut self, done: u64, of: u64) -> Option<String> {
         if done == 0 || done >= of || self.last.elapsed() < PATIENCE {
             return None;

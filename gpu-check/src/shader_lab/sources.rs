@@ -1,6 +1,6 @@
-//! The files that a rendering depends on. For each rendering every file is opened and read once.
+//! Reads the files on which a rendering depends. For each rendering, every file is opened and read once.
 //!
-//! With `--watch`, a file is read again to find out whether it has changed. A pipe or a device is not read again, and
+//! With `--watch`, every file is read again to find out whether it has changed. A pipe or a device is not read again;
 //! its first content is kept.
 
 use std::path::Path;
@@ -11,23 +11,23 @@ use super::args::Options;
 use super::files::{self, UserModule};
 use crate::Error;
 
-/// Largest configuration or scene that is read, in bytes.
+/// Largest size of a configuration or a scene that is read, in bytes.
 pub const MAX_BYTES: u64 = 1 << 24;
 
-/// The contents of all files.
+/// The contents of all files on which a rendering depends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sources {
-    /// The user's modules, or why they cannot be read.
+    /// The user's modules, or the reason why they cannot be read.
     pub modules: Result<Vec<UserModule>, String>,
-    /// The contents of the configuration and of the scene.
+    /// The contents of the configuration (first) and of the scene (second).
     pub texts: [Text; 2],
 }
 
-/// The bytes of a file, or why it cannot be read.
+/// The bytes of a file, or the reason why it cannot be read.
 pub type Text = Result<Vec<u8>, String>;
 
 impl Sources {
-    /// Reads all files. For pipes and devices it takes the contents from `before`, if that is given.
+    /// Reads all files. If `before` is given, the contents of pipes and devices are taken from it.
     #[must_use]
     pub fn read(options: &Options, before: Option<&Self>) -> Self {
         let modules = match before {
@@ -42,10 +42,10 @@ impl Sources {
         Self { modules, texts }
     }
 
-    /// Parses the configuration and the scene.
+    /// Returns the parsed configuration and scene.
     ///
     /// # Errors
-    /// Why a file cannot be read, or what is wrong in it.
+    /// The reason why a file cannot be read, or the error in its text.
     pub fn parse(&self, options: &Options) -> Result<(Config, Scene), Error> {
         let bytes = |text: &Text| text.clone().map_err(|message| Error::Request { message });
         let [config, scene] = [bytes(&self.texts[0])?, bytes(&self.texts[1])?];
@@ -54,7 +54,7 @@ impl Sources {
     }
 }
 
-/// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, and is read only
+/// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, which is read only
 /// once.
 fn gives_once(path: &Path) -> bool {
     path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())

@@ -1,4 +1,4 @@
-//! One rendering with the user's modules: the pictures that it writes, and its report.
+//! A trial: one rendering with the user's modules, the pictures that it writes, and its report.
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -19,7 +19,7 @@ use crate::steps::Follower;
 use crate::terminal;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
 
-/// The inputs of one trial.
+/// The inputs of a trial.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
     /// The device that renders.
@@ -28,22 +28,22 @@ pub struct Trial<'a> {
     pub options: &'a Options,
     /// The user's modules.
     pub modules: &'a [UserModule],
-    /// The picture by the CPU, with which the trial's picture is compared.
+    /// The picture by the CPU, with which this trial's picture is compared.
     pub truth: &'a Truth,
 }
 
 /// The result of a trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
-    /// The report for the user.
+    /// The text of the report for the user.
     pub report: String,
-    /// Whether a bit of the picture differs from the CPU's in the same precision.
+    /// Whether any bit of the picture differs from the CPU's picture in this precision.
     pub differs: bool,
 }
 
-/// A precision in which trials can be made, since the truth has a picture in it.
+/// A number type in which [`Truth`] has the CPU's picture, so that trials can be made in it.
 pub trait Held: Float {
-    /// The CPU's picture in this precision.
+    /// Returns the CPU's picture in this precision.
     fn picture(truth: &Truth) -> &[Vec3<Self>];
 }
 
@@ -60,10 +60,11 @@ impl Held for f32 {
 }
 
 impl Trial<'_> {
-    /// Renders, writes the pictures and returns the report.
+    /// Renders with the user's modules, writes the pictures and returns the report.
     ///
     /// # Errors
-    /// [`Error::Shader`] with the place in the user's file, or an error of the device.
+    /// [`Error::Shader`] with the place in the user's file, or another error of the options, the modules, the files or
+    /// the device.
     pub fn run<T: Held>(&self, places: Places) -> Result<Outcome, Error> {
         let Self { gpu, options, modules, truth } = *self;
         let Places { out, difference: beside, view: both } = places;
@@ -71,7 +72,7 @@ impl Trial<'_> {
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
         guard::check(&library.compose("kernels/image", T::PRECISION)?, &constants(&features, &own))?;
-        // Parses the modules in this process, which is safe after the guarded process has done so within its limits.
+        // This process parses the modules only after the separate process has done so within its limits.
         self.check_constants::<T>(&own)?;
         let start = Instant::now();
         let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
@@ -135,7 +136,8 @@ impl Trial<'_> {
         Ok(Outcome { report, differs: apart.differing > 0 })
     }
 
-    /// Writes a view by WGSL, and a picture of the view by WGSL, by the CPU and of the pixels that differ.
+    /// Writes two pictures: the view by WGSL, and panels with the view by WGSL, by the CPU, and the pixels that differ.
+    /// Returns the report.
     fn show<T: Held>(
         &self,
         view: View,
@@ -175,14 +177,14 @@ impl Trial<'_> {
         Ok(report)
     }
 
-    /// A follower with the user's modules, which are compiled in the guarded process first.
+    /// Returns a [`Follower`] with the user's modules. They are compiled in the separate process first.
     fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
         let library = files::library(self.modules)?;
         guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
         Follower::new(self.gpu, &library, features, own)
     }
 
-    /// The path of the pixel at `index` by the CPU and by WGSL, as text.
+    /// Returns the path of the pixel at `index`, by the CPU and by WGSL, as text.
     fn follow<T: Held>(
         &self,
         index: usize,
@@ -197,7 +199,7 @@ impl Trial<'_> {
         Ok(text)
     }
 
-    /// Returns an error for a constant that no module declares.
+    /// Returns an error if `own` has a constant that no module declares.
     fn check_constants<T: Held>(&self, own: &[(&str, f64)]) -> Result<(), Error> {
         let shader = files::library(self.modules)?.compose("kernels/image", T::PRECISION)?.validate()?;
         let known: Vec<_> =

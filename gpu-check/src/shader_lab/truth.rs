@@ -1,4 +1,4 @@
-//! The picture by the CPU, computed once and kept while the user's modules change.
+//! The picture by the CPU. It is computed once and kept while the user's modules change.
 
 use std::cell::OnceCell;
 use std::time::{Duration, Instant};
@@ -7,13 +7,14 @@ use cpu::{Config, Scatter, Scene, Vec3, reference};
 
 use crate::{Error, Picture};
 
-/// Most pixels of a picture, a little more than 4K has. About a dozen copies of a picture are in memory at once.
+/// Largest number of pixels of a picture, slightly more than 4K (3840 x 2160). About a dozen copies of a picture are in
+/// memory at once.
 pub const MAX_PIXELS: usize = 1 << 23;
 
-/// Refuses a configuration whose picture has more than [`MAX_PIXELS`].
+/// Refuses a configuration whose picture has more than [`MAX_PIXELS`] pixels.
 ///
 /// # Errors
-/// [`Error::Request`], or [`Error::Scene`] when the configuration makes no picture.
+/// [`Error::Request`] if the picture is too large, or [`Error::Scene`] if the configuration makes no picture.
 pub fn check_size(config: &Config) -> Result<(), Error> {
     let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
     if size.pixels() <= MAX_PIXELS {
@@ -24,27 +25,27 @@ pub fn check_size(config: &Config) -> Result<(), Error> {
     Err(Error::Request { message })
 }
 
-/// A configuration, a scene, and its picture in deterministic mode.
+/// A configuration, a scene, and their picture by the CPU in deterministic mode.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// The configuration.
     pub config: Config,
     /// The scene.
     pub scene: Scene,
-    /// Linear colours in f64, by the reference.
+    /// The picture's linear colours in f64, rendered by the reference.
     pub wide: Vec<Vec3>,
-    /// The scene for f32, and its picture once [`Self::single`] has computed it.
+    /// The scene in f32, and its linear colours in f32 after the first call of [`Self::single`].
     single: (Picture<f32>, OnceCell<Vec<Vec3<f32>>>),
-    /// The time that `wide` took on one core.
+    /// The time to compute `wide` on one core.
     pub time: Duration,
 }
 
 impl Truth {
-    /// Renders the picture in f64 by the reference.
+    /// Renders the picture in f64 with the reference.
     ///
     /// # Errors
-    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than
-    /// [`MAX_PIXELS`].
+    /// [`Error::Scene`] if the configuration makes no picture, [`Error::Request`] if the picture has more than
+    /// [`MAX_PIXELS`] pixels.
     pub fn new(config: Config, scene: Scene) -> Result<Self, Error> {
         check_size(&config)?;
         let mut wide = Vec::new();
@@ -55,8 +56,8 @@ impl Truth {
         Ok(Self { config, scene, wide, single, time })
     }
 
-    /// The picture with every formula in f32, which is the best that a device can give in f32. It is computed at the
-    /// first call, since with many objects it takes as long as the picture in f64.
+    /// Returns the linear colours with every formula in f32, which is the best that a device can give in f32. They are
+    /// computed at the first call, because with many objects they take as long as the colours in f64.
     #[must_use]
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;

@@ -1,4 +1,4 @@
-//! Shows what camera rays hit, in false colours, so that the user sees where two implementations differ.
+//! Draws what camera rays hit, in false colours, so that the user sees where two implementations differ.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,28 +6,29 @@ use std::str::FromStr;
 use crate::Float;
 use crate::steps::{Step, first_difference};
 
-/// What to show of each pixel.
+/// The property of each pixel that is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
-    /// The lambda of the hit: nearer hits are lighter.
+    /// The lambda of the hit. Nearer hits are lighter.
     Lambda,
-    /// The unit normal that faces the ray: x, y and z from -1 to 1 as red, green and blue from 0 to 255.
+    /// The unit normal that faces the ray. Its components x, y and z from -1 to 1 become red, green and blue from 0 to
+    /// 255.
     Normal,
-    /// The object: one colour for each object.
+    /// The object, in one colour for each object.
     Object,
-    /// The part that is hit, side, top or bottom, in three hues. Dark where the ray comes from inside.
+    /// The part of the object: side, top or bottom, in three hues. The colour is dark if the ray comes from inside.
     Side,
-    /// How many surfaces the path hits: from black for none to red, yellow and white for the maximum depth.
+    /// The number of surfaces that the path hits: black for 0, then red and yellow, and white for the maximum depth.
     Steps,
-    /// How far the colours differ, on a logarithmic scale.
+    /// The difference of the colours, on a logarithmic scale.
     Difference,
 }
 
 impl View {
-    /// Every view.
+    /// All views.
     pub const ALL: [Self; 6] = [Self::Lambda, Self::Normal, Self::Object, Self::Side, Self::Steps, Self::Difference];
 
-    /// The colour of the pixel with these steps, in a picture with the maximum depth `depth`.
+    /// Returns the colour of a pixel whose path has the steps `steps`. `depth` is the maximum depth of the picture.
     #[must_use]
     pub fn color<T: Float>(self, steps: &[Step<T>], depth: u32) -> [u8; 3] {
         let wide = |number: T| number.wide();
@@ -51,19 +52,19 @@ impl View {
         }
     }
 
-    /// Whether the view needs more than the first step.
+    /// Whether the view needs more than the first step of each path.
     #[must_use]
     pub fn is_deep(self) -> bool {
         self == Self::Steps
     }
 }
 
-/// How many surfaces a path hits.
+/// Returns the number of surfaces that a path hits.
 fn surfaces<T: Float>(steps: &[Step<T>]) -> usize {
     steps.iter().take_while(|step| step.is_hit().wide() == 1.0).count()
 }
 
-/// White if any number of two paths differs in its bits, else black.
+/// Returns white if any number of the two paths differs in its bits, and otherwise black.
 #[must_use]
 pub fn mark<T: Float>(one: &[Step<T>], other: &[Step<T>]) -> [u8; 3] {
     let differs = one.len() != other.len() || one.iter().zip(other).any(|(a, b)| first_difference(a, b).is_some());
@@ -78,7 +79,7 @@ fn heat(share: f64) -> [u8; 3] {
     [0.0, 1.0, 2.0].map(|place| grey((3.0 * share - place).clamp(0.0, 1.0)))
 }
 
-/// The colour of an object. Objects that follow each other in the file have different colours.
+/// Returns the colour of an object. Objects that follow each other in the file have clearly different colours.
 fn hue(object: u64) -> [u8; 3] {
     let scattered = (object + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     [56, 48, 40].map(|shift| 64 + ((scattered >> shift) as u8) / 4 * 3)

@@ -1,7 +1,7 @@
 //! Renders again when a file has changed.
 //!
-//! The contents of the files are compared several times a second, and not the times of their last change. That works
-//! with every editor and every file system, and saving a file without a change renders nothing.
+//! The contents of the files are compared several times a second, instead of the times of their last change. This works
+//! with every editor and every file system. Saving a file without a change does not render again.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -16,30 +16,30 @@ use super::trial::{Outcome, Trial};
 use super::truth::Truth;
 use crate::{Error, Gpu, terminal};
 
-/// Time between two readings of the files.
+/// Time between two readings of all files.
 const INTERVAL: Duration = Duration::from_millis(150);
 
-/// The state that is kept between two renderings.
+/// The state that is kept between two renderings: the open device and the picture by the CPU.
 #[derive(Debug)]
 pub struct Lab {
     options: Options,
     gpu: Option<Gpu>,
     truth: Option<Truth>,
-    /// The texts that the truth was computed from.
+    /// The configuration and the scene from which `truth` was computed.
     texts: Option<[Text; 2]>,
 }
 
 impl Lab {
-    /// A lab in which nothing has been rendered yet.
+    /// Returns a lab that has not rendered anything yet.
     #[must_use]
     pub const fn new(options: Options) -> Self {
         Self { options, gpu: None, truth: None, texts: None }
     }
 
-    /// Renders once and returns the report.
+    /// Renders once, and returns the report.
     ///
     /// # Errors
-    /// A message that names the user's file.
+    /// A message for the user. If the error comes from a module, it names the user's file.
     pub fn render(&mut self) -> Result<Outcome, String> {
         self.render_from(&Sources::read(&self.options, None))
     }
@@ -54,7 +54,7 @@ impl Lab {
     }
 
     fn render_with(&mut self, modules: &[UserModule], sources: &Sources) -> Result<Outcome, Error> {
-        // Opened first, so that a file that cannot be written ends the trial before it takes long.
+        // The outputs are opened first, so that a file that cannot be written ends the trial early.
         let places = Places::open(&self.options, modules)?;
         if self.truth.is_none() || self.texts.as_ref() != Some(&sources.texts) {
             self.truth = None;
@@ -74,7 +74,8 @@ impl Lab {
         }
     }
 
-    /// Hands a report or a message to `say` now and after every change, until `say` returns false.
+    /// Renders now and after every change of a file. Calls `say` with each report or error message, until `say` returns
+    /// false.
     pub fn watch(&mut self, mut say: impl FnMut(Result<Outcome, String>) -> bool) {
         let mut sources = Sources::read(&self.options, None);
         loop {
@@ -93,7 +94,8 @@ impl Lab {
     }
 }
 
-/// The error's message. If it does not begin with one of the user's files, these files are added.
+/// Returns the message of `error`. If the message of a shader's error does not begin with one of the user's files,
+/// these files are listed at its end.
 fn explain(error: &Error, modules: &[UserModule]) -> String {
     let mut message = error.to_string();
     if !matches!(error, Error::Shader(_) | Error::Refused { .. } | Error::Unwritten { .. }) {

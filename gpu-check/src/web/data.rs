@@ -1,5 +1,5 @@
-//! The data that the page fetches: the picture's buffers, the shader's files, and the formulas' cases and results, all
-//! in f32.
+//! The data that the page loads: the picture's buffers, the shader's files, and the cases and results of the formulas.
+//! All numbers are f32.
 
 use std::collections::BTreeMap;
 
@@ -11,13 +11,13 @@ use crate::packed::buffer;
 use crate::renderer::head;
 use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
 
-/// Random cases of a formula, after its edge cases.
+/// Number of random cases of each formula. They follow its edge cases.
 const RANDOM: usize = 1 << 14;
 
-/// All data of a page that shows `scene`, by name.
+/// Returns all data of a page that shows `scene`. The keys are the names that the page requests.
 ///
 /// # Errors
-/// As [`Renderer::render`].
+/// The errors of [`Renderer::render`].
 pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<String, Vec<u8>>, Error> {
     let picture = Picture::<f32>::new(config, scene)?;
     let features = features_of(config, scene)?;
@@ -25,7 +25,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
     let rendering = Renderer::<f32>::new(gpu, &library, &features)?.render(&picture)?;
     let (width, height, pixels) = (picture.size.width(), picture.size.height(), picture.size.pixels());
     let constants: Vec<_> = features.constants().iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
-    // Rust's {:?} of a text is valid JSON, if the text has no control characters other than line ends and tabs.
+    // Rust's {:?} of a text is valid JSON if the text has no control characters other than line ends and tabs.
     let facts = format!(
         "{{\"width\": {width}, \"height\": {height}, \"pixels\": {pixels}, \"gamma\": {}, \"depth\": {}, \
          \"driver\": {:?}, \"constants\": {{{}}}}}",
@@ -58,7 +58,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
     Ok(data)
 }
 
-/// The edge cases of a formula and some random cases, row after row.
+/// Returns the edge cases of a formula and then its random cases, row after row.
 #[must_use]
 pub fn cases(kernel: &Kernel) -> Vec<f32> {
     let mut cases = kernel.edge_cases::<f32>();
@@ -66,7 +66,7 @@ pub fn cases(kernel: &Kernel) -> Vec<f32> {
     cases
 }
 
-/// The results of the cases in Rust's f32.
+/// Returns the results of the cases in Rust's f32, row after row.
 #[must_use]
 pub fn expected(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
     let mut results = vec![0.0; cases.len() / kernel.inputs * kernel.outputs.len()];
@@ -76,7 +76,7 @@ pub fn expected(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
     results
 }
 
-/// The results of the cases in f32 with subnormal numbers flushed to zero, as WGSL allows a driver to do.
+/// Returns the results of the cases in f32 with subnormal numbers flushed to zero, as WGSL allows a driver to do.
 #[must_use]
 pub fn flushed(kernel: &Kernel, cases: &[f32]) -> Vec<f32> {
     cases.chunks(kernel.inputs).flat_map(|case| kernel.flushed(case)).collect()

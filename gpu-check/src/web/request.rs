@@ -1,42 +1,42 @@
-//! Reads one request of HTTP/1.1 within limits on its size and its time.
+//! Reads one HTTP/1.1 request, and limits its size and its time.
 
 use std::io::{self, BufRead, BufReader, Read};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// Most bytes of the request line, and of each header.
+/// Largest length of the request line and of each header, in bytes.
 pub const MAX_LINE: usize = 8192;
 
-/// Most headers.
+/// Largest number of headers of a request.
 pub const MAX_HEADERS: usize = 100;
 
-/// Most bytes of a body, and of all bodies that are received at the same time.
+/// Largest length of a body in bytes, and of all bodies together that are received at the same time.
 pub const MAX_BODY: usize = 64 << 20;
 
-/// How long a client may take for its whole request.
+/// Time limit for a client to send its whole request.
 pub const MAX_TIME: Duration = Duration::from_secs(30);
 
-/// Names of this server in requests of a page from this machine. A request with another name in `Host` comes from a
-/// foreign page, whose author makes that name resolve to this machine in order to read the data (DNS rebinding).
+/// The names in `Host` that a page from this machine may use for this server. A request with another name comes from a
+/// foreign page: its author makes that name resolve to this machine, to read the data (DNS rebinding).
 const HOSTS: [&str; 3] = ["127.0.0.1", "localhost", "[::1]"];
 
-/// The request of a client.
+/// A request that a client has sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
     /// The method, such as `GET`.
     pub method: String,
-    /// The path with the query, from its first slash.
+    /// The path with its query, from the first slash.
     pub path: String,
-    /// The body of a `POST`.
+    /// The body of a `POST` request; empty for other methods.
     pub body: Vec<u8>,
 }
 
-/// Why a request is refused.
+/// The reason why a request is refused.
 #[derive(Debug)]
 pub enum Refusal {
-    /// The client gets an answer with this status.
+    /// The server answers with this HTTP status.
     Status(&'static str),
-    /// The connection is broken, or too slow.
+    /// The connection is broken or too slow, so the server does not answer.
     Broken(io::Error),
 }
 
@@ -46,7 +46,7 @@ impl From<io::Error> for Refusal {
     }
 }
 
-/// A stream whose reads fail after a point in time. A limit on each read alone would let slow clients send forever.
+/// A stream whose reads fail after the time `end`. If only each read had a limit, a slow client could send forever.
 struct Timed<'a> {
     stream: &'a TcpStream,
     end: Instant,
@@ -64,12 +64,12 @@ impl Read for Timed<'_> {
 }
 
 impl Request {
-    /// Reads a request, which the client must have sent within `time`. `reserve` is called with the length of a body
-    /// before the body is received, and returns whether it may be.
+    /// Reads a request, which the client must send within `time`. Calls `reserve` with the length of the body before
+    /// receiving it. If `reserve` returns false, the request is refused.
     ///
     /// # Errors
-    /// [`Refusal::Status`] when a limit is exceeded, the request has a foreign name in `Host`, or it is not HTTP.
-    /// [`Refusal::Broken`] when the connection ends or is too slow.
+    /// [`Refusal::Status`] if the request exceeds a limit, has a foreign name in `Host`, or is not HTTP.
+    /// [`Refusal::Broken`] if the connection ends or is too slow.
     pub fn read(stream: &TcpStream, time: Duration, reserve: impl FnOnce(usize) -> bool) -> Result<Self, Refusal> {
         Self::parse(BufReader::new(Timed { stream, end: Instant::now() + time }), reserve)
     }
@@ -100,11 +100,11 @@ impl Request {
     }
 }
 
-/// The headers that this server reads.
+/// The headers that this server uses.
 #[derive(Default)]
 struct Headers {
     hosts: Vec<String>,
-    /// The address of the page that sends the request, if the browser gives it.
+    /// The address of the page that sends the request; `None` if the browser does not send it.
     origin: Option<String>,
     length: usize,
 }
@@ -134,10 +134,11 @@ impl Headers {
     }
 }
 
-/// The next line without its end. One of more than [`MAX_LINE`] bytes is answered with the status `too_long`.
+/// Returns the next line without its line end. A line of more than [`MAX_LINE`] bytes is refused with the status
+/// `too_long`.
 fn line(reader: &mut impl BufRead, too_long: &'static str) -> Result<String, Refusal> {
     let mut line = Vec::new();
-    // Two bytes more, for the line end.
+    // Two more bytes, for the line end.
     let length = reader.take(MAX_LINE as u64 + 2).read_until(b'\n', &mut line)?;
     if length == 0 {
         return Err(Refusal::Broken(io::ErrorKind::UnexpectedEof.into()));
@@ -150,7 +151,7 @@ fn line(reader: &mut impl BufRead, too_long: &'static str) -> Result<String, Ref
     }
 }
 
-/// Whether `host`, with or without a port, is one of [`HOSTS`].
+/// Whether `host`, with or without a port, is one of the names in [`HOSTS`].
 fn is_this_machine(host: &str) -> bool {
     let is_port = |text: &str| text.parse::<u16>().is_ok();
     HOSTS.iter().any(|name| {

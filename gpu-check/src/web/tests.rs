@@ -1,4 +1,4 @@
-//! The server and its clients over real connections.
+//! Tests of the server with clients over real connections.
 
 use std::cell::Cell;
 use std::io::Read;
@@ -11,7 +11,8 @@ fn server() -> Server {
     Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free")
 }
 
-/// The answer to `request`. Writing may fail, since the server may close the connection before it has read the request.
+/// Sends `request` and returns the answer. An error of writing is ignored, because the server may close the connection
+/// before it has read the whole request.
 fn answer_to(address: SocketAddr, request: &str) -> String {
     let mut client = TcpStream::connect(address).expect("it listens");
     let _ = client.write_all(request.as_bytes());
@@ -26,7 +27,7 @@ fn asked(request: &str) -> (String, Option<Posted>) {
     client.write_all(request.as_bytes()).expect("it reads");
     let (stream, _) = server.listener.accept().expect("there is a connection");
     let posted = Cell::new(None);
-    // The result is an error for a refused client, which keeps its end of the connection open.
+    // The result is an error for a refused client, because this client keeps its end of the connection open.
     let _ = server.talk(&stream, |taken| posted.set(Some(taken)));
     drop(stream);
     let mut answer = String::new();
@@ -92,7 +93,7 @@ fn one_connection_too_many_gets_status_503_and_later_ones_are_answered() {
     let server = server();
     let address = server.address().expect("it listens");
     std::thread::spawn(move || server.serve(drop));
-    // Each client holds its connection and sends nothing.
+    // Each client opens a connection and sends nothing.
     let silent: Vec<_> = (0..MAX_CONNECTIONS).map(|_| TcpStream::connect(address).expect("it listens")).collect();
     let until = |wanted: &str| {
         for _ in 0..1000 {

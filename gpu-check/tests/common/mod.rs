@@ -2,8 +2,8 @@
 
 use gpu_check::Gpu;
 
-/// Opens the device and prints its name, driver and version. If there is none, the test fails with the message that
-/// says what to install.
+/// Opens the device, and prints its name, driver and version. If there is no device, the test fails with a message that
+/// tells what to install.
 pub fn gpu() -> Gpu {
     let gpu = Gpu::open().unwrap_or_else(|error| panic!("{error}"));
     println!("{gpu}");

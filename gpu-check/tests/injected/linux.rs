@@ -1,4 +1,4 @@
-//! Renders with a tiny module under every disturbance.
+//! Renders with a tiny module, with every kind of disturbance.
 
 use std::ffi::OsString;
 use std::fs;
@@ -8,7 +8,7 @@ use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
 use test_support::injection::{Disturbance, Job, most, unavailable};
 
-/// Calls of each kind that are disturbed.
+/// Number of calls with one name that are disturbed.
 const MOST: usize = 2;
 
 /// A module that makes every pixel grey. The driver compiles it quickly.
@@ -21,8 +21,8 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 ";
 
-/// The disturbances, the old content of the output if there is any, and the names of the tests. Signals are tested with
-/// an old picture only, which then stays if the signal comes before the new picture is in place.
+/// The tests: the disturbance, the old content of the output (`None` if there is no file), and the name. Signals are
+/// tested only with an old picture, which stays if the signal comes before the new picture is in place.
 const CASES: [(Disturbance, Option<&str>, &str); 5] = [
     (Disturbance::Errors, None, "calls_fail_and_no_picture_stands_or_the_new_ones"),
     (Disturbance::Errors, Some("old"), "calls_fail_and_the_old_pictures_stand_or_the_new_ones"),
@@ -31,7 +31,7 @@ const CASES: [(Disturbance, Option<&str>, &str); 5] = [
     (Disturbance::Named, Some("old"), "failures_and_signals_where_a_file_needs_a_name"),
 ];
 
-/// One trial for each disturbance of each job.
+/// Returns one trial for each entry of [`CASES`].
 pub fn trials() -> Vec<Trial> {
     let trial = |(disturbance, old, name): (Disturbance, Option<&'static str>, &str)| {
         let missing = unavailable(disturbance);

@@ -1,8 +1,8 @@
-//! Checks that the figures of docs/shader-lab.md are those that its commands print.
+//! Checks that the commands in docs/shader-lab.md print the figures that the page shows.
 
 use super::*;
 
-/// The lines of the first block of code in `text` that has a line which starts with `start`.
+/// Returns the lines of the first code block in `text` that has a line beginning with `start`.
 fn block<'a>(text: &'a str, start: &str) -> Vec<&'a str> {
     let blocks = text.split("```\n").skip(1).step_by(2).map(|block| block.lines().collect::<Vec<_>>());
     let mut found = blocks.filter(|lines| lines.iter().any(|line| line.starts_with(start)));
@@ -35,7 +35,7 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
         String::from_utf8(output.stdout).expect("it is text")
     };
     let said = shown(&[]);
-    // Lines with times and versions may differ. All other lines must be printed.
+    // Lines with times and versions may differ from the page. All other lines must be printed.
     let stable = |line: &&&str| !line.starts_with("in f64 on") && !line.contains(" to compile; ");
     let lines = block(&docs, "from the CPU in f64: ");
     assert!(lines.iter().filter(stable).count() >= 4, "{lines:?}");

@@ -1,8 +1,9 @@
-//! Runs `shader-lab` from bash with pipes, devices, links, and streams that cannot be written.
+//! Runs `shader-lab` from bash, with pipes, devices, links, and streams that cannot be written.
 
 use super::*;
 
-/// Runs a line of bash in which `$lab` is the program with a module and a scene.
+/// Runs a line of bash, in which `$lab` is the path of the program. The working folder has a module, a configuration
+/// and a scene.
 fn bash(folder: &Path, line: &str) -> Output {
     fs::write(folder.join("my.wgsl"), TEMPLATE).expect("the folder is writable");
     fs::write(folder.join("config"), "image_width: 16\n").expect("the folder is writable");
@@ -69,7 +70,7 @@ fn a_limit_on_file_size_leaves_all_old_pictures() {
     for name in ["o.png", "o-difference.png"] {
         fs::write(folder.file(name), "old").expect("the folder is writable");
     }
-    // The driver's cache of shaders is off, since its files would exceed the limit too.
+    // The driver's shader cache is off, because its files would exceed the limit too.
     let line = "export MESA_SHADER_CACHE_DISABLE=1; ulimit -f 1; echo 'image_width: 99' > config; \
                 $lab my.wgsl --config config --scene scene --out o.png";
     let output = bash(folder.path(), line);
@@ -84,7 +85,7 @@ fn a_limit_on_file_size_leaves_all_old_pictures() {
 #[test]
 fn an_input_as_output_is_refused_under_any_name() {
     let folder = Folder::new();
-    // OUT must end as a picture does, so the module is named by a link.
+    // OUT must have the ending of a picture, so a link names the module.
     for out in ["scene", "config", "hard", "soft", "module.png"] {
         let links = "ln -f scene hard; ln -sf config soft; ln -sf my.wgsl module.png";
         let line = format!("{links}; $lab my.wgsl --config config --scene scene --out {out}");

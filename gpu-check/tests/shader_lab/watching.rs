@@ -1,4 +1,4 @@
-//! Runs `shader-lab --watch` while the module is edited.
+//! Runs `shader-lab --watch` while the test changes the module.
 
 use std::io::{BufRead, BufReader, Read};
 use std::process::{Child, Stdio};
@@ -7,10 +7,10 @@ use std::time::Duration;
 
 use super::*;
 
-/// How long the program may take to notice a change.
+/// Time limit for the program to notice a change.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A program, which is killed when the value is dropped, and the lines that it writes.
+/// A running program, and the lines that it writes. It is killed when this value is dropped.
 struct Watched(Child, Receiver<String>);
 
 impl Drop for Watched {
@@ -77,7 +77,7 @@ fn watching_survives_a_module_that_is_refused_and_one_that_takes_all_memory() {
     let mut watched = Watched::start(command(folder.path(), "my.wgsl --watch"));
     assert!(watched.wait_for("Error: my.wgsl:").contains("more than 500 brackets, operators or branches"));
 
-    // naga compares the elements one by one, and holds them all.
+    // naga compares the elements one by one, and holds all of them in memory.
     let bomb = "const many = array<i32, 500000000>();\nconst_assert many == many;\n";
     fs::write(&path, format!("{TEMPLATE}{bomb}")).expect("the folder is writable");
     watched.wait_for("Error: the shader takes too much to compile: naga or the driver ended by signal");

@@ -1,18 +1,19 @@
-//! The page of tables that the program writes: its marks, and the rows that must not get lost.
+//! The document with the tables that the program writes: its marks, and the check that no row gets lost.
 
 use std::path::Path;
 
 use output::{Options, Output};
 
-/// Replaces a file by one with this text.
+/// Writes `text` into the file `path`, and replaces an old file.
 pub fn put(path: &Path, text: &str) -> Result<(), output::Error> {
     Output::open(path, Options { sync: true })?.fill(|file| file.write_all(text.as_bytes()))
 }
 
-/// Largest document that is read, in bytes. docs/accuracy/tables.md has less than 20,000.
+/// Largest size of a document that is read, in bytes. docs/accuracy/tables.md has less than 20,000.
 const MAX_BYTES: u64 = 1 << 22;
 
-/// The text of the document at `path`. If there is none, a new document with all marks and no tables.
+/// Returns the text of the document at `path`. If the file does not exist, returns a new document with all marks and
+/// without tables.
 pub fn text(path: &Path) -> Result<String, String> {
     if path.exists() {
         return cpu::internals::input::reader::read_text(path, MAX_BYTES)
@@ -25,11 +26,12 @@ pub fn text(path: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-/// An error for a picture that has a row in the document and would have none after this run.
+/// Returns an error if the document has a row of a picture that this run will not write. `case` has the arguments of
+/// `--case`, three for each picture.
 pub fn check_that_no_row_goes(text: &str, case: &[String]) -> Result<(), String> {
     let (_, rest) = text.split_once("<!-- begin: pictures -->\n").ok_or("it lacks the mark pictures")?;
     let block = rest.split_once("<!-- end: pictures -->").map_or(rest, |(block, _)| block);
-    // A row is `| NAME | ...`; the first two lines are the head of the table.
+    // A row is `| NAME | ...`. The first two lines are the head of the table.
     let rows = block.lines().skip(2).filter_map(|line| line.split('|').nth(1)).map(str::trim);
     let is_rendered = |row: &&str| *row == CASES_OF_THE_TESTS || case.chunks_exact(3).any(|triple| triple[0] == **row);
     let lost: Vec<_> = rows.filter(|row| !is_rendered(row)).collect();
@@ -40,10 +42,11 @@ pub fn check_that_no_row_goes(text: &str, case: &[String]) -> Result<(), String>
     Err(format!("its rows for {lost} would go; give each as --case NAME CONFIG SCENE, or choose another --out"))
 }
 
-/// The name of the row that counts all pictures of `tests/cases` together.
+/// Name of the row that counts all pictures of `tests/cases` together.
 pub const CASES_OF_THE_TESTS: &str = "tests/cases, all";
 
-/// Returns `text` with the part between the two comments of `mark` replaced by `block`.
+/// Returns `text` in which `block` replaces the part between the two comments of `mark`. Returns an error if a comment
+/// is missing.
 pub fn replaced(text: &str, mark: &str, block: &str) -> Result<String, String> {
     let (begin, end) = (format!("<!-- begin: {mark} -->\n"), format!("<!-- end: {mark} -->"));
     let missing = || format!("the document lacks the mark {mark}");

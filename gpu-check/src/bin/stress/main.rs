@@ -47,7 +47,7 @@ struct Arguments {
     case: Vec<String>,
 }
 
-/// Fewest rays of a regime. With fewer, some regimes would have no hit.
+/// Smallest number of rays of a regime. With fewer rays, some regimes would have no hit.
 const FEWEST_RAYS: usize = 1000;
 
 fn count(text: &str) -> Result<usize, String> {
@@ -57,12 +57,12 @@ fn count(text: &str) -> Result<usize, String> {
 
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
-    // From here on a signal that ends the process leaves no temporary file.
+    // From here on, a signal that ends the process first removes the temporary files.
     output::stop::remove_temporary_when_stopped();
     let result = match Arguments::try_parse() {
         Ok(arguments) => run(&arguments),
         Err(message) if message.use_stderr() => {
-            // The message repeats the arguments, so control characters in it must be escaped for the terminal.
+            // The message repeats the arguments, so its control characters must be escaped for the terminal.
             terminal::note(message.render().to_string().trim_end());
             return ExitCode::from(2);
         }
@@ -82,7 +82,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let (rays, seed) = (*rays, *seed);
     let tables = out.join("tables.md");
     let text = document::text(&tables)?;
-    // Before minutes are spent on tables that would replace others.
+    // Checked before the run, which takes minutes and replaces the tables.
     document::check_that_no_row_goes(&text, case).map_err(|message| format!("{}: {message}", tables.display()))?;
     let folder = out;
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -184,7 +184,8 @@ fn print_costs(sections: &[Section]) -> Result<(), output::Error> {
     terminal::print(&lines.collect::<String>())
 }
 
-/// The counts of the pictures of `tests/cases` together, and of each picture given by `--case`.
+/// Renders the pictures and returns their counts. The first entry adds up all pictures of `tests/cases`. The others are
+/// the pictures of `--case`.
 fn pictures(others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
     let mut pictures = Vec::new();
     let mut all = Picture { name: document::CASES_OF_THE_TESTS.into(), counts: Counts::default(), same_bytes: true };

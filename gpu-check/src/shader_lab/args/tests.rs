@@ -1,4 +1,4 @@
-//! Command lines that are accepted, and the messages for those that are not.
+//! Tests of valid command lines, and of the messages for wrong ones.
 
 use super::*;
 

@@ -1,8 +1,9 @@
-//! Clients that are too slow. The server of these tests waits a shorter time; its code is that of the program.
+//! Tests with clients that are too slow. The server of these tests has shorter time limits, but the code of the
+//! program.
 
 use super::*;
 
-/// Large enough that no buffer of the system holds it.
+/// Number of bytes that no buffer of the system can hold.
 const LARGE: usize = 64 << 20;
 
 fn server_with(patience: [Duration; 2]) -> Server {
@@ -16,7 +17,7 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
     let server = server_with([short, long]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     let (stream, _) = server.listener.accept().expect("there is a connection");
-    // Each byte arrives in time, but the request never ends.
+    // Each byte comes in time, but the request never ends.
     let trickle = std::thread::spawn(move || {
         client.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\nA: ").expect("it reads");
         while client.write_all(b"x").is_ok() {
