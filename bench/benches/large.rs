@@ -1,6 +1,7 @@
-//! Measures how long a large picture takes to write and a large scene to read: `cargo bench -p bench --bench large`.
+//! Measures the time to write a large picture, and the time to read a large scene: `cargo bench -p bench --bench
+//! large`.
 //!
-//! The result is the shortest wall-clock time of several turns, since other work of the machine can only add time.
+//! The result is the shortest wall-clock time of several turns, because other work of the machine can only add time.
 
 use std::fs::File;
 use std::time::Instant;
@@ -15,7 +16,7 @@ use cpu::internals::layout::soa::SoaImage;
 use cpu::{Image, Rgb, Scene, Size};
 use test_support::generator::{self, Options};
 
-/// The shortest time of `turns` turns, in seconds.
+/// Calls `work` `turns` times, and returns the shortest time of a call in seconds.
 fn fastest<T>(turns: usize, mut work: impl FnMut() -> T) -> f64 {
     let time = |_| {
         let start = Instant::now();
@@ -38,7 +39,7 @@ fn write<I: Image>(layout: &str) {
     let folder = test_support::folder::Folder::new();
     let mut turn = 0;
     let to_file = fastest(15, || {
-        // A new file in each turn, as the programs write it. Truncating an old file would take as long again.
+        // Each turn writes a new file, as the programs do. Truncating an old file would take about as long again.
         turn += 1;
         let file = File::create(folder.file(format!("{turn}.ppm"))).expect("the folder takes files");
         cpu::internals::image::ppm::write_ppm(&image, file).expect("the file takes all");

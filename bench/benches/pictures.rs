@@ -1,8 +1,8 @@
-//! Measures the times of whole pictures, from the text of the inputs to the bytes of the file, and checks their
-//! digests: `cargo bench -p bench --bench pictures [NAME]`.
+//! Measures the time of whole pictures, from the text of the inputs to the bytes of the file, and checks their digests:
+//! `cargo bench -p bench --bench pictures [NAME]`.
 //!
-//! Criterion times the scenes of `tests/cases`. The scenes of the reference folder, if it is there, take seconds. Each
-//! of them is rendered once, and its user time is printed.
+//! Criterion measures the scenes of `tests/cases`. The scenes of the reference folder take seconds. If that folder
+//! exists, each of its scenes is rendered once, and its user time is printed.
 
 use std::fs;
 use std::path::Path;
@@ -14,14 +14,14 @@ use criterion::{Criterion, criterion_group};
 use test_support::digest::sha256;
 use test_support::golden::{self, Golden};
 
-/// The bytes of the picture's file, rendered from the bytes of the configuration and the scene.
+/// Returns the bytes of the picture's file, rendered from the bytes of the configuration and of the scene.
 fn picture(config: &[u8], scene: &[u8], scatter: Scatter) -> Vec<u8> {
     let config = Config::parse(config).expect("the configuration is valid");
     let scene = Scene::parse(scene).expect("the scene is valid");
     test_support::ppm(&cpu::render::<Aos>(&config, &scene, scatter).expect("it can be rendered"))
 }
 
-/// The bytes of a picture's configuration and scene.
+/// Returns the bytes of the configuration and of the scene of `golden`.
 fn files(golden: &Golden) -> [Vec<u8>; 2] {
     let read = |path: &Path| fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     [read(&golden.config), read(&golden.scene)]

@@ -1,5 +1,5 @@
-//! Measures how much the shortcuts gain that skip work which a scene does not need. A picture is rendered alternately
-//! with a shortcut and without it, and the user times are compared: `cargo bench -p bench --bench skipping`.
+//! Measures the gain of shortcuts, which skip work that a scene does not need. It renders a picture with and without a
+//! shortcut in turn, and compares the user times: `cargo bench -p bench --bench skipping`.
 
 use std::hint::black_box;
 
@@ -16,12 +16,12 @@ type Picture = <Aos as Layout>::Image;
 
 const ROUNDS: usize = 7;
 
-/// A gradient in all three channels.
+/// Background colours that form a gradient in all three channels.
 const COLORS: &str = "background_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
 const ONE_COLOR: &str = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
 const MATTE: &str = "matte: m .5 .6 .7\n";
 const MIRROR: &str = "metal: m .9 .8 .7 0\n";
-/// Two spheres next to each other. The background fills most of the picture.
+/// Two spheres next to each other. They leave most of the picture to the background.
 const BALLS: &str = "sphere: -1.5 0 0 1.4 m\nsphere: 1.5 0 0 1.4 m\n";
 
 fn prepared(config: &str, scene: &str) -> Prepared<Aos> {
@@ -35,7 +35,7 @@ fn render(prepared: &Prepared<Aos>) -> Picture {
     cpu::internals::render_with(prepared, InstructionSet::chosen()).expect("it is small")
 }
 
-/// Renders as [`render`] does, but traces all samples of every pixel.
+/// Renders a picture as [`render`] does, but traces all samples of every pixel.
 fn render_every_sample(prepared: &Prepared<Aos>) -> Picture {
     let mut image = Picture::black(prepared.size).expect("it is small");
     cpu::internals::render_linear(prepared, InstructionSet::chosen(), |index, mean| {
@@ -51,33 +51,34 @@ fn row(what: &str, skipping: impl FnMut(), doing: impl FnMut()) {
     println!("{what:<60} {:>9.2} {:>9.2} {ratio:>7.2}", with * 1e3, without * 1e3);
 }
 
-/// Compares the times of two ways to render one picture.
+/// Compares the times of two functions that must render the same picture.
 fn pictures(what: &str, skipping: impl Fn() -> Picture, doing: impl Fn() -> Picture) {
     assert!(test_support::ppm(&skipping()) == test_support::ppm(&doing()), "{what}: the pictures differ");
     row(what, || drop(skipping()), || drop(doing()));
 }
 
-/// Compares the times of a picture with a shortcut and without it. `disable` removes the shortcut.
+/// Compares the times of a picture with and without a shortcut. `disable` switches the shortcut off.
 fn without(what: &str, config: &str, scene: &str, disable: fn(&mut Prepared<Aos>)) {
     let (skipping, mut doing) = (prepared(config, scene), prepared(config, scene));
     disable(&mut doing);
     pictures(what, || render(&skipping), || render(&doing));
 }
 
-/// Compares the times of a scene without and with a hidden object, which is never seen but makes a shortcut impossible.
+/// Compares the times of a scene without and with a hidden object. The hidden object is never seen, but makes a
+/// shortcut impossible.
 fn beside_hidden(what: &str, scene: &str, hidden: &str) {
     let (skipping, doing) = (prepared(COLORS, scene), prepared(COLORS, &format!("{scene}{hidden}")));
     pictures(what, || render(&skipping), || render(&doing));
 }
 
-/// Compares the times with and without the bytes of background pixels that need no rays.
+/// Compares the times with and without the shortcut for background pixels, which gives their bytes without rays.
 fn sky(what: &str, colors: &str, scene: &str) {
     let prepared = prepared(colors, scene);
     pictures(what, || render(&prepared), || render_every_sample(&prepared));
 }
 
-/// Compares the times with the acceleration structure and with a loop over all objects. The scene is a ground with
-/// matte objects in a grid.
+/// Compares the times with the acceleration structure and with a loop over all objects. The scene has a ground and
+/// `objects` matte objects in a grid; the picture is `width` pixels wide.
 fn board(what: &str, objects: usize, width: u64) {
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [1.0, 0.0, 0.0], ..Options::default() };
     let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
@@ -87,8 +88,8 @@ fn board(what: &str, objects: usize, width: u64) {
     pictures(what, || render(&skipping), || render(&doing));
 }
 
-/// Compares the times with and without the shortcut for isolated objects. The scene is a ground of rough metal, whose
-/// scattered rays go inward as often as outward, and `objects` spheres of glass above it.
+/// Compares the times with and without the shortcut for isolated objects. The scene is a ground of rough metal with
+/// `objects` spheres of glass above it. The rays that the ground scatters go inward as often as outward.
 fn ground(what: &str, objects: u32) {
     let row = (0..objects).map(|at| f64::from(at) - f64::from(objects) / 2.0);
     let above: String = row.map(|x| format!("sphere: {} 1 {} .4 g\n", x % 5.0, (x / 5.0).floor())).collect();
@@ -97,7 +98,7 @@ fn ground(what: &str, objects: u32) {
     without(what, &config, &scene, |prepared| prepared.accel.without_isolation());
 }
 
-/// Compares the times of quantising by a table and by the power of the gamma correction.
+/// Compares two ways to quantise: by a table, and by the power function of the gamma correction.
 fn gamma() {
     let mut draws = Uniform::new(7);
     let means: Vec<_> = (0..300_000).map(|_| draws.canonical()).collect();
@@ -128,7 +129,7 @@ fn main() {
     ground("objects outside a ray's own object, 30 over a ground", 30);
     ground("objects outside a ray's own object, 300 over a ground", 300);
     let forty: String = (0..40).map(|at| format!("sphere: {} 0 0 .4 m\n", f64::from(at - 20) / 4.0)).collect();
-    // The hidden objects are inside mirrors, so they are never seen.
+    // The hidden objects are inside mirrors, so no ray reaches them.
     beside_hidden(
         "cylinders where there is none, 2 spheres",
         &format!("{MIRROR}{BALLS}"),

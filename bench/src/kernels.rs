@@ -1,35 +1,35 @@
-//! The kernels: named pieces of work, each on fixed data.
+//! The kernels of the benchmarks: named pieces of work, each with fixed data.
 
 mod arithmetic;
 mod files;
 mod spans;
 
-/// A piece of work that can be done again and again.
+/// A piece of work that can be repeated.
 pub trait Work {
-    /// Number of units that one turn works on: samples, rays, draws, pixels, lines or objects.
+    /// Returns the number of units in one turn: samples, rays, draws, pixels, lines or objects.
     fn units(&self) -> u64;
-    /// Prepares for a turn. This is not measured.
+    /// Prepares the next turn. The time of this call is not measured.
     fn prepare(&mut self) {}
-    /// Does the work once.
+    /// Does the work once; this is one turn.
     fn turn(&mut self);
 }
 
 /// A named piece of work.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
-    /// Its name.
+    /// The name of the kernel.
     pub name: &'static str,
-    /// Makes the data, and the work on them.
+    /// Creates the data, and the work on them.
     pub new: fn() -> Box<dyn Work>,
 }
 
-/// All kernels.
+/// Returns all kernels.
 #[must_use]
 pub fn all() -> Vec<Kernel> {
     [spans::KERNELS, arithmetic::KERNELS, files::KERNELS].concat()
 }
 
-/// Work without preparation: the number of its units, and the function that does one turn.
+/// Work that needs no preparation: the number of units of a turn, and the function that does one turn.
 struct Plain<F>(u64, F);
 
 impl<F: FnMut()> Work for Plain<F> {
@@ -41,7 +41,7 @@ impl<F: FnMut()> Work for Plain<F> {
     }
 }
 
-/// Makes work without preparation from the number of its units and the function that does one turn.
+/// Returns work that needs no preparation, from the number of units of a turn and the function that does one turn.
 fn plain(units: usize, turn: impl FnMut() + 'static) -> Box<dyn Work> {
     Box::new(Plain(units as u64, turn))
 }

@@ -1,7 +1,7 @@
 //! The shared code of the benchmarks.
 //!
-//! [`kernels`] are pieces of work that are small enough to be timed alone, or to have their instructions counted.
-//! [`time`] measures user time, which does not include the time of other processes. [`record`] keeps dated times and
+//! [`kernels`] are pieces of work that are small enough to be measured alone, by their time or their instructions.
+//! [`time`] measures user time, which does not include the time of other processes. [`record`] stores dated times and
 //! compares them.
 
 pub mod kernels;

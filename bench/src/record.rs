@@ -1,4 +1,4 @@
-//! A dated record of the renderer's times: the content of a file of `bench/record`, and the comparison of two records.
+//! A dated record of the renderer's times: a file of `bench/record`, and the comparison of two records.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -10,35 +10,36 @@ use serde::{Deserialize, Serialize};
 /// The time of one scene with one instruction set.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Time {
-    /// Median of the rounds' user times, in seconds.
+    /// Median of the user times of all rounds, in seconds.
     pub seconds: f64,
-    /// Median of the rounds' quotients: user time over that of the yardstick in the same round. The yardstick is
-    /// `cpu::reference` on one scene, so this number compares records of different machines.
+    /// Median of the relative times of all rounds. A relative time is the user time divided by the yardstick's user
+    /// time in the same round. The yardstick is `cpu::reference` on one scene, so relative times of different machines
+    /// can be compared.
     pub relative: f64,
 }
 
 /// The times that were measured on one day on one machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Day of the measurement, as in `2026-01-31`.
+    /// Day of the measurement, such as `2026-01-31`.
     pub date: String,
-    /// The processor as it calls itself.
+    /// The name of the processor, as the processor reports it.
     pub processor: String,
-    /// Commit of the working tree, with `-dirty` if the tree has changes.
+    /// Commit of the working tree, followed by `-dirty` if the tree has changes.
     pub commit: String,
-    /// Compiler that built the renderer.
+    /// Name and version of the compiler that built the renderer.
     pub compiler: String,
-    /// Load average of the minute before the measurement: the number of processes that wanted to run. A high load makes
-    /// the times less certain.
+    /// Load of the machine: the average number of runnable processes in the minute before the measurement. A high load
+    /// makes the times less certain.
     pub load: f64,
-    /// How often each time was measured.
+    /// Number of measurements of each time.
     pub rounds: usize,
     /// The times by scene, then by instruction set.
     pub times: BTreeMap<String, BTreeMap<String, Time>>,
 }
 
 impl Record {
-    /// The name of the record's file, `DATE-MACHINE.json`.
+    /// Returns the name of the record's file, `DATE-MACHINE.json`.
     #[must_use]
     pub fn file_name(&self) -> String {
         let letters = self.processor.to_lowercase().replace(|letter: char| !letter.is_ascii_alphanumeric(), " ");
@@ -46,18 +47,18 @@ impl Record {
         format!("{}-{}.json", self.date, words.join("-"))
     }
 
-    /// Reads a record.
+    /// Reads a record from the file `path`.
     ///
     /// # Errors
-    /// The file cannot be read, or is no record.
+    /// An error if the file cannot be read, or is not a record.
     pub fn read(path: &Path) -> io::Result<Self> {
         let named = |error: String| io::Error::other(format!("{}: {error}", path.display()));
         let text = fs::read_to_string(path).map_err(|error| named(error.to_string()))?;
         serde_json::from_str(&text).map_err(|error| named(error.to_string()))
     }
 
-    /// A table of this record's times beside an older one's: the quotient new / old of each time. Between records of
-    /// one machine the seconds are divided, otherwise the times relative to the yardstick.
+    /// Returns a table that compares this record with an older one. It shows the quotient new / old of each time. If
+    /// both records come from one machine, the seconds are divided, otherwise the times relative to the yardstick.
     #[must_use]
     pub fn compared_with(&self, old: &Self) -> String {
         let same_machine = self.processor == old.processor;
@@ -77,11 +78,12 @@ impl Record {
     }
 }
 
-/// Returns the record to compare with: the latest one in `folder` of this `processor`, or else of any processor. It
-/// ignores the file `except`, which is the record just written.
+/// Returns the latest record in `folder` of this `processor`. If there is none, returns the latest record of any
+/// processor, or `None` if the folder has no record. The file `except` is ignored, because it is the record just
+/// written.
 ///
 /// # Errors
-/// The folder or a record in it cannot be read.
+/// An error if the folder or a record in it cannot be read.
 pub fn latest(folder: &Path, except: &Path, processor: &str) -> io::Result<Option<Record>> {
     let entries = fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
     let paths = entries.into_iter().map(|entry| entry.path());
@@ -127,7 +129,7 @@ mod tests {
         let last = latest(folder.path(), &path, &new.processor).expect("they are readable").expect("there are two");
         assert_eq!(last, others[0]);
         assert!(new.compared_with(&last).contains("avx2                0.500"), "{}", new.compared_with(&last));
-        // On another machine the yardstick tells how fast the machine is.
+        // For another machine, the yardstick tells how fast that machine is.
         let last = latest(folder.path(), &path, "Unknown").expect("they are readable").expect("there are two");
         assert_eq!(last, others[1]);
         assert!(new.compared_with(&last).contains("avx2                0.500"), "{}", new.compared_with(&last));

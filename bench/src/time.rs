@@ -1,19 +1,20 @@
-//! Measures user time, and compares two ways to do one thing.
+//! Measures user time, and compares two ways to do the same work.
 
 use nix::sys::resource::{UsageWho, getrusage};
 
-/// Shortest user time that is measured, in seconds. Shorter work is repeated, since the system's clock may be coarse.
+/// Shortest user time of one measurement, in seconds. Shorter work is repeated, because the system's clock may be
+/// coarse.
 const SHORTEST: f64 = 0.05;
 
-/// The user time of this process so far, in seconds.
+/// Returns the user time of this process since its start, in seconds.
 #[must_use]
 pub fn user_seconds() -> f64 {
-    // It fails only for an unknown `who`.
+    // `getrusage` fails only for an unknown `who`.
     let time = getrusage(UsageWho::RUSAGE_SELF).expect("a process may ask about itself").user_time();
     time.tv_sec() as f64 + time.tv_usec() as f64 * 1e-6
 }
 
-/// The user time of one turn of `work`, in seconds.
+/// Returns the mean user time of one call of `work`, in seconds. The work is repeated until it has taken `SHORTEST`.
 pub fn seconds_of(mut work: impl FnMut()) -> f64 {
     let before = user_seconds();
     let mut turns = 0.0;
@@ -27,15 +28,15 @@ pub fn seconds_of(mut work: impl FnMut()) -> f64 {
     }
 }
 
-/// Measures two ways to do one thing, which alternate. Returns the median seconds of `one` and of `other`, and the
-/// median of the rounds' ratios `other / one`.
+/// Measures `one` and `other` in turn, `rounds` times. Returns the median seconds of `one`, the median seconds of
+/// `other`, and the median of the rounds' ratios `other / one`.
 pub fn compare(rounds: usize, mut one: impl FnMut(), mut other: impl FnMut()) -> [f64; 3] {
     let times: Vec<_> = (0..rounds).map(|_| [seconds_of(&mut one), seconds_of(&mut other)]).collect();
     let of = |value: fn(&[f64; 2]) -> f64| median(times.iter().map(value).collect());
     [of(|times| times[0]), of(|times| times[1]), of(|times| times[1] / times[0])]
 }
 
-/// The median of some values.
+/// Returns the median of `values`, which must not be empty.
 #[must_use]
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);

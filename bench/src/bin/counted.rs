@@ -1,4 +1,4 @@
-//! `counted CONFIG SCENE`: renders and prints how often the renderer did each thing (`cargo run --release -p bench
+//! `counted CONFIG SCENE`: renders a scene and prints the counters of the renderer (`cargo run --release -p bench
 //! --features counters --bin counted CONFIG SCENE`).
 
 use std::error::Error;

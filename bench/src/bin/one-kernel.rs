@@ -1,11 +1,11 @@
-//! `one-kernel [NAME]`: runs one turn of a kernel in a function of its own, so that callgrind can count its
-//! instructions. Without a name it prints all names. bench/instructions runs it.
+//! `one-kernel [NAME]`: runs one turn of a kernel in its own function, so that callgrind can count its instructions.
+//! Without NAME it prints the names of all kernels. bench/instructions runs it.
 
 use std::process::ExitCode;
 
 use bench::kernels::{self, Work};
 
-/// The function whose instructions bench/instructions counts.
+/// Runs one turn. bench/instructions counts the instructions of this function.
 #[inline(never)]
 fn counted_work(work: &mut dyn Work) {
     work.turn();
@@ -32,7 +32,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let mut work = (kernel.new)();
-    // The first turn finds out which instructions the machine has, and allocates memory. It is not counted.
+    // The first turn detects the instruction sets of the machine and allocates memory. It is not counted.
     work.prepare();
     work.turn();
     work.prepare();

@@ -1,5 +1,5 @@
-//! `parse-speed [LINES]`: prints how long a line of a generated scene takes to read: the shortest of five times, for a
-//! million lines by default.
+//! `parse-speed [LINES]`: prints the time to read one line of a generated scene. It is the shortest of five
+//! measurements. The scene has a million lines by default.
 
 use std::hint::black_box;
 use std::process::ExitCode;

@@ -1,5 +1,5 @@
-//! `record [--rounds N]`: measures the renderer, adds the times to `bench/record` and compares them with the last
-//! record.
+//! `record [--rounds N]`: measures the renderer, writes the times into a new file in `bench/record`, and compares them
+//! with the last record.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -77,7 +77,7 @@ fn run(arguments: &[String]) -> io::Result<()> {
     Ok(())
 }
 
-/// The scenes to measure, with sizes at which each picture takes about a tenth of a second.
+/// Returns the scenes to measure. Their sizes are chosen so that each picture takes about a tenth of a second.
 fn scenes() -> io::Result<Vec<Measured>> {
     let mut measured = Vec::new();
     let folder = golden::reference_folder();
@@ -105,8 +105,8 @@ fn prepare(config: &Config, scene: &Scene) -> io::Result<Prepared<Aos>> {
     Prepared::new(config, scene, Scatter::Statement).map_err(io::Error::other)
 }
 
-/// The times of all scenes with all instruction sets. In each round every scene is rendered once with every instruction
-/// set, and the yardstick once before each scene.
+/// Returns the times of all scenes with all instruction sets, by scene and then by instruction set. Each round renders
+/// every scene once with every instruction set, and the yardstick once before each scene.
 fn measure(scenes: &[Measured], rounds: usize) -> io::Result<BTreeMap<String, BTreeMap<String, Time>>> {
     let sets: Vec<_> = InstructionSet::available().collect();
     let yardstick = yardstick()?;
@@ -138,7 +138,8 @@ fn measure(scenes: &[Measured], rounds: usize) -> io::Result<BTreeMap<String, BT
     Ok(times)
 }
 
-/// Returns a function that renders the yardstick's picture by the reference, and returns the seconds that it takes.
+/// Returns a function that renders the yardstick's picture with the reference, and returns the time that this takes, in
+/// seconds. The other times are compared with it.
 fn yardstick() -> io::Result<impl Fn() -> f64> {
     let golden = golden::cases().swap_remove(0);
     let config = Config::parse(&fs::read(&golden.config)?[..]).map_err(io::Error::other)?;
@@ -150,7 +151,7 @@ fn yardstick() -> io::Result<impl Fn() -> f64> {
     Ok(move || seconds_of(&render))
 }
 
-/// The standard output of a command, without blanks at its ends.
+/// Returns the standard output of a command, without blanks at its ends.
 fn output_of(program: &str, arguments: &[&str]) -> io::Result<String> {
     let output = Command::new(program).args(arguments).current_dir(project_root()).output()?;
     let text = String::from_utf8_lossy(&output.stdout).trim().to_owned();

@@ -1,5 +1,5 @@
-//! `reference CONFIG SCENE OUT.ppm [exact]`: renders by the reference, with plain intersections or, with the word
-//! `exact`, with exact ones. It is used to compare the times of the evaluated programs with it, and to make digests
+//! `reference CONFIG SCENE OUT.ppm [exact]`: renders with the reference. It uses plain intersections, or exact ones if
+//! the word `exact` is given. Its time is compared with the times of the evaluated programs. It also makes the digests
 //! of pictures that are too large for the tests.
 
 use std::error::Error;

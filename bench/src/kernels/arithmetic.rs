@@ -33,10 +33,10 @@ pub const KERNELS: &[Kernel] = &[
 /// Number of rays, directions or means in one turn.
 const COUNT: usize = 1024;
 
-/// The centre of a sphere of radius one that more than a quarter of [`rays`] hit.
+/// The centre of a sphere of radius 1. More than a quarter of the rays of [`rays`] hit this sphere.
 const SPHERE: Vec3 = Vec3::new(0.3, -0.2, 0.1);
 
-/// Random rays from points near (0, 0, -10) to points near the origin.
+/// Returns [`COUNT`] random rays from points near (0, 0, -10) to points near the origin.
 fn rays() -> Vec<Ray> {
     let mut draws = Uniform::new(5);
     let mut near = |middle: Vec3, size: f64| middle + Vec3::from([(); 3].map(|()| draws.draw(-size, size)));
@@ -47,7 +47,7 @@ fn rays() -> Vec<Ray> {
     (0..COUNT).map(ray).collect()
 }
 
-/// Computes the background along [`COUNT`] directions.
+/// Computes the background's colours for [`COUNT`] directions.
 struct Colors<'a> {
     background: &'a Background,
     directions: &'a [Vec<f64>; 3],
@@ -82,7 +82,7 @@ fn background() -> Box<dyn Work> {
     })
 }
 
-/// Fills a slice with random numbers.
+/// Fills the slice with random numbers of the generator.
 struct Draws<'a>(&'a mut BlockUniform, &'a mut [f64]);
 
 impl simd::Kernel for Draws<'_> {
@@ -94,7 +94,7 @@ impl simd::Kernel for Draws<'_> {
     }
 }
 
-/// Skips this number of random numbers.
+/// Makes the generator skip this many random numbers.
 struct Skip<'a>(&'a mut BlockUniform, u64);
 
 impl simd::Kernel for Skip<'_> {
@@ -140,8 +140,8 @@ fn quantize_interval() -> Box<dyn Work> {
     })
 }
 
-/// Intersects rays with a sphere of radius one. At [`SPHERE`] the rays are random. At the centre (1, 1, 1) every ray
-/// is exactly tangent to the sphere.
+/// Returns work that intersects rays with a sphere of radius 1. If its centre is [`SPHERE`], the rays are random. If it
+/// is (1, 1, 1), every ray is exactly tangent to the sphere.
 fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> + 'static) -> Box<dyn Work> {
     let sphere = SphereRecord::new(center, 1.0);
     let tangent = |at: f64| Ray { origin: Vec3::new(0.0, 1.0, -at), direction: Vec3::new(0.0, 0.0, 1.0) };
@@ -153,8 +153,8 @@ fn spheres(center: Vec3, intersect: impl Fn(&SphereRecord, &Ray) -> Option<f64> 
     })
 }
 
-/// Intersects rays with a ground of radius 10,000, by the compensated formula. The rays start one above the ground, so
-/// the plain formula does not decide them.
+/// Returns work that intersects rays with a ground of radius 10,000, with the compensated formula. The rays start at a
+/// height of 1 above the ground, where the plain formula is uncertain.
 fn ground() -> Box<dyn Work> {
     let ground = SphereRecord::new(Vec3::new(0.0, -1e4, 0.0), 1e4);
     let mut draws = Uniform::new(5);
@@ -171,7 +171,8 @@ fn ground() -> Box<dyn Work> {
     })
 }
 
-/// Intersects rays with a cylinder. If `through_rim`, every ray passes exactly through the rim of a cap.
+/// Returns work that intersects rays with a cylinder. If `through_rim`, every ray passes exactly through the rim of a
+/// cap.
 fn cylinders(
     through_rim: bool,
     intersect: impl Fn(&CylinderRecord, &Vec3, &Ray) -> Option<(f64, cpu::internals::geometry::cylinder::CylinderPart)>

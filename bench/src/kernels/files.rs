@@ -1,4 +1,5 @@
-//! Kernels of files: parsing the two texts, building the acceleration structure, and writing the picture.
+//! Kernels of files: parsing the configuration and the scene, building the acceleration structure, and writing the
+//! picture.
 
 use std::hint::black_box;
 use std::io;

@@ -12,7 +12,7 @@ use test_support::generator::{self, Arrangement, Options};
 
 use super::{Kernel, Work};
 
-/// A span of a picture, whose stages are run one by one.
+/// A span of a picture, and the state of its rendering. Its stages are run one by one.
 pub struct Stages {
     state: SpanState<'static, Aos>,
     set: InstructionSet,
@@ -20,7 +20,7 @@ pub struct Stages {
 }
 
 impl Stages {
-    /// The span of `row` that begins in or after `column`.
+    /// Returns the first span of `row` that begins at or after `column`, ready for its first stage.
     fn new(prepared: &'static Prepared<Aos>, row: usize, column: usize) -> Self {
         let mut spans = Spans::of_row(prepared.size.width(), prepared.samples);
         let span = spans.find(|span| span.first >= column).expect("the row is longer");
@@ -37,7 +37,8 @@ impl Stages {
         self.state.candidates.begin_span(prepared, row, &self.span);
     }
 
-    /// Finds the bytes of the span's pixels without rays, as if no object reached it; returns how many are known.
+    /// Computes the bytes of the span's pixels without rays, as if no object reached the span. Returns the number of
+    /// pixels whose bytes are known.
     fn background_pixels(&mut self) -> usize {
         let (mut done, mut known) = (0, 0);
         while done < self.span.width() {
@@ -68,13 +69,13 @@ impl Stages {
         self.set.run(ColorPaths(&mut self.state));
     }
 
-    /// Number of samples in the specular queue, and in the path queue.
+    /// Returns the number of samples in the specular queue, and the number in the path queue.
     fn queued(&self) -> (usize, usize) {
         (self.state.batch.specular.count, self.state.tracer.queue.count)
     }
 }
 
-/// A stage, and those that must come before it.
+/// Work of one stage. `before` runs the stages that must come before it, and `turn` runs the stage itself.
 struct Stage {
     stages: Stages,
     before: fn(&mut Stages),
@@ -114,17 +115,17 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { name: "path-ends", new: || on_grid(60, traced, Stages::path_ends) },
 ];
 
-/// Two refractive spheres, one in the other.
+/// A scene with two refractive spheres, one inside the other.
 const TWO_SPHERES: &str = "sphere: 0 0 0 6 g\nsphere: 0 0 0 3 g\n";
 
-/// Runs the stages until all samples are in the specular queue.
+/// Runs the stages up to the moment when all samples are in the specular queue.
 fn specular(stages: &mut Stages) {
     stages.draw();
     stages.camera_rays();
     assert_eq!(stages.queued().0, stages.span.count);
 }
 
-/// Runs the stages until most samples are in the path queue.
+/// Runs the stages up to the moment when most samples are in the path queue.
 fn queued(stages: &mut Stages) {
     stages.draw();
     stages.camera_rays();
@@ -132,7 +133,7 @@ fn queued(stages: &mut Stages) {
     assert!(stages.queued().1 > stages.span.count / 2, "{:?}", stages.queued());
 }
 
-/// Ends the paths of the last turn. Then runs the stages until most samples are in the path queue.
+/// Ends the paths of the last turn. Then it runs the stages until most samples are in the path queue.
 fn queued_again(stages: &mut Stages) {
     stages.path_ends();
     queued(stages);
@@ -144,7 +145,8 @@ fn traced(stages: &mut Stages) {
     stages.paths();
 }
 
-/// A stage on a picture that these objects fill, if there are any. Their materials are matte `m` or refractive `g`.
+/// Returns work of a stage on a picture of `objects`, which fill the picture if there are any. Their materials are
+/// matte `m` or refractive `g`.
 fn stage(objects: &str, before: fn(&mut Stages), turn: fn(&mut Stages)) -> Box<dyn Work> {
     let config = "field_of_view: 40\nbackground_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
@@ -153,7 +155,7 @@ fn stage(objects: &str, before: fn(&mut Stages), turn: fn(&mut Stages)) -> Box<d
     make(&config, &scene, 1100, before, turn)
 }
 
-/// A stage on a grid of matte, metal and refractive objects, seen from among them.
+/// Returns work of a stage on a grid of matte, metal and refractive objects. The camera is among the objects.
 fn on_grid(objects: usize, before: fn(&mut Stages), turn: fn(&mut Stages)) -> Box<dyn Work> {
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };
     make(&generator::view(&options), &generator::scene(&options), 400, before, turn)
@@ -163,7 +165,7 @@ fn make(config: &Config, scene: &Scene, width: u64, before: fn(&mut Stages), tur
     let config = Config { image_width: width, samples_per_pixel: 32, ..config.clone() };
     let prepared = Prepared::<Aos>::new(&config, scene, Scatter::Statement).expect("it can be rendered");
     let (row, column) = (prepared.size.height() * 5 / 8, prepared.size.width() / 2);
-    // The process ends with the benchmark.
+    // Never freed: the process ends with the benchmark.
     let stages = Stages::new(Box::leak(Box::new(prepared)), row, column);
     Box::new(Stage { stages, before, turn })
 }
