@@ -1,8 +1,8 @@
-//! The documentation names only what exists, and can be read once: links, paths, sections of the specification, terms,
-//! the length of lines, of sentences and of summaries.
+//! Checks that the documentation names only what exists, and that it can be read once: links, paths, sections of the
+//! specification, terms, and the length of lines, of sentences and of summaries.
 //!
-//! Every check counts the places that it compared, and fails if they are too few. `faults` shows that each check finds
-//! a fault.
+//! Every check counts the places that it compared, and fails if they are too few. The module `faults` shows that each
+//! check finds an error.
 
 #[path = "documentation/checks.rs"]
 mod checks;
@@ -24,12 +24,12 @@ use checks::{
 use markdown::Page;
 use project::Project;
 
-/// Every Markdown file, parsed.
+/// Returns every Markdown file by its path, parsed.
 fn pages(project: &Project) -> BTreeMap<&str, Page> {
     project.with_endings(&["md"]).map(|path| (path, Page::parse(&project.text(path)))).collect()
 }
 
-/// The comments of every source in Rust and WGSL: file, line and text.
+/// Returns the comments of every source in Rust and WGSL: path, line number and text.
 fn comments(project: &Project) -> Vec<(&str, usize, String)> {
     let sources = project.with_endings(&["rs", "wgsl"]);
     let of = |path| words::comments(&project.text(path)).into_iter().map(move |(line, text)| (path, line, text));
@@ -93,7 +93,7 @@ fn no_comment_is_longer_than_the_limit() {
     check_columns(lines).conclude(5000);
 }
 
-/// Runs a check on every page.
+/// Runs a check on every page, and returns the joined reports.
 fn check_pages(pages: &BTreeMap<&str, Page>, check: impl Fn(&str, &Page) -> Report) -> Report {
     let mut all = Report::default();
     pages.iter().for_each(|(path, page)| all.add(check(path, page)));

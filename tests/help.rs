@@ -1,7 +1,7 @@
-//! Every binary and example of the workspace says how it is used, and does nothing else when it is asked to.
+//! Checks that every binary and example of the workspace explains its use for `--help`, and does nothing else then.
 //!
-//! The list is Cargo's, so a new one is tested from the start. Only the evaluated programs are left out: the statement
-//! fixes what they say.
+//! Cargo lists the programs, so a new program is tested from its start. Only the evaluated programs are left out,
+//! because the statement prescribes their messages.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,17 +11,17 @@ use std::time::SystemTime;
 use serde_json::Value;
 use test_support::folder::Folder;
 
-/// The programs whose usage the statement fixes.
+/// Names of the evaluated programs, whose messages the statement prescribes.
 const EVALUATED: [&str; 2] = ["render-aos", "render-soa"];
 
-/// A binary or an example.
+/// A binary or an example of the workspace.
 #[derive(Debug)]
 struct Program {
     package: String,
     name: String,
-    /// `bin` or `example`.
+    /// Cargo's name for the kind of program: `bin` or `example`.
     kind: String,
-    /// Features that it is built with, parted by commas.
+    /// Names of the features that it needs, separated by commas.
     features: String,
 }
 
@@ -33,17 +33,17 @@ fn cargo(arguments: &[&str]) -> Vec<Value> {
     serde_json::Deserializer::from_slice(&output.stdout).into_iter().map(|value| value.expect("it is JSON")).collect()
 }
 
-/// The text of a field.
+/// Returns the text of a JSON string. Panics for any other value.
 fn text(value: &Value) -> String {
     value.as_str().unwrap_or_else(|| panic!("{value} is no text")).to_owned()
 }
 
-/// All entries of a list, of which there may be none.
+/// Returns the entries of a JSON list, or no entries for any other value.
 fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
-/// All programs of the workspace.
+/// Returns all programs of the workspace.
 fn programs() -> Vec<Program> {
     let metadata = cargo(&["metadata", "--no-deps", "--format-version", "1"]);
     let mut programs = Vec::new();
@@ -60,10 +60,10 @@ fn programs() -> Vec<Program> {
     programs
 }
 
-/// Builds the programs for the profile that tests are built for, and returns Cargo's messages. Most are built already.
+/// Builds the programs with the profile of the tests, and returns Cargo's messages. Most programs are built already.
 fn build(programs: &[Program]) -> Vec<Value> {
     let mut messages = cargo(&["build", "--message-format", "json", "--workspace", "--bins", "--examples"]);
-    // Cargo leaves out programs whose features are not asked for.
+    // Cargo leaves out programs whose features are not switched on.
     for Program { package, name, kind, features } in programs.iter().filter(|program| !program.features.is_empty()) {
         let kind = format!("--{kind}");
         messages.extend(cargo(&["build", "--message-format", "json", "-p", package, &kind, name, "-F", features]));
@@ -71,7 +71,7 @@ fn build(programs: &[Program]) -> Vec<Value> {
     messages
 }
 
-/// Where a program was built.
+/// Returns the path of a built program, which is in Cargo's messages.
 fn path(program: &Program, messages: &[Value]) -> PathBuf {
     let is_its = |message: &&Value| {
         let target = &message["target"];
@@ -82,7 +82,7 @@ fn path(program: &Program, messages: &[Value]) -> PathBuf {
     PathBuf::from(text(&message["executable"]))
 }
 
-/// When each file of the project was changed last. Cargo's and git's own folders are left out.
+/// Adds the time of the last change of each file in `folder` to `found`. The folders `target` and `.git` are left out.
 fn changes(folder: &Path, found: &mut BTreeMap<PathBuf, SystemTime>) {
     for entry in std::fs::read_dir(folder).expect("the folder is readable") {
         let path = entry.expect("the folder is readable").path();
@@ -103,10 +103,10 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
     found
 }
 
-/// What is wrong with a program's answer to `--help`, if anything is.
+/// Returns the fault in a program's answer to `--help`, or `None` if there is none.
 fn fault(name: &str, output: &Output) -> Option<&'static str> {
     let said = String::from_utf8_lossy(&output.stdout).replace("\r\n", "\n");
-    // An example is a line that is called one, and below it a command with the program's name.
+    // An example is a line that begins with "Example", with a command below it that has the program's name.
     let example = said.split_once("Example").map(|(_, rest)| rest);
     if output.status.code() != Some(0) {
         Some("the status is not 0")

@@ -1,8 +1,9 @@
-//! Builds the literal program in C++ (`tests/literal`) and checks that it gives the digests in `tests/cases`.
+//! Builds the literal program in C++ (`tests/literal`), and checks that its pictures have the digests in `tests/cases`.
 //!
-//! So the digests can be computed again from the repository alone, and the program whose times are compared renders the
-//! right pictures. It also renders random ordinary scenes, 200 or `RENDER_LITERAL_SCENES` of them, with which the
-//! reference and the renderer are compared. Without g++ the tests are shown as ignored.
+//! So the digests can be computed again from this repository alone, and the program whose times are compared renders
+//! the right pictures. The literal program also renders 200 random ordinary scenes, or `RENDER_LITERAL_SCENES` of them,
+//! and its pictures are compared with those of the reference and of the renderer. Without g++ these tests are shown as
+//! ignored.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -16,10 +17,11 @@ use test_support::generator::{self, Options};
 use test_support::golden::{self, Golden};
 use test_support::{digest, p3};
 
-/// The compiler. It must be g++, because the digests depend on the distributions of its library, libstdc++.
+/// The name of the compiler. It must be g++, because the digests depend on the random distributions of its library,
+/// libstdc++.
 const COMPILER: &str = "g++";
 
-/// A check that gets the path of the built program.
+/// A check that takes the path of the built program.
 type Check = Box<dyn FnOnce(&Path) -> Result<(), Failed> + Send>;
 
 fn main() {
@@ -29,7 +31,7 @@ fn main() {
     let runs = Command::new(COMPILER).arg("--version").output().is_ok_and(|output| output.status.success());
 
     let folder = Folder::new();
-    // The program is built once, for all tests. It is not built if only the names of the tests are listed.
+    // The program is built once for all tests. It is not built if the names of the tests are only listed.
     let program = if runs && !arguments.list { build(folder.path()) } else { Err("it was not built".to_owned()) };
     let program = Arc::new(program);
     let trial = |name: String, check: Check| {
@@ -49,11 +51,12 @@ fn main() {
     conclusion.exit();
 }
 
-/// Builds the program in `folder`.
+/// Builds the program in `folder`, and returns its path.
 fn build(folder: &Path) -> Result<PathBuf, String> {
     let program = folder.join("literal");
     let mut compiler = Command::new(COMPILER);
-    // A fused multiply-add rounds once and not twice, which would give other bytes. So contraction is switched off.
+    // A fused multiply-add rounds once instead of twice, which would change bytes of the picture. So contraction is
+    // switched off.
     compiler.args(["-std=c++20", "-O2", "-ffp-contract=off", "-o"]).arg(&program);
     compiler.arg(test_support::project_root().join("tests/literal/literal.cpp"));
     check(&compiler.output().map_err(|error| error.to_string())?)?;
@@ -75,11 +78,11 @@ fn has_its_digest(golden: &Golden, program: &Path) -> Result<(), Failed> {
     if actual == expected { Ok(()) } else { Err(format!("{actual} instead of {expected}").into()) }
 }
 
-/// Checks on random ordinary scenes that the reference with the plain formulas and the renderer give the literal
+/// Checks with random ordinary scenes that the reference with the plain formulas, and the renderer, give the literal
 /// program's bytes.
 ///
-/// The renderer's intersections are exact. So on other scenes it might differ where rounding decides whether the
-/// literal program's ray hits. In 10,000 of these scenes it does not differ.
+/// The renderer's intersections are exact. So with other scenes it could differ if rounding decides whether the literal
+/// program's ray hits. In 10,000 of these scenes there is no difference.
 fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
     let scenes: u64 = std::env::var("RENDER_LITERAL_SCENES").map_or(Ok(200), |text| text.parse())?;
     let folder = Folder::new();
@@ -106,7 +109,7 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
         }
         check(&command.output()?)?;
         let literal = std::fs::read(&out)?;
-        // The files are read back, so that both programs render the values in the files.
+        // The files are read back, so that all programs render the numbers in the files.
         let (config, scene) = (Config::read(&config_file)?, Scene::read(&scene_file)?);
         let reference = |scene: &Scene| cpu::reference::render::<AosImage>(&config, scene, scatter);
         let rendered = [("reference", reference(&scene)?), ("renderer", cpu::render::<Aos>(&config, &scene, scatter)?)];
@@ -121,14 +124,14 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
     if 2 * with_objects > scenes { Ok(()) } else { Err("most pictures show no object".into()) }
 }
 
-/// Returns the picture as the bytes of a P3 file.
+/// Returns an image as the bytes of a P3 file.
 fn p3_of(image: &AosImage) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     cpu::internals::image::ppm::write_ppm(image, &mut bytes)?;
     Ok(bytes)
 }
 
-/// Checks that a command has succeeded and printed nothing.
+/// Returns an error unless a command has succeeded and printed nothing.
 fn check(output: &Output) -> Result<(), String> {
     let silent = output.stdout.is_empty() && output.stderr.is_empty();
     if output.status.success() && silent { Ok(()) } else { Err(format!("{output:?}")) }

@@ -1,10 +1,10 @@
-//! Every allocation that grows with the input may fail, and then gives an error. An allocator refuses the requests of
-//! an action one after the other, and each time the action must return the error. If code does not handle a refused
-//! request, the process aborts, and the test fails.
+//! Checks that every allocation whose size depends on the input may fail, and then returns an error. An allocator
+//! refuses the requests of an action one by one, and each time the action must return the error. If the code does not
+//! handle a refused request, the process aborts, and the test fails.
 //!
 //! `cli/tests/faults/memory.rs` limits the memory of whole programs instead.
 
-// An allocator cannot be written without unsafe code.
+// An allocator needs unsafe code.
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout as Request, System};
@@ -23,9 +23,9 @@ use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Size, Soa};
 #[global_allocator]
 static REFUSING: Refusing = Refusing { least: AtomicUsize::new(usize::MAX), left: AtomicUsize::new(0) };
 
-/// The system's allocator, which refuses one request.
+/// An allocator that passes requests to the system's allocator, but refuses one of them.
 struct Refusing {
-    /// Requests for fewer bytes are never refused, and not counted.
+    /// Requests for fewer bytes are neither refused nor counted.
     least: AtomicUsize,
     /// Number of counted requests before the one that is refused.
     left: AtomicUsize,
@@ -33,7 +33,7 @@ struct Refusing {
 
 impl Refusing {
     fn refuses(&self, bytes: usize) -> bool {
-        // After the refused request the counter wraps around to the largest number, so that no second one is refused.
+        // After the refused request the counter wraps around to the largest number, so no other request is refused.
         bytes >= self.least.load(Ordering::Relaxed) && self.left.fetch_sub(1, Ordering::Relaxed) == 0
     }
 }
@@ -57,8 +57,9 @@ unsafe impl GlobalAlloc for Refusing {
     }
 }
 
-/// Runs `action` with its first request for `least` bytes or more refused, then with its second refused, and so on.
-/// Ends when no request is refused any more, and returns the number of requests.
+/// Runs `action` again and again. The first time, its first request for at least `least` bytes is refused, then its
+/// second, and so on. Ends when the action makes no further request, and returns the number of requests. `what` names
+/// the action.
 fn refused(what: &str, least: usize, action: impl Fn() -> Result<(), Error>) -> usize {
     for number in 0.. {
         REFUSING.left.store(number, Ordering::Relaxed);
@@ -96,7 +97,7 @@ fn config() -> Config {
     Config { image_width: 4, aspect_ratio: [1, 1], samples_per_pixel: 1, ..Config::default() }
 }
 
-/// Checks the preparation in a layout, for a scene with `count` objects of each kind.
+/// Checks the preparation in the layout `L`, for a scene with `count` objects of each kind.
 fn preparation<L: Layout>(count: usize) {
     let (config, scene) = (config(), scene(count));
     let camera = config.image_size().and_then(|size| Camera::new(&config, size)).expect("there is a picture");
@@ -107,11 +108,11 @@ fn preparation<L: Layout>(count: usize) {
     assert!(refused("search", 1, || Accel::new(&objects, &extent).map(drop)) >= 1);
 }
 
-/// Bytes of the smallest request that is refused while a picture is rendered. Blocks of fixed size are smaller; they do
-/// not grow with the input and are never refused.
+/// Smallest size in bytes of a request that is refused while a picture is rendered. Blocks of fixed size are smaller.
+/// They do not depend on the input, so they are never refused.
 const LEAST: usize = 300_000;
 
-/// Checks the preparation and the rendering of a whole picture.
+/// Checks the preparation and the rendering of a whole picture in the layout `L`.
 fn rendering<L: Layout>() {
     let (config, scene) = (config(), scene(80_000));
     let prepare = || Prepared::<L>::new(&config, &scene, Scatter::Statement);
@@ -127,7 +128,7 @@ fn rendering<L: Layout>() {
     assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 3);
 }
 
-/// Checks a ray inside a mirror, whose path reaches the maximum depth.
+/// Checks the rendering of a ray inside a mirror, whose path reaches the maximum depth.
 fn between_mirrors() {
     let config = Config { image_width: 1, samples_per_pixel: 1, max_depth: 500_000, ..config() };
     let scene = Scene::parse(&b"metal: m 1 1 1 0\nsphere: 0 0 0 20 m\n"[..]).expect("the scene is valid");
@@ -138,7 +139,7 @@ fn between_mirrors() {
     assert!(refused("path of the reference", LEAST, reference) >= 3);
 }
 
-// There is only one test, because a test in another thread would have its requests refused.
+// There is only one test, because requests of a test in another thread would be refused too.
 #[test]
 fn each_request_that_grows_with_the_input_may_be_refused() {
     let config = "image_width: 4\ngamma: 2\n".as_bytes();
@@ -153,7 +154,7 @@ fn each_request_that_grows_with_the_input_may_be_refused() {
     assert_eq!(refused("pixels together", 1, || <Aos as Layout>::Image::black(size).map(drop)), 1);
     assert_eq!(refused("pixels apart", 1, || <Soa as Layout>::Image::black(size).map(drop)), 3);
 
-    // Objects of each kind for a small scene, for a flat filter, and for a BVH.
+    // These numbers of objects of each kind give a small scene, a flat filter and a BVH.
     for count in [1, 20, 200] {
         preparation::<Aos>(count);
         preparation::<Soa>(count);

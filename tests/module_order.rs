@@ -1,7 +1,5 @@
-//! Checks the order of the modules of `cpu`: a folder uses only folders before it, and no files use each other in a
+//! Checks the order of the modules of `cpu`: a folder uses only folders before it, and files do not use each other in a
 //! circle.
-//!
-//! docs/design.md says what each folder holds, in this order. Tests may use any module, so they are left out.
 
 #[path = "module_order/design.rs"]
 mod design;
@@ -15,7 +13,7 @@ use std::collections::BTreeSet;
 use design::{arrows_without_a_use, dotted_arrows, folders_of_page};
 use uses::{Sources, against_the_order, in_circles, read, uses};
 
-/// The folders and files at the top of `cpu/src`. Each uses only those before it.
+/// Names of the folders and files at the top of `cpu/src`. Each uses only those before it.
 const ORDER: [&str; 14] = [
     "counters",
     "math",

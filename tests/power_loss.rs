@@ -1,6 +1,6 @@
-//! Simulates a loss of power at any moment. The system calls of a process that writes a file are recorded. A model of a
-//! file system returns which contents POSIX allows if the power fails after each call. With [`Options::sync`] these are
-//! the old file and the new one.
+//! Simulates a loss of power at any moment. The tests record the system calls of a process that writes a file. After
+//! each call, a model of a file system gives the contents that POSIX allows if the power fails then. With
+//! [`Options::sync`] these must be the old file or the new one.
 //!
 //! If `strace` cannot run, these tests are shown as ignored.
 

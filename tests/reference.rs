@@ -1,5 +1,5 @@
-//! The reference gives the digests of the literal program, which shares no code with it. All other renderers are
-//! compared with the reference.
+//! Tests that the reference gives the digests of the literal program, with which it shares no code. All other renderers
+//! are compared with the reference.
 
 use cpu::internals::layout::aos::AosImage;
 use cpu::{Config, Scene};

@@ -1,4 +1,5 @@
-//! The committed scenes hold what their names say, and the generated ones equal the output of the generator.
+//! Tests that the committed scenes contain what their names say, and that the generated ones are equal to the output of
+//! the generator.
 
 use std::fs;
 
@@ -6,7 +7,7 @@ use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene};
 use test_support::generator::{self, Arrangement, Options};
 
-/// The folders in `scenes`.
+/// Names of the folders in `scenes`.
 const NAMES: [&str; 6] = ["cylinders", "grid", "listings", "materials", "spheres", "ten-thousand"];
 
 fn text(scene: &str, file: &str) -> String {
@@ -18,13 +19,14 @@ fn scene(name: &str) -> Scene {
     Scene::parse(text(name, "scene.txt").as_bytes()).expect("committed scenes are valid")
 }
 
-/// Returns the numbers of spheres and cylinders.
+/// Returns the number of spheres and the number of cylinders.
 fn kinds(scene: &Scene) -> (usize, usize) {
     let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
     (spheres, scene.objects.len() - spheres)
 }
 
-/// Returns the options of the two generated scenes. `CONTRIBUTING.md` has the commands that write them.
+/// Returns the names of the two generated scenes, with the options of the generator. `CONTRIBUTING.md` has the commands
+/// that write them.
 fn generated() -> [(&'static str, Options); 2] {
     let grid = Options { arrangement: Arrangement::Grid, materials: [3.0, 2.0, 1.0], ..Options::default() };
     [

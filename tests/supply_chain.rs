@@ -1,11 +1,11 @@
-//! Checks the locked dependencies: they come from crates.io, have a licence, and need no newer compiler than the
+//! Checks the locked dependencies: they must come from crates.io, have a licence, and need no newer compiler than the
 //! project.
 
 use std::process::Command;
 
 use serde_json::Value;
 
-/// Returns every package that a build on Linux may compile, with its metadata from cargo.
+/// Returns cargo's metadata of every package that a build on Linux may compile.
 fn packages(folder: &str) -> Vec<Value> {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--locked", "--format-version", "1", "--filter-platform", "x86_64-unknown-linux-gnu"])
@@ -17,7 +17,7 @@ fn packages(folder: &str) -> Vec<Value> {
     metadata["packages"].as_array().expect("there are packages").clone()
 }
 
-/// Returns the first two numbers of a compiler's version, for comparisons.
+/// Returns the first two numbers of a compiler's version, so that versions can be compared.
 fn version(text: &str) -> [u64; 2] {
     let mut numbers = text.split('.').map(|number| number.parse().expect("a version is numbers"));
     [numbers.next().expect("a version has a first number"), numbers.next().unwrap_or(0)]

@@ -1,4 +1,4 @@
-//! The checks of the documentation. Each one returns a report, so that a test can show that it finds a fault.
+//! The checks of the documentation. Each check returns a report, so that a test can show that it finds an error.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,28 +6,28 @@ use crate::markdown::{Link, Page};
 use crate::project::{self, Project};
 use crate::words;
 
-/// Columns of a line of prose or of a comment.
+/// Largest number of columns of a line of prose or of a comment.
 const MOST_COLUMNS: usize = 120;
 
-/// Words of a sentence.
+/// Largest number of words of a sentence.
 const MOST_WORDS: usize = 35;
 
-/// Paths in texts that are not of this project, or that a command makes.
+/// Paths that texts may name although they are not in this project, or exist only after a command.
 const NOT_OURS: [&str; 4] = ["my.wgsl", "mia.wgsl", "my/background.wgsl", "bench/record"];
 
-/// Pages that name the files of older commits, and say so.
+/// Pages that may name files of older commits, because they say so.
 pub const OF_OLDER_COMMITS: [&str; 1] = ["docs/ablations.md"];
 
-/// Pages that keep the words of older commits, and say so.
+/// Pages that may use the words of older commits, because they say so.
 const WITH_OLD_WORDS: [&str; 3] = ["CHANGELOG.md", "docs/ablations.md", "docs/experiments.md"];
 
-/// The section of docs/design.md that translates the names of older commits.
+/// Title of the section of docs/design.md that translates the names of older commits.
 const OLD_NAMES: &str = "Old and new names of the modules";
 
-/// Prose lines of a page before its second heading.
+/// Largest number of lines of prose before the second heading of a page.
 const MOST_SUMMARY_LINES: usize = 10;
 
-/// Abbreviations that every programmer knows, and pages. The glossary has all others.
+/// Abbreviations that every programmer knows, and names of pages. All other abbreviations must be in the glossary.
 const COMMON_ABBREVIATIONS: [&str; 32] = [
     "AMD",
     "ARM",
@@ -63,7 +63,8 @@ const COMMON_ABBREVIATIONS: [&str; 32] = [
     "UTF",
 ];
 
-/// Private words of older versions of this project. They have been replaced by the field's terms of docs/glossary.md.
+/// Private words of older versions of this project, which no page may use. The terms of docs/glossary.md have replaced
+/// them.
 const FORBIDDEN_WORDS: [&str; 20] = [
     "textbook",
     "textbook's",
@@ -87,7 +88,7 @@ const FORBIDDEN_WORDS: [&str; 20] = [
     "reconsider",
 ];
 
-/// The faults that a check has found, and the number of places that it compared.
+/// The result of a check: the number of places that it compared, and a message for each fault.
 #[derive(Debug, Default)]
 pub struct Report {
     pub checked: usize,
@@ -95,7 +96,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Counts a place, and keeps its fault if the promise does not hold.
+    /// Counts a place. If `holds` is false, adds the message of `fault`.
     fn check(&mut self, holds: bool, fault: impl FnOnce() -> String) {
         self.checked += 1;
         if !holds {
@@ -103,20 +104,20 @@ impl Report {
         }
     }
 
-    /// Adds the places and the faults of another report.
+    /// Adds the places and the faults of another report to this report.
     pub fn add(&mut self, other: Self) {
         self.checked += other.checked;
         self.faults.extend(other.faults);
     }
 
-    /// Fails if there is a fault, or if fewer than `least` places were compared.
+    /// Panics if there is a fault, or if fewer than `least` places were compared.
     pub fn conclude(self, least: usize) {
         assert!(self.faults.is_empty(), "{} faults:\n{}", self.faults.len(), self.faults.join("\n"));
         assert!(self.checked >= least, "only {} places were compared", self.checked);
     }
 }
 
-/// Checks that links lead to files and headings.
+/// Checks that every link leads to an existing file and heading.
 pub fn check_links(project: &Project, pages: &BTreeMap<&str, Page>) -> Report {
     let mut report = Report::default();
     for (path, page) in pages {
@@ -134,7 +135,8 @@ pub fn check_links(project: &Project, pages: &BTreeMap<&str, Page>) -> Report {
     report
 }
 
-/// Checks the paths that pieces of text name: file, line and text.
+/// Checks that every path in `texts` exists in the project. An entry of `texts` has the file, the line number and the
+/// text.
 pub fn check_paths<'a>(project: &Project, texts: impl Iterator<Item = (&'a str, usize, &'a str)>) -> Report {
     let mut report = Report::default();
     for (path, line, text) in texts {
@@ -146,7 +148,8 @@ pub fn check_paths<'a>(project: &Project, texts: impl Iterator<Item = (&'a str, 
     report
 }
 
-/// Checks that the sections of the specification that texts cite exist: file and text.
+/// Checks that every section of the specification that `texts` cite exists. An entry of `texts` has the file and the
+/// text.
 pub fn check_sections<'a>(specification: &Page, texts: impl Iterator<Item = (&'a str, String)>) -> Report {
     let mut report = Report::default();
     let is_section = |number: &str| {
@@ -163,7 +166,7 @@ pub fn check_sections<'a>(specification: &Page, texts: impl Iterator<Item = (&'a
     report
 }
 
-/// Checks the length of sentences.
+/// Checks that no sentence of a page has more than [`MOST_WORDS`] words.
 pub fn check_sentences(path: &str, page: &Page) -> Report {
     let mut report = Report::default();
     for (line, sentence) in &page.sentences {
@@ -173,7 +176,8 @@ pub fn check_sentences(path: &str, page: &Page) -> Report {
     report
 }
 
-/// Checks the length of lines: file, line and text.
+/// Checks that no line has more than [`MOST_COLUMNS`] columns. An entry of `lines` has the file, the line number and
+/// the text.
 pub fn check_columns<'a>(lines: impl Iterator<Item = (&'a str, usize, String)>) -> Report {
     let mut report = Report::default();
     for (path, line, text) in lines {
@@ -183,7 +187,7 @@ pub fn check_columns<'a>(lines: impl Iterator<Item = (&'a str, usize, String)>) 
     report
 }
 
-/// Checks that links whose text is the name of a function or of a type lead to its source.
+/// Checks links whose text is the name of a function or a type: the linked source file must define it.
 pub fn check_named_items(project: &Project, pages: &BTreeMap<&str, Page>) -> Report {
     let mut report = Report::default();
     for (path, page) in pages {
@@ -198,7 +202,7 @@ pub fn check_named_items(project: &Project, pages: &BTreeMap<&str, Page>) -> Rep
     report
 }
 
-/// Checks that the summary of a page is there and short.
+/// Checks that a page has a summary of at most [`MOST_SUMMARY_LINES`] lines.
 pub fn check_summary(path: &str, page: &Page) -> Report {
     let mut report = Report::default();
     let lines = page.summary().count();
@@ -206,13 +210,13 @@ pub fn check_summary(path: &str, page: &Page) -> Report {
     report
 }
 
-/// The single words of all terms in the glossary, which stand in the first column of its tables.
+/// Returns the single words of all terms in the glossary. The terms are in the first column of its tables.
 pub fn terms(glossary: &Page) -> BTreeSet<&str> {
     let terms = glossary.rows.iter().filter_map(|row| row.first());
     terms.flat_map(|term| term.split(|letter: char| !letter.is_alphanumeric() && letter != '_')).collect()
 }
 
-/// Checks that every term of the glossary is used in `text`, which is all other text of the project.
+/// Checks that every term of the glossary is used in `text`, which is all text of the project except the glossary.
 pub fn check_terms(glossary: &Page, text: &str) -> Report {
     let mut report = Report::default();
     for term in glossary.rows.iter().filter_map(|row| row.first()).flat_map(|cell| cell.split(", ")) {
@@ -223,7 +227,7 @@ pub fn check_terms(glossary: &Page, text: &str) -> Report {
     report
 }
 
-/// Checks that every abbreviation of a page is in the glossary, or is one that every programmer knows.
+/// Checks that every abbreviation of a page is in the glossary or in [`COMMON_ABBREVIATIONS`].
 pub fn check_abbreviations(terms: &BTreeSet<&str>, path: &str, page: &Page) -> Report {
     let mut report = Report::default();
     for (line, text) in &page.text {
@@ -235,7 +239,7 @@ pub fn check_abbreviations(terms: &BTreeSet<&str>, path: &str, page: &Page) -> R
     report
 }
 
-/// Checks that every type that a page names is in the sources or in the glossary.
+/// Checks that every type that a page names is one of the names in the sources, `known`.
 pub fn check_type_names(known: &BTreeSet<String>, path: &str, page: &Page) -> Report {
     let mut report = Report::default();
     for (line, code) in page.code.iter().filter(|(line, _)| !keeps_old_names(path, page, *line)) {
@@ -246,7 +250,7 @@ pub fn check_type_names(known: &BTreeSet<String>, path: &str, page: &Page) -> Re
     report
 }
 
-/// Checks that a page has none of the forbidden words.
+/// Checks that a page uses none of the [`FORBIDDEN_WORDS`].
 pub fn check_words(path: &str, page: &Page) -> Report {
     let mut report = Report::default();
     for (line, text) in page.text.iter().chain(&page.sentences).chain(&page.code) {
@@ -259,7 +263,7 @@ pub fn check_words(path: &str, page: &Page) -> Report {
     report
 }
 
-/// Whether a line may name what older commits had.
+/// Whether a line of a page may use names of older commits.
 fn keeps_old_names(path: &str, page: &Page, line: usize) -> bool {
     WITH_OLD_WORDS.contains(&path) || path == "docs/design.md" && page.is_below(line, OLD_NAMES)
 }

@@ -1,4 +1,4 @@
-//! Each check finds a fault.
+//! Tests that each check of the documentation finds an error.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,4 @@
-//! The parts of a page in Markdown.
+//! Parses a Markdown page into the parts that the checks need.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -12,34 +12,34 @@ use crate::words;
 pub struct Link {
     pub line: usize,
     pub to: String,
-    /// The code spans of its text.
+    /// The code spans in the text of the link, joined.
     pub code: String,
 }
 
-/// The parts of a page. Numbers are those of lines, from 1.
+/// The parts of a page. Each number is the number of a line, from 1.
 #[derive(Debug, Default)]
 pub struct Page {
-    /// Its headings as they are written.
+    /// The headings as they are written.
     pub titles: Vec<String>,
-    /// The lines of its headings.
+    /// The line numbers of the headings.
     pub title_lines: Vec<usize>,
-    /// Its headings as links name them.
+    /// The headings in the form that links use, such as `some-heading`.
     pub headings: Vec<String>,
     pub links: Vec<Link>,
-    /// Code spans, and the lines of code blocks.
+    /// The code spans, and the lines of code blocks.
     pub code: Vec<(usize, String)>,
-    /// All text but code, tables and headings included.
+    /// All text except code. It includes tables and headings.
     pub text: Vec<(usize, String)>,
-    /// The cells of tables, row after row.
+    /// The cells of all tables: a list for each row.
     pub rows: Vec<Vec<String>>,
-    /// Its sentences outside of tables, code and quotations. A code span is the word `code`.
+    /// The sentences outside of tables, code and quotations. The word `code` stands for each code span.
     pub sentences: Vec<(usize, String)>,
-    /// Its lines outside of tables, code blocks and HTML, but for empty ones and those that hold a link alone.
+    /// The lines outside of tables, code blocks and HTML, except empty lines and lines with only a link.
     pub prose: Vec<(usize, String)>,
 }
 
 impl Page {
-    /// Parses a page.
+    /// Parses the text of a page.
     pub fn parse(text: &str) -> Self {
         let mut page = Self::default();
         let line = |offset: usize| text[..offset].matches('\n').count() + 1;
@@ -127,7 +127,7 @@ impl Page {
         }
     }
 
-    /// The lines of prose between the title and the next heading.
+    /// Returns the summary: the lines of prose between the title and the next heading.
     pub fn summary(&self) -> impl Iterator<Item = &str> {
         let begin = self.title_lines.first().copied().unwrap_or(0);
         let end = self.title_lines.get(1).copied().unwrap_or(usize::MAX);
@@ -135,14 +135,14 @@ impl Page {
         lines.map(|(_, text)| text.as_str())
     }
 
-    /// Whether a line is below this heading and above the next one.
+    /// Whether line number `line` is between the heading `title` and the next heading.
     pub fn is_below(&self, line: usize, title: &str) -> bool {
         let last = self.title_lines.iter().rposition(|heading| *heading <= line);
         last.is_some_and(|index| self.titles[index] == title)
     }
 }
 
-/// The text of a paragraph so far.
+/// The part of a paragraph that has been read, and the number of its first line.
 #[derive(Debug, Default)]
 struct Paragraph {
     line: usize,
@@ -163,7 +163,8 @@ impl Paragraph {
     }
 }
 
-/// How a link names a heading: letters, digits, `-` and `_`, in lower case, with a number where it was there before.
+/// Returns the form of a heading that links use: letters, digits, `-` and `_`, in lower case. If `before` has equal
+/// headings, their number is added.
 fn anchor(title: &str, before: &[String]) -> String {
     let plain = |title: &str| -> String {
         let letters = title.to_lowercase().replace(' ', "-");
@@ -173,7 +174,7 @@ fn anchor(title: &str, before: &[String]) -> String {
     if times == 0 { name } else { format!("{name}-{times}") }
 }
 
-/// Whether a line holds a link or an image and nothing else, so that it cannot be broken.
+/// Whether a line contains only a link or an image, so that it cannot be broken.
 fn is_link_alone(line: &str) -> bool {
     let line = line.trim_start_matches(['-', '*', ' ', '!', '(']).trim_end_matches(['.', ',', ':', ';', ')', ' ']);
     line.starts_with("http") && !line.contains(' ')

@@ -3,20 +3,20 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Names of folders that are skipped: build output, git's data, and output of commands.
+/// Names of folders that are skipped: build output, git's data, and output of this project's commands.
 const SKIPPED: [&str; 3] = ["target", ".git", "out"];
 
-/// The files and folders of the project, by their paths from its root with slashes.
+/// The files and folders of the project. A path is relative to the project's root and has slashes.
 #[derive(Debug)]
 pub struct Project {
     root: PathBuf,
     paths: BTreeSet<String>,
-    /// The folders at the root.
+    /// The names of the folders at the root.
     pub folders: BTreeSet<String>,
 }
 
 impl Project {
-    /// Lists the project.
+    /// Lists all files and folders of the project.
     pub fn read() -> Self {
         let root = test_support::project_root();
         let mut paths = BTreeSet::new();
@@ -25,18 +25,18 @@ impl Project {
         Self { root, paths, folders }
     }
 
-    /// Returns whether the project has a file or a folder with this path.
+    /// Whether the project has a file or a folder with this path.
     pub fn has(&self, path: &str) -> bool {
         path.is_empty() || self.paths.contains(path.trim_end_matches('/'))
     }
 
-    /// Returns whether the project has a file or a folder whose path is `path` or ends with `/` and `path`.
+    /// Whether the project has a file or a folder whose path is `path`, or ends with `/` and `path`.
     pub fn has_ending_with(&self, path: &str) -> bool {
         let path = path.trim_end_matches('/');
         self.paths.iter().any(|known| known.strip_suffix(path).is_some_and(|it| it.is_empty() || it.ends_with('/')))
     }
 
-    /// Returns the files whose names have one of these endings.
+    /// Returns the paths of the files whose names have one of these endings.
     pub fn with_endings(&self, endings: &[&str]) -> impl Iterator<Item = &str> {
         self.paths.iter().map(String::as_str).filter(move |path| {
             let ending = path.rsplit('/').next().and_then(|name| name.rsplit_once('.')).map(|(_, ending)| ending);
@@ -44,13 +44,14 @@ impl Project {
         })
     }
 
-    /// Reads a file.
+    /// Returns the text of the file at `path`.
     pub fn text(&self, path: &str) -> String {
         std::fs::read_to_string(self.root.join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
     }
 }
 
-/// Adds all files and folders below `folder` to `paths`, with `prefix` before each path.
+/// Adds the paths of all files and folders in `folder` to `paths`, each with `prefix` before it. Subfolders are
+/// included.
 fn list(folder: &Path, prefix: &str, paths: &mut BTreeSet<String>) {
     for entry in std::fs::read_dir(folder).expect("the folder is there") {
         let entry = entry.expect("the folder can be read");

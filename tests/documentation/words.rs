@@ -1,14 +1,14 @@
-//! The names in a piece of text, and its length.
+//! Finds names and sentences in a text, and counts words.
 
 use std::collections::BTreeSet;
 
-/// Endings of files that must exist wherever they are named.
+/// Endings of the names of files that must exist wherever a text names them.
 const ENDINGS: [&str; 3] = ["rs", "md", "wgsl"];
 
-/// Words that end with a full stop and end no sentence.
+/// Words that end with a full stop but do not end a sentence.
 const ABBREVIATIONS: [&str; 4] = ["e.g.", "i.e.", "etc.", "vs."];
 
-/// The lines of a source that are comments, with their numbers and without their slashes.
+/// Returns the lines of a source that are comments, with their line numbers and without slashes.
 pub fn comments(source: &str) -> Vec<(usize, String)> {
     let comments = source.lines().enumerate().filter_map(|(index, line)| {
         let text = line.trim_start().strip_prefix("//")?;
@@ -17,8 +17,8 @@ pub fn comments(source: &str) -> Vec<(usize, String)> {
     comments.collect()
 }
 
-/// The paths of the project that a text names: those that begin with one of the `folders` at the root, and files by
-/// their names alone. A path with a placeholder such as `*` is none.
+/// Returns the paths of the project that a text names. These are paths that begin with one of the `folders` at the
+/// root, and names of files with one of the [`ENDINGS`]. A path with a placeholder such as `*` is left out.
 pub fn paths<'a>(text: &'a str, folders: &BTreeSet<String>) -> impl Iterator<Item = &'a str> {
     let is_apart = |letter: char| letter.is_whitespace() || "`()[],;\"'|=<>".contains(letter);
     let words = text.split(is_apart).map(|word| {
@@ -35,8 +35,8 @@ pub fn paths<'a>(text: &'a str, folders: &BTreeSet<String>) -> impl Iterator<Ite
     })
 }
 
-/// The sections of the specification that a text cites: "specification, section 4.2" or "sections 4.2 and 5". A
-/// citation without a number counts as the section "".
+/// Returns the sections of the specification that a text cites, as in "specification, section 4.2" or "sections 4.2 and
+/// 5". A citation without a number gives the section "".
 pub fn sections(text: &str) -> Vec<String> {
     const BEFORE: [&str; 2] = ["specification, section", "specification.md, section"];
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -58,8 +58,8 @@ pub fn sections(text: &str) -> Vec<String> {
     found
 }
 
-/// The sentences of a paragraph. A full stop, a question mark or an exclamation mark ends one, and so does the end of
-/// the paragraph.
+/// Returns the sentences of a paragraph. A sentence ends with a full stop, a question mark or an exclamation mark, or
+/// at the end of the paragraph.
 pub fn sentences(paragraph: &str) -> Vec<String> {
     let mut sentences = vec![String::new()];
     for word in paragraph.split_whitespace() {
@@ -77,12 +77,13 @@ pub fn sentences(paragraph: &str) -> Vec<String> {
     sentences
 }
 
-/// How many words a sentence has: what stands between blanks and has a letter or a digit.
+/// Returns the number of words of a sentence. A word is text between blanks that has a letter or a digit.
 pub fn count(sentence: &str) -> usize {
     sentence.split_whitespace().filter(|word| word.chars().any(char::is_alphanumeric)).count()
 }
 
-/// The abbreviations in a text: words of two or more letters, all of them capital, perhaps with digits.
+/// Returns the abbreviations in a text: words with two or more capital letters that consist only of capital letters and
+/// digits.
 pub fn abbreviations(text: &str) -> impl Iterator<Item = &str> {
     let words = text.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
     words.filter(|word| {
@@ -91,8 +92,8 @@ pub fn abbreviations(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The names of types in a code span: words of three or more letters in camel case. A span with blanks has none,
-/// because it is a command or a message.
+/// Returns the names of types in a code span: words in camel case with a capital letter at the start. A span with
+/// blanks has none, because it is a command or a message.
 pub fn type_names(code: &str) -> impl Iterator<Item = &str> {
     let code = if code.contains(' ') { "" } else { code };
     let words = code.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
@@ -103,7 +104,7 @@ pub fn type_names(code: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Whether a text in lower case holds these words, one after the other.
+/// Whether `text`, which must be in lower case, contains `words` as whole words one after the other.
 pub fn holds(text: &str, words: &str) -> bool {
     let is_apart = |letter: Option<char>| letter.is_none_or(|letter| !letter.is_alphanumeric() && letter != '_');
     text.match_indices(words).any(|(start, _)| {
@@ -111,12 +112,12 @@ pub fn holds(text: &str, words: &str) -> bool {
     })
 }
 
-/// Whether a code span is one name of Rust.
+/// Whether a code span is a single name of Rust.
 pub fn is_name(code: &str) -> bool {
     !code.is_empty() && code.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_')
 }
 
-/// Whether a source in Rust defines a function, a type, a trait, a module or a constant of this name.
+/// Whether a Rust source defines a function, a type, a trait, a module or a constant with this name.
 pub fn defines(source: &str, name: &str) -> bool {
     let kinds = ["fn", "struct", "enum", "trait", "type", "mod", "const"];
     source.lines().any(|line| {
@@ -125,7 +126,7 @@ pub fn defines(source: &str, name: &str) -> bool {
     })
 }
 
-/// The words of a source: everything that may be a name.
+/// Returns all words of a source that may be names.
 pub fn names(source: &str) -> impl Iterator<Item = &str> {
     source.split(|letter: char| !letter.is_alphanumeric() && letter != '_').filter(|word| !word.is_empty())
 }

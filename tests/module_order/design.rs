@@ -1,8 +1,8 @@
-//! What the page on the design says of the folders and of their uses.
+//! Reads the folders and their uses from the page on the design.
 
 use crate::uses::{Module, Uses};
 
-/// Returns the folders and files in the table of a page: the first cells in the section `## Folders of`.
+/// Returns the names of the folders and files in a table of the page: the first cells in the section `## Folders of`.
 pub fn folders_of_page(page: &str) -> Vec<&str> {
     let (_, section) = page.split_once("\n## Folders of").expect("the page has the section");
     let section = section.split_once("\n## ").map_or(section, |(section, _)| section);
@@ -10,15 +10,15 @@ pub fn folders_of_page(page: &str) -> Vec<&str> {
     cells.map(|(folder, _)| folder.trim_end_matches('/')).collect()
 }
 
-/// Returns the dotted arrows of a page's diagram, each from a folder to one that uses it. `a[title] -.-> b & c` is two
-/// arrows.
+/// Returns the dotted arrows of the page's diagram. Each arrow leads from a folder to a folder that uses it. The line
+/// `a[title] -.-> b & c` has two arrows.
 pub fn dotted_arrows(page: &str) -> Vec<(&str, &str)> {
     let arrows = page.lines().filter_map(|line| line.split_once(" -.-> "));
     let ends = arrows.flat_map(|(from, to)| to.split(" & ").map(move |to| (from, to)));
     ends.map(|(from, to)| (from.split('[').next().unwrap_or(from).trim(), to.trim())).collect()
 }
 
-/// Returns the arrows whose second folder does not use the first.
+/// Returns the arrows that are wrong, because their second folder does not use the first.
 pub fn arrows_without_a_use<'a>(arrows: &[(&'a str, &'a str)], uses: &Uses) -> Vec<(&'a str, &'a str)> {
     let is_in = |module: &Module, folder: &str| module.first().is_some_and(|first| first == folder);
     let is_use = |(from, to): &(&str, &str)| {

@@ -1,9 +1,9 @@
-//! The paths that a source file writes.
+//! Finds the paths that a source file contains.
 
 use syn::visit::{self, Visit};
 use syn::{Attribute, Item, ItemMod, ItemUse, Macro, UseTree, Visibility};
 
-/// Returns whether an item is compiled for tests alone.
+/// Whether an item is compiled only for tests.
 pub fn is_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("cfg")
@@ -11,13 +11,14 @@ pub fn is_for_tests(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// Collects the paths that a file writes: in `use` lines, in code and in the arguments of macros.
+/// Collects the paths that a file contains: in `use` lines, in code and in the arguments of macros.
 #[derive(Default)]
 pub struct Paths {
     pub paths: Vec<Vec<String>>,
-    /// Child modules that are for tests alone.
+    /// Names of child modules that are compiled only for tests.
     pub test_modules: Vec<String>,
-    /// Number of modules within this file around the current item. If it is not 0, `super` is the file itself.
+    /// Number of modules inside this file that contain the current item. If it is not 0, `super` does not lead out of
+    /// the file.
     depth: usize,
 }
 
@@ -44,7 +45,7 @@ impl<'ast> Visit<'ast> for Paths {
         }
     }
 
-    /// Skips visibilities: `pub(super)` has a path, but uses nothing.
+    /// Skips a visibility: `pub(super)` contains a path, but uses nothing.
     fn visit_visibility(&mut self, _: &'ast Visibility) {}
 
     fn visit_item_use(&mut self, item: &'ast ItemUse) {
@@ -60,7 +61,7 @@ impl<'ast> Visit<'ast> for Paths {
         let tokens = found.tokens.to_string();
         let mut words = tokens.split(|letter: char| !(letter.is_alphanumeric() || letter == '_' || letter == ':'));
         let mut path: Vec<String> = Vec::new();
-        // `to_string` puts blanks between tokens: `crate :: math :: vec3`.
+        // `to_string` puts blanks between the tokens of a path: `crate :: math :: vec3`.
         for word in words.by_ref().filter(|word| !word.is_empty()) {
             match path.last().map(String::as_str) {
                 Some("::") if word != "::" => {
@@ -79,7 +80,7 @@ impl<'ast> Visit<'ast> for Paths {
 }
 
 impl Paths {
-    /// Adds the paths of a `use` line, one for each name in braces.
+    /// Adds the paths of a `use` line. If it has braces, each name in them gives a path.
     fn expand(&mut self, mut before: Vec<String>, tree: &UseTree) {
         match tree {
             UseTree::Path(path) => {

@@ -1,4 +1,4 @@
-//! Which modules of a crate use which.
+//! Finds out which modules of a crate use which other modules.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -7,13 +7,13 @@ use syn::visit::Visit;
 
 use crate::paths::Paths;
 
-/// The path of a module below the crate's root, as in `["accel", "bvh"]`.
+/// The path of a module from the crate's root, such as `["accel", "bvh"]`.
 pub type Module = Vec<String>;
 
 /// The source text of each module of a crate.
 pub type Sources = BTreeMap<Module, String>;
 
-/// For each module, the modules that it uses.
+/// The modules that each module uses.
 pub type Uses = BTreeMap<Module, BTreeSet<Module>>;
 
 /// Returns the modules that each module uses outside of its tests.
@@ -38,7 +38,8 @@ pub fn uses(sources: &Sources) -> Uses {
         for path in &paths.paths {
             let absolute = match path.first().map(String::as_str) {
                 Some("crate") => path[1..].to_vec(),
-                // A path without `crate` leads to a child module, or out of this crate, where no source is found.
+                // A path without `crate` leads to a child module, or out of this crate. For the latter, no source is
+                // found.
                 _ => [module.clone(), path.clone()].concat(),
             };
             assert!(path.first().is_none_or(|first| first != "super"), "{module:?}: begin {path:?} with `crate`");
@@ -52,7 +53,8 @@ pub fn uses(sources: &Sources) -> Uses {
     uses
 }
 
-/// Returns the uses of a folder by a folder before it, and all uses by folders that the order does not have.
+/// Returns the uses that the order forbids: a folder uses a folder after it, or has no place in the order. Each is a
+/// text.
 pub fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     let place = |module: &Module| order.iter().position(|&folder| Some(folder) == module.first().map(String::as_str));
     let mut found = Vec::new();
@@ -66,8 +68,8 @@ pub fn against_the_order(uses: &Uses, order: &[&str]) -> Vec<String> {
     found
 }
 
-/// Returns the modules that use each other in circles. A module that uses no module, or that no module uses, is in no
-/// circle. Such modules are removed until only circles, and modules between circles, are left.
+/// Returns the modules that use each other in a circle. A module is in no circle if it uses no module, or if no module
+/// uses it. Such modules are removed repeatedly, until only circles and modules between circles are left.
 pub fn in_circles(uses: &Uses) -> Vec<String> {
     let mut left: Uses = uses.clone();
     left.remove(&Vec::new());
@@ -82,7 +84,7 @@ pub fn in_circles(uses: &Uses) -> Vec<String> {
     }
 }
 
-/// Reads the sources below a folder into `sources`.
+/// Reads all sources in `folder`, which belongs to the module `module`, into `sources`. Subfolders are included.
 pub fn read(folder: &Path, module: &Module, sources: &mut Sources) {
     for entry in std::fs::read_dir(folder).expect("the folder is there") {
         let path = entry.expect("the folder can be read").path();

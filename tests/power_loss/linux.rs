@@ -1,4 +1,4 @@
-//! Records system calls by `strace`, and checks which contents are possible after each call.
+//! Records system calls with `strace`, and checks the contents that are possible after each call.
 
 #[path = "model.rs"]
 mod model;
@@ -14,11 +14,12 @@ use test_support::injection::{Disturbance, unavailable};
 
 use model::{Event, outcomes};
 
-/// Environment variables of the process that writes: the file's path, and if it is set, that the file is synced.
+/// Names of environment variables for the process that writes: the file's path, and a variable that is set if the file
+/// must be synced.
 const FILE: &str = "RENDER_POWER_LOSS_FILE";
 const SYNC: &str = "RENDER_POWER_LOSS_SYNC";
 
-/// The pieces in which the file is written.
+/// The pieces of the file, each of which is written by its own call.
 const PIECES: [&[u8]; 3] = [b"the first piece, ", b"the second, ", b"and the last"];
 
 pub fn trials() -> Vec<Trial> {
@@ -33,7 +34,7 @@ pub fn trials() -> Vec<Trial> {
     ]
 }
 
-/// If a test has started this process to write a file, writes it and ends the process.
+/// If a test has started this process to write a file, writes the file and ends the process. Otherwise does nothing.
 pub fn write_if_asked() {
     let Some(path) = std::env::var_os(FILE) else { return };
     let sync = std::env::var_os(SYNC).is_some();
@@ -42,7 +43,8 @@ pub fn write_if_asked() {
     std::process::exit(i32::from(written.is_err()));
 }
 
-/// The cases: whether the new file has a temporary name, and the content of the old file if there is one.
+/// The cases: whether the new file has a temporary name, and the content of the old file (`None` if there is no old
+/// file).
 const CASES: [(bool, Option<&[u8]>); 4] = [(false, None), (false, Some(b"old")), (true, None), (true, Some(b"old"))];
 
 fn synced() -> Result<(), Failed> {
@@ -59,8 +61,8 @@ fn synced() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Without syncing, an empty file may remain. The evaluated programs accept this risk, because syncing takes longer
-/// than writing.
+/// Checks that without syncing an empty file may remain. The evaluated programs accept this risk, because syncing takes
+/// longer than writing.
 fn not_synced() -> Result<(), Failed> {
     for (named, old) in CASES {
         let events = record(named, old, false)?;
@@ -72,7 +74,8 @@ fn not_synced() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Runs a process that writes the file `out` in a folder, and returns what it does to the folder.
+/// Runs a process that writes the file `out` in a folder. Returns the events in that folder. `old` is the content of
+/// `out` before; `named` makes the new file have a temporary name.
 fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Failed> {
     let folder = Folder::new();
     let out = folder.file("out");
@@ -94,7 +97,8 @@ fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Fai
     if !named {
         return events(&text, folder.path());
     }
-    // The call that creates a file without a name fails, as on a file system that does not support such files.
+    // The call that creates a file without a name is made to fail, as on a file system that does not support such
+    // files.
     let opened = text.lines().filter(|line| line.contains(" openat("));
     let number = 1 + opened.take_while(|line| !line.contains("O_TMPFILE")).count();
     if old.is_some() {
@@ -107,7 +111,7 @@ fn record(named: bool, old: Option<&[u8]>, sync: bool) -> Result<Vec<Event>, Fai
     events(&text, folder.path())
 }
 
-/// Returns the events in the output of strace.
+/// Returns the events in `folder` that the output of strace contains.
 fn events(text: &str, folder: &Path) -> Result<Vec<Event>, Failed> {
     const FOLDER: usize = 0;
     let mut open: HashMap<String, usize> = HashMap::new();

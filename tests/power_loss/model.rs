@@ -1,34 +1,35 @@
-//! A model of a file system that loses what is not synced: what a folder may hold after a loss of power.
+//! A model of a file system that may lose all changes that are not synced. It computes the possible contents of a
+//! folder after a loss of power.
 //!
-//! POSIX promises that changes of a file before `fsync` of the file are on the disk. It also promises this for changes
-//! of the names in a folder before `fsync` of the folder. Each later change may be lost or not, in any combination. A
-//! renaming is done as a whole or not at all, as in every file system with a journal.
+//! POSIX promises that changes of a file are on the disk if `fsync` of the file follows them. It promises the same for
+//! changes of the names in a folder and `fsync` of the folder. Each later change may be lost or not, in any
+//! combination. A renaming is done completely or not at all, as in every file system with a journal.
 
 use std::collections::{BTreeSet, HashMap};
 
-/// A change that a process made.
+/// A change that a process makes in a folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// The file gets this name.
+    /// The file `file` gets the name `name`.
     Name { name: String, file: usize },
-    /// The file with the name `from` gets the name `to`.
+    /// The file that has the name `from` gets the name `to`.
     Rename { from: String, to: String },
-    /// These bytes are appended to the file.
+    /// The bytes are appended to the file `file`.
     Write { file: usize, bytes: Vec<u8> },
-    /// `fsync` of the file: its bytes so far are on the disk.
+    /// `fsync` of this file: its bytes written so far are on the disk.
     SyncFile(usize),
-    /// `fsync` of the folder: its names so far are on the disk.
+    /// `fsync` of the folder: its names are on the disk.
     SyncFolder,
 }
 
-/// The content under a name: these bytes, or `None` if there is no file.
+/// The content of a file: its bytes, or `None` if there is no file.
 type Content = Option<Vec<u8>>;
 
-/// Returns every content that may be under `name` if the power fails after these events. Before the events, the content
-/// was `old`, and it was on the disk.
+/// Returns all contents that the file `name` may have if the power fails after these events. Before the events its
+/// content was `old`, which was on the disk.
 pub fn outcomes(events: &[Event], name: &str, old: &Content) -> BTreeSet<Content> {
     let last_sync = events.iter().rposition(|event| *event == Event::SyncFolder);
-    // First, find the files that may have the name.
+    // The files that may have the name are found first.
     let changes: Vec<_> = events
         .iter()
         .enumerate()
@@ -37,7 +38,7 @@ pub fn outcomes(events: &[Event], name: &str, old: &Content) -> BTreeSet<Content
     let sure = changes.iter().filter(|(index, _)| Some(*index) < last_sync).count();
     let mut leads_to = BTreeSet::new();
     for chosen in 0..1_u32 << (changes.len() - sure) {
-        // `known` follows all changes, because a renaming moves the file that has the name at that moment, even if the
+        // `known` follows all changes, because a renaming moves the file that has the name at that moment, even if that
         // name is not on the disk.
         let (mut known, mut on_disk) = (HashMap::new(), None);
         for (number, (_, event)) in changes.iter().enumerate() {
@@ -60,8 +61,8 @@ pub fn outcomes(events: &[Event], name: &str, old: &Content) -> BTreeSet<Content
         .collect()
 }
 
-/// Returns every content that the file may have. Of each write after the last sync, all bytes may be there, half of
-/// them followed by zeros, only zeros, or nothing.
+/// Returns all contents that the file number `file` may have. Each write after the last sync may have left all of its
+/// bytes, half of them followed by zeros, only zeros, or nothing.
 fn contents(events: &[Event], file: usize) -> BTreeSet<Content> {
     let last_sync = events.iter().rposition(|event| *event == Event::SyncFile(file));
     let mut contents = BTreeSet::from([Vec::new()]);
@@ -79,7 +80,7 @@ fn contents(events: &[Event], file: usize) -> BTreeSet<Content> {
     contents.into_iter().map(Some).collect()
 }
 
-/// Checks the model on a program that does not sync and on one that does, for which the answers are known.
+/// Checks the model with two programs for which the answers are known: one that does not sync, and one that does.
 pub fn is_right() -> Result<(), libtest_mimic::Failed> {
     let write = Event::Write { file: 1, bytes: b"new!".to_vec() };
     let (make, rename) =

@@ -1,6 +1,6 @@
-//! Checks properties that hold for every scene and every input, on random cases.
+//! Tests properties that hold for every scene and every input, with random cases.
 //!
-//! Every run tries the same cases. `RENDER_PROPERTY_SEED` chooses other cases, and `RENDER_PROPERTY_CASES` their
+//! Every run tries the same cases. `RENDER_PROPERTY_SEED` chooses other cases, and `RENDER_PROPERTY_CASES` sets their
 //! number. A failure shows the smallest failing case that was found, with its seeds.
 
 mod odd_scenes;

@@ -1,6 +1,6 @@
-//! Scenes of extreme magnitudes: the renderer gives the reference's bytes, and the bits of its means.
+//! Tests with scenes of extreme magnitudes: the renderer must give the reference's bytes, and the bits of its means.
 //!
-//! Radii, heights, indices of refraction, diffusions and distances are drawn over many decades, so that their products
+//! Radii, heights, indices of refraction, diffusions and distances are random over many decades, so that their products
 //! come near the limits of f32 and f64. The camera is often inside a large glass cylinder, because refraction at its
 //! side gives a direction whose length is about the square of the radius.
 
@@ -16,14 +16,14 @@ use test_support::agreement::{SCATTERS, equals_reference, reference};
 
 use crate::runner::check;
 
-/// A stream of random numbers for one scene.
+/// The generator of random numbers for one scene.
 struct Draws(Uniform);
 
 impl Draws {
     fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
-    /// Returns `10^k`, with `k` uniform in `[low, high)`.
+    /// Returns `10^k`, in which `k` is uniform from `low` to `high`.
     fn decades(&mut self, low: f64, high: f64) -> f64 {
         10.0_f64.powf(self.between(low, high))
     }
@@ -44,8 +44,8 @@ fn material(draws: &mut Draws) -> Material {
     }
 }
 
-/// Returns the length of a cylinder's axis. In seven of eight cases it is between `size` / 10,000 and 10 `size`; else
-/// its square underflows or nearly does.
+/// Returns a random length for a cylinder's axis. In seven of eight cases it is between `size` / 10,000 and 10 `size`.
+/// Otherwise its square underflows or nearly underflows.
 fn height(draws: &mut Draws, size: f64) -> f64 {
     match draws.below(8) {
         0 => draws.decades(-161.0, -140.0),
@@ -55,13 +55,14 @@ fn height(draws: &mut Draws, size: f64) -> f64 {
 
 fn scene_and_config(seed: u64, objects: usize) -> (Scene, Config) {
     let mut draws = Draws(Uniform::new(seed));
-    // Some scenes are so large or so small that every object is intersected, without an acceleration structure.
+    // Some scenes are so large or so small that the renderer intersects every object, without an acceleration
+    // structure.
     let size = draws.decades(-8.0, 10.0);
     let materials: Vec<_> = (0..12).map(|_| material(&mut draws)).collect();
     let mut shapes = Vec::new();
     if draws.below(2) == 0 {
-        // A cylinder around the camera. In half of the cases the square of its radius is of the order of the distance
-        // to the other objects, or larger.
+        // A cylinder around the camera. In half of the cases the square of its radius is about the distance to the
+        // other objects, or larger.
         let radius = [size * draws.decades(-4.0, 0.0), (size * draws.decades(0.0, 4.0)).sqrt()][draws.below(2)];
         let axis = draws.cube() * size;
         shapes.push(Shape::Cylinder(Cylinder { center: Vec3::ZERO, radius, axis }));
@@ -97,8 +98,8 @@ fn scene_and_config(seed: u64, objects: usize) -> (Scene, Config) {
     (Scene { materials, objects }, config)
 }
 
-/// A scene that was once rendered wrongly with fused multiply-add. Nine objects stand far away around the camera, which
-/// is inside a glass cylinder, so that rays leave the glass with directions of length 10^11.
+/// Renders a scene that was once rendered wrongly with fused multiply-add. Nine objects are far away around the camera.
+/// The camera is inside a glass cylinder, so rays leave the glass with directions of length 10^11.
 #[test]
 fn long_directions_out_of_glass_meet_what_is_far_away() {
     let around = |shape: &dyn Fn(Vec3) -> Shape| -> Vec<Object> {
@@ -140,7 +141,7 @@ fn scenes_of_odd_magnitudes_give_the_references_bytes_and_means() {
         let (scene, config) = scene_and_config(seed, objects);
         let scatter = SCATTERS[(seed % 3) as usize];
         let picture = equals_reference(&config, &scene, scatter).map_err(TestCaseError::fail)?;
-        // Both renderers refuse a camera without a window. Then there is no picture.
+        // Both renderers refuse a camera without a window, so there is no picture.
         let Some(picture) = picture else { return Ok(()) };
         rendered.set(rendered.get() + 1);
         let background = reference(&config, &Scene::default(), scatter).expect("the camera has a window");

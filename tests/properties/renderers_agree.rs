@@ -1,5 +1,5 @@
-//! The real renderer gives the reference's bytes: in both layouts, with all three ways to scatter, every instruction
-//! set of the machine, and every acceleration structure (small scene, flat filter, BVH).
+//! Tests that the real renderer gives the reference's bytes: in both layouts, with all three ways to scatter, with
+//! every instruction set of the machine, and with every acceleration structure (small scene, flat filter, BVH).
 
 use std::cell::Cell;
 
@@ -11,7 +11,7 @@ use test_support::generator::{Arrangement, Options, scene};
 
 use crate::runner::check;
 
-/// A picture to render: options of the generator, and a configuration.
+/// The inputs of a picture: options of the scene generator, and a configuration.
 #[derive(Clone, Debug)]
 struct Case {
     options: Options,
@@ -20,16 +20,16 @@ struct Case {
 
 fn options() -> impl Strategy<Value = Options> {
     let arrangement = prop_oneof![Just(Arrangement::Degenerate), Just(Arrangement::Scattered), Just(Arrangement::Grid)];
-    // Two thirds of the scenes have objects of one kind only, because the renderer skips work for the other kind.
+    // Two thirds of the scenes have objects of only one kind, because the renderer skips work for the other kind.
     let cylinders = prop_oneof![Just(0.0), Just(0.5), Just(1.0)];
     let material = || prop_oneof![Just(0.0), Just(1.0)];
     let materials = [material(), material(), material()].prop_map(|weights| match weights {
         [0.0, 0.0, 0.0] => [1.0; 3],
         weights => weights,
     });
-    // From 0.0001 to 100,000; all powers of ten are equally likely.
+    // The extent is a power of ten from 0.0001 to 100,000; all powers are equally likely.
     let extent = (-4..=5).prop_map(|exponent| format!("1e{exponent}").parse().expect("it is a number"));
-    // Up to 8 objects are a small scene, up to 64 of a kind get a flat filter, and more get a BVH.
+    // Up to 8 objects make a small scene. Up to 64 of a kind get a flat filter, and more get a BVH.
     let objects = prop_oneof![4 => 0..=8_usize, 4 => 9..=100_usize, 1 => 101..=300_usize];
     (any::<u64>(), objects, cylinders, materials, extent, arrangement).prop_map(
         |(seed, objects, cylinders, materials, extent, arrangement)| Options {
@@ -43,8 +43,8 @@ fn options() -> impl Strategy<Value = Options> {
     )
 }
 
-/// Returns the camera's position, in units of the extent: outside, among the objects, or on a coordinate axis, where
-/// rays are parallel to that axis.
+/// Returns random positions of the camera, in units of the extent: outside, among the objects, or on a coordinate axis,
+/// where rays are parallel to that axis.
 fn position() -> impl Strategy<Value = [f64; 3]> {
     let axis = (0..3_usize, prop_oneof![Just(1.0), Just(-2.0), Just(0.25)]).prop_map(|(axis, distance)| {
         let mut position = [0.0; 3];
@@ -67,12 +67,12 @@ prop_compose! {
         gamma in prop_oneof![Just(1.0), Just(2.2), 0.2..5.0],
         one_color in any::<bool>(),
     ) -> Case {
-        // Small widths with these aspect ratios also give pictures of one row or one column, and numbers of samples
+        // With these aspect ratios, small widths also give pictures of one row or one column, and numbers of samples
         // that do not fill the lanes.
         let north = Vec3::from(north);
         let position = Vec3::from(position) * options.extent;
         let light = if one_color { Vec3::new(0.25, 0.5, 1.0) } else { Vec3::new(1.0, 0.9, 0.8) };
-        // A view parallel to the north is refused, so the camera is moved a little to the side.
+        // A view parallel to the north is refused, so the camera is moved slightly to the side.
         let aside = Vec3::new(0.001, 0.0, 0.002) * options.extent;
         let parallel = position.cross(north).length() < 1e-6 * options.extent;
         let config = Config {

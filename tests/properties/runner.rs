@@ -1,11 +1,12 @@
-//! Runs a property on random cases. The environment may set their number and their seed.
+//! Runs a property on random cases. Environment variables can set the number and the seed of the cases.
 
 use std::cell::Cell;
 
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestRunner};
 
-/// Checks `property` on `cases` values of `strategy`. `RENDER_PROPERTY_CASES` overrides `cases`.
+/// Checks `property` for `cases` random values of `strategy`. If the variable `RENDER_PROPERTY_CASES` is set, its
+/// number replaces `cases`.
 pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -> TestCaseResult) {
     let cases =
         from_environment("RENDER_PROPERTY_CASES").map_or(cases, |cases| u32::try_from(cases).unwrap_or(u32::MAX));
@@ -14,7 +15,7 @@ pub fn check<S: Strategy>(cases: u32, strategy: S, property: impl Fn(S::Value) -
     let config = Config {
         cases,
         rng_seed: RngSeed::Fixed(seed),
-        // The seed reproduces a failure, so no file of old failures is kept.
+        // The seed reproduces a failure, so old failures need no file.
         failure_persistence: None,
         max_shrink_iters: 2_000,
         ..Config::default()

@@ -1,4 +1,4 @@
-//! The parsers read any bytes without a panic, and read back what the writers of `test_support` write.
+//! Tests that the parsers read any bytes without a panic, and read back what the writers of `test_support` write.
 
 use std::cell::Cell;
 
@@ -9,7 +9,7 @@ use test_support::write;
 
 use crate::runner::check;
 
-/// Tokens of which valid and nearly valid lines consist.
+/// Returns random tokens that occur in valid and nearly valid lines.
 fn token() -> impl Strategy<Value = Vec<u8>> {
     let keys = prop::sample::select(vec![
         "aspect_ratio:",
@@ -54,7 +54,7 @@ fn token() -> impl Strategy<Value = Vec<u8>> {
     prop_oneof![2 => keys.prop_map(text), 8 => values.prop_map(text), 1 => prop::collection::vec(any::<u8>(), 0..4)]
 }
 
-/// Lines of such tokens, separated by different blanks and line ends.
+/// Returns random lines of such tokens, separated by different blanks and line ends.
 fn lines() -> impl Strategy<Value = Vec<u8>> {
     let blank = prop::sample::select(vec![" ", "  ", "\t", "\n", "\r\n", "\n\n", " \t"]);
     prop::collection::vec((token(), blank), 0..30).prop_map(|parts| {
@@ -62,8 +62,8 @@ fn lines() -> impl Strategy<Value = Vec<u8>> {
     })
 }
 
-/// Checks that a value is within the ranges (specification, sections 3.1 and 4.1), or that an error has a message.
-/// Returns whether it is a value.
+/// Checks that a value is within the ranges of the specification, sections 3.1 and 4.1, or that an error has a message.
+/// Returns true for a value.
 fn sound<T>(result: Result<T, Error>, is_sound: impl Fn(&T) -> bool) -> Result<bool, TestCaseError> {
     match result {
         Ok(value) => {

@@ -4,8 +4,8 @@ use cpu::Config;
 
 use crate::plain;
 
-/// Checks that the real parser returns the value or the message of the plain parser. Also checks that a value stays
-/// equal when it is written and read again.
+/// Checks that the real parser and the plain parser return the same value or the same message. Also checks that a value
+/// does not change when it is written and read again.
 ///
 /// # Panics
 /// If a check fails.

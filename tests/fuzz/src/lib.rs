@@ -1,12 +1,12 @@
-//! The bodies of the fuzz targets, with their oracles.
+//! The functions of the fuzz targets, with their oracles.
 //!
-//! Each function of [`TARGETS`] takes any bytes, and panics if the code under test breaks a promise. The folder
-//! `targets` hands the functions to libFuzzer. `tests/smoke.rs` calls them on any toolchain, with the committed seeds
-//! and thousands of seeded [mutations](mutate) of the seeds.
+//! Each function of [`TARGETS`] takes any bytes, and panics if the code under test breaks a promise. The programs in
+//! the folder `targets` pass the functions to libFuzzer. `tests/smoke.rs` calls them with any toolchain. It uses the
+//! committed seeds, and thousands of seeded [mutations](mutate) of the seeds.
 //!
-//! An oracle is never the code under test. The parsers are compared with [`plain`] ones, written from
-//! docs/specification.md alone, and the fast renderer with `cpu::reference`. The reader of pictures is compared with a
-//! plain reader, and must read back what the writers write.
+//! An oracle is never the code under test. The parsers are compared with the [`plain`] parsers, which are written from
+//! docs/specification.md alone. The fast renderer is compared with `cpu::reference`. The reader of pictures is compared
+//! with a plain reader, and must read what the writers have written.
 
 pub mod config;
 pub mod mutate;
@@ -19,7 +19,7 @@ pub mod wgsl;
 use std::fs;
 use std::path::PathBuf;
 
-/// A fuzz target: its name, and the function that checks an input.
+/// A fuzz target: its name, and the function that checks an input and panics if it finds an error.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All fuzz targets.
@@ -31,7 +31,7 @@ pub const TARGETS: [Target; 5] = [
     ("wgsl", wgsl::check),
 ];
 
-/// Reads the inputs of a target from the folder `seeds` or `regressions`, sorted by name.
+/// Returns the inputs of a target in the folder `seeds` or `regressions`: path and content, sorted by path.
 ///
 /// # Panics
 /// If the folder, or a file in it, cannot be read.
@@ -44,11 +44,11 @@ pub fn inputs(folder: &str, target: &str) -> Vec<(PathBuf, Vec<u8>)> {
     paths.into_iter().map(|path| (path.clone(), fs::read(path).expect("it is readable"))).collect()
 }
 
-/// Reads the tokens of a target's dictionary. Its format is libFuzzer's: one quoted text a line, with `\xNN` for a
-/// byte.
+/// Returns the tokens of a target's dictionary. The dictionary has libFuzzer's format: one quoted text on each line, in
+/// which `\xNN` stands for a byte.
 ///
 /// # Panics
-/// If the dictionary does not exist, or a line of it is wrong.
+/// If the dictionary does not exist, or a line in it is wrong.
 #[must_use]
 pub fn dictionary(target: &str) -> Vec<Vec<u8>> {
     let path = fuzz_folder().join("dictionaries").join(format!("{target}.dict"));

@@ -1,11 +1,12 @@
-//! Seeded mutations of inputs. They are like those of a fuzzer, but not guided by coverage, and equal on every machine.
+//! Seeded mutations of inputs. They are like those of a fuzzer, but coverage does not guide them, and they are the same
+//! on every machine.
 
-/// A stream of random numbers from a seed (splitmix64).
+/// A generator of random numbers (splitmix64).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// Returns the stream of this seed.
+    /// Returns the generator with this seed.
     #[must_use]
     pub const fn new(seed: u64) -> Self {
         Self(seed)
@@ -30,8 +31,8 @@ impl Random {
     }
 }
 
-/// Returns `input` with one to four changes: bytes are changed, removed, doubled, or replaced by bytes from `others` or
-/// a token.
+/// Returns `input` with one to four changes. A change removes, doubles or replaces some bytes. The new bytes are
+/// random, part of one of the `others`, or one of the `tokens`.
 #[must_use]
 pub fn mutate(random: &mut Random, input: &[u8], others: &[Vec<u8>], tokens: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = input.to_vec();

@@ -1,15 +1,15 @@
-//! The fuzz target `picture`: reads any bytes as a picture, with the reader of `render-lab compare`.
+//! The fuzz target `picture`: reads any bytes as a picture with the reader of `render-lab compare`.
 
 use lab::picture::Picture;
 
 use crate::plain;
 
-/// Bound of the pixels that one byte of a PNG can hold: deflate compresses by at most 1032, and a byte has at most
-/// eight pixels. The factor 3 for the channels is not needed and makes the bound looser.
+/// Upper bound on the number of pixels for each byte of a PNG. Deflate compresses by a factor of at most 1032, and a
+/// byte holds at most eight pixels. The factor 3 for the channels is not needed; it makes the bound looser.
 const LARGEST_GROWTH: usize = 1032 * 8 * 3;
 
-/// Checks that a PPM is read exactly as the plain reader reads it. Also checks that a picture has no more pixels than
-/// its file can hold, and stays equal when it is written and read again.
+/// Checks that the real reader and the plain reader agree on a PPM. Also checks that a picture has no more pixels than
+/// its file can hold, and does not change when it is written and read again.
 ///
 /// # Panics
 /// If a check fails.
@@ -24,7 +24,7 @@ pub fn check(bytes: &[u8]) {
     assert!(picture.width > 0 && picture.height > 0);
     assert_eq!(picture.pixels.len(), picture.width * picture.height);
     assert!(picture.pixels.len() <= LARGEST_GROWTH * bytes.len());
-    // A large picture takes the time of many small ones and finds nothing more, so it is not written.
+    // A large picture takes the time of many small ones and finds no more errors, so it is not written.
     if picture.pixels.len() > 1 << 16 {
         return;
     }

@@ -1,5 +1,5 @@
-//! A second reader of each format: configuration, scene and picture. Each is simple and slow, and written from the
-//! description of its format alone. The fuzz targets compare the real readers with these.
+//! A second, plain reader of each format: configuration, scene and picture. These readers are simple and slow, and each
+//! is written only from the description of its format. The fuzz targets compare the real readers with them.
 
 pub mod config;
 pub mod lines;

@@ -1,20 +1,20 @@
-//! The fuzz target `wgsl`: uses any bytes as a WGSL module in place of one of the project, as `shader-lab` does.
+//! The fuzz target `wgsl`: uses any bytes as a WGSL module that replaces one of the project's, as `shader-lab` does.
 //!
-//! It runs every step from the user's text to the translations that a driver would get. Nothing is run on a device.
+//! It runs every step from the user's text to the translations that a driver would get. It runs nothing on a device.
 
 use naga::ShaderStage;
 use naga::back::pipeline_constants::process_overrides;
 use shaders::module::MODULES;
 use shaders::{Error, Features, Library, Precision, Target, Validated, translate};
 
-/// The name of the user's file.
+/// The name of the file with the user's text.
 const FILE: &str = "mine.wgsl";
 
-/// Checks that a text is valid, or is refused with a place that exists. A valid text must accept any constants without
-/// a panic, and for every target be translated or refused with a message.
+/// Checks that a text is valid, or that its error has a place that exists in the text. For a valid text, any constants
+/// must cause no panic, and each target must translate it or refuse it with a message.
 ///
-/// The first byte chooses the module. The second byte chooses the precision, whether the text replaces the module or is
-/// added to it, and a value for the constants.
+/// The first byte of `bytes` chooses the module. The second byte chooses the precision, whether the text replaces the
+/// module or is appended to it, and a value for the constants.
 ///
 /// # Panics
 /// If a check fails.
@@ -50,13 +50,13 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// Returns one of eight values for a constant of a shader, as a user may give them by `--set NAME=VALUE`.
+/// Returns one of eight values for a constant of a shader. A user can set these values with `--set NAME=VALUE`.
 fn value(choice: u8) -> f64 {
     const VALUES: [f64; 8] = [0.0, 1.0, -1.0, 1e308, f64::NAN, f64::INFINITY, 4_294_967_295.0, 0.1];
     VALUES[usize::from(choice) % VALUES.len()]
 }
 
-/// Sets every constant of a shader to `value`, as `--set` can.
+/// Sets every constant of a shader to `value`, as `--set` does.
 fn specialise(shader: &Validated, value: f64) {
     let names = shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.clone());
     let constants = names.map(|name| (name, value)).collect();

@@ -1,11 +1,12 @@
-//! Runs every fuzz target on its seeds, on its regressions, and on thousands of mutations of both.
+//! Runs every fuzz target with its seeds, with its regressions, and with thousands of mutations of both.
 //!
-//! `RENDER_SMOKE_CASES` sets the number of mutations for each target, `RENDER_SMOKE_SEED` their seed.
+//! The variable `RENDER_SMOKE_CASES` sets the number of mutations for each target. `RENDER_SMOKE_SEED` sets their seed.
 
 use fuzz_oracles::mutate::{Random, mutate};
 use fuzz_oracles::{TARGETS, dictionary, inputs};
 
-/// Prints its input if the check panics, so that the input can be kept as a regression.
+/// The name of a target and an input. It prints the input if it is dropped during a panic, so that the input can be
+/// kept as a regression.
 struct Tried<'a>(&'a str, &'a [u8]);
 
 impl Drop for Tried<'_> {

@@ -1,9 +1,10 @@
-//! A case: one ray and one object, whose numbers are taken as exact. The oracle and every implementation intersect it.
+//! A case: one ray and one object. Their numbers count as exact. The oracle and every implementation intersect the
+//! case.
 
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
 
-/// One ray and one object.
+/// One ray and one object to be intersected.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
     /// The object.
@@ -13,20 +14,20 @@ pub struct Case {
 }
 
 impl Case {
-    /// Returns the case of a ray from `origin` along `direction` and a sphere.
+    /// Returns the case of a sphere and a ray from `origin` along `direction`.
     #[must_use]
     pub fn sphere(center: Vec3, radius: f64, origin: Vec3, direction: Vec3) -> Self {
         Self { shape: Shape::Sphere(Sphere { center, radius }), ray: Ray { origin, direction } }
     }
 
-    /// Returns the case of a ray from `origin` along `direction` and a cylinder.
+    /// Returns the case of a cylinder and a ray from `origin` along `direction`.
     #[must_use]
     pub fn cylinder(cylinder: Cylinder, origin: Vec3, direction: Vec3) -> Self {
         Self { shape: Shape::Cylinder(cylinder), ray: Ray { origin, direction } }
     }
 
-    /// Returns the case with every number rounded to single precision. These are the exact inputs of an implementation
-    /// in single precision.
+    /// Returns the case with every number rounded to single precision. An implementation in single precision gets these
+    /// numbers.
     #[must_use]
     pub fn single(&self) -> Self {
         let round = |vector: Vec3| vector.map(|component| f64::from(component as f32));
@@ -51,7 +52,7 @@ impl Case {
         }
     }
 
-    /// Returns `S`, the size of the case: the sum of the origin's distance from the centre, the radius and the height.
+    /// Returns the size `S` of the case: the sum of the origin's distance from the centre, the radius and the height.
     #[must_use]
     pub fn size(&self) -> f64 {
         let distance = (self.ray.origin - self.center()).length();

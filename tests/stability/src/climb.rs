@@ -1,8 +1,8 @@
-//! Finds large errors of lambda by hill climbing. The errors are larger than those of random rays.
+//! Finds large errors of lambda by hill climbing. They are larger than the errors of random rays.
 //!
-//! A climb begins with a random case of a regime, changes some of its numbers a little, and keeps the change unless the
-//! error of an accepted lambda falls. The largest error found is a lower bound of the true maximum. It must stay below
-//! the bound that docs/accuracy.md proves.
+//! A climb begins with a random case of a regime and changes some of its numbers slightly. It keeps a change unless the
+//! error of lambda falls. The largest error found is a lower bound of the true maximum, so it must be below the bound
+//! that docs/accuracy.md proves.
 
 use cpu::internals::exact;
 use cpu::internals::exact::error_bound::Decision;
@@ -16,7 +16,7 @@ use crate::oracle;
 use crate::random::Random;
 use crate::regimes::Regime;
 
-/// Returns the exact intersection of a case, with all fallbacks.
+/// Returns the lambda and the part of the exact intersection of a case, with all fallbacks. Returns `None` for a miss.
 #[must_use]
 pub fn exact_answer(case: &Case) -> Option<(f64, CylinderPart)> {
     match &case.shape {
@@ -31,8 +31,8 @@ pub fn exact_answer(case: &Case) -> Option<(f64, CylinderPart)> {
     }
 }
 
-/// Returns whether the answer comes from f64: from the plain formulas or the compensated root. The error of
-/// double-double is negligible.
+/// Whether the answer is computed in f64, by the plain formulas or the compensated root. If it is not, double-double
+/// computes it, whose error is negligible.
 fn is_answered_in_f64(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {
@@ -47,8 +47,8 @@ fn is_answered_in_f64(case: &Case) -> bool {
     }
 }
 
-/// Returns the relative error of lambda: 0 if double-double or exact arithmetic decided, `None` if a decision in f64 is
-/// wrong.
+/// Returns the relative error of lambda. It is 0 if double-double or dyadic arithmetic decides, and `None` if a
+/// decision in f64 is wrong.
 fn error(case: &Case) -> Option<f64> {
     if !is_answered_in_f64(case) {
         return Some(0.0);
@@ -56,7 +56,7 @@ fn error(case: &Case) -> Option<f64> {
     lambda_error(&oracle::judge(case), exact_answer(case), f64::EPSILON / 2.0)
 }
 
-/// Returns the case with about a third of its numbers changed, by a relative change from 10^-16 to 10^-1.
+/// Returns the case with about a third of its numbers changed. The relative change is from 10^-16 to 10^-1.
 fn changed(case: &Case, random: &mut Random) -> Case {
     let mut case = *case;
     let mut change = |number: &mut f64| {
@@ -78,10 +78,11 @@ fn changed(case: &Case, random: &mut Random) -> Case {
     case
 }
 
-/// Returns the largest error of lambda that `climbs` climbs of `steps` steps each reach from cases of a regime.
+/// Returns the largest relative error of lambda that `climbs` climbs find. Each climb has `steps` steps and begins with
+/// a case of `regime`.
 ///
 /// # Errors
-/// The first case whose decision is wrong.
+/// The first case for which a decision is wrong.
 pub fn largest_error(regime: &Regime, seed: u64, climbs: usize, steps: usize) -> Result<f64, Box<Case>> {
     let mut random = Random::new(seed);
     let mut largest = 0.0_f64;

@@ -1,9 +1,9 @@
 //! Compares the intersections of [`cpu`] with exact arithmetic.
 //!
-//! An [oracle] computes the exact intersection of a ray and an object. [regimes] draw cases, each family hard for
-//! another reason. [methods] are the implementations, and [measure] counts how often and by how much each is wrong. The
-//! binary `stress` of `gpu-check` adds the formulas in WGSL, runs everything and writes `docs/accuracy/`. The tests run
-//! a part of it and assert what must hold.
+//! An [oracle] computes the exact intersection of a ray and an object. The [regimes] make cases; each regime is hard
+//! for a different reason. The [methods] are the implementations. The module [measure] counts wrong answers and
+//! measures their errors. The program `stress` of `gpu-check` adds the formulas in WGSL, runs all implementations and
+//! writes `docs/accuracy/`. The tests run fewer cases and assert what must hold.
 
 pub mod case;
 pub mod climb;

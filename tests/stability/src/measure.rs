@@ -1,4 +1,4 @@
-//! Measures how often and by how much an implementation is wrong in a regime.
+//! Measures the errors of an implementation in a regime, and how often it is wrong.
 
 use cpu::Vec3;
 use cpu::internals::exact;
@@ -13,12 +13,13 @@ use crate::case::Case;
 use crate::methods::{Failure, Method};
 use crate::oracle::{self, Judgement, big, to_f64};
 
-/// The figures of one regime and one implementation. `u` is the unit roundoff, and `S` the size of a case.
+/// The measured errors and times of one implementation in one regime. In the comments, `u` is the unit roundoff, and
+/// `S` the size of a case.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
-    /// The regime.
+    /// The name of the regime.
     pub regime: &'static str,
-    /// The implementation.
+    /// The name of the implementation.
     pub method: &'static str,
     /// Number of cases.
     pub cases: usize,
@@ -26,20 +27,22 @@ pub struct Row {
     pub hits: usize,
     /// Number of cases with a wrong hit, miss, root or part.
     pub wrong: usize,
-    /// Number of wrong cases that stay wrong if the surface moves by 8 u S. `None` for cylinders, for which it is not
+    /// Number of wrong cases that stay wrong if the surface moves by 8 u S. `None` for cylinders, for which this is not
     /// computed.
     pub wrong_beyond_noise: Option<usize>,
-    /// Number of right hits for which inside and outside are confused.
+    /// Number of right hits with the wrong side: inside instead of outside, or the reverse.
     pub wrong_side: usize,
-    /// Relative errors of lambda where the decision is right: median, 99.9 % and largest.
+    /// Relative errors of lambda, for the cases with a right decision: the median, the value that 99.9 % of the errors
+    /// do not exceed, and the largest.
     pub lambda_error: [f64; 3],
-    /// Distances of the hit points from the surface, in units of u times the largest coordinate: median and largest.
+    /// Distances of the hit points from the surface, in units of u times the largest coordinate: the median and the
+    /// largest.
     pub surface_error: [f64; 2],
     /// Time of one intersection, in nanoseconds.
     pub nanoseconds: f64,
 }
 
-/// Cases with the oracle's judgements, twice: as they are, and rounded to single precision.
+/// The cases of a regime with the oracle's answers, twice: in double precision, and rounded to single precision.
 #[derive(Debug)]
 pub struct Judged {
     /// The regime's name.
@@ -49,7 +52,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Computes the judgements of the oracle.
+    /// Computes the oracle's answers for `cases`.
     #[must_use]
     pub fn new(regime: &'static str, cases: Vec<Case>) -> Self {
         let single = cases.iter().map(Case::single).collect();
@@ -58,13 +61,13 @@ impl Judged {
         Self { regime, cases, judgements }
     }
 
-    /// Returns the cases with their judgements, in the precision of an implementation with this unit roundoff.
+    /// Returns the cases with the oracle's answers, in the precision of an implementation that has this unit roundoff.
     fn seen_with(&self, unit_roundoff: f64) -> (&[Case], &[Judgement]) {
         let precision = usize::from(unit_roundoff > f64::EPSILON);
         (&self.cases[precision], &self.judgements[precision])
     }
 
-    /// Compares an implementation with the oracle.
+    /// Compares an implementation with the oracle, and measures its time.
     ///
     /// # Errors
     /// An error of [`Method::answer`] or [`Method::stopwatch`].
@@ -104,7 +107,8 @@ impl Judged {
         Ok(row)
     }
 
-    /// Returns the share of the cases that need double-double, and the share that need dyadic arithmetic.
+    /// Returns two shares of the cases, from 0 to 1: those that need double-double, and those that need dyadic
+    /// arithmetic.
     #[must_use]
     pub fn fallbacks(&self) -> [f64; 2] {
         let cases = &self.cases[0];
@@ -115,7 +119,8 @@ impl Judged {
     }
 }
 
-/// Returns the nanoseconds of one intersection: the least of three passes, because other processes only add time.
+/// Returns the time of one intersection in nanoseconds. It is the shortest of three passes, because other processes can
+/// only add time.
 fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     let mut stopwatch = method.stopwatch(cases)?;
     let mut least = f64::INFINITY;
@@ -125,8 +130,8 @@ fn nanoseconds(method: &dyn Method, cases: &[Case]) -> Result<f64, Failure> {
     Ok(least * 1e9 / cases.len() as f64)
 }
 
-/// Returns the relative error of lambda, which is 0 for a miss, or `None` if the decision is wrong. An answer is a
-/// lambda and a part.
+/// Returns the relative error of lambda, or `None` if the decision is wrong. For a right miss the error is 0. An
+/// `answer` is a lambda and a part.
 #[must_use]
 pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, unit_roundoff: f64) -> Option<f64> {
     match (&judgement.truth, answer) {
@@ -135,8 +140,8 @@ pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, 
             let lambda = big(lambda);
             let distance = |other: &oracle::Big| to_f64(&(&lambda - other)).abs();
             let error = distance(&truth.lambda);
-            // If lambda is nearer to another crossing, it is the wrong root. Roots that are nearer to each other than
-            // this precision resolves count as one root.
+            // If lambda is nearer to another crossing, it is the wrong root. If two roots are too near to be
+            // distinguished in this precision, they count as one root.
             let resolution = 4.0 * unit_roundoff * to_f64(&truth.lambda);
             let other_root = judgement.crossings.iter().any(|other| distance(other) < error);
             (!other_root || error <= resolution).then(|| error / to_f64(&truth.lambda))
@@ -145,8 +150,8 @@ pub fn lambda_error(judgement: &Judgement, answer: Option<(f64, CylinderPart)>, 
     }
 }
 
-/// Returns the largest magnitude in the computation of a hit point: of its coordinates, the ray's origin and the
-/// radius.
+/// Returns the largest magnitude in the computation of a hit point: of the coordinates of the point and of the ray's
+/// origin, and of the radius.
 fn largest(case: &Case, point: Vec3) -> f64 {
     let reach = |vector: Vec3| vector.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
     let radius = match case.shape {
@@ -164,7 +169,7 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     values[((values.len() - 1) as f64 * share).round() as usize]
 }
 
-/// Returns whether the formulas in f64 are uncertain, so that double-double arithmetic is needed.
+/// Whether the formulas in f64 are uncertain for a case, so that it needs double-double arithmetic.
 fn is_uncertain(case: &Case) -> bool {
     match &case.shape {
         Shape::Sphere(sphere) => {

@@ -1,6 +1,7 @@
 //! The implementations that are compared with the oracle.
 //!
-//! To add an implementation, such as a shader, implement [`Method`]: it gets cases, and returns the hit of each ray.
+//! To add an implementation, such as a shader, implement [`Method`]: it gets cases, and returns a hit or a miss for
+//! each.
 
 mod formulas;
 mod host;
@@ -17,10 +18,10 @@ use crate::case::Case;
 use formulas::{InDouble, PlainSingle, ProjectedSingle, Resolved};
 use host::Host;
 
-/// The hit that an implementation finds.
+/// The hit that an implementation finds for a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
-    /// Parameter of the hit.
+    /// The lambda of the hit.
     pub lambda: f64,
     /// The part that is hit; the side for a sphere.
     pub part: CylinderPart,
@@ -30,37 +31,37 @@ pub struct Answer {
     pub front: bool,
 }
 
-/// Why an implementation has no answers, such as a failure of a device. Formulas in Rust always have answers.
+/// The reason why an implementation has no answers, such as an error of a device. Formulas in Rust always have answers.
 pub type Failure = Box<dyn Error>;
 
-/// A function that intersects every case once, and returns the time that this took.
+/// A function that intersects all cases once, and returns the time that this takes.
 pub type Stopwatch<'a> = Box<dyn FnMut() -> Result<Duration, Failure> + 'a>;
 
-/// An implementation of both intersections.
+/// An implementation of the intersections with spheres and with cylinders.
 pub trait Method {
-    /// Returns the implementation's name in tables.
+    /// Returns the name of the implementation in tables.
     fn name(&self) -> &'static str;
 
-    /// Returns the unit roundoff of its numbers.
+    /// Returns the unit roundoff of the implementation's numbers.
     fn unit_roundoff(&self) -> f64 {
         f64::EPSILON / 2.0
     }
 
-    /// Returns the hit of each case, or `None` for a miss. One call gets all cases, so that a device can compute them
-    /// together. The objects are all spheres or all cylinders.
+    /// Returns the hit of each case, or `None` for a miss. A call gets all cases, so that a device can compute them
+    /// together. The objects must be all spheres or all cylinders.
     ///
     /// # Errors
-    /// The reason for which it cannot compute.
+    /// The reason why the implementation cannot compute.
     fn answer(&self, cases: &[Case]) -> Result<Vec<Option<Answer>>, Failure>;
 
-    /// Prepares the cases and returns a function that times their intersections.
+    /// Prepares the cases, and returns a function that measures the time of their intersections.
     ///
     /// # Errors
-    /// The reason for which it cannot compute.
+    /// The reason why the implementation cannot compute.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure>;
 }
 
-/// Returns the implementations in Rust, in the order of the table's rows.
+/// Returns all implementations in Rust, in the order of the table's rows.
 #[must_use]
 pub fn all() -> Vec<Box<dyn Method>> {
     vec![
@@ -71,20 +72,21 @@ pub fn all() -> Vec<Box<dyn Method>> {
     ]
 }
 
-/// Returns the exact intersections without the filter in f64: double-double for every ray, and dyadic arithmetic where
-/// that is uncertain. Its answers are the exact ones, rounded, so only its time is of interest.
+/// Returns the exact intersections without the filter in f64. They use double-double for every ray, and dyadic
+/// arithmetic where double-double is uncertain. Their answers are the exact ones, rounded, so only their time is of
+/// interest.
 #[must_use]
 pub fn resolved() -> Box<dyn Method> {
     Box::new(Host::<InDouble<Resolved>>::new(RESOLVED))
 }
 
-/// Name of the plain formulas of the specification in f64.
+/// Name of the specification's plain formulas in f64.
 pub const PLAIN: &str = "plain f64";
 /// Name of the exact intersections, which the renderer uses.
 pub const EXACT: &str = "exact f64";
 /// Name of the plain formulas in f32.
 pub const PLAIN_SINGLE: &str = "plain f32";
-/// Name of the projected form in f32, which is for shaders without double precision.
+/// Name of the projected form in f32, which is made for shaders without double precision.
 pub const PROJECTED: &str = "projected f32";
 /// Name of [`resolved`].
 pub const RESOLVED: &str = "double-double, exact";

@@ -1,4 +1,4 @@
-//! Exact intersections that count the decisions of the filter while a whole picture is rendered.
+//! Exact intersections that count the filter's decisions while a whole picture is rendered.
 
 use std::cell::Cell;
 
@@ -9,25 +9,25 @@ use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::reference::intersect::{Exact, Intersect, Precision};
 use cpu::{Ray, Vec3};
 
-/// Counts of the intersections of a picture.
+/// Counts of the intersections in one picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Intersections of one ray with one object.
+    /// Number of tests, which are intersections of one ray with one object.
     pub tests: u64,
-    /// Tests for which the plain formulas are uncertain.
+    /// Number of tests for which the plain formulas are uncertain.
     pub uncertain: u64,
-    /// Tests with a hit.
+    /// Number of tests with a hit.
     pub hits: u64,
-    /// Hits whose lambda has the bits of the plain formulas.
+    /// Number of hits whose lambda has the bits of the plain formulas.
     pub same_bits: u64,
-    /// Tests in which the plain formulas have a wrong hit, miss, part or root.
+    /// Number of tests in which the plain formulas give a wrong hit, miss, part or root.
     pub other_decision: u64,
 }
 
 impl Counts {
     const NONE: Self = Self { tests: 0, uncertain: 0, hits: 0, same_bits: 0, other_decision: 0 };
 
-    /// Returns the sum of two counts.
+    /// Returns the sum of these counts and `other`.
     #[must_use]
     pub fn with(&self, other: &Self) -> Self {
         Self {
@@ -46,8 +46,8 @@ impl Counts {
         match (plain, truth) {
             (Some(lambda), Some(truth)) => {
                 self.same_bits += u64::from(lambda == truth);
-                // A relative difference above 10^-3 means another root. The two roots of one surface are nearer to each
-                // other only if the ray is nearly tangent.
+                // A relative difference above 10^-3 means that lambda is another root. The two roots of one surface are
+                // nearer to each other only if the ray is nearly tangent.
                 self.other_decision += u64::from(!same_part || (lambda - truth).abs() > 1e-3 * truth);
             }
             (None, None) => {}
@@ -56,14 +56,14 @@ impl Counts {
     }
 }
 
-/// Counts of spheres and cylinders.
+/// The counts for spheres (first) and for cylinders (second).
 pub type Both = [Counts; 2];
 
 thread_local! {
     static COUNTS: Cell<Both> = const { Cell::new([Counts::NONE; 2]) };
 }
 
-/// Returns the counts on this thread since the last call, and sets them to 0.
+/// Returns the counts of this thread since the last call, and resets them to 0.
 pub fn take_counts() -> Both {
     COUNTS.take()
 }
@@ -76,7 +76,7 @@ fn update(kind: usize, change: impl FnOnce(&mut Counts)) {
     });
 }
 
-/// [`Exact`] intersections that are counted.
+/// The [`Exact`] intersections, with counts.
 #[derive(Clone, Copy, Debug)]
 pub enum Observed {}
 

@@ -1,14 +1,14 @@
-//! The oracle: computes the definitions (specification, section 9) in arithmetic of 2,048 bits, from the exact numbers
-//! of a [`Case`].
+//! The oracle computes the definitions of the specification, section 9, with numbers of 2,048 bits, from the exact
+//! numbers of a [`Case`].
 //!
-//! Sums and products of the inputs fit these bits if the magnitudes in a case are not too far apart, so a discriminant
-//! of zero is exactly zero. In [`SPHERES`](crate::regimes::SPHERES) and [`CYLINDERS`](crate::regimes::CYLINDERS) all
-//! numbers other than 0 are between 2^-100 and 2^60. Roots and quotients are rounded. Two lambdas that agree to 1,000
-//! bits are taken for equal. Different lambdas cannot agree so far: they are roots of polynomials with shorter
-//! coefficients.
+//! If the magnitudes in a case are not too far apart, sums and products of the inputs fit in these bits, so a
+//! discriminant of zero is exactly zero. In [`SPHERES`](crate::regimes::SPHERES) and
+//! [`CYLINDERS`](crate::regimes::CYLINDERS) all numbers except 0 are between 2^-100 and 2^60. Roots and quotients are
+//! rounded. Two lambdas that agree in 1,000 bits count as equal. Different lambdas cannot agree so far, because they
+//! are roots of polynomials with shorter coefficients.
 //!
-//! The oracle shares no code with `cpu::internals::exact` and uses another big-number library, so that each can tell
-//! when the other is wrong. The formulas differ too: the oracle computes roots and compares lambdas, while
+//! The oracle shares no code with `cpu::internals::exact`, and uses another library for big numbers, so that each can
+//! show an error of the other. Their formulas differ too: the oracle computes roots and compares lambdas, but
 //! `cpu::internals::exact` decides without a root.
 
 use cpu::internals::geometry::cap::PARALLEL;
@@ -21,44 +21,44 @@ use dashu_float::round::mode::HalfEven;
 
 use crate::case::Case;
 
-/// A number of 2,048 bits.
+/// A floating-point number with 2,048 bits.
 pub type Big = FBig<HalfEven, 2>;
 
 const BITS: usize = 2048;
 const EQUAL_BITS: isize = 1000;
 
-/// Returns `value` with 2,048 bits. A value that is not finite becomes zero, but no case has such a value.
+/// Returns `value` as a number of 2,048 bits. An infinite value or NaN becomes 0, but no case has such a value.
 #[must_use]
 pub fn big(value: f64) -> Big {
     Big::try_from(value).unwrap_or(Big::ZERO).with_precision(BITS).value()
 }
 
-/// The exact hit of a ray on an object.
+/// The exact hit of a ray with an object.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// The smallest lambda that is in range and on the object.
     pub lambda: Big,
     /// The part that is hit; the side for a sphere.
     pub part: CylinderPart,
-    /// Whether the ray comes from outside.
+    /// Whether the ray comes from outside the object.
     pub front: bool,
 }
 
-/// The exact facts about a case.
+/// The oracle's answer for a case.
 #[derive(Clone, Debug)]
 pub struct Judgement {
     /// The hit, or `None` if the ray misses the object.
     pub truth: Option<Truth>,
     /// All lambdas at which the line crosses the infinite surfaces of the object, in range or not.
     pub crossings: Vec<Big>,
-    /// The smallest move of a sphere's surface that changes the decision: until the line is tangent, or until the
-    /// surface passes through the point at the smallest lambda. `None` for cylinders, for which it is not computed.
+    /// The smallest distance by which a sphere's surface must move to change the decision. Then the line is tangent, or
+    /// the point at the least lambda is on the surface. `None` for cylinders, for which it is not computed.
     pub slack: Option<f64>,
 }
 
 type Big3 = [Big; 3];
 
-/// Returns the vector with 2,048 bits in each component.
+/// Returns the vector with components of 2,048 bits.
 #[must_use]
 pub fn big3(vector: Vec3) -> Big3 {
     vector.to_array().map(big)
@@ -72,7 +72,7 @@ fn minus(a: &Big3, b: &Big3) -> Big3 {
     [0, 1, 2].map(|index| &a[index] - &b[index])
 }
 
-/// Returns the point of a ray at `lambda`.
+/// Returns the point of the ray at `lambda`.
 fn at(ray: &Ray, lambda: &Big) -> Big3 {
     let (origin, direction) = (big3(ray.origin), big3(ray.direction));
     [0, 1, 2].map(|index| &origin[index] + &direction[index] * lambda)
@@ -82,7 +82,7 @@ fn magnitude(value: &Big) -> Big {
     if *value < Big::ZERO { -value.clone() } else { value.clone() }
 }
 
-/// Returns whether `a <= b`. Numbers that agree to 1,000 bits count as equal.
+/// Whether `a <= b`. Numbers that agree in 1,000 bits count as equal.
 fn at_most(a: &Big, b: &Big) -> bool {
     a <= b || magnitude(&(a - b)) << EQUAL_BITS <= magnitude(a).max(magnitude(b))
 }
@@ -91,7 +91,7 @@ fn in_range(lambda: &Big) -> bool {
     at_most(&big(LAMBDA_MIN), lambda)
 }
 
-/// Computes the exact facts about a case.
+/// Returns the exact answer for a case.
 #[must_use]
 pub fn judge(case: &Case) -> Judgement {
     match &case.shape {
@@ -134,7 +134,7 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
     let mut crossings = Vec::new();
     let mut hits = Vec::new();
 
-    // The equation of the side, multiplied by axis . axis, so that no division is needed.
+    // The quadratic equation of the side, multiplied by axis . axis, so that no division is needed.
     let a = dot(&direction, &direction) * &square - &slope * &slope;
     let h = dot(&r_c, &direction) * &square - &height * &slope;
     let c = (dot(&r_c, &r_c) - &radius_squared) * &square - &height * &height;
@@ -168,13 +168,13 @@ fn judge_cylinder(cylinder: &Cylinder, ray: &Ray) -> Judgement {
         crossings.push(lambda);
     }
 
-    // The hit with the smallest lambda. Of equal lambdas the later hit counts.
+    // The hit with the smallest lambda. Of hits with equal lambdas, the later one counts.
     let truth = hits.into_iter().reduce(|best, hit| if at_most(&hit.lambda, &best.lambda) { hit } else { best });
     Judgement { truth, crossings, slack: None }
 }
 
-/// Returns the distance of `point` from a part of the object's surface. The part has no edges here: the side is the
-/// infinite cylinder, a cap is its plane.
+/// Returns the distance of `point` from a part of the object's surface. The part has no edges here: the side is an
+/// infinite cylinder, and a cap is a plane.
 #[must_use]
 pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f64 {
     let from_center = minus(&big3(point), &big3(case.center()));
@@ -184,7 +184,7 @@ pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f6
             let axis = big3(cylinder.axis);
             let along = dot(&from_center, &axis);
             let across = dot(&from_center, &from_center) - &along * &along / dot(&axis, &axis);
-            // For a point on the axis, the rounding of the division may make the square slightly negative.
+            // For a point on the axis, rounding in the division may make the square slightly negative.
             across.max(Big::ZERO).sqrt() - big(cylinder.radius)
         }
         (Shape::Cylinder(cylinder), CylinderPart::Top | CylinderPart::Bottom) => {

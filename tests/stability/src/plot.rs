@@ -1,38 +1,39 @@
-//! Draws plots as SVG without a library: groups of marks over a logarithmic scale, or lines.
+//! Draws plots as SVG without a library. A plot has groups of marks above a logarithmic scale, or lines.
 
 use std::fmt::Write;
 
-/// The marks of one implementation.
+/// The marks of one implementation in a plot.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// Name in the legend.
     pub name: String,
     /// Colour.
     pub color: &'static str,
-    /// A value for each category of the plot; `None` if there is no mark.
+    /// A value for each category of the plot, or `None` for a category without a mark.
     pub values: Vec<Option<f64>>,
-    /// The index of the series that should have equal values, or `None`. The marks are then rings around the marks of
-    /// that series. Series of rings come after all other series in [`Plot::series`].
+    /// Index of the series whose values should be equal. If it is given, the marks of this series are rings around the
+    /// marks of that series. In [`Plot::series`], series of rings come after all other series.
     pub around: Option<usize>,
 }
 
-/// Colours of the series. They differ in brightness too, for colour-blind readers.
+/// Colours of the series. They differ in brightness too, so that colour-blind readers can distinguish them.
 pub const COLORS: [&str; 4] = ["#d62728", "#1f4fb4", "#f0a030", "#59a14f"];
 
-/// A plot: its words, its scale and its series.
+/// A plot: its texts, its scale and its series.
 #[derive(Clone, Debug)]
 pub struct Plot {
     /// Title above the plot.
     pub title: String,
     /// Label of the vertical axis.
     pub axis: String,
-    /// The lowest and the highest power of ten on the vertical axis. Smaller values are drawn at the bottom.
+    /// The exponents of the lowest and the highest power of ten on the vertical axis. Smaller values are drawn at the
+    /// bottom.
     pub decades: (i32, i32),
     /// Names of the categories, from left to right. A name may be empty.
     pub categories: Vec<String>,
     /// The series.
     pub series: Vec<Series>,
-    /// Whether the marks of a series are joined by a line. Categories are then positions on a horizontal axis.
+    /// Whether a line joins the marks of a series. If so, the categories are positions on a horizontal axis.
     pub joined: bool,
 }
 
@@ -73,7 +74,7 @@ impl Plot {
     }
 
     fn scale(&self, text: &mut String) {
-        // Writing to a `String` does not fail, so errors are ignored.
+        // Writing to a `String` never fails, so errors are ignored.
         for decade in self.decades.0..=self.decades.1 {
             let y = self.height_of(10.0_f64.powi(decade));
             let _ = writeln!(text, "<path d=\"M{LEFT} {y:.1}H{}\" stroke=\"#ddd\"/>", WIDTH - RIGHT);
@@ -102,7 +103,7 @@ impl Plot {
         }
     }
 
-    /// Returns the column of a series in the legend and in each group of marks.
+    /// Returns the column of series number `index`, in the legend and in each group of marks.
     fn column(&self, index: usize) -> f64 {
         self.series[index].around.unwrap_or(index) as f64
     }
@@ -142,7 +143,7 @@ impl Plot {
     }
 }
 
-/// Draws a dot, or a ring around a dot.
+/// Draws the mark of `series` at the point (`x`, `y`): a dot, or a ring around a dot.
 fn mark(text: &mut String, (x, y): (f64, f64), series: &Series) {
     let color = series.color;
     let look = match series.around {

@@ -1,45 +1,45 @@
-//! Random numbers and vectors for the regimes, all from one seed.
+//! Random numbers and vectors for the regimes, all from one generator.
 
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
 
-/// A stream of random numbers.
+/// A generator of random numbers and vectors.
 #[derive(Clone, Debug)]
 pub struct Random(Uniform);
 
 impl Random {
-    /// Returns the stream of a seed.
+    /// Returns the generator with this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(Uniform::new(seed))
     }
 
-    /// Returns a number that is uniform in `[low, high)`.
+    /// Returns a random number from `low` to `high`. All are equally likely; `high` is excluded.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
 
-    /// Returns `10^k`, with `k` uniform in `[low, high)`.
+    /// Returns `10^k`, in which `k` is uniform from `low` to `high`.
     pub fn decades(&mut self, low: f64, high: f64) -> f64 {
         10.0_f64.powf(self.uniform(low, high))
     }
 
-    /// Returns an integer from 0 to `count - 1`, all equally likely.
+    /// Returns a random integer from 0 to `count - 1`. All are equally likely.
     pub fn below(&mut self, count: usize) -> usize {
         (self.uniform(0.0, count as f64) as usize).min(count - 1)
     }
 
-    /// Returns 1 or -1.
+    /// Returns 1 or -1, with equal probabilities.
     pub fn sign(&mut self) -> f64 {
         if self.uniform(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// Returns a vector whose components are in `[-extent, extent)`.
+    /// Returns a random vector whose components are from `-extent` to `extent`.
     pub fn cube(&mut self, extent: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| self.uniform(-extent, extent)))
     }
 
-    /// Returns a vector of length one, up to rounding. All directions are equally likely.
+    /// Returns a random vector of length one, up to rounding. All directions are equally likely.
     pub fn unit(&mut self) -> Vec3 {
         loop {
             let vector = self.cube(1.0);
@@ -50,7 +50,7 @@ impl Random {
         }
     }
 
-    /// Returns a vector of length one that is perpendicular to `axis`, up to rounding.
+    /// Returns a random vector of length one that is perpendicular to `axis`, up to rounding.
     pub fn perpendicular(&mut self, axis: Vec3) -> Vec3 {
         loop {
             let across = axis.unit().cross(self.unit());
@@ -69,8 +69,8 @@ impl Random {
         components.into()
     }
 
-    /// Returns a number at most `most` steps from `value`. A step is one unit in the last place; from 0 it is one unit
-    /// in the last place of 2^-40.
+    /// Returns a number that is at most `most` steps from `value`. A step is one unit in the last place of `value`. If
+    /// `value` is 0, a step is one unit in the last place of 2^-40.
     pub fn nudged(&mut self, value: f64, most: usize) -> f64 {
         let steps = self.below(2 * most + 1) as i64 - most as i64;
         if value == 0.0 {

@@ -1,4 +1,4 @@
-//! Regimes: families of rays, each hard for another reason.
+//! Regimes: families of cases, each of which is hard for a different reason.
 
 mod cylinders;
 mod extremes;
@@ -8,12 +8,12 @@ mod spheres;
 use crate::case::Case;
 use crate::random::Random;
 
-/// A family of cases.
+/// A regime, which is a family of cases that are hard for one reason.
 #[derive(Clone, Copy, Debug)]
 pub struct Regime {
-    /// Name in tables.
+    /// Name of the regime in tables.
     pub name: &'static str,
-    /// Draws a case.
+    /// The function that returns a random case of the regime.
     pub draw: fn(&mut Random) -> Case,
 }
 
@@ -25,10 +25,11 @@ pub const CYLINDERS: [Regime; 10] = cylinders::REGIMES;
 pub const EXTREMES: [Regime; 6] = extremes::REGIMES;
 
 impl Regime {
-    /// Draws `count` cases. A seed always gives the same cases.
+    /// Returns `count` random cases. Equal seeds give equal cases.
     #[must_use]
     pub fn cases(&self, seed: u64, count: usize) -> Vec<Case> {
-        // The seed and the name give each regime its stream, so that a new regime does not change the cases of others.
+        // Each regime gets its own generator, from the seed and its name. So a new regime does not change the cases of
+        // others.
         let salt = self.name.bytes().fold(seed, |salt, byte| salt.wrapping_mul(0x100_0000_01b3) ^ u64::from(byte));
         let mut random = Random::new(salt | 1);
         (0..count).map(|_| (self.draw)(&mut random)).collect()

@@ -1,31 +1,31 @@
-//! Writes the figures as tables in Markdown and as CSV.
+//! Writes the measured figures as tables in Markdown and as CSV.
 
 use std::fmt::Write;
 
 use crate::measure::Row;
 use crate::observed::Counts;
 
-/// The figures of one regime.
+/// The measured figures of one regime.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// A row for each implementation.
+    /// The rows of the table, one for each implementation.
     pub rows: Vec<Row>,
-    /// The share of cases that need double-double, and the share that need dyadic arithmetic.
+    /// Two shares of the cases, from 0 to 1: those that need double-double, and those that need dyadic arithmetic.
     pub fallbacks: [f64; 2],
 }
 
-/// The counts of one picture.
+/// The row of one picture in the table of pictures.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// Name of the picture.
     pub name: String,
-    /// Counts of spheres and cylinders together.
+    /// Counts of the intersections with spheres and with cylinders together.
     pub counts: Counts,
-    /// Whether the picture has the bytes that the plain formulas give.
+    /// Whether the picture with exact intersections has the bytes of the picture with the plain formulas.
     pub same_bytes: bool,
 }
 
-/// Formats a share as a percentage with two decimals, or with an exponent if it is small.
+/// Formats a share from 0 to 1 as a percentage with two decimals, or with an exponent if it is small.
 fn percent(share: f64) -> String {
     match share {
         0.0 => "0".into(),
@@ -38,7 +38,7 @@ fn short(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
 }
 
-/// Returns the table of one kind of object in Markdown.
+/// Returns the Markdown table of one kind of object.
 #[must_use]
 pub fn markdown(sections: &[Section]) -> String {
     let mut text = String::from(
@@ -58,7 +58,7 @@ pub fn markdown(sections: &[Section]) -> String {
             let [median, high, most] = row.lambda_error.map(short);
             let [near, far] = row.surface_error.map(short);
             let (method, wrong, side) = (row.method, row.wrong, row.wrong_side);
-            // Writing to a `String` does not fail, so errors are ignored.
+            // Writing to a `String` never fails, so errors are ignored.
             let _ = writeln!(
                 text,
                 "| {regime} | {method} | {wrong} | {beyond} | {side} | {median} | {high} | {most} | {near} | {far} | {double} | {exact} |"
@@ -68,7 +68,7 @@ pub fn markdown(sections: &[Section]) -> String {
     text
 }
 
-/// Returns all rows as CSV. Times are left out, because they differ from run to run.
+/// Returns the rows of all kinds of objects as CSV. Times are left out, because they differ from run to run.
 #[must_use]
 pub fn csv(kinds: &[(&str, &[Section])]) -> String {
     let mut text = String::from(
@@ -92,8 +92,8 @@ pub fn csv(kinds: &[(&str, &[Section])]) -> String {
     text
 }
 
-/// Returns the nanoseconds of one intersection as a table in Markdown: in the first regime of each kind of object, and
-/// in the slowest regime.
+/// Returns the Markdown table of the times of one intersection in nanoseconds. Each kind of object has two columns: its
+/// first regime and its slowest regime.
 #[must_use]
 pub fn costs(kinds: &[(&str, &[Section])]) -> String {
     let (mut head, mut rule) = (String::from("| implementation |"), String::from("|---|"));
@@ -117,12 +117,12 @@ pub fn costs(kinds: &[(&str, &[Section])]) -> String {
     text
 }
 
-/// Formats nanoseconds with one decimal below 10, else without decimals.
+/// Formats nanoseconds with one decimal if they are below 10, and otherwise without decimals.
 fn digits(nanoseconds: f64) -> String {
     if nanoseconds < 10.0 { format!("{nanoseconds:.1}") } else { format!("{nanoseconds:.0}") }
 }
 
-/// Returns the table of pictures in Markdown.
+/// Returns the Markdown table of pictures.
 #[must_use]
 pub fn pictures(pictures: &[Picture]) -> String {
     let mut text = String::from(

@@ -1,4 +1,4 @@
-//! Runs the stress test: every regime with every implementation, pictures, and spheres of growing radius.
+//! Runs the stress test: every regime with every implementation, whole pictures, and spheres of growing radius.
 
 use cpu::reference::intersect::Plain;
 use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene};
@@ -11,10 +11,10 @@ use crate::plot::{COLORS, Plot, Series};
 use crate::regimes::{Regime, large};
 use crate::report::{Picture, Section};
 
-/// Runs implementations on `count` cases of each regime.
+/// Measures the implementations `methods` with `count` cases of each regime. Returns a section for each regime.
 ///
 /// # Errors
-/// An error of [`Method::answer`] or [`Method::stopwatch`].
+/// The errors of [`Method::answer`] and [`Method::stopwatch`].
 pub fn sections(
     methods: &[Box<dyn Method>],
     regimes: &[Regime],
@@ -29,11 +29,11 @@ pub fn sections(
     regimes.iter().map(section).collect()
 }
 
-/// Renders a picture with exact intersections and counts the decisions of the filter. Renders it again with the plain
-/// formulas, to compare the bytes.
+/// Renders a picture with exact intersections, and counts the decisions of the filter. Renders it again with the plain
+/// formulas, and compares the bytes of both.
 ///
 /// # Errors
-/// An error of [`cpu::reference::render`].
+/// The errors of [`cpu::reference::render`].
 pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
     type Pixels = <Aos as Layout>::Image;
     let _ = take_counts();
@@ -44,7 +44,7 @@ pub fn picture(name: &str, config: &Config, scene: &Scene, scatter: Scatter) -> 
     Ok(Picture { name: name.into(), counts: spheres.with(&cylinders), same_bytes })
 }
 
-/// Returns a plot of one figure for every regime and implementation.
+/// Returns a plot of one figure for every regime and implementation. `figure` takes this figure from a row.
 #[must_use]
 pub fn plot(title: &str, axis: &str, decades: (i32, i32), sections: &[Section], figure: impl Fn(&Row) -> f64) -> Plot {
     let rows = sections.first().map_or(&[][..], |section| &section.rows);
@@ -58,31 +58,32 @@ pub fn plot(title: &str, axis: &str, decades: (i32, i32), sections: &[Section], 
     Plot { title: title.into(), axis: axis.into(), decades, categories, series, joined: false }
 }
 
-/// Returns the series of the implementation at `index`. If it is in WGSL, its marks are rings around those of the same
-/// formulas in Rust.
+/// Returns the series of implementation number `index`. If it is in WGSL, its marks are rings around the marks of the
+/// implementation with its formulas in Rust.
 fn series(names: &[&str], index: usize, values: Vec<Option<f64>>) -> Series {
     let name = names[index];
     let around = name.strip_prefix(WGSL).and_then(|twin| names.iter().position(|name| *name == twin));
     Series { name: name.into(), color: COLORS[around.unwrap_or(index) % COLORS.len()], values, around }
 }
 
-/// The prefix of an implementation in WGSL. The name of the same formulas in Rust follows it.
+/// The prefix in the name of an implementation in WGSL. The name of the implementation with its formulas in Rust
+/// follows.
 pub const WGSL: &str = "WGSL ";
 
-/// Wrong decisions of rays that leave spheres of growing radius.
+/// Shares of wrong decisions for rays that leave spheres of growing radius.
 #[derive(Clone, Debug)]
 pub struct LargeSpheres {
-    /// Radii, growing.
+    /// The radii, in rising order.
     pub radii: Vec<f64>,
-    /// Names of implementations, each with its share of wrong decisions for each radius.
+    /// Each implementation's name, with its share of wrong decisions (from 0 to 1) for each radius.
     pub wrong: Vec<(&'static str, Vec<f64>)>,
 }
 
 impl LargeSpheres {
-    /// Runs the implementations on `count` rays for each radius.
+    /// Measures the implementations `methods` with `count` rays for each radius.
     ///
     /// # Errors
-    /// An error of [`Method::answer`] or [`Method::stopwatch`].
+    /// The errors of [`Method::answer`] and [`Method::stopwatch`].
     pub fn new(methods: &[Box<dyn Method>], seed: u64, count: usize) -> Result<Self, Failure> {
         let radii: Vec<f64> = (0..=18).map(|half_decades| 10.0_f64.powf(f64::from(half_decades) / 2.0)).collect();
         let mut wrong: Vec<(&'static str, Vec<f64>)> = Vec::new();
@@ -100,7 +101,8 @@ impl LargeSpheres {
         Ok(Self { radii, wrong })
     }
 
-    /// Returns the largest radius up to which the share of wrong decisions is at most `share`; 0 if there is none.
+    /// Returns the largest radius up to which every share of wrong decisions of `method` is at most `share`, or 0 if
+    /// there is none.
     #[must_use]
     pub fn limit(&self, method: &str, share: f64) -> f64 {
         let shares = self.wrong.iter().find(|(name, _)| *name == method).map(|(_, shares)| shares.as_slice());
@@ -108,7 +110,7 @@ impl LargeSpheres {
         good.checked_sub(1).map_or(0.0, |last| self.radii[last])
     }
 
-    /// Returns a plot of the shares over the radii.
+    /// Returns a plot of the shares of wrong decisions against the radii.
     #[must_use]
     pub fn plot(&self) -> Plot {
         let name =
@@ -128,8 +130,8 @@ impl LargeSpheres {
     }
 }
 
-/// Returns the rows of implementations in WGSL whose figures differ from those of the same formulas in Rust. Times are
-/// not compared.
+/// Returns the rows of implementations in WGSL whose figures differ from those of their formulas in Rust. Times are not
+/// compared.
 #[must_use]
 pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
     let figures = |row: &Row| Row { method: "", nanoseconds: 0.0, ..row.clone() };
@@ -141,15 +143,15 @@ pub fn parted_from_their_twins(sections: &[Section]) -> Vec<&Row> {
     sections.iter().flat_map(|section| section.rows.iter().filter(move |row| parted(section, row))).collect()
 }
 
-/// Bounds of the relative error of lambda that docs/accuracy.md proves: for spheres, and for cylinders. The bound for
-/// cylinders is that of the caps, which is larger than that of the side.
+/// Bounds of the relative error of lambda that docs/accuracy.md proves: the first for spheres, the second for
+/// cylinders. The bound for cylinders is that of the caps, which is larger than that of the side.
 pub const PROVEN_ERRORS: [f64; 2] = [5.9e-12, 6.2e-10];
 
-/// Climbs towards the largest error of lambda in every regime of one kind. Returns the error, which must be below the
-/// bound `proven`.
+/// Searches for the largest relative error of lambda by climbs in every regime of one kind, and returns it. The error
+/// must be below the bound `proven`.
 ///
 /// # Errors
-/// A case that is decided wrongly, or an error that is not below the bound.
+/// A message about a wrong decision, or about an error that is not below the bound.
 pub fn climb(regimes: &[Regime], proven: f64, seed: u64, climbs: usize, steps: usize) -> Result<f64, String> {
     let mut largest = 0.0_f64;
     for regime in regimes {
@@ -159,12 +161,12 @@ pub fn climb(regimes: &[Regime], proven: f64, seed: u64, climbs: usize, steps: u
     if largest < proven { Ok(largest) } else { Err(format!("lambda is off by {largest:e}, proven is {proven:e}")) }
 }
 
-/// Checks the sections of one kind: the exact intersections are never wrong, and their errors at 99.9 % and at most are
-/// within `most_errors`. The projected form is not wrong beyond 8uS, and every regime has hits. Returns how often the
-/// plain formulas are wrong.
+/// Checks the sections of one kind of object. The exact intersections must never be wrong. Their error of lambda at
+/// 99.9 % and their largest error must be at most the two numbers of `most_errors`. The projected form must not be
+/// wrong beyond 8uS, and every regime must have hits. Returns the number of wrong decisions of the plain formulas.
 ///
 /// # Errors
-/// The first regime and figure that fail.
+/// A message about the first regime and figure that fail.
 pub fn check(sections: &[Section], most_errors: [f64; 2]) -> Result<usize, String> {
     let mut plain_wrong = 0;
     for row in sections.iter().flat_map(|section| &section.rows) {

@@ -1,7 +1,7 @@
-//! Exact intersections in every regime, including those in which squares underflow or nearly overflow, or terms cancel
-//! to zero.
+//! Tests of the exact intersections in every regime, including those in which squares underflow or nearly overflow, or
+//! terms cancel to zero.
 //!
-//! RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED another seed.
+//! The variable RENDER_REGIME_RAYS sets the number of rays for each regime, and RENDER_REGIME_SEED sets another seed.
 
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
@@ -15,7 +15,7 @@ use stability::oracle;
 use stability::regimes::{CYLINDERS, EXTREMES, SPHERES};
 use stability::run::{self, PROVEN_ERRORS};
 
-/// Number of rays for each regime.
+/// Number of rays for each regime, unless RENDER_REGIME_RAYS is set.
 const RAYS: u64 = 5_000;
 
 fn number(variable: &str, default: u64) -> u64 {

@@ -1,4 +1,5 @@
-//! Scenes whose radiance is known without rendering, and scenes that must give the picture of another scene.
+//! Tests with scenes whose radiance is known without rendering, and with scenes that must give the picture of another
+//! scene.
 
 use cpu::reference::intersect::{Exact, Intersect, Plain};
 use cpu::{Aos, Config, Image, Layout, Scatter, Scene};
@@ -20,8 +21,8 @@ const WHITE: &str = "background_dark_color: 1 1 1\nbackground_light_color: 1 1 1
 
 #[test]
 fn white_objects_under_a_white_sky_cannot_be_seen() {
-    // A ray that hits its surface again by error would reach the maximum depth and be black. The ground is as large as
-    // the earth.
+    // A ray that wrongly hits its own surface again would reach the maximum depth and be black. The ground is as large
+    // as the earth.
     let config = format!(
         "{WHITE}image_width: 60\naspect_ratio: 1 1\ncamera_position: 0 1 -6\ncamera_target: 0 0.5 0\n\
          field_of_view: 60\nsamples_per_pixel: 8\nmax_depth: 200\n"
@@ -35,8 +36,8 @@ fn white_objects_under_a_white_sky_cannot_be_seen() {
 
 #[test]
 fn no_light_leaks_into_a_closed_room() {
-    // All rays start inside and none may leave, so no ray sees the sky. Near its rim a cylinder has hits below the
-    // smallest lambda, which the specification ignores. The cylinder is so large that no ray starts there.
+    // All rays start inside and none may leave, so no ray hits the background. Near its rim a cylinder has hits below
+    // the least lambda, which the specification ignores. The cylinder is so large that no ray starts there.
     for (room, radius) in
         [("sphere: 0 0 0 5", 5.0), ("sphere: 0 0 0 5e5", 5e5), ("cylinder: 0 0 0 5e5 3e5 4e5 5e5", 5e5)]
     {
@@ -54,8 +55,8 @@ fn no_light_leaks_into_a_closed_room() {
 
 #[test]
 fn the_furnace_tells_when_light_is_lost() {
-    // Controls for the two tests above: a grey object under the white sky is seen, and without a closed room light
-    // comes in.
+    // Controls for the two tests above: a grey object under the white background is visible, and light comes in if the
+    // room is not closed.
     let config = format!("{WHITE}image_width: 20\naspect_ratio: 1 1\ncamera_position: 0 0 -3\nsamples_per_pixel: 2\n");
     let grey = render::<Exact>(&config, "matte: grey .9 .9 .9\nsphere: 0 0 0 1 grey\n", Scatter::Published);
     assert!(bytes(&grey).into_iter().any(|pixel| pixel != [255; 3]));
@@ -63,7 +64,7 @@ fn the_furnace_tells_when_light_is_lost() {
     assert!(bytes(&open).into_iter().any(|pixel| pixel != [0; 3]));
 }
 
-/// Returns a configuration and a scene of spheres, with all lengths multiplied by `scale` and all points moved by
+/// Returns a configuration and a scene of spheres. All lengths are multiplied by `scale`, and all points are moved by
 /// `shift`. The numbers have so few digits that both operations are exact.
 fn scaled_and_moved(scale: f64, shift: [f64; 3]) -> (String, String) {
     let place = |point: [f64; 3]| {
@@ -90,7 +91,7 @@ fn scaled_and_moved(scale: f64, shift: [f64; 3]) -> (String, String) {
 
 #[test]
 fn a_scene_of_spheres_looks_the_same_at_every_scale() {
-    // Every quantity scales exactly, except the smallest lambda. No hit in the scene is that near.
+    // Every quantity scales exactly, except the least lambda. No hit in the scene is so near.
     let (config, scene) = scaled_and_moved(1.0, [0.0; 3]);
     let original = bytes(&render::<Exact>(&config, &scene, Scatter::Statement));
     assert!(original.iter().any(|&pixel| pixel != original[0]), "there is something to see");
@@ -104,7 +105,7 @@ fn a_scene_of_spheres_looks_the_same_at_every_scale() {
 
 #[test]
 fn a_scene_of_spheres_looks_the_same_wherever_it_stands() {
-    // At another place the directions are rounded differently, so a few samples at edges may change.
+    // At another place, rounding changes the directions slightly, so a few samples at edges may change.
     let (config, scene) = scaled_and_moved(1.0, [0.0; 3]);
     let original = bytes(&render::<Exact>(&config, &scene, Scatter::Deterministic));
     for shift in [[16.0, -8.0, 4.0], [1024.0, 2048.0, -512.0], [-1_048_576.0, 65536.0, 262_144.0]] {

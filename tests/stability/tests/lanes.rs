@@ -1,4 +1,4 @@
-//! Several rays in lanes get the answers that each ray gets alone.
+//! Tests that several rays in lanes get the answers that each ray gets alone.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -16,11 +16,12 @@ use stability::regimes::{CYLINDERS, Regime, SPHERES};
 const SEED: u64 = 11;
 const PAIRS: usize = 2_000;
 
-/// Two lanes, in place of a SIMD register.
+/// Two lanes, which replace a SIMD register.
 #[derive(Clone, Copy, Debug)]
 struct Pair([f64; 2]);
 
-/// A mask of two lanes. Unlike `bool` it cannot be compared by order, nor used as a condition.
+/// A mask of two lanes. Unlike a `bool`, it has no order and cannot be used as a condition, so the formulas compile for
+/// real masks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Mask([bool; 2]);
 
@@ -84,7 +85,8 @@ fn together(one: Vec3, other: Vec3) -> Vec3<Pair> {
     Vec3::from([0, 1, 2].map(|index| Pair([one[index], other[index]])))
 }
 
-/// Calls `compare` with pairs of cases. `compare` returns whether each lane is certain; both answers must come often.
+/// Calls `compare` with pairs of cases. `compare` returns for each lane whether it is certain. Both results must occur
+/// often.
 fn for_each_pair(regimes: &[Regime], compare: impl Fn([Case; 2]) -> [bool; 2]) {
     let mut certain = [0; 2];
     for regime in regimes {

@@ -1,4 +1,4 @@
-//! Properties of secondary rays: a ray that leaves a surface does not hit it again from the wrong side.
+//! Tests of secondary rays: a ray that leaves a surface must not hit it again from the wrong side.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
@@ -12,11 +12,11 @@ use stability::random::Random;
 const SHAPES: usize = 1_000;
 const RAYS: usize = 1_000;
 
-/// Rays leave a surface at angles whose sine is at least 10 to this power.
+/// The power of ten of the smallest sine of the angle at which a ray leaves a surface.
 const LEAST_SLOPE_DECADE: f64 = -6.0;
 
-/// Returns whether the rounding of the ray's origin may put a part of the ray beyond the smallest lambda on the wrong
-/// side of the surface. Then a wrong hit is no error of the intersection.
+/// Whether rounding of the ray's origin may put a part of the ray beyond the least lambda on the wrong side of the
+/// surface. Then a wrong hit is no error of the intersection.
 fn starts_in_noise(origin: Vec3, slope: f64) -> bool {
     let largest = origin.to_array().iter().fold(0.0_f64, |most, component| most.max(component.abs()));
     slope.abs() * LAMBDA_MIN < 16.0 * f64::EPSILON * largest
@@ -39,8 +39,8 @@ fn intersect<P: Intersect>(shape: &Shape, ray: &Ray) -> Option<(f64, Hit)> {
     Some((lambda, Hit::facing(ray.direction, ray.at(lambda), outward)))
 }
 
-/// Returns the length of the chord through a sphere at an angle with this sine. For a cylinder it returns 0, because
-/// the length is not known.
+/// Returns the length of the chord through a sphere, for a ray whose angle to the surface has the sine `slope`. Returns
+/// 0 for a cylinder, whose chord is not known.
 fn chord(shape: &Shape, slope: f64) -> f64 {
     match shape {
         Shape::Sphere(sphere) => 2.0 * sphere.radius * slope.abs(),
@@ -48,7 +48,8 @@ fn chord(shape: &Shape, slope: f64) -> f64 {
     }
 }
 
-/// Counts of rays that leave a surface: outwards, of these with a wrong hit, inwards, of these without the right hit.
+/// Counts of rays that leave a surface: outwards, outwards with a wrong hit, inwards, and inwards without the right
+/// hit.
 #[derive(Debug, Default)]
 struct Outcome {
     left: usize,
@@ -57,7 +58,8 @@ struct Outcome {
     lost_inside: usize,
 }
 
-/// Sends rays to a shape, lets each leave its hit point outwards or inwards, and counts the outcomes.
+/// Sends rays to a shape, lets a secondary ray leave each hit point outwards or inwards, and counts the results in
+/// `outcome`.
 fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: f64, outcome: &mut Outcome) {
     for _ in 0..RAYS {
         let origin = aim + random.unit() * distance;
@@ -75,7 +77,8 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
             outcome.met_from_outside += usize::from(again.is_some());
         } else {
             outcome.entered += 1;
-            // A ray inside must hit the surface from inside. A miss is right if the chord is below the smallest lambda.
+            // A ray inside must hit the surface from inside. No hit is right if the chord is shorter than the least
+            // lambda.
             let lost = again.map_or(chord(shape, slope) > 2.0 * LAMBDA_MIN, |(_, hit)| hit.front);
             outcome.lost_inside += usize::from(lost);
         }
@@ -85,7 +88,7 @@ fn leave<P: Intersect>(shape: &Shape, random: &mut Random, aim: Vec3, distance: 
 fn spheres<P: Intersect>() -> Outcome {
     let (mut random, mut outcome) = (Random::new(17), Outcome::default());
     for _ in 0..SHAPES {
-        // The surface passes through the origin of coordinates, like a ground.
+        // The surface passes through the origin of coordinates, as that of a ground does.
         let radius = random.decades(-1.0, 9.0);
         let up = random.unit();
         let shape = Shape::Sphere(Sphere { center: up * -radius, radius });

@@ -1,5 +1,5 @@
-//! Ordinary pictures have the bytes that the plain formulas give, and nearly all lambdas have the bits of the plain
-//! formulas.
+//! Tests that ordinary pictures have the bytes of the plain formulas, and that nearly all lambdas have the bits of the
+//! plain formulas.
 
 use std::fs;
 use std::path::PathBuf;

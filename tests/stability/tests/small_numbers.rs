@@ -1,5 +1,5 @@
-//! Rays and objects of small whole numbers. Tangents, rims and origins on a surface are frequent, and the oracle's
-//! answer is exact.
+//! Tests with rays and objects of small whole numbers. Tangents, rims and origins on a surface are frequent, and the
+//! oracle's answer is exact.
 
 use cpu::Vec3;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
@@ -16,7 +16,7 @@ fn whole(random: &mut Random, most: usize) -> Vec3 {
     Vec3::from([(); 3].map(|()| random.below(2 * most + 1) as f64 - most as f64))
 }
 
-/// Returns a vector of whole numbers other than zero.
+/// Returns a random vector of whole numbers that is not zero.
 fn some_direction(random: &mut Random, most: usize) -> Vec3 {
     loop {
         let vector = whole(random, most);
@@ -26,7 +26,7 @@ fn some_direction(random: &mut Random, most: usize) -> Vec3 {
     }
 }
 
-/// Returns two random powers of two: a factor for all lengths, and one for directions.
+/// Returns two random powers of two: the first is a factor for all lengths, the second is a factor for directions.
 fn scales(random: &mut Random) -> [f64; 2] {
     [(); 2].map(|()| 2.0_f64.powi(random.below(41) as i32 - 20))
 }

@@ -1,4 +1,4 @@
-//! The stress test with fewer rays. The binary `stress` of `gpu-check` runs the whole test.
+//! The stress test with fewer rays. The program `stress` of `gpu-check` runs the whole test.
 
 use stability::methods::{self, PROJECTED};
 use stability::regimes::{CYLINDERS, Regime, SPHERES};

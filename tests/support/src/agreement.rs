@@ -1,5 +1,5 @@
-//! Checks that the renderer equals the reference: every layout and every instruction set of this machine must give the
-//! reference's bytes, and the bits of its means.
+//! Checks that the renderer agrees with the reference: with every layout and every instruction set of this machine, it
+//! must give the reference's bytes, and the bits of its means.
 
 use cpu::internals::layout::aos::AosImage;
 use cpu::internals::{InstructionSet, Prepared, render_linear, render_with};
@@ -8,23 +8,24 @@ use cpu::{Aos, Config, Error, Image, Layout, Scatter, Scene, Soa, Vec3};
 
 use crate::write;
 
-/// The conventions for the random vectors that scatter light.
+/// All conventions for the random vectors that scatter light.
 pub const SCATTERS: [Scatter; 3] = [Scatter::Statement, Scatter::Published, Scatter::Deterministic];
 
-/// A picture of the reference.
+/// A picture that the reference has rendered.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// The bytes of the pixels.
+    /// The image with the bytes of the pixels.
     pub image: AosImage,
-    /// The bits of the means from which the bytes are computed. Every NaN is stored as one bit pattern.
+    /// The bits of the means from which the bytes are computed, for each channel of each pixel. All NaN are stored as
+    /// one bit pattern.
     pub means: Vec<[u64; 3]>,
 }
 
 /// Renders a scene with the reference, and with the renderer in both layouts and every instruction set of this machine.
-/// Returns the reference's picture, or `None` if both refuse the scene with equal messages.
+/// Returns the reference's picture. Returns `None` if both refuse the scene with equal messages.
 ///
 /// # Errors
-/// The first difference between the renderer and the reference, with both files as text.
+/// A text with the first difference between the renderer and the reference, and with both files.
 pub fn equals_reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Option<Picture>, String> {
     let expected = reference(config, scene, scatter).map_err(|error| error.to_string());
     agrees::<Aos>(config, scene, scatter, &expected)
@@ -33,14 +34,14 @@ pub fn equals_reference(config: &Config, scene: &Scene, scatter: Scatter) -> Res
     Ok(expected.ok())
 }
 
-/// Returns both files as text that can be rendered again.
+/// Returns the configuration and the scene as the text of two files, which can be rendered again.
 #[must_use]
 pub fn files(config: &Config, scene: &Scene) -> String {
     format!("config.txt:\n{}scene.txt:\n{}", write::config(config), write::scene(scene))
 }
 
-/// Says how many pixels of two pictures differ, and which is the first, or that their sizes differ. Returns `None` if
-/// the pictures are equal.
+/// Returns a text about the differences between two pictures, or `None` if they are equal. The text has the number of
+/// different pixels and the first of them, or both sizes if these differ.
 #[must_use]
 pub fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> {
     if actual.size() != expected.size() {
@@ -53,10 +54,10 @@ pub fn difference(actual: &impl Image, expected: &impl Image) -> Option<String> 
     Some(format!("{} of {pixels} pixels differ; pixel {first} is {actual:?}, not {expected:?}", differing.len()))
 }
 
-/// Returns the picture that the reference renders with exact intersections.
+/// Returns the picture of the reference with exact intersections.
 ///
 /// # Errors
-/// An error of the reference.
+/// The errors of the reference.
 pub fn reference(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Picture, Error> {
     let image = cpu::reference::render_with::<AosImage, Exact>(config, scene, scatter)?;
     let mut means = Vec::new();
@@ -92,7 +93,7 @@ fn agrees<L: Layout>(
     Ok(())
 }
 
-/// Returns the bits of a mean, with one bit pattern for every NaN.
+/// Returns the bits of a mean. All NaN get one bit pattern.
 fn bits(mean: Vec3) -> [u64; 3] {
     mean.to_array().map(|channel| if channel.is_nan() { f64::NAN.to_bits() } else { channel.to_bits() })
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
 
-/// Returns the SHA-256 digest of `bytes` in lower-case hexadecimal.
+/// Returns the SHA-256 digest of `bytes`, in lower-case hexadecimal digits.
 ///
 /// ```
 /// let digest = test_support::digest::sha256(b"");
@@ -19,10 +19,10 @@ pub fn sha256(bytes: &[u8]) -> String {
     text
 }
 
-/// Returns the `(name, digest)` pairs of a `SHA256SUMS` file. Lines that start with `#` are comments.
+/// Returns the pairs `(name, digest)` in the text of a `SHA256SUMS` file. Lines that start with `#` are comments.
 ///
 /// # Errors
-/// The first line that is neither a pair nor a comment.
+/// A message about the first line that is neither a pair nor a comment.
 pub fn read_sums(text: &str) -> Result<Vec<(String, String)>, String> {
     text.lines().filter(|line| !line.starts_with('#')).map(read_line).collect()
 }
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn the_digest_of_abc_is_the_standards() {
-        // The one-block example of FIPS 180-4.
+        // The example with one block in FIPS 180-4.
         let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(sha256(b"abc"), expected);
     }

@@ -1,26 +1,26 @@
-//! A temporary folder with the files of a program's call.
+//! A temporary folder for the files that a program reads and writes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A temporary folder, removed with all that is in it when this is dropped.
+/// A temporary folder. When this value is dropped, the folder is removed with all its files.
 #[derive(Debug)]
 pub struct Folder(tempfile::TempDir);
 
 impl Folder {
-    /// An empty folder.
+    /// Creates an empty folder.
     ///
     /// # Panics
-    /// There is no room for temporary files.
+    /// If the system's temporary folder is not writable.
     #[must_use]
     pub fn new() -> Self {
         Self(tempfile::tempdir().expect("the temporary folder is writable"))
     }
 
-    /// A folder with `config.txt` and `scene.txt`.
+    /// Creates a folder with the files `config.txt` and `scene.txt`.
     ///
     /// # Panics
-    /// There is no room for temporary files.
+    /// If a file cannot be written.
     pub fn with_scene(config: impl AsRef<[u8]>, scene: impl AsRef<[u8]>) -> Self {
         let folder = Self::new();
         folder.write("config.txt", config);
@@ -28,59 +28,59 @@ impl Folder {
         folder
     }
 
-    /// The folder's own path.
+    /// Returns the path of the folder.
     #[must_use]
     pub fn path(&self) -> &Path {
         self.0.path()
     }
 
-    /// The path of a file in the folder, which need not be there.
+    /// Returns the path of a file in the folder. The file need not exist.
     #[must_use]
     pub fn file(&self, name: impl AsRef<Path>) -> PathBuf {
         self.path().join(name)
     }
 
-    /// The path of a file in the folder as text, for a command line.
+    /// Returns the path of a file in the folder as text, for a command line.
     ///
     /// # Panics
-    /// The system's temporary folder has a name that is no text.
+    /// If the path is not valid UTF-8.
     #[must_use]
     pub fn name(&self, name: &str) -> String {
         self.file(name).to_str().expect("temporary names are text").to_owned()
     }
 
-    /// Writes a file into the folder and returns its path.
+    /// Writes a file into the folder, and returns its path.
     ///
     /// # Panics
-    /// The file cannot be written.
+    /// If the file cannot be written.
     pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
         let path = self.file(name);
         fs::write(&path, content).expect("the folder is writable");
         path
     }
 
-    /// The content of a file in the folder.
+    /// Returns the content of a file in the folder.
     ///
     /// # Panics
-    /// The file cannot be read.
+    /// If the file cannot be read.
     #[must_use]
     pub fn read(&self, name: &str) -> Vec<u8> {
         fs::read(self.file(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    /// The names of all that is in the folder, sorted.
+    /// Returns the names of all files and folders in the folder, sorted.
     ///
     /// # Panics
-    /// The folder cannot be read.
+    /// If the folder cannot be read.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         self.names_in("")
     }
 
-    /// The names of all that is in a folder in this one, sorted.
+    /// Returns the names of all files and folders in a subfolder, sorted.
     ///
     /// # Panics
-    /// That folder cannot be read.
+    /// If the subfolder cannot be read.
     #[must_use]
     pub fn names_in(&self, folder: &str) -> Vec<String> {
         let entries = fs::read_dir(self.file(folder)).expect("the folder is readable");

@@ -1,9 +1,9 @@
-//! Generates scenes from a seed. The same options give the same scene on every machine, for ever.
+//! Generates scenes from a seed. Equal options give equal scenes, on every machine and in every version.
 //!
-//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]). They go only
-//! through operations that IEEE 754 defines exactly, so they do not depend on a library of elementary functions. All
-//! lengths are proportional to [`Options::extent`]. With a larger number of objects, the first shapes stay the same,
-//! except on a [grid](Arrangement::Grid).
+//! The numbers come from `std::mt19937_64` (through [`cpu::internals::sampling::uniform::Uniform`]). All operations on
+//! them are defined exactly by IEEE 754, so the scenes do not depend on a library of elementary functions. All lengths
+//! are proportional to [`Options::extent`]. With a larger number of objects, the first shapes do not change, except on
+//! a [grid](Arrangement::Grid).
 
 mod arrange;
 mod draws;
@@ -13,21 +13,21 @@ use cpu::{Config, Material, Scene, Vec3};
 
 use draws::Draws;
 
-/// Number of random materials in every scene. The options set the probability of each kind.
+/// Number of random materials in every scene. The options set the probability of each kind of material.
 const PALETTE: usize = 24;
 
-/// Material of the ground of a grid: a warm grey.
+/// The material of the ground of a grid: a warm grey.
 const GROUND: Material = Material::Matte { reflectance: Vec3::new(0.5, 0.47, 0.42) };
 
-/// Where objects are put.
+/// The places of the objects.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arrangement {
-    /// Anywhere in the cube, with sizes from 3 % to 20 % of the extent.
+    /// Random places in the cube. The sizes are from 3 % to 20 % of the extent.
     #[default]
     Scattered,
-    /// On a ground, one on each square of a board. The ground is the first object.
+    /// On a ground, one object on each square of a board. The ground is the first object.
     Grid,
-    /// Arranged so that arithmetic is hard: copies, touching and nested objects, common axes and planes, huge objects
+    /// Places for which arithmetic is hard: copies, touching and nested objects, common axes and planes, huge objects
     /// beside tiny ones.
     Degenerate,
 }
@@ -39,13 +39,13 @@ pub struct Options {
     pub seed: u64,
     /// Number of objects.
     pub objects: usize,
-    /// Share of cylinders among the objects, from 0 to 1. The other objects are spheres.
+    /// Share of cylinders among the objects, from 0 to 1. All other objects are spheres.
     pub cylinders: f64,
-    /// Weights of matte, metal and refractive materials.
+    /// Weights of the three kinds of materials: matte, metal, refractive.
     pub materials: [f64; 3],
-    /// Half the side of the cube that contains the objects' centres.
+    /// Half the side of the cube that contains the objects' centres, in scene units.
     pub extent: f64,
-    /// Where objects are put.
+    /// The places of the objects.
     pub arrangement: Arrangement,
 }
 
@@ -56,7 +56,7 @@ impl Default for Options {
     }
 }
 
-/// Generates the scene that `options` describe. A scene without objects has materials too.
+/// Returns the scene that `options` describe. A scene without objects has materials too.
 ///
 /// ```
 /// use test_support::generator::{Options, scene};
@@ -79,13 +79,13 @@ pub fn scene(options: &Options) -> Scene {
     Scene { materials, objects }
 }
 
-/// Returns a configuration for a small picture of the scene that `options` describe.
+/// Returns a configuration that shows the scene described by `options` in a small picture.
 #[must_use]
 pub fn view(options: &Options) -> Config {
     let [position, target] = match options.arrangement {
         Arrangement::Grid => {
-            // The camera is 2.6 squares before the near edge and 3.2 squares above the ground. So the nearest objects
-            // have one size in the picture for every size of the board.
+            // The camera is 2.6 squares before the near edge, and 3.2 squares above the ground. So the nearest objects
+            // appear equally large for every size of the board.
             let square = 2.0 / arrange::squares_a_side(options.objects) as f64;
             [[0.7 * square, 3.2 * square, -1.0 - 2.6 * square], [0.0, 0.0, -1.0 + 2.8 * square]]
         }

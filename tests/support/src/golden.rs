@@ -1,8 +1,8 @@
-//! Lists pictures whose digests come from other programs than the renderer.
+//! Lists the pictures whose digests come from other programs than the renderer.
 //!
-//! There are two sets. `tests/cases` holds 16 small scenes, whose digests come from the literal program in C++. The
-//! reference folder holds the course's four cases and is not part of the project. It is looked for beside the project,
-//! or where the environment variable `RENDER_REFERENCE_DIR` says.
+//! There are two sets. `tests/cases` has 16 small scenes, whose digests come from the literal program in C++. The
+//! reference folder has the course's four cases. It is not part of this project: it is beside the project, or at the
+//! path in the environment variable `RENDER_REFERENCE_DIR`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,15 +11,15 @@ use cpu::Scatter;
 
 use crate::digest::read_sums;
 
-/// The two conventions (specification, section 11), with their names in the lists of digests.
+/// The two conventions to scatter light (specification, section 11), with their names in the lists of digests.
 const CONVENTIONS: [(&str, Scatter); 2] = [("statement", Scatter::Statement), ("published", Scatter::Published)];
 
-/// A picture: its input files, and the list with its digest.
+/// A picture with a known digest: its input files, and the list that has its digest.
 #[derive(Clone, Debug)]
 pub struct Golden {
-    /// Name in the list of digests, such as `statement/07.ppm`.
+    /// Name of the picture in the list of digests, such as `statement/07.ppm`.
     pub name: String,
-    /// How surfaces scatter light in the picture.
+    /// The way in which surfaces scatter light in the picture.
     pub scatter: Scatter,
     /// Path of the configuration file.
     pub config: PathBuf,
@@ -30,10 +30,10 @@ pub struct Golden {
 }
 
 impl Golden {
-    /// Returns the digest of the whole PPM file.
+    /// Returns the digest of the picture's whole PPM file.
     ///
     /// # Errors
-    /// The list of digests cannot be read, or does not have the picture.
+    /// A message, if the list of digests cannot be read or does not have the picture.
     pub fn digest(&self) -> Result<String, String> {
         let sums = sums(&self.sums)?;
         let found = sums.into_iter().find(|(name, _)| *name == self.name);
@@ -41,7 +41,7 @@ impl Golden {
     }
 }
 
-/// Returns the 16 scenes of `tests/cases` in both conventions.
+/// Returns the pictures of the 16 scenes in `tests/cases`, in both conventions.
 #[must_use]
 pub fn cases() -> Vec<Golden> {
     let folder = crate::project_root().join("tests/cases");
@@ -49,7 +49,7 @@ pub fn cases() -> Vec<Golden> {
     goldens(&folder, names, |case, file| format!("{case}/{file}.txt"))
 }
 
-/// Returns the four cases of the reference folder in both conventions.
+/// Returns the pictures of the four cases in the reference folder, in both conventions.
 #[must_use]
 pub fn reference(folder: &Path) -> Vec<Golden> {
     let names = (1..=4).map(|number: u32| number.to_string());
@@ -75,14 +75,14 @@ fn goldens(
 /// Returns the names and digests in the list at `path`.
 ///
 /// # Errors
-/// The list cannot be read, or has a wrong line.
+/// A message, if the list cannot be read or has a wrong line.
 pub fn sums(path: &Path) -> Result<Vec<(String, String)>, String> {
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     read_sums(&text)
 }
 
-/// Returns the path where the reference folder should be: `RENDER_REFERENCE_DIR` or `../shared/reference`. A relative
-/// path begins at the project's root.
+/// Returns the path of the reference folder, which need not exist: `RENDER_REFERENCE_DIR` or `../shared/reference`. A
+/// relative path begins at the project's root.
 #[must_use]
 pub fn reference_folder() -> PathBuf {
     let named = std::env::var_os("RENDER_REFERENCE_DIR").unwrap_or("../shared/reference".into());

@@ -1,11 +1,12 @@
-//! Lets one system call of a program fail, or sends a signal during the call, and checks the program's output files.
+//! Makes one system call of a program fail, or sends a signal during the call, and then checks the program's output
+//! files.
 //!
-//! `strace` runs the program once to list its calls about files. Then the program runs again for each call, which fails
-//! or gets a signal. After each run, every output file must be the old one or the new one, the exit status must say
-//! which, and no other file may be in the folder.
+//! `strace` first runs the program to list its calls about files. Then the program runs once for each of these calls,
+//! which fails or gets a signal. After each run, every output file must be the old one or the new one, the exit status
+//! must tell which, and the folder must have no other file.
 //!
-//! `strace` counts calls by thread, and disturbs the n-th call of a name in every thread. So a program that does its
-//! work in a second thread gets a [gate](Job::gate), at which it waits until `strace` watches that thread alone.
+//! `strace` counts calls by thread, and disturbs the n-th call of a name in every thread. So a program that works in a
+//! second thread gets a [gate](Job::gate): it waits there until `strace` watches only that thread.
 
 mod calls;
 mod check;
@@ -24,52 +25,52 @@ use calls::Call;
 pub use runs::run;
 pub use runs::{Runs, most, total};
 
-/// The errors with which each call fails, one after the other.
+/// The errors that each call returns, one error in each run.
 const ERRORS: [&str; 4] = ["EIO", "ENOSPC", "EPERM", "EINTR"];
 
 /// The signal that is sent during each call.
 const SIGNAL: &str = "TERM";
 const SIGNAL_NUMBER: i32 = 15;
 
-/// A program that makes the files in `folder`.
+/// A program that writes files into `folder`, and what to know about it for the disturbances.
 #[derive(Clone, Debug)]
 pub struct Job {
-    /// The program.
+    /// Path of the program.
     pub program: PathBuf,
     /// The program's arguments. One of them names `folder` or a file in it.
     pub arguments: Vec<OsString>,
-    /// The output folder. Only the program writes into it, and no other path contains its name.
+    /// The output folder. Only this program writes into it. The name of the folder must not occur in other paths.
     pub folder: PathBuf,
-    /// The old content of every output file; `None` if the files do not exist before.
+    /// The old content of every output file; `None` if these files do not exist before the run.
     pub old: Option<Vec<u8>>,
-    /// Whether the program may finish its work after a signal. Otherwise the signal must end it at once.
+    /// Whether the program may finish its work after a signal. If false, the signal must end it at once.
     pub graceful: bool,
-    /// An input of the program and its content. Calls before the program reads this input are not disturbed. Without a
-    /// gate, calls whose name and number more than one thread makes are not disturbed.
+    /// The path of an input file of the program, and its content. Calls before the program reads this input are not
+    /// disturbed. If there is no gate, a call is left out if another thread makes a call with the same name and number.
     pub gate: Option<(PathBuf, Vec<u8>)>,
-    /// If true, only calls that name `folder` or use a file in it are disturbed. Otherwise every call about files is
+    /// Whether only calls that name `folder` or use a file in it are disturbed. If false, all calls about files are
     /// disturbed, beginning with the first that names `folder`.
     pub only_folder: bool,
-    /// Largest number of calls of each name that are disturbed: the first, the last, and others evenly between them.
+    /// Largest number of calls with one name that are disturbed: the first, the last, and others evenly between them.
     /// See [`most`].
     pub most: usize,
 }
 
-/// How a call is disturbed.
+/// A way to disturb calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Disturbance {
-    /// Each call fails with each error.
+    /// Each call fails, once with each error.
     Errors,
     /// A signal is sent during each call.
     Signal,
-    /// Like [`Disturbance::Signal`], but the program is process 1, which a signal does not end by default.
+    /// A signal is sent during each call, and the program is process 1, which a signal does not end by default.
     SignalAsProcessOne,
-    /// Both [`Disturbance::Errors`] and [`Disturbance::Signal`], as on a file system without `O_TMPFILE`, where the
-    /// temporary file has a name.
+    /// Both [`Disturbance::Errors`] and [`Disturbance::Signal`], on a simulated file system without `O_TMPFILE`, where
+    /// the temporary file has a name.
     Named,
 }
 
-/// Returns why this machine cannot run a disturbance, or `None` if it can.
+/// Returns the reason why this machine cannot run `disturbance`, or `None` if it can.
 #[must_use]
 pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
     let strace = ["strace", "-qq", "-o", "/dev/null", "-e", "inject=close:error=EIO:when=1000", "true"];
@@ -83,14 +84,14 @@ pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
     (disturbance == Disturbance::SignalAsProcessOne && !runs(&unshare)).then_some("needs the right to be process 1")
 }
 
-/// Paths and contents of files.
+/// Files by their paths, with their contents.
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 impl Job {
-    /// Disturbs one call after the other. Returns how many runs were made, which is not 0.
+    /// Disturbs one call after the other, each in its own run. Returns the number of runs, which is not 0.
     ///
     /// # Errors
-    /// The first run that fails a check, with the output of the program.
+    /// A message about the first run that fails a check, with the output of the program.
     pub fn disturb(&self, disturbance: Disturbance) -> Result<Runs, String> {
         self.prepare(&Files::new()).map_err(|error| error.to_string())?;
         let output = self.run(&Files::new(), false, &[])?;
@@ -108,7 +109,8 @@ impl Job {
                 let unnamed = unnamed.ok_or("no file without a name was made")?;
                 let inject = format!("inject=openat:error=EOPNOTSUPP:when={}", unnamed.number);
                 let first = ["-e", &inject[..]];
-                // strace applies only one rule to a call, and `first` is a rule for `openat`. So `openat` is left out.
+                // strace applies only one rule to a call, and `first` is already a rule for `openat`. So `openat` is
+                // left out.
                 let mut calls = self.calls(&new, &first)?;
                 if !calls.iter().any(|call| call.text.contains("O_EXCL")) {
                     return Err("no file with a name was made".to_owned());
@@ -124,7 +126,8 @@ impl Job {
         if runs.made == 0 { Err("nothing was disturbed".to_owned()) } else { Ok(runs) }
     }
 
-    /// Chooses calls and runs `disturb` on them. `disturb` must make an equal number of runs for each call.
+    /// Chooses some of `calls` and runs `disturb` on them. Returns the number of runs. `disturb` must make an equal
+    /// number of runs for each call.
     fn each(&self, calls: Vec<Call>, disturb: impl Fn(&[Call]) -> Result<usize, String>) -> Result<Runs, String> {
         let all = calls.len();
         let chosen = calls::spread(calls, self.most);
@@ -138,7 +141,7 @@ impl Job {
             let inject = format!("inject={}:error={error}:when={}", call.name, call.number);
             let output = self.run(new, false, &[more, &["-e", &inject]].concat())?;
             self.check(new, &output, false).map_err(|error| format!("{inject}: {error}"))?;
-            // If the permissions cannot be set, the picture must be written nevertheless.
+            // If the permissions cannot be set, the picture must still be written.
             if call.name == "fchmod" && !output.status.success() {
                 return Err(format!("{inject}: {output:?}"));
             }
@@ -152,7 +155,7 @@ impl Job {
         for call in calls {
             let inject = format!("inject={}:signal={SIGNAL}:when={}", call.name, call.number);
             let output = self.run(new, as_process_one, &[more, &["-e", &inject]].concat())?;
-            // strace ends like the program: by the signal, or with the program's status.
+            // strace ends in the way of the program: by the signal, or with the program's status.
             let ended = if as_process_one {
                 output.status.code() == Some(128 + SIGNAL_NUMBER)
             } else {
@@ -169,7 +172,7 @@ impl Job {
         Ok(runs)
     }
 
-    /// Runs the program undisturbed and returns the calls that can be disturbed.
+    /// Runs the program without a disturbance, and returns the calls that can be disturbed.
     fn calls(&self, new: &Files, more: &[&str]) -> Result<Vec<Call>, String> {
         let output = self.run(new, false, more)?;
         if !output.status.success() {
@@ -181,19 +184,20 @@ impl Job {
         if calls.len() < 10 { Err(format!("only {} calls in {text}", calls.len())) } else { Ok(calls) }
     }
 
-    /// Returns the path of strace's log. It is beside the folder, because only the program may write into the folder.
+    /// Returns the path of strace's log. The log is beside the folder, because only the program may write into the
+    /// folder.
     fn log(&self) -> PathBuf {
         self.folder.with_file_name("strace.log")
     }
 
-    /// Restores the old files and runs the program.
+    /// Restores the old files, runs the program with strace, and returns the output.
     fn run(&self, new: &Files, as_process_one: bool, more: &[&str]) -> Result<Output, String> {
         self.prepare(new).map_err(|error| error.to_string())?;
         let unshare: &[&str] = if as_process_one { &["unshare", "-pf"] } else { &[] };
         if let Some((gate, content)) = &self.gate {
             return gate::run(self, (gate, content), unshare, more);
         }
-        // With -D the program is process 1, and strace is its grandchild. Without it strace would be process 1.
+        // With -D the program is process 1, and strace is its grandchild. Without -D strace would be process 1.
         let strace: &[&str] = if as_process_one { &["strace", "-D"] } else { &["strace"] };
         let tracer = [unshare, strace].concat();
         let mut command = Command::new(tracer[0]);

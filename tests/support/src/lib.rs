@@ -1,8 +1,8 @@
 //! Code that the tests of all crates share.
 //!
-//! [`agreement`] compares the renderer with the reference, [`generator`] generates scenes from a seed, and
-//! [`write`](mod@write) turns scenes and configurations back into text. [`golden`] lists the pictures whose digests
-//! come from other programs, [`digest`] computes digests, [`p3`] is a strict reader of pictures, and `injection` lets
+//! [`agreement`] compares the renderer with the reference. [`generator`] generates scenes from a seed.
+//! [`write`](mod@write) converts scenes and configurations back to text. [`golden`] lists the pictures whose digests
+//! come from other programs, and [`digest`] computes digests. [`p3`] is a strict reader of pictures. `injection` makes
 //! system calls of a program fail.
 //!
 //! The tests of the built programs are in `cli/tests`, because Cargo builds the programs first there. The tests that
@@ -21,7 +21,7 @@ pub mod write;
 
 use std::path::{Path, PathBuf};
 
-/// Returns the folder of the workspace.
+/// Returns the path of the workspace's root folder.
 #[must_use]
 pub fn project_root() -> PathBuf {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,10 +1,11 @@
-//! A strict reader of PPM files, variant P3 (specification, section 5.3): three header lines, then one pixel a line,
-//! single blanks, LF line ends, no leading zeros, no comments, nothing after the last pixel.
+//! A strict reader of PPM files in the variant P3 (specification, section 5.3). The file must have three header lines
+//! and then one pixel a line, with single blanks and LF line ends. It must have no leading zeros, no comments, and
+//! nothing after the last pixel.
 
 /// The content of a P3 file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub width: usize,
     /// Number of rows.
     pub height: usize,
@@ -12,7 +13,7 @@ pub struct Picture {
     pub pixels: Vec<[u8; 3]>,
 }
 
-/// Reads a picture.
+/// Returns the picture in the bytes of a P3 file.
 ///
 /// ```
 /// let picture = test_support::p3::read(b"P3\n2 1\n255\n0 0 0\n255 128 0\n")?;
@@ -21,7 +22,7 @@ pub struct Picture {
 /// ```
 ///
 /// # Errors
-/// The first departure from the format, with the number of its line if it is in a line.
+/// A message about the first difference from the format, with the line number if it is in a line.
 pub fn read(bytes: &[u8]) -> Result<Picture, String> {
     let text = std::str::from_utf8(bytes).map_err(|error| error.to_string())?;
     let body = text.strip_suffix('\n').ok_or("the last line does not end")?;
@@ -47,7 +48,7 @@ fn expect_line((index, line): (usize, &str), expected: &str) -> Result<(), Strin
     if line == expected { Ok(()) } else { Err(format!("line {}: {line:?} instead of {expected:?}", index + 1)) }
 }
 
-/// Returns the `N` numbers of a line, separated by single blanks, each without leading zeros or a sign.
+/// Returns the `N` numbers of a line. They must be separated by single blanks, without leading zeros or signs.
 fn numbers<const N: usize>((index, line): (usize, &str)) -> Result<[usize; N], String> {
     let values: Vec<usize> = line.split(' ').filter_map(|token| token.parse().ok()).collect();
     let spelled: Vec<String> = values.iter().map(usize::to_string).collect();

@@ -1,11 +1,11 @@
-//! Writes scenes and configurations as text that reads back as equal values.
+//! Converts scenes and configurations to text that reads back as equal values.
 
 use std::fmt::Write;
 
 use cpu::internals::input::scene::Shape;
 use cpu::{Config, Material, Scene, Vec3};
 
-/// Returns the scene file of `scene`: its materials, named `m0`, `m1` and so on, then its objects.
+/// Returns the text of the scene file of `scene`: its materials, named `m0`, `m1` and so on, and then its objects.
 ///
 /// ```
 /// let scene = cpu::internals::input::scene::Scene::parse(&b"matte: grey .5 .5 .5\nsphere: 0 0 0 1e-7 grey\n"[..])?;
@@ -39,7 +39,7 @@ pub fn scene(scene: &Scene) -> String {
     text
 }
 
-/// Returns the configuration file of `config`, with every key.
+/// Returns the text of the configuration file of `config`, with every key.
 #[must_use]
 pub fn config(config: &Config) -> String {
     let [aspect_width, aspect_height] = config.aspect_ratio;
@@ -69,7 +69,7 @@ fn vector(vector: Vec3) -> String {
     vector.to_array().map(real).join(" ")
 }
 
-/// Returns the shortest text that reads back as the number. Very large and very small numbers have an exponent.
+/// Returns the shortest text that reads back as this number. Very large and very small numbers have an exponent.
 fn real(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)

@@ -1,13 +1,13 @@
-//! Reads a configuration file line by line, as the table says (specification, section 3.1).
+//! Reads a configuration line by line, according to the table in the specification, section 3.1.
 
 use cpu::{Config, Vec3};
 
 use super::lines::{lines, positive_integer, real, tokens};
 
-/// Reads a configuration.
+/// Returns the configuration in the text of a file.
 ///
 /// # Errors
-/// The message about the first wrong line, without `Error: `.
+/// The message of the first wrong line, without `Error: `.
 pub fn parse(text: &[u8]) -> Result<Config, Vec<u8>> {
     let mut config = Config::default();
     for line in lines(text) {

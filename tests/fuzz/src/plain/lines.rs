@@ -1,9 +1,9 @@
-//! Lines, tokens and numbers (specification, section 2) of a text in memory.
+//! Splits a text in memory into lines and tokens, and reads numbers (specification, section 2).
 //!
-//! The grammar of numbers is checked here character by character. The standard library only computes the value of a
-//! number that passed the check.
+//! This module checks the grammar of numbers character by character. The standard library only computes the value of a
+//! number that passed this check.
 
-/// Returns the lines of a text, each without its LF or CRLF. No empty line follows a line end at the end of the text.
+/// Returns the lines of a text, each without its LF or CRLF. If the text ends with a line end, no empty line follows.
 #[must_use]
 pub fn lines(text: &[u8]) -> Vec<&[u8]> {
     let mut lines: Vec<_> = text.split(|&byte| byte == b'\n').collect();
@@ -13,7 +13,7 @@ pub fn lines(text: &[u8]) -> Vec<&[u8]> {
     lines.into_iter().map(|line| if line.last() == Some(&b'\r') { &line[..line.len() - 1] } else { line }).collect()
 }
 
-/// Returns start and end of each token of a line.
+/// Returns the start and the end of each token of a line, as byte offsets.
 #[must_use]
 pub fn tokens(line: &[u8]) -> Vec<(usize, usize)> {
     let mut places = Vec::new();
@@ -32,8 +32,8 @@ pub fn tokens(line: &[u8]) -> Vec<(usize, usize)> {
     places
 }
 
-/// Returns the value of a real number: an optional sign, digits with at most one point, an optional exponent. A number
-/// that is not finite is refused.
+/// Returns the value of a real number: an optional sign, digits with at most one point, and an optional exponent.
+/// Returns `None` for any other text, and for a value that is not finite.
 #[must_use]
 pub fn real(token: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(token).ok()?;
@@ -57,7 +57,8 @@ pub fn real(token: &[u8]) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// Returns the value of a positive integer of 64 bits: an optional plus sign, and digits.
+/// Returns the value of a positive integer of 64 bits: an optional plus sign, and digits. Returns `None` for any other
+/// text, for 0, and for a larger value.
 #[must_use]
 pub fn positive_integer(token: &[u8]) -> Option<u64> {
     let digits = token.strip_prefix(b"+").unwrap_or(token);

@@ -1,6 +1,7 @@
-//! Reads PPM as netpbm's `ppm(5)` describes it: tokens between white space and comments, then pixels.
+//! Reads PPM files as netpbm's `ppm(5)` describes them: tokens between white space and comments, then the pixels.
 
-/// Returns width, height and pixels of a PPM (P3 or P6) whose largest value is 255; `None` for any other file.
+/// Returns the width, the height and the pixels of a PPM file (P3 or P6) whose largest value is 255. Returns `None` for
+/// any other file.
 #[must_use]
 pub fn ppm(bytes: &[u8]) -> Option<(usize, usize, Vec<[u8; 3]>)> {
     let raw = match bytes.get(..2)? {
@@ -16,7 +17,7 @@ pub fn ppm(bytes: &[u8]) -> Option<(usize, usize, Vec<[u8; 3]>)> {
     }
     let values = width.checked_mul(height)?.checked_mul(3)?;
     let channels: Vec<u8> = if raw {
-        // A single byte of white space ends the header. No comment may follow.
+        // Exactly one byte of white space ends the header, and no comment may follow.
         is_white(*bytes.get(at)?).then_some(())?;
         bytes[at + 1..].to_vec()
     } else {
@@ -39,7 +40,8 @@ const fn is_white(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0c)
 }
 
-/// Returns the number at `at`, and moves `at` behind it. White space or a comment must stand before the number.
+/// Returns the number at the offset `at`, and moves `at` behind it. White space or a comment must stand before the
+/// number; otherwise the result is `None`.
 fn number(bytes: &[u8], at: &mut usize) -> Option<usize> {
     let start = *at;
     loop {

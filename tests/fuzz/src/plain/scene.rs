@@ -1,14 +1,14 @@
-//! Reads a scene file line by line, as the table says (specification, section 4.1). Names are found by linear search.
+//! Reads a scene line by line, according to the table in the specification, section 4.1. A linear search finds names.
 
 use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Material, Scene, Vec3};
 
 use super::lines::{lines, real, tokens};
 
-/// Reads a scene.
+/// Returns the scene in the text of a file.
 ///
 /// # Errors
-/// The message about the first wrong line, without `Error: `.
+/// The message of the first wrong line, without `Error: `.
 pub fn parse(text: &[u8]) -> Result<Scene, Vec<u8>> {
     let mut scene = Scene::default();
     let mut names: Vec<&[u8]> = Vec::new();
@@ -34,7 +34,7 @@ pub fn parse(text: &[u8]) -> Result<Scene, Vec<u8>> {
             return Err(invalid());
         }
         let of_object = matches!(tag, b"sphere:" | b"cylinder:");
-        // In the line of a material the name is the first value; in the line of an object it is the last.
+        // The name is the first value in the line of a material, and the last value in the line of an object.
         let (name, numbers) = match of_object {
             true => (values[count - 1], &values[..count - 1]),
             false => (values[0], &values[1..count]),

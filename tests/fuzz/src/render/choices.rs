@@ -1,9 +1,9 @@
-//! Turns bytes into choices. When all bytes are used, every choice is the first one.
+//! Converts bytes to choices. After the last byte, every choice is the first one.
 
 use cpu::internals::input::scene::{Cylinder, MaterialId, Object, Shape, Sphere};
 use cpu::{Config, Material, Scene, Vec3};
 
-/// Numbers at or near which comparisons change, roundings matter, or operations overflow or underflow.
+/// Hard numbers: at or near them comparisons change, roundings matter, or operations overflow or underflow.
 const HARD: [f64; 28] = [
     0.0,
     1.0,
@@ -35,12 +35,12 @@ const HARD: [f64; 28] = [
     f64::MAX,
 ];
 
-/// The bytes that are not used yet.
+/// The bytes that have not been used yet.
 #[derive(Debug)]
 pub struct Choices<'a>(&'a [u8]);
 
 impl<'a> Choices<'a> {
-    /// Returns the choices of `bytes`.
+    /// Returns the choices that `bytes` make.
     #[must_use]
     pub const fn new(bytes: &'a [u8]) -> Self {
         Self(bytes)
@@ -57,7 +57,8 @@ impl<'a> Choices<'a> {
         usize::from(self.byte()) % count
     }
 
-    /// Chooses a finite number: one from -4 to 5, one of [`HARD`], one up to 128 steps from one of [`HARD`], or any.
+    /// Chooses a finite number: one from -4 to 5, one of [`HARD`], one at most 128 floating-point steps away from one
+    /// of [`HARD`], or any number.
     fn real(&mut self) -> f64 {
         let kind = self.byte();
         match kind % 8 {
@@ -81,13 +82,13 @@ impl<'a> Choices<'a> {
         Vec3::new(self.real(), self.real(), self.real())
     }
 
-    /// Chooses a positive number.
+    /// Chooses a positive finite number.
     fn positive(&mut self) -> f64 {
         let number = self.real().abs();
         if number > 0.0 { number } else { 1.0 }
     }
 
-    /// Chooses a number in `[0, 1]`.
+    /// Chooses a number from 0 to 1.
     fn channel(&mut self) -> f64 {
         let number = self.real().abs();
         if number <= 1.0 { number } else { f64::from(self.byte()) / 255.0 }
@@ -97,12 +98,12 @@ impl<'a> Choices<'a> {
         Vec3::new(self.channel(), self.channel(), self.channel())
     }
 
-    /// Chooses a configuration with a picture of at most 5 x 10 pixels. Pictures are small because a ray may take
-    /// milliseconds if the numbers are extreme.
+    /// Chooses a configuration whose picture has at most 5 x 10 pixels. Pictures are small, because with extreme
+    /// numbers a ray may take milliseconds.
     pub fn config(&mut self) -> Config {
         let default = Config::default();
         let shape = self.byte();
-        // Three of four configurations have a camera that looks at the origin, where objects are likely.
+        // In three of four configurations the camera looks at the origin, near which objects are likely.
         let free = self.below(4) == 3;
         let camera_position = if free { self.vector() } else { Vec3::new(self.real() / 2.0, 0.5, -4.0) };
         let camera_target = if free { self.vector() } else { Vec3::ZERO };
@@ -125,7 +126,7 @@ impl<'a> Choices<'a> {
         }
     }
 
-    /// Chooses a scene of at most four materials and 16 objects.
+    /// Chooses a scene with at most four materials and 16 objects.
     pub fn scene(&mut self) -> Scene {
         let materials: Vec<_> = (0..=self.below(4)).map(|_| self.material()).collect();
         let mut objects = Vec::new();
@@ -143,7 +144,8 @@ impl<'a> Choices<'a> {
         }
     }
 
-    /// Chooses a new object, or the last one moved, because objects that touch or coincide are harder than others.
+    /// Chooses a new object, or a moved copy of the last object, because objects that touch or coincide are harder than
+    /// others.
     fn object(&mut self, former: &[Object], materials: usize) -> Object {
         let kind = self.byte();
         let material = (usize::from(kind / 16) % materials) as MaterialId;

@@ -1,4 +1,4 @@
-//! Formulas in Rust as types, so that the compiler inlines them into the loop that times them.
+//! Formulas in Rust as types, so that the compiler inlines them into the loop whose time is measured.
 
 use std::marker::PhantomData;
 
@@ -11,18 +11,18 @@ use cpu::{Ray, Vec3};
 
 use super::projected;
 
-/// Both intersections over one number type.
+/// The intersections with spheres and with cylinders, in one number type.
 pub trait Formulas {
     /// The number type of the computation.
     type Number: Real<Mask = bool> + Into<f64>;
     /// Unit roundoff of the number type.
     const UNIT_ROUNDOFF: f64;
 
-    /// Intersects a ray with a sphere, with the contract of [`SphereRecord::intersect`].
+    /// Returns the lambda at which a ray hits a sphere, as [`SphereRecord::intersect`] does.
     fn sphere(record: &SphereRecord<Self::Number>, ray: &Ray<Self::Number>) -> Option<Self::Number>;
 
-    /// Intersects a ray with a cylinder, with the contract of [`CylinderRecord::intersect`]. `axis` is the axis in the
-    /// scene file.
+    /// Returns the lambda and the part at which a ray hits a cylinder, as [`CylinderRecord::intersect`] does. `axis` is
+    /// the axis in the scene file.
     fn cylinder(
         record: &CylinderRecord<Self::Number>,
         axis: &Vec3<Self::Number>,
@@ -30,7 +30,7 @@ pub trait Formulas {
     ) -> Option<(Self::Number, CylinderPart)>;
 }
 
-/// Intersections in f64 that the reference can render with.
+/// Intersections in f64 with which the reference can render.
 pub struct InDouble<P>(PhantomData<P>);
 
 impl<P: Intersect> Formulas for InDouble<P> {
@@ -46,7 +46,7 @@ impl<P: Intersect> Formulas for InDouble<P> {
     }
 }
 
-/// Exact intersections without the filter in f64.
+/// The exact intersections without the filter in f64.
 pub enum Resolved {}
 
 impl Intersect for Resolved {

@@ -1,4 +1,4 @@
-//! Formulas in Rust as an implementation of [`Method`], run and timed on this machine.
+//! Formulas in Rust as a [`Method`], which runs and is timed on this machine.
 
 use std::hint::black_box;
 use std::marker::PhantomData;
@@ -15,7 +15,7 @@ use super::formulas::Formulas;
 use super::{Answer, Failure, Method, Stopwatch};
 use crate::case::Case;
 
-/// Formulas with a name.
+/// Formulas in Rust, with the name of the method.
 pub struct Host<F> {
     name: &'static str,
     formulas: PhantomData<F>,
@@ -55,7 +55,7 @@ impl<F: Formulas> Method for Host<F> {
         Ok(cases.iter().map(answer).collect())
     }
 
-    /// The records of the objects are computed before the clock starts, as in the renderer.
+    /// The records of the objects are computed before the measured time begins, as in the renderer.
     fn stopwatch<'a>(&'a self, cases: &[Case]) -> Result<Stopwatch<'a>, Failure> {
         let (mut spheres, mut cylinders) = (Vec::new(), Vec::new());
         for case in cases {
@@ -90,7 +90,7 @@ fn sphere_record<T: Real>(sphere: &Sphere) -> SphereRecord<T> {
     SphereRecord::new(vector(sphere.center), T::of(sphere.radius))
 }
 
-/// Returns the record of a cylinder, and the axis in the scene file.
+/// Returns the record of a cylinder, and its axis in the scene file.
 fn cylinder_record<T: Real>(cylinder: &Cylinder) -> (CylinderRecord<T>, Vec3<T>) {
     let axis = vector(cylinder.axis);
     (CylinderRecord::new(vector(cylinder.center), T::of(cylinder.radius), axis), axis)

@@ -1,6 +1,6 @@
-//! The projected form of the intersections, the most accurate one in a single precision. It starts at the point of the
-//! line that is nearest to the centre or the axis, and goes half a chord to each side. The terms that cancel are then
-//! as large as the line's distance from the centre, not as large as the origin's distance.
+//! The projected form of the intersections, which is the most accurate form in single precision. It starts at the point
+//! of the line that is nearest to the centre or the axis, and goes half a chord from there to each side. So the terms
+//! that cancel are as large as the line's distance from the centre, and not as large as the origin's distance.
 
 use cpu::internals::geometry::cap;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
@@ -9,8 +9,9 @@ use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::real::Real;
 use cpu::{Ray, Vec3};
 
-/// Returns both lambdas at which a line crosses a sphere or an infinite cylinder. `r_c` is the vector from the line's
-/// origin to the centre. For a cylinder, `direction` and `r_c` are their parts perpendicular to the axis.
+/// Returns the two lambdas at which a line crosses a sphere or an infinite cylinder, or `None` if it does not. `r_c` is
+/// the vector from the line's origin to the centre. For a cylinder, `direction` and `r_c` are the components
+/// perpendicular to the axis.
 fn crossings<T: Real<Mask = bool>>(direction: Vec3<T>, r_c: Vec3<T>, radius_squared: T) -> Option<[T; 2]> {
     let a = direction.dot(direction);
     let middle = direction.dot(r_c) / a;
@@ -23,13 +24,13 @@ fn crossings<T: Real<Mask = bool>>(direction: Vec3<T>, r_c: Vec3<T>, radius_squa
     Some([middle - half, middle + half])
 }
 
-/// Returns the lambda of the hit on the sphere, with the contract of [`SphereRecord::intersect`].
+/// Returns the lambda at which the ray hits the sphere, as [`SphereRecord::intersect`] does.
 pub fn sphere<T: Real<Mask = bool>>(sphere: &SphereRecord<T>, ray: &Ray<T>) -> Option<T> {
     let crossings = crossings(ray.direction, sphere.center - ray.origin, sphere.radius_squared)?;
     crossings.into_iter().find(|&lambda| in_range(lambda))
 }
 
-/// Returns lambda and part of the hit on the cylinder, with the contract of [`CylinderRecord::intersect`].
+/// Returns the lambda and the part at which the ray hits the cylinder, as [`CylinderRecord::intersect`] does.
 pub fn cylinder<T: Real<Mask = bool>>(cylinder: &CylinderRecord<T>, ray: &Ray<T>) -> Option<(T, CylinderPart)> {
     let r_c = (cylinder.center - ray.origin).perpendicular_to(cylinder.axis);
     let side = crossings(ray.direction.perpendicular_to(cylinder.axis), r_c, cylinder.radius_squared)

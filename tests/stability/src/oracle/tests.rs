@@ -1,4 +1,4 @@
-//! Tests of the oracle on hits that are known without a computation.
+//! Tests of the oracle with hits that are known without a computation.
 
 use super::*;
 

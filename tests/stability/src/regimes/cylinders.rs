@@ -1,4 +1,4 @@
-//! Regimes of cylinders. Lengths are in scene units. Directions have length one, unless a regime varies the length.
+//! The regimes of cylinders. Lengths are in scene units. Directions have length one, unless a regime varies the length.
 
 use cpu::Vec3;
 use cpu::internals::input::scene::Cylinder;
@@ -24,19 +24,21 @@ fn cylinder(random: &mut Random, center: Vec3, radius: f64, height: f64) -> Cyli
     Cylinder { center, radius, axis: random.unit() * height }
 }
 
-/// Returns a point at `around` radii from the axis, in a random direction, and `along` half heights from the centre.
+/// Returns a point at the distance of `around` radii from the axis, in a random direction, and of `along` half heights
+/// from the centre.
 fn point_of(random: &mut Random, cylinder: &Cylinder, around: f64, along: f64) -> Vec3 {
     let across = random.perpendicular(cylinder.axis) * (cylinder.radius * around);
     cylinder.center + cylinder.axis * (along / 2.0) + across
 }
 
-/// Returns a ray that starts at `distance` from `target` and goes towards it.
+/// Returns a ray that starts at `distance` from the point `target` and goes towards it.
 fn toward(random: &mut Random, cylinder: Cylinder, target: Vec3, distance: f64) -> Case {
     let forward = random.unit();
     Case::cylinder(cylinder, target - forward * distance, forward)
 }
 
-/// Returns a ray towards a random point in the cylinder or a little outside.
+/// Returns a ray that starts at `distance` from a random point and goes towards it. The point is in the cylinder or
+/// slightly outside.
 fn aimed(random: &mut Random, cylinder: Cylinder, distance: f64) -> Case {
     let (around, along) = (random.uniform(0.0, 1.3), random.uniform(-1.3, 1.3));
     let target = point_of(random, &cylinder, around, along);
@@ -60,7 +62,7 @@ fn far_and_small(random: &mut Random) -> Case {
     if random.below(2) == 0 {
         return aimed(random, cylinder, distance);
     }
-    // From far away, rounded coordinates miss a small object, unless the direction is along a coordinate axis.
+    // A far ray with rounded coordinates would miss a small object, unless its direction is along a coordinate axis.
     let (near, sign) = (random.cube(radius + height), random.sign());
     let direction = Vec3::new(0.0, 0.0, -sign * random.uniform(0.5, 2.0));
     Case::cylinder(cylinder, Vec3::new(near.x, near.y, sign * distance), direction)
@@ -89,7 +91,7 @@ fn grazing(random: &mut Random) -> Case {
     Case::cylinder(cylinder, target - forward * distance, forward)
 }
 
-/// Secondary rays: from the side or a cap in any direction.
+/// Returns a secondary ray: from the side or a cap, in any direction.
 fn on_the_surface(random: &mut Random) -> Case {
     let (center, radius) = (random.cube(10.0), random.decades(-2.0, 3.0));
     let height = radius * random.decades(-1.0, 1.0);
@@ -140,10 +142,10 @@ fn nudged(random: &mut Random, vector: Vec3, most: usize) -> Vec3 {
     Vec3::from(vector.to_array().map(|component| random.nudged(component, most)))
 }
 
-/// Rays that pass the rim, where side and cap meet, within some units in the last place.
+/// Returns a ray that passes the rim, where side and cap meet, within some units in the last place.
 fn through_the_rim(random: &mut Random) -> Case {
     if random.below(2) == 0 {
-        // Numbers with few digits, for which f64 holds a ray exactly through the rim.
+        // Numbers with few digits, for which f64 can represent a ray exactly through the rim.
         let short = |random: &mut Random| f64::from(random.below(64) as u32 + 1) / 16.0;
         let (radius, half, steep) = (short(random), short(random), short(random) * random.sign());
         let cylinder =

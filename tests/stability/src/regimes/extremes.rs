@@ -1,7 +1,7 @@
-//! Regimes with magnitudes from 10^-162 to 10^150, for the exact intersections of `cpu`.
+//! Regimes with magnitudes from 10^-162 to 10^150, for tests of the exact intersections of `cpu`.
 //!
-//! The other regimes have magnitudes that f32 holds too, because WGSL is tested with them. Here squares of lengths
-//! underflow or nearly overflow, directions have any length, and terms cancel to exactly zero.
+//! The other regimes have magnitudes that f32 can represent too, because WGSL is tested with them. In the regimes here,
+//! squares of lengths underflow or nearly overflow, directions have any length, and terms cancel to exactly zero.
 
 use cpu::Vec3;
 use cpu::internals::input::scene::Cylinder;
@@ -10,7 +10,7 @@ use super::Regime;
 use crate::case::Case;
 use crate::random::Random;
 
-/// The regimes: spheres, then cylinders.
+/// The regimes: first those of spheres, then those of cylinders.
 pub const REGIMES: [Regime; 6] = [
     Regime { name: "spheres of any magnitude", draw: spheres },
     Regime { name: "spheres, terms that cancel to zero", draw: cancelling_spheres },
@@ -20,20 +20,21 @@ pub const REGIMES: [Regime; 6] = [
     Regime { name: "cylinders, terms that cancel to zero", draw: cancelling_cylinders },
 ];
 
-/// Returns a length from 10^-155 to 10^150. Its square is neither 0 nor infinite in f64, but may have lost digits.
+/// Returns a random length from 10^-155 to 10^150. Its square in f64 is neither 0 nor infinite, but may have lost
+/// digits.
 fn scale(random: &mut Random) -> f64 {
     random.decades(-155.0, 150.0)
 }
 
-/// Returns origin and direction of a ray that starts at `distance` from `target` and reaches it at a lambda from 10^-4
-/// to 10^6.
+/// Returns the origin and the direction of a random ray. It starts at `distance` from `target`, and reaches it at a
+/// lambda from 10^-4 to 10^6.
 fn toward(random: &mut Random, target: Vec3, distance: f64) -> (Vec3, Vec3) {
     let forward = random.unit() * distance;
     let lambda = random.decades(-4.0, 6.0);
     (target - forward, forward / lambda)
 }
 
-/// Returns a length up to `decades` powers of ten above or below `size`.
+/// Returns a random length that is at most `decades` powers of ten above or below `size`.
 fn near(random: &mut Random, size: f64, decades: f64) -> f64 {
     size * random.decades(-decades, decades)
 }
@@ -51,7 +52,7 @@ fn cylinder(random: &mut Random, size: f64, height: f64) -> Cylinder {
     Cylinder { center: random.cube(size), radius: near(random, size, 3.0), axis: random.unit() * height }
 }
 
-/// Returns a ray towards a point at or near the side, a cap or the rim.
+/// Returns a random ray towards a point at or near the side, a cap or the rim.
 fn aimed(random: &mut Random, cylinder: Cylinder) -> Case {
     let edge = 1.0 + random.sign() * random.decades(-17.0, 0.0);
     let (around, along) = match random.below(3) {
@@ -59,7 +60,7 @@ fn aimed(random: &mut Random, cylinder: Cylinder) -> Case {
         1 => (random.uniform(0.0, 1.1), edge * random.sign()),
         _ => (edge, edge * random.sign()),
     };
-    // `unit` cannot be used, because the square of the axis may underflow.
+    // `Vec3::unit` cannot be used here, because the square of the axis may underflow.
     let unit = cylinder.axis.unit_and_length().0;
     let across = random.perpendicular(unit) * (cylinder.radius * around);
     let target = cylinder.center + cylinder.axis * (along / 2.0) + across;
@@ -94,20 +95,21 @@ fn long_directions(random: &mut Random) -> Case {
     let cylinder = Cylinder { center: random.cube(radius), radius, axis: random.unit() * height };
     let around = random.unit() * radius;
     let origin = cylinder.center + around.perpendicular_to(cylinder.axis.unit());
-    // Glass scatters along such directions, because the side's normal in its formula is as long as the radius.
+    // Refractive surfaces scatter along such directions, because the side's normal in their formula is as long as the
+    // radius.
     let direction = random.unit() * (radius * radius * random.decades(-6.0, 6.0));
     Case::cylinder(cylinder, origin, direction)
 }
 
-/// Returns a point with each coordinate 0 or from 10^-60 to 10^140. Coordinates below 10^-60 are left out, because the
-/// oracle treats numbers that agree to 1,000 bits as equal. Beside 1, fourth powers of smaller coordinates would be
-/// lost.
+/// Returns a random point whose coordinates are 0 or have magnitudes from 10^-60 to 10^140. Smaller coordinates are
+/// left out, because the oracle treats numbers that agree in 1,000 bits as equal: beside 1, fourth powers of smaller
+/// coordinates would be lost.
 fn far_point(random: &mut Random) -> Vec3 {
     let mut far = || if random.below(2) == 0 { 0.0 } else { random.sign() * random.decades(-60.0, 140.0) };
     Vec3::new(far(), far(), far())
 }
 
-/// Returns a vector other than zero whose components have few binary digits and are often 0.
+/// Returns a random vector other than zero. Its components have few binary digits and are often 0.
 fn plain_vector(random: &mut Random) -> Vec3 {
     loop {
         let mut component = || random.sign() * [0.0, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0][random.below(7)];

@@ -1,12 +1,12 @@
-//! Secondary rays on spheres of a given radius, to find how large a ground may be.
+//! Secondary rays on spheres of a given radius, to find the largest radius that a ground may have.
 
 use cpu::Vec3;
 
 use crate::case::Case;
 use crate::random::Random;
 
-/// Returns rays that leave a sphere of this radius outwards or inwards. They start near the origin of coordinates,
-/// through which the sphere's surface passes.
+/// Returns `count` random rays that leave a sphere of this radius, outwards or inwards. They start near the origin of
+/// coordinates, through which the sphere's surface passes.
 #[must_use]
 pub fn cases(radius: f64, seed: u64, count: usize) -> Vec<Case> {
     let mut random = Random::new(seed);
@@ -15,7 +15,7 @@ pub fn cases(radius: f64, seed: u64, count: usize) -> Vec<Case> {
         let extent = radius.min(10.0) * 0.5;
         let (x, z) = (random.uniform(-extent, extent), random.uniform(-extent, extent));
         let across = x * x + z * z;
-        // Equals sqrt(r^2 - across) - r, without cancellation.
+        // Equals sqrt(r^2 - across) - r, but nothing cancels.
         let y = -across / (radius + (radius * radius - across).sqrt());
         let origin = Vec3::new(x, y, z);
         let outward = (origin - center) / radius;

@@ -1,4 +1,4 @@
-//! Regimes of spheres. Lengths are in scene units. Directions have length one, unless a regime varies the length.
+//! The regimes of spheres. Lengths are in scene units. Directions have length one, unless a regime varies the length.
 
 use cpu::Vec3;
 
@@ -18,8 +18,8 @@ pub const REGIMES: [Regime; 9] = [
     Regime { name: "everything at once", draw: everything },
 ];
 
-/// Returns a ray that passes the centre at `off` radii. It starts `distance` before that point, and its direction has
-/// the length `length`.
+/// Returns a ray whose line passes the centre at the distance of `off` radii. The ray starts `distance` before the
+/// point nearest to the centre, and its direction has the length `length`.
 fn passing(random: &mut Random, center: Vec3, radius: f64, distance: f64, off: f64, length: f64) -> Case {
     let forward = random.unit();
     let target = center + random.perpendicular(forward) * (radius * off);
@@ -39,7 +39,7 @@ fn far_and_small(random: &mut Random) -> Case {
         let center = random.cube(1.0);
         return passing(random, center, radius, distance, off, 1.0);
     }
-    // From far away, rounded coordinates miss a small object, unless the direction is along a coordinate axis.
+    // A far ray with rounded coordinates would miss a small object, unless its direction is along a coordinate axis.
     let (near, far) = (random.unit() * (radius * off), distance * random.sign());
     let direction = Vec3::new(0.0, 0.0, -far.signum() * random.uniform(0.5, 2.0));
     let swap = random.below(3);
@@ -60,7 +60,7 @@ fn huge_and_near(random: &mut Random) -> Case {
     Case::sphere(up * -radius, radius, origin, direction)
 }
 
-/// Returns 1 plus or minus a number from 10^-16 to 1.
+/// Returns 1 plus or minus a random number from 10^-16 to 1.
 fn almost_one(random: &mut Random) -> f64 {
     1.0 + random.sign() * random.decades(-16.0, 0.0)
 }
@@ -71,10 +71,10 @@ fn grazing(random: &mut Random) -> Case {
     passing(random, center, radius, radius + distance, off, 1.0)
 }
 
-/// Tangents that f64 holds exactly, and rays one unit in the last place beside them. The directions are along a
-/// coordinate axis or along (3, 4, 0).
+/// Returns a tangent that f64 represents exactly, or a ray one unit in the last place beside such a tangent. The
+/// direction is along a coordinate axis or along (3, 4, 0).
 fn tangent(random: &mut Random) -> Case {
-    // Numbers with few digits, so that sums of products are exact.
+    // Numbers with few digits, so that sums of their products are exact.
     let short = |random: &mut Random, extent: f64| (random.uniform(-extent, extent) * 1024.0).round() / 1024.0;
     let center = Vec3::from([(); 3].map(|()| short(random, 16.0)));
     let radius = 5.0 * (short(random, 1.0).abs() + 1.0 / 1024.0);
@@ -92,14 +92,14 @@ fn tangent(random: &mut Random) -> Case {
     shuffled(case, seed)
 }
 
-/// Returns the case with the components of all vectors in another order, which depends on `seed` alone.
+/// Returns the case with the components of all vectors in another order, which depends only on `seed`.
 fn shuffled(case: Case, seed: usize) -> Case {
     let exchange = |vector: Vec3| Random::new(seed as u64 + 1).shuffled(vector);
     let cpu::internals::input::scene::Shape::Sphere(sphere) = case.shape else { return case };
     Case::sphere(exchange(sphere.center), sphere.radius, exchange(case.ray.origin), exchange(case.ray.direction))
 }
 
-/// Secondary rays: from a point of the sphere in any direction.
+/// Returns a secondary ray: from a point on the sphere, in any direction.
 fn on_the_surface(random: &mut Random) -> Case {
     let (center, radius) = (random.cube(10.0), random.decades(-2.0, 4.0));
     leaving(random, center, radius, 1.0)
@@ -109,7 +109,7 @@ fn leaving(random: &mut Random, center: Vec3, radius: f64, length: f64) -> Case 
     let up = random.unit();
     let origin = center + up * radius;
     let direction = if random.below(4) == 0 {
-        // Nearly along the surface.
+        // A direction nearly along the surface.
         random.perpendicular(up) + up * (random.sign() * random.decades(-16.0, 0.0))
     } else {
         up * random.sign() + random.cube(1.0)

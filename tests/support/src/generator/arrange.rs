@@ -6,7 +6,7 @@ use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use super::draws::{Draws, round};
 use super::{Arrangement, Options};
 
-/// Returns the shapes that `options` describe, in the order of the scene file.
+/// Returns the shapes of the scene that `options` describe, in the order of the scene file.
 pub(super) fn shapes(draws: &mut Draws, options: &Options) -> Vec<Shape> {
     let mut shapes = Vec::with_capacity(options.objects);
     for index in 0..options.objects {
@@ -20,7 +20,7 @@ pub(super) fn shapes(draws: &mut Draws, options: &Options) -> Vec<Shape> {
     shapes
 }
 
-/// Returns a sphere, or if there is an `axis`, a cylinder.
+/// Returns a cylinder if `axis` is given, and otherwise a sphere.
 fn shape(center: Vec3, radius: f64, axis: Option<Vec3>) -> Shape {
     match axis {
         None => Shape::Sphere(Sphere { center, radius }),
@@ -39,14 +39,15 @@ fn scattered(draws: &mut Draws, options: &Options) -> Shape {
     }
 }
 
-/// Returns the number of squares along each side of a board for `objects` objects, one of which is the ground.
+/// Returns the number of squares along each side of a board for `objects` objects. One of the objects is the ground.
 pub(super) fn squares_a_side(objects: usize) -> usize {
     (1..).find(|side| side * side + 1 >= objects).unwrap_or(1)
 }
 
-/// Returns the ground for index 0, and for other indices an object on a square of the board, row by row.
+/// Returns the ground if `index` is 0, and otherwise an object on a square of the board. The squares are filled row by
+/// row.
 fn on_the_grid(draws: &mut Draws, options: &Options, index: usize) -> Shape {
-    /// Radius of the ground divided by the extent. With 1000 the ground is nearly flat.
+    /// Radius of the ground, divided by the extent. With 1000, the ground is nearly flat.
     const GROUND: f64 = 1000.0;
 
     let extent = options.extent;
@@ -68,7 +69,8 @@ fn on_the_grid(draws: &mut Draws, options: &Options, index: usize) -> Shape {
     }
 }
 
-/// Returns a shape that shares exact values with a shape before it, such as its centre. The first shape is random.
+/// Returns a shape that shares exact values, such as its centre, with one of the shapes in `before`. If `before` is
+/// empty, the shape is random.
 fn degenerate(draws: &mut Draws, options: &Options, before: &[Shape]) -> Shape {
     let extent = options.extent;
     let fresh = scattered(draws, options);
@@ -77,25 +79,25 @@ fn degenerate(draws: &mut Draws, options: &Options, before: &[Shape]) -> Shape {
     }
     let other = before[draws.index(before.len())];
     let (center, radius, axis) = parts(other);
-    // A cylinder beside a cylinder keeps its axis, because coaxial sides and caps in one plane are hard cases.
+    // A cylinder made from a cylinder keeps its axis, because coaxial sides and caps in one plane are hard cases.
     let cylinder = draws.chance(options.cylinders);
     let along = axis.unwrap_or_else(|| draws.along_an_axis(radius));
     let axis = cylinder.then_some(along);
     match draws.index(9) {
-        // A copy. Of two equal objects, the later one is visible.
+        // A copy of the other shape. Of two equal objects, the later one is visible.
         0 => other,
         // Touches the other shape from outside, along a coordinate axis.
         1 => shape(center + draws.along_an_axis(2.0 * radius), radius, axis),
         // End to end with the other shape, along the axis.
         2 => shape(center + along, radius, axis),
-        // Inside the other shape, or around it, with one centre.
+        // Inside the other shape or around it, with its centre.
         3 => shape(center, radius / 2.0, axis),
         4 => shape(center, radius * 2.0, axis),
         // Touches the other shape from inside.
         5 => shape(center + draws.along_an_axis(radius / 2.0), radius / 2.0, axis),
         // On a lattice, with a diameter equal to the lattice's spacing.
         6 => shape(draws.point(4.0).map(f64::round) * (extent / 4.0), extent / 8.0, axis),
-        // A huge sphere, and below a tiny shape.
+        // A huge sphere beside the other shape, and in the next case a tiny shape.
         7 => shape(center + draws.along_an_axis(100.0 * extent), 100.0 * extent, None),
         _ => {
             let tiny = draws.along_an_axis(1e-6 * extent);

@@ -1,9 +1,9 @@
-//! The random numbers, vectors and choices of the generator.
+//! Random numbers, vectors and choices for the generator of scenes.
 
 use cpu::Vec3;
 use cpu::internals::sampling::uniform::Uniform;
 
-/// A stream of random choices.
+/// A generator of random numbers, vectors and choices.
 pub(super) struct Draws(Uniform);
 
 impl Draws {
@@ -11,14 +11,14 @@ impl Draws {
         Self(Uniform::new(seed))
     }
 
-    /// Returns a number in `[low, high)`.
+    /// Returns a random number from `low` to `high`; `high` is excluded.
     pub(super) fn between(&mut self, low: f64, high: f64) -> f64 {
         self.0.draw(low, high)
     }
 
-    /// Returns an integer below `count`, which must not be zero.
+    /// Returns a random integer below `count`, which must not be 0.
     pub(super) fn index(&mut self, count: usize) -> usize {
-        // The draw is below 1, but the product may be rounded up to `count`.
+        // The random number is below 1, but rounding may give the product the value `count`.
         ((self.0.canonical() * count as f64) as usize).min(count - 1)
     }
 
@@ -27,12 +27,14 @@ impl Draws {
         self.0.canonical() < probability
     }
 
-    /// Returns a rounded point in the cube around the origin with this half side.
+    /// Returns a random point in the cube around the origin whose half side is `half_side`. The coordinates are
+    /// rounded.
     pub(super) fn point(&mut self, half_side: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| round(self.between(-half_side, half_side))))
     }
 
-    /// Returns a rounded vector in a random direction, with a length from half of `radius` to `radius`.
+    /// Returns a vector in a random direction. Its length is from half of `radius` to `radius`, and its components are
+    /// rounded.
     pub(super) fn direction(&mut self, radius: f64) -> Vec3 {
         loop {
             let vector = self.point(1.0);
@@ -42,20 +44,20 @@ impl Draws {
         }
     }
 
-    /// Returns a vector of this length along one of the three coordinate axes, with a random sign.
+    /// Returns a vector of this length along a random coordinate axis, with a random sign.
     pub(super) fn along_an_axis(&mut self, length: f64) -> Vec3 {
         let mut components = [0.0; 3];
         components[self.index(3)] = if self.chance(0.5) { length } else { -length };
         components.into()
     }
 
-    /// Returns a colour whose channels have two decimals and are from `darkest` to 1.
+    /// Returns a random colour. Its channels are from `darkest` to 1 and have two decimals.
     pub(super) fn color(&mut self, darkest: f64) -> Vec3 {
         Vec3::from([(); 3].map(|()| (self.between(darkest, 1.0) * 100.0).round() / 100.0))
     }
 }
 
-/// Rounds `value` to five significant digits, so that files stay short.
+/// Returns `value` rounded to five significant digits, so that files stay short.
 pub(super) fn round(value: f64) -> f64 {
     format!("{value:.4e}").parse().expect("a finite number reads back")
 }

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-/// Names of Linux's calls about files. Other calls are about memory, signals and time, and are not disturbed.
+/// Names of the system calls of Linux about files. Other calls are about memory, signals and time, and are not
+/// disturbed.
 const CALLS: [&str; 25] = [
     "access",
     "close",
@@ -31,7 +32,8 @@ const CALLS: [&str; 25] = [
     "write",
 ];
 
-/// A call: its thread, its name, its number among the calls of this name in its thread (from 1), and strace's text.
+/// A system call: its thread, its name, its number among the calls with this name in this thread (from 1), and its text
+/// in the output of strace.
 #[derive(Debug)]
 pub struct Call {
     thread: String,
@@ -40,14 +42,14 @@ pub struct Call {
     pub text: String,
 }
 
-/// Returns the calls from the first one whose text contains `folder`. With `only_folder`, returns only the calls whose
-/// text contains `folder`. A call is left out if another thread makes a call of its name and number too, because strace
-/// would disturb both.
+/// Returns the calls in the output of strace, beginning with the first one whose text contains `folder`. With
+/// `only_folder`, returns only calls whose text contains `folder`. A call is left out if another thread makes a call
+/// with its name and number, because strace would disturb both.
 pub fn calls(text: &str, folder: &str, only_folder: bool) -> Vec<Call> {
     let mut counts: HashMap<(&str, &str), usize> = HashMap::new();
     let mut found: Vec<Call> = Vec::new();
     for line in text.lines() {
-        // strace writes no thread number if it watches a single thread.
+        // strace writes no thread number if it watches only one thread.
         let starts_with_number = line.starts_with(|c: char| c.is_ascii_digit());
         let (thread, text) = line.split_once(' ').filter(|_| starts_with_number).unwrap_or(("", line));
         let Some((name, _)) = text.trim_start().split_once('(') else { continue };
@@ -69,7 +71,7 @@ pub fn calls(text: &str, folder: &str, only_folder: bool) -> Vec<Call> {
     found
 }
 
-/// Returns at most `most` calls of each name: the last one, the first one if `most` is at least two, and others evenly
+/// Returns at most `most` calls of each name: the last one, the first one if `most` is at least 2, and others evenly
 /// between them.
 pub fn spread(mut calls: Vec<Call>, most: usize) -> Vec<Call> {
     let mut totals: HashMap<String, usize> = HashMap::new();
@@ -84,7 +86,7 @@ pub fn spread(mut calls: Vec<Call>, most: usize) -> Vec<Call> {
     calls
 }
 
-/// Returns whether the call `index`, of calls from 0 to `last`, is one of the `most` chosen ones.
+/// Whether call number `index` is chosen, if `most` of the calls from 0 to `last` are chosen.
 fn is_chosen(index: usize, last: usize, most: usize) -> bool {
     match most.saturating_sub(1).min(last) {
         0 => most > 0 && index == last,

@@ -23,7 +23,7 @@ pub fn files(folder: &Path) -> io::Result<Files> {
 }
 
 impl Job {
-    /// Empties the folder, and if there is an old content, writes it to the path of each output file in `new`.
+    /// Empties the output folder. If there is an old content, writes it to the path of each output file in `new`.
     pub(super) fn prepare(&self, new: &Files) -> io::Result<()> {
         fs::remove_dir_all(&self.folder)?;
         fs::create_dir(&self.folder)?;
@@ -34,7 +34,7 @@ impl Job {
         Ok(())
     }
 
-    /// Checks the files after a run. `new` has the contents of a run that succeeds.
+    /// Checks the files and the output after a run. `new` has the output files of a run that succeeds.
     pub(super) fn check(&self, new: &Files, output: &Output, ended_by_signal: bool) -> Result<(), String> {
         let found = files(&self.folder).map_err(|error| error.to_string())?;
         let content_of = |path: &PathBuf| found.get(path);
@@ -57,11 +57,11 @@ impl Job {
     }
 }
 
-/// Returns whether a message reports an error, and agrees with the fact that the files `replaced` are new.
+/// Whether a message reports an error and agrees with the files: `replaced` are the paths of the files that are new.
 fn agrees_with_files<'a>(message: &str, mut replaced: impl Iterator<Item = &'a PathBuf>) -> bool {
-    // If the file was replaced but not synced, the message says so.
+    // If the file was replaced but its folder could not be synced, the message tells that.
     let is_uncertain = message.contains("the new file is there");
-    // A program that writes several files names the one that it could not write. That may be standard output.
+    // A program that writes several files names the one that it could not write, which may be standard output.
     let blames = |path: &PathBuf| message.contains(&format!("Cannot write file [{}]", path.display()));
     let blames_any = message.contains("Cannot write file [");
     message.contains("rror: ") && replaced.all(|path| is_uncertain || blames_any && !blames(path))

@@ -1,4 +1,4 @@
-//! Runs a program that waits for an input until `strace` watches the thread that reads the input.
+//! Runs a program that waits for an input, until `strace` watches the thread that reads this input.
 
 use std::fs::{self, OpenOptions};
 use std::io::Write;
@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 
 use super::Job;
 
-/// The longest time to wait for each step of a program, on a busy machine.
+/// Time limit for each step of a program, long enough for a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A process that is killed when the value is dropped, so that it ends even if the test fails.
+/// A running process. It is killed when this value is dropped, so that it ends even if the test fails.
 struct Running(Option<Child>);
 
 impl Running {
@@ -28,22 +28,23 @@ impl Running {
 impl Drop for Running {
     fn drop(&mut self) {
         if let Some(mut child) = self.0.take() {
-            // An error means that the process has ended already.
+            // An error is ignored: the process has ended already.
             let _ = child.kill();
             let _ = child.wait();
         }
     }
 }
 
-/// Runs the program of `job` with the command `prefix` before it. The gate becomes a named pipe. When a thread of the
-/// program waits for the pipe's content, `strace` attaches to this thread alone. Only then the content is written.
+/// Runs the program of `job`, with the command `prefix` before it. The gate becomes a named pipe. When a thread of the
+/// program waits for the pipe's content, `strace` attaches only to this thread. Then the content is written.
 pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[&str]) -> Result<Output, String> {
     let _ = fs::remove_file(gate);
     let made = Command::new("mkfifo").arg(gate).status();
     if !made.is_ok_and(|status| status.success()) {
         return Err("mkfifo failed".to_owned());
     }
-    // On Linux, opening a pipe for reading and writing does not block. Then the program's open does not block either.
+    // On Linux, opening a pipe for reading and writing does not block. After that, the program's open does not block
+    // either.
     let mut pipe = OpenOptions::new().read(true).write(true).open(gate).map_err(|error| error.to_string())?;
     let mut command = match prefix {
         [] => Command::new(&job.program),
@@ -60,8 +61,8 @@ pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[
         let process = if prefix.is_empty() { first } else { only_child(first)? };
         waiting_thread(process, gate)
     })?;
-    // When strace watches, it writes the call in which the thread waits. So a log that is not empty means that it
-    // watches.
+    // strace writes the call in which the thread waits as soon as it watches the thread. So it watches when the log is
+    // not empty.
     let log = job.log();
     fs::write(&log, "").map_err(|error| error.to_string())?;
     let mut strace = Command::new("strace");
@@ -75,7 +76,7 @@ pub fn run(job: &Job, (gate, content): (&Path, &[u8]), prefix: &[&str], more: &[
     Ok(output)
 }
 
-/// Calls `ask` until it returns an answer, at most for [`PATIENCE`].
+/// Calls `ask` until it returns an answer, and returns the answer. Returns an error after the time [`PATIENCE`].
 fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> Result<T, String> {
     let start = Instant::now();
     while start.elapsed() < PATIENCE {
@@ -87,13 +88,13 @@ fn until<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> Result<T, String>
     Err(format!("waited in vain until {what}"))
 }
 
-/// Returns the only child of a process with one thread.
+/// Returns the ID of the only child of a process with one thread, or `None` if it does not have exactly one child.
 fn only_child(process: u32) -> Option<u32> {
     fs::read_to_string(format!("/proc/{process}/task/{process}/children")).ok()?.trim().parse().ok()
 }
 
-/// Returns the thread of `process` that started last, if the process has `gate` open and this thread sleeps. Then the
-/// thread waits for the content of the gate.
+/// Returns the ID of the thread of `process` that started last, if it waits for the content of the gate: `process` has
+/// `gate` open, and the thread sleeps. Otherwise returns `None`.
 fn waiting_thread(process: u32, gate: &Path) -> Option<u32> {
     let descriptors = fs::read_dir(format!("/proc/{process}/fd")).ok()?;
     let links = descriptors.filter_map(|entry| fs::read_link(entry.ok()?.path()).ok());
@@ -105,6 +106,7 @@ fn waiting_thread(process: u32, gate: &Path) -> Option<u32> {
     let threads = tasks.filter_map(|entry| entry.ok()?.file_name().to_str()?.parse::<u32>().ok());
     let thread = threads.max()?;
     let state = fs::read_to_string(format!("/proc/{process}/task/{thread}/stat")).ok()?;
-    // The state follows the program's name in parentheses. The name may contain parentheses, so the last `)` is used.
+    // The state follows the program's name in parentheses. The name may contain parentheses too, so the last `)` is
+    // used.
     state.rsplit_once(") ")?.1.starts_with('S').then_some(thread)
 }

@@ -1,14 +1,15 @@
-//! Counts the runs that a test makes, and the runs that it could make.
+//! Counts the runs that a test makes, and the runs that it would make with all calls.
 
 use std::env;
 use std::fmt;
 use std::iter::Sum;
 use std::sync::{Mutex, PoisonError};
 
-/// The environment variable that asks for every run.
+/// Name of the environment variable that switches every run on.
 const VARIABLE: &str = "RENDER_INJECTIONS";
 
-/// Returns how many calls of each name to disturb: `some`, or all if `RENDER_INJECTIONS` is `all`.
+/// Returns the number of calls with one name to disturb: `some`, or all calls if the variable `RENDER_INJECTIONS` is
+/// `all`.
 ///
 /// # Panics
 /// If `RENDER_INJECTIONS` has another value.
@@ -23,12 +24,12 @@ pub fn most(some: usize) -> usize {
     }
 }
 
-/// Runs of a program in which a call was disturbed.
+/// Numbers of runs of a program in which a call was disturbed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Runs {
     /// Number of runs that were made.
     pub made: usize,
-    /// Number of runs in which every call would be disturbed.
+    /// Number of runs that would be made if every call were disturbed.
     pub all: usize,
 }
 
@@ -45,22 +46,22 @@ impl fmt::Display for Runs {
     }
 }
 
-/// The runs of this process so far, which [`total`] returns.
+/// The runs of this process so far. [`total`] returns them.
 static TOTAL: Mutex<Runs> = Mutex::new(Runs { made: 0, all: 0 });
 
-/// Adds to the total.
+/// Adds `runs` to the total of this process.
 pub(super) fn add(runs: Runs) {
     let mut total = TOTAL.lock().unwrap_or_else(PoisonError::into_inner);
     *total = [*total, runs].into_iter().sum();
 }
 
-/// Returns the runs of this process so far, for the last line of a test.
+/// Returns the runs of this process so far, for the last line of a test's output.
 #[must_use]
 pub fn total() -> Runs {
     *TOTAL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs the trials of a test, tells how many runs of a program they made, and ends the process.
+/// Runs the trials of a test, prints the number of runs that they made, and ends the process.
 #[cfg(feature = "programs")]
 pub fn run(trials: Vec<libtest_mimic::Trial>) -> ! {
     let conclusion = libtest_mimic::run(&libtest_mimic::Arguments::from_args(), trials);

@@ -1,4 +1,4 @@
-//! Tests that calls are recorded, and that programs which lose or leave files are found.
+//! Tests that calls are recorded, and that the checks find programs which lose files or leave additional ones.
 
 use super::*;
 
@@ -35,7 +35,8 @@ fn some_calls_of_each_name_are_chosen_the_first_and_the_last_too() {
     assert_eq!(numbers(usize::MAX).len(), 11);
 }
 
-/// Returns a job that runs a bash script. The script's first argument is the output file, and the second is the gate.
+/// Returns a job that runs a bash script. The script's first argument is the path of the output file, and the second is
+/// the path of the gate.
 fn job(script: &str, with_gate: bool) -> (tempfile::TempDir, Job) {
     let folder = tempfile::tempdir().expect("the temporary folder is writable");
     let [out_folder, gate] = ["d", "gate"].map(|name| folder.path().join(name));
