@@ -124,7 +124,7 @@ fn renders_random_scenes(program: &Path) -> Result<(), Failed> {
     if 2 * with_objects > scenes { Ok(()) } else { Err("most pictures show no object".into()) }
 }
 
-/// Returns an image as the bytes of a P3 file.
+/// Returns `image` as the bytes of a P3 file.
 fn p3_of(image: &AosImage) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     cpu::internals::image::ppm::write_ppm(image, &mut bytes)?;

@@ -10,7 +10,7 @@ pub enum Error {
     ArgumentCount(usize),
     /// The configuration, the scene or the picture is wrong.
     Renderer(cpu::Error),
-    /// The picture's file cannot be written.
+    /// The picture's file cannot be written. The error has the reason.
     Output(output::Error),
 }
 

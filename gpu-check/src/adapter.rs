@@ -11,7 +11,7 @@ use crate::Error;
 /// A part of the name that lavapipe reports.
 const LAVAPIPE: &str = "llvmpipe";
 
-/// Returns the adapter to use.
+/// Returns the adapter that the environment names, or lavapipe if it names none.
 ///
 /// # Errors
 /// [`Error::NoAdapter`] if no adapter has the wanted name. The error lists the names of the existing adapters.

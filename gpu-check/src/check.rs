@@ -27,7 +27,7 @@ pub struct Tally {
     pub nonzero: usize,
     /// Number of cases in which at least one result differs.
     pub differing: usize,
-    /// Descriptions of the first differing cases.
+    /// Texts that describe the first differing cases, at most five.
     pub shown: Vec<String>,
 }
 

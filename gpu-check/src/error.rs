@@ -45,7 +45,7 @@ pub enum Error {
     /// A buffer would be larger than the device's limit.
     #[error("{what} takes {bytes} bytes and the device binds at most {limit}; use fewer objects or a smaller depth")]
     TooLarge {
-        /// The buffer's content.
+        /// Text that describes the content of the buffer.
         what: &'static str,
         /// Size of the buffer in bytes.
         bytes: u64,

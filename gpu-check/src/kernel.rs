@@ -15,9 +15,9 @@ use crate::running::Running;
 pub trait Formula {
     /// The name of the kernel's module.
     const MODULE: &'static str;
-    /// Number of inputs of a case.
+    /// Number of numbers in a case, which are the inputs of the formula.
     const INPUTS: usize;
-    /// Names of the numbers of a result.
+    /// Names of the numbers in a result, which are the outputs of the formula.
     const OUTPUTS: &'static [&'static str];
 
     /// Computes the formula with the code of `cpu`. Reads the inputs from `case` and writes the outputs to `result`.
@@ -33,9 +33,9 @@ pub trait Formula {
 pub struct Kernel {
     /// The name of the kernel's module in `shaders`.
     pub module: &'static str,
-    /// Number of inputs of a case.
+    /// Number of numbers in a case, which are the inputs of the formula.
     pub inputs: usize,
-    /// Names of the numbers of a result.
+    /// Names of the numbers in a result, which are the outputs of the formula.
     pub outputs: &'static [&'static str],
     pub(crate) wide: fn(&[f64], &mut [f64]),
     pub(crate) single: fn(&[f32], &mut [f32]),
@@ -71,7 +71,7 @@ impl Kernel {
         result.into_iter().map(|Flushed(number)| number).collect()
     }
 
-    /// Returns the edge cases, row after row.
+    /// Returns the inputs of all edge cases: a row of [`Self::inputs`] numbers for each case.
     #[must_use]
     pub fn edge_cases<T: Float>(&self) -> Vec<T> {
         (self.edges)().into_iter().map(T::of).collect()

@@ -17,9 +17,9 @@ use shaders::Library;
 pub struct Mutant {
     /// The name of the module.
     pub module: &'static str,
-    /// The text that is replaced.
+    /// The text of the module that the mutant replaces.
     pub from: &'static str,
-    /// The text that replaces it.
+    /// The wrong text that replaces it.
     pub to: &'static str,
 }
 

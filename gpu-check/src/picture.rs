@@ -19,7 +19,7 @@ pub struct PackedMaterial<T> {
     pub reflectance: Vec3<T>,
     /// The refractive index; 0 for materials that are not refractive.
     pub index: T,
-    /// The variant of [`Material`].
+    /// The kind of the material, which is the variant of [`Material`].
     pub kind: Kind,
 }
 

@@ -23,7 +23,7 @@ pub const MAX_INVOCATIONS: u64 = 65_535 * WORKGROUP;
 /// The content of one buffer. Its position in a list is the number of the binding.
 #[derive(Clone, Copy, Debug)]
 pub enum Content<'a> {
-    /// Bytes that the kernel reads.
+    /// Bytes that the kernel reads, in every run.
     Input(&'a [u8]),
     /// Bytes that the kernel reads. Several runs follow each other, and each has its own entry.
     Inputs(&'a [Vec<u8>]),
@@ -44,7 +44,7 @@ pub struct Pipeline {
     bindings: usize,
 }
 
-/// The results of a run.
+/// The results of one call of [`Pipeline::run`].
 #[derive(Clone, Debug)]
 pub struct Run {
     /// The contents of all [`Content::Output`] buffers, in the order of their bindings.

@@ -38,7 +38,7 @@ thread_local! {
 /// A value in f64, and a bound on its distance from the result in f32.
 #[derive(Clone, Copy, Debug)]
 pub struct Running {
-    /// The value in f64.
+    /// The value, computed in f64.
     pub value: f64,
     /// The bound on the distance; infinite if there is no bound.
     pub bound: f64,

@@ -19,9 +19,9 @@ pub enum Field {
     Positive,
     /// A finite number that is not negative.
     NotNegative,
-    /// A number from 0 to 1.
+    /// A finite number from 0 to 1.
     Share,
-    /// An angle above 0 and below 180 degrees.
+    /// An angle in degrees, above 0 and below 180.
     Degrees,
 }
 

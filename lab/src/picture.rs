@@ -25,7 +25,7 @@ pub const MAX_PIXELS: usize = 1 << 26;
 /// factor is damaged.
 const DEFLATE_GROWTH: usize = 1032;
 
-/// A picture with 8 bits a channel.
+/// A picture in memory with three channels of 8 bits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     /// Number of pixels in a row.

@@ -121,7 +121,7 @@ impl Composition {
         Self { source, precision, root: "standard input", parts: vec![part] }
     }
 
-    /// Returns the whole text.
+    /// Returns the whole text of the composition.
     #[must_use]
     pub fn source(&self) -> &str {
         &self.source
@@ -136,7 +136,7 @@ impl Composition {
         })
     }
 
-    /// Returns the precision of `real`.
+    /// Returns the precision of the number type `real` in this composition.
     #[must_use]
     pub const fn precision(&self) -> Precision {
         self.precision

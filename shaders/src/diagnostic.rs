@@ -26,11 +26,11 @@ pub struct Diagnostic {
 /// A place in a WGSL file: some characters of one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The path of the module's file.
+    /// The path of the WGSL file.
     pub file: String,
     /// Line number, from 1.
     pub line: usize,
-    /// Column in characters, from 1.
+    /// Column of the first wrong character, from 1.
     pub column: usize,
     /// Number of wrong characters on this line.
     pub length: usize,

@@ -8,7 +8,7 @@ pub enum Error {
     /// No module has this name.
     #[error("there is no WGSL module [{name}]; there are: {known}", known = known())]
     UnknownModule {
-        /// The unknown name.
+        /// The name that was asked for.
         name: String,
     },
     /// naga finds an error in the text, or the text exceeds the limits.
@@ -21,7 +21,7 @@ pub enum Error {
     NoStack {
         /// Size of the stack in bytes.
         bytes: usize,
-        /// The system's message.
+        /// The system's error message.
         cause: String,
     },
     /// The target language cannot calculate in this precision.
@@ -29,9 +29,9 @@ pub enum Error {
     Unsupported {
         /// The target language.
         target: Target,
-        /// The composition's precision.
+        /// The precision of the composition.
         precision: Precision,
-        /// The feature that the target lacks.
+        /// The reason: which feature the target lacks.
         reason: &'static str,
     },
     /// naga accepts the text, but cannot write it in the target language.
@@ -39,7 +39,7 @@ pub enum Error {
     Write {
         /// The target language.
         target: Target,
-        /// naga's message.
+        /// The error message of naga.
         message: String,
     },
 }

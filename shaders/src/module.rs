@@ -1,13 +1,13 @@
 //! The list of the WGSL modules, with the modules that each one needs.
 
-/// A WGSL module: one file.
+/// A WGSL module, which is one file of the folder `wgsl`.
 #[derive(Clone, Copy, Debug)]
 pub struct Module {
     /// The module's name: the file's path in the folder `wgsl` without its ending, such as `kernels/image`.
     pub name: &'static str,
     /// The file's path, relative to the crate's folder.
     pub path: &'static str,
-    /// The file's text.
+    /// The text of the file.
     pub source: &'static str,
     /// Names of the modules whose functions, types or constants this module uses. What those modules need in turn is
     /// not listed.

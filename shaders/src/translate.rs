@@ -37,7 +37,7 @@ pub enum Translation {
 }
 
 impl Target {
-    /// All targets.
+    /// All target languages.
     pub const ALL: [Self; 5] = [Self::SpirV, Self::Msl, Self::Hlsl, Self::Glsl430, Self::GlslEs310];
 
     /// Returns the reason why the target cannot calculate in `precision`, or `None` if it can.

@@ -5,7 +5,7 @@ use naga::{AddressSpace, Module, StorageAccess, Type};
 
 use crate::{Composition, Diagnostic, Error, Precision, limits};
 
-/// A buffer that a shader binds.
+/// A buffer that a shader uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Binding {
     /// The buffer's number in group 0.
@@ -28,7 +28,7 @@ pub(crate) fn bindings(module: &Module) -> impl Iterator<Item = Binding> {
 /// A composition that naga has parsed and found valid.
 #[derive(Clone, Debug)]
 pub struct Validated {
-    /// The module as naga represents it.
+    /// The parsed module, as naga represents it.
     pub module: Module,
     /// Results of naga's validator, which naga's writers need.
     pub info: ModuleInfo,

@@ -7,7 +7,7 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 use crate::words;
 
-/// A link or an image.
+/// A link or an image in a page, with its line and its target.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Link {
     pub line: usize,

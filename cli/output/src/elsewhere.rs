@@ -14,7 +14,7 @@ pub enum Place {
     /// A named pipe. This module never returns it, because only Unix has named pipes in the file system.
     #[allow(dead_code, reason = "only Unix has named pipes in the file system")]
     Pipe(PathBuf),
-    /// A regular file, to be replaced or created.
+    /// A temporary file that will become a new regular file, or replace an old one.
     Regular(Temporary),
 }
 

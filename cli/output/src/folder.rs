@@ -172,7 +172,7 @@ pub fn unlink(folder: c_int, name: &CStr) -> c_int {
     unsafe { unlinkat(folder, name.as_ptr(), 0) }
 }
 
-/// Whether both metadata belong to the same file.
+/// Whether `one` and `other` are the metadata of the same file.
 pub fn is_same(one: &Metadata, other: &Metadata) -> bool {
     (one.dev(), one.ino()) == (other.dev(), other.ino())
 }

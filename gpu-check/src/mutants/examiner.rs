@@ -25,7 +25,7 @@ pub struct Examiner<'a> {
 }
 
 impl<'a> Examiner<'a> {
-    /// Prepares the cases and pictures.
+    /// Prepares the cases of all kernels, and the reference's pictures of all scenes.
     ///
     /// # Errors
     /// [`Error::Scene`] if a scene cannot be rendered.

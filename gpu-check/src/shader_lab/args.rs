@@ -43,13 +43,13 @@ pub type Own<'a> = Vec<(&'a str, f64)>;
 /// The action that the command line asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// Print [`USAGE`].
+    /// Print the help text [`USAGE`].
     Help,
     /// Write the template into this new file.
     Template(PathBuf),
-    /// Render a picture.
+    /// Render a picture with these options.
     Render(Options),
-    /// Serve the page for browsers.
+    /// Serve the page that renders in a browser.
     Serve {
         /// The port on this machine.
         port: u16,

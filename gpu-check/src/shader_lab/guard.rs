@@ -18,14 +18,14 @@ use crate::{Error, Gpu, Pipeline};
 /// The first argument of the separate process. With this argument the program only compiles.
 pub const FLAG: &str = "--compile-standard-input";
 
-/// The limits of the separate process.
+/// The limits of the separate process that compiles a shader first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Largest address space in bytes.
     pub memory: u64,
     /// Largest processor time in whole seconds, at least 1.
     pub seconds: u64,
-    /// Largest wall-clock time.
+    /// Largest wall-clock time. After it the process is killed.
     pub patience: Duration,
 }
 

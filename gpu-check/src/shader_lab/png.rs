@@ -24,7 +24,7 @@ pub struct Place {
     output: Output,
 }
 
-/// The opened outputs for all pictures of a trial.
+/// The opened outputs for all pictures of a trial, which is one rendering with the user's modules.
 #[derive(Debug)]
 pub struct Places {
     /// The output for the picture itself.

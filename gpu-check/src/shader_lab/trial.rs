@@ -19,7 +19,7 @@ use crate::steps::Follower;
 use crate::terminal;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
 
-/// The inputs of a trial.
+/// The inputs of a trial, which is one rendering with the user's modules.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
     /// The device that renders.
@@ -32,7 +32,7 @@ pub struct Trial<'a> {
     pub truth: &'a Truth,
 }
 
-/// The result of a trial.
+/// The result of a trial: its report, and whether the picture differs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
     /// The text of the report for the user.

@@ -25,7 +25,7 @@ pub enum View {
 }
 
 impl View {
-    /// All views.
+    /// All views, in the order in which messages list them.
     pub const ALL: [Self; 6] = [Self::Lambda, Self::Normal, Self::Object, Self::Side, Self::Steps, Self::Difference];
 
     /// Returns the colour of a pixel whose path has the steps `steps`. `depth` is the maximum depth of the picture.

@@ -15,9 +15,9 @@ use embedded_graphics::text::{Baseline, Text};
 /// A colour: its red, green and blue component, each from 0 to 255.
 pub type Color = [u8; 3];
 
-/// The background colour of text.
+/// The background colour of a canvas.
 pub const PAPER: Color = [255; 3];
-/// The colour of text.
+/// The colour in which [`Canvas::write`] draws text.
 pub const INK: Color = [32; 3];
 /// Height of a line of text in pixels, with the space above and below it.
 pub const LINE: usize = 17;
@@ -45,7 +45,7 @@ impl Canvas {
         Ok(Self { width, pixels })
     }
 
-    /// Returns the number of rows of pixels.
+    /// Returns the height of the canvas in pixels.
     #[must_use]
     pub fn height(&self) -> usize {
         self.pixels.len().checked_div(self.width).unwrap_or(0)

@@ -10,7 +10,7 @@ pub struct PowerLaw {
     /// Standard error of the exponent, from the residuals. `None` if only two points were fitted, because they leave no
     /// residual.
     pub exponent_error: Option<f64>,
-    /// `y` at `x = 1`.
+    /// The factor of the law, which is its `y` at `x = 1`.
     pub factor: f64,
     /// Number of points that were fitted.
     pub points: usize,

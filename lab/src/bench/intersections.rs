@@ -20,7 +20,7 @@ use crate::interrupt::Interrupt;
 pub const METHODS: [&str; 5] =
     [methods::RESOLVED, methods::EXACT, methods::PLAIN, methods::PLAIN_SINGLE, methods::PROJECTED];
 
-/// Names of the kinds of objects.
+/// Names of the kinds of objects that [`measure`] accepts.
 pub const OBJECTS: [&str; 2] = ["sphere", "cylinder"];
 
 /// Seed of the random rays. It is fixed, so that two measurements of one program differ only in their times.

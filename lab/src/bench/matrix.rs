@@ -77,13 +77,13 @@ pub fn tasks() -> Vec<Task> {
 /// Options for the tasks: how much to measure, and where the scenes are.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Whether to measure the small matrix.
+    /// Whether to measure the small matrix, with smaller pictures and fewer values.
     pub quick: bool,
     /// Number of measurements of each time.
     pub repeats: usize,
     /// Whether to subtract the power of the idle machine from energies.
     pub idle: bool,
-    /// The folder of the scenes.
+    /// The folder that contains the scenes.
     pub scenes: PathBuf,
     /// The folder of the course's cases, with `config1.txt`, `scene1.txt` and so on. `None` if their gains are not
     /// measured.

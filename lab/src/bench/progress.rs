@@ -13,7 +13,7 @@ use super::results::Results;
 use super::results::check::{self, MAX_BYTES};
 use crate::{Failure, terminal};
 
-/// The results of an unfinished measurement.
+/// The results of an unfinished measurement, as they are stored in a file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Partial {
     /// The plan and the commit as text. Only a measurement with this plan and this commit can continue with these

@@ -41,7 +41,7 @@ pub struct Timing {
     pub setting: Setting,
     /// The time of every repeat in seconds, in the order measured.
     pub seconds: Vec<Seconds>,
-    /// Median of the repeats.
+    /// Median of the times of all repeats.
     pub median: Median,
     /// SHA-256 of the picture, in hexadecimal digits.
     pub digest: String,
@@ -72,14 +72,14 @@ pub struct Intersection {
     pub lambda_error: [f64; 3],
     /// The time of one intersection in nanoseconds for every repeat, in the order measured.
     pub nanoseconds: Vec<f64>,
-    /// Median of the repeats.
+    /// Median of the times of all repeats, in nanoseconds.
     pub median: Median,
 }
 
-/// Identifies a measurement of intersections.
+/// Identifies a measurement of intersections: the object, the rays and the implementation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
-    /// `sphere` or `cylinder`.
+    /// The kind of object: `sphere` or `cylinder`.
     pub object: String,
     /// `ordinary`, or `hard`. The hard rays come from all other regimes in `docs/accuracy/tables.md`, in equal numbers.
     pub rays: String,

@@ -63,13 +63,13 @@ struct Inspection {
 #[derive(Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "kind")]
 enum Structure {
-    /// Every ray is intersected with every object.
+    /// No acceleration structure: the renderer intersects every ray with every object.
     EveryObject,
-    /// The small scene, for up to 8 objects.
+    /// The structure for small scenes of up to 8 objects.
     SmallScene,
     /// The flat filter, for up to 64 spheres and 64 cylinders.
     FlatFilter,
-    /// The BVH, for more objects.
+    /// The bounding volume hierarchy, for more objects.
     Bvh(Tree),
 }
 

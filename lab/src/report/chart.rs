@@ -33,7 +33,7 @@ pub struct Axis {
     pub format: fn(f64) -> String,
 }
 
-/// Points with one colour, which a line joins.
+/// A series: points that have one colour and are joined by a line.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// Name of the series in the legend.
@@ -42,11 +42,11 @@ pub struct Series {
     pub color: usize,
     /// Whether the series shows a law instead of data. It is then drawn as a thin dashed line without markers.
     pub is_guide: bool,
-    /// The points.
+    /// The points of the series, in the order of the line.
     pub points: Vec<Point>,
 }
 
-/// A measured point.
+/// A measured point of a chart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Horizontal coordinate.
@@ -57,7 +57,7 @@ pub struct Point {
     pub bounds: Option<Bounds>,
 }
 
-/// Lower and upper bound of a coordinate.
+/// Lower and upper bound of one coordinate of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bounds {
     /// Bounds of the horizontal coordinate.

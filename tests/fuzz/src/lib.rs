@@ -22,7 +22,7 @@ use std::path::PathBuf;
 /// A fuzz target: its name, and the function that checks an input and panics if it finds an error.
 pub type Target = (&'static str, fn(&[u8]));
 
-/// All fuzz targets.
+/// All fuzz targets, with their names.
 pub const TARGETS: [Target; 5] = [
     ("config", config::check),
     ("scene", scene::check),

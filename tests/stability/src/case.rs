@@ -4,12 +4,12 @@
 use cpu::internals::input::scene::{Cylinder, Shape, Sphere};
 use cpu::{Ray, Vec3};
 
-/// One ray and one object to be intersected.
+/// A case: one ray and one object, which are intersected.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
-    /// The object.
+    /// The object with which the ray is intersected.
     pub shape: Shape,
-    /// The ray that is intersected with the object.
+    /// The ray.
     pub ray: Ray,
 }
 

@@ -38,7 +38,7 @@ pub struct Row {
     /// Distances of the hit points from the surface, in units of u times the largest coordinate: the median and the
     /// largest.
     pub surface_error: [f64; 2],
-    /// Time of one intersection, in nanoseconds.
+    /// Time of one intersection in nanoseconds, the shortest of three passes.
     pub nanoseconds: f64,
 }
 
@@ -52,7 +52,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Computes the oracle's answers for `cases`.
+    /// Computes the oracle's answers for `cases`, and for these cases in single precision.
     #[must_use]
     pub fn new(regime: &'static str, cases: Vec<Case>) -> Self {
         let single = cases.iter().map(Case::single).collect();

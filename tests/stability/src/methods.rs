@@ -23,7 +23,7 @@ use host::Host;
 pub struct Answer {
     /// The lambda of the hit.
     pub lambda: f64,
-    /// The part that is hit; the side for a sphere.
+    /// The part of the cylinder that the ray hits; for a sphere always the side.
     pub part: CylinderPart,
     /// The hit point, as the implementation rounds it.
     pub point: Vec3,

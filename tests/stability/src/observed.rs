@@ -76,7 +76,7 @@ fn update(kind: usize, change: impl FnOnce(&mut Counts)) {
     });
 }
 
-/// The [`Exact`] intersections, with counts.
+/// The [`Exact`] intersections, which also count the filter's decisions for [`take_counts`].
 #[derive(Clone, Copy, Debug)]
 pub enum Observed {}
 

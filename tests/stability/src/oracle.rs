@@ -38,7 +38,7 @@ pub fn big(value: f64) -> Big {
 pub struct Truth {
     /// The smallest lambda that is in range and on the object.
     pub lambda: Big,
-    /// The part that is hit; the side for a sphere.
+    /// The part of the cylinder that the ray hits; for a sphere always the side.
     pub part: CylinderPart,
     /// Whether the ray comes from outside the object.
     pub front: bool,
@@ -196,7 +196,7 @@ pub fn distance_from_surface(case: &Case, part: CylinderPart, point: Vec3) -> f6
     to_f64(&magnitude(&distance))
 }
 
-/// Returns the nearest `f64`.
+/// Returns the `f64` nearest to `value`.
 #[must_use]
 pub fn to_f64(value: &Big) -> f64 {
     value.to_f64().value()

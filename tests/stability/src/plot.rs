@@ -7,7 +7,7 @@ use std::fmt::Write;
 pub struct Series {
     /// Name in the legend.
     pub name: String,
-    /// Colour.
+    /// Colour of the marks, in the notation of SVG.
     pub color: &'static str,
     /// A value for each category of the plot, or `None` for a category without a mark.
     pub values: Vec<Option<f64>>,
@@ -31,7 +31,7 @@ pub struct Plot {
     pub decades: (i32, i32),
     /// Names of the categories, from left to right. A name may be empty.
     pub categories: Vec<String>,
-    /// The series.
+    /// The series, in the order of the legend.
     pub series: Vec<Series>,
     /// Whether a line joins the marks of a series. If so, the categories are positions on a horizontal axis.
     pub joined: bool,
@@ -55,7 +55,7 @@ impl Plot {
         LEFT + (category as f64 + 0.5) * (WIDTH - LEFT - RIGHT) / self.categories.len() as f64
     }
 
-    /// Returns the text of the SVG file.
+    /// Returns the plot as the text of an SVG file.
     #[must_use]
     pub fn svg(&self) -> String {
         let mut text = format!(

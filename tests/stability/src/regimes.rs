@@ -17,9 +17,9 @@ pub struct Regime {
     pub draw: fn(&mut Random) -> Case,
 }
 
-/// The regimes of spheres.
+/// The regimes in which the object is a sphere.
 pub const SPHERES: [Regime; 9] = spheres::REGIMES;
-/// The regimes of cylinders.
+/// The regimes in which the object is a cylinder.
 pub const CYLINDERS: [Regime; 10] = cylinders::REGIMES;
 /// The regimes of spheres and cylinders whose numbers are outside the range of f32.
 pub const EXTREMES: [Regime; 6] = extremes::REGIMES;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::measure::Row;
 use crate::observed::Counts;
 
-/// The measured figures of one regime.
+/// A section of a table: the measured figures of one regime.
 #[derive(Clone, Debug)]
 pub struct Section {
     /// The rows of the table, one for each implementation.

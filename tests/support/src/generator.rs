@@ -19,7 +19,7 @@ const PALETTE: usize = 24;
 /// The material of the ground of a grid: a warm grey.
 const GROUND: Material = Material::Matte { reflectance: Vec3::new(0.5, 0.47, 0.42) };
 
-/// The places of the objects.
+/// The way in which the objects are placed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Arrangement {
     /// Random places in the cube. The sizes are from 3 % to 20 % of the extent.
@@ -32,7 +32,7 @@ pub enum Arrangement {
     Degenerate,
 }
 
-/// Options of the generator.
+/// Options of the generator. They determine the scene completely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Seed of all random numbers.
@@ -45,7 +45,7 @@ pub struct Options {
     pub materials: [f64; 3],
     /// Half the side of the cube that contains the objects' centres, in scene units.
     pub extent: f64,
-    /// The places of the objects.
+    /// The way in which the objects are placed.
     pub arrangement: Arrangement,
 }
 

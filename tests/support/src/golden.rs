@@ -25,7 +25,7 @@ pub struct Golden {
     pub config: PathBuf,
     /// Path of the scene file.
     pub scene: PathBuf,
-    /// Path of the list of digests.
+    /// Path of the list that has the picture's digest.
     pub sums: PathBuf,
 }
 

@@ -35,12 +35,12 @@ const HARD: [f64; 28] = [
     f64::MAX,
 ];
 
-/// The bytes that have not been used yet.
+/// Choices made by bytes. It holds the bytes that have not been used yet.
 #[derive(Debug)]
 pub struct Choices<'a>(&'a [u8]);
 
 impl<'a> Choices<'a> {
-    /// Returns the choices that `bytes` make.
+    /// Returns the choices that the bytes `bytes` make.
     #[must_use]
     pub const fn new(bytes: &'a [u8]) -> Self {
         Self(bytes)
@@ -52,7 +52,7 @@ impl<'a> Choices<'a> {
         byte
     }
 
-    /// Chooses a number below `count`.
+    /// Chooses a whole number from 0 to `count - 1`.
     pub fn below(&mut self, count: usize) -> usize {
         usize::from(self.byte()) % count
     }

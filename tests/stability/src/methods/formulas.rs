@@ -13,7 +13,7 @@ use super::projected;
 
 /// The intersections with spheres and with cylinders, in one number type.
 pub trait Formulas {
-    /// The number type of the computation.
+    /// The number type in which the formulas calculate.
     type Number: Real<Mask = bool> + Into<f64>;
     /// Unit roundoff of the number type.
     const UNIT_ROUNDOFF: f64;
@@ -61,7 +61,7 @@ impl Intersect for Resolved {
     }
 }
 
-/// The plain formulas in f32.
+/// The plain formulas of the specification in f32.
 pub enum PlainSingle {}
 
 impl Formulas for PlainSingle {
@@ -77,7 +77,7 @@ impl Formulas for PlainSingle {
     }
 }
 
-/// The projected form in f32.
+/// The projected form of the intersections in f32.
 pub enum ProjectedSingle {}
 
 impl Formulas for ProjectedSingle {
