@@ -1,4 +1,4 @@
-//! Certain and uncertain results, and rays that are out of scale.
+//! Tests certain and uncertain results, and directions that are not in scale.
 
 use crate::exact::sphere::*;
 
