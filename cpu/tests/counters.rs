@@ -1,5 +1,5 @@
-//! The renderer does no work that a scene does not need. Each test counts some work, for a scene that needs it and for
-//! one that does not.
+//! Tests that the renderer does no work that a scene does not need. Each test counts some work, for a scene that needs
+//! it and for one that does not.
 //!
 //! Each thread has counters of its own, and each test runs in a thread of its own.
 
@@ -9,7 +9,7 @@ use cpu::internals::counters::{Counter, reset, snapshot};
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 
-/// A small picture: 32 by 18 pixels, 16 samples each, seen from z = -10.
+/// The configuration of a small picture: 32 by 18 pixels, 16 samples each, seen from z = -10.
 const SMALL: &str = "image_width: 32\nsamples_per_pixel: 16\nfield_of_view: 45\n";
 const PIXELS: u64 = 32 * 18;
 const SAMPLES: u64 = 16 * PIXELS;
@@ -25,7 +25,7 @@ fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     move |counter| counts.of(counter)
 }
 
-/// `count` spheres side by side, all in view.
+/// Returns the scene's lines for `count` spheres side by side, all in view.
 fn row_of_spheres(count: usize, material: &str) -> String {
     (0..count).map(|at| format!("sphere: {} 0 0 .3 {material}\n", 6.0 * (at as f64 / count as f64 - 0.5))).collect()
 }
