@@ -47,12 +47,12 @@ impl Dyadic {
         }
     }
 
-    /// The number's square.
+    /// Returns the square of the number.
     pub fn squared(&self) -> Self {
         self * self
     }
 
-    /// The number times `2^power`.
+    /// Returns the number times `2^power`.
     pub fn scaled(&self, power: i64) -> Self {
         Self { exponent: self.exponent + power, ..self.clone() }
     }

@@ -221,7 +221,7 @@ mod tests {
             for root in [0.1, 0.5, 254.0 / 255.0] {
                 let (below, from) = bound_of(root, gamma);
                 let boundary = root.powf(gamma);
-                // In units in the last place: 64 times gamma before the power, 512 times (1 + gamma) after it.
+                // This is in units in the last place: 64 gamma before the power, and 512 (1 + gamma) after it.
                 let expected = 64.0 * gamma + 512.0 * (1.0 + gamma);
                 for room in [1.0 - below / boundary, from / boundary - 1.0] {
                     let room = room / f64::EPSILON;

@@ -36,28 +36,28 @@ impl Vec3 {
 }
 
 impl<T: Copy> Vec3<T> {
-    /// The vector with these components.
+    /// Returns the vector with these components.
     #[inline(always)]
     #[must_use]
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
-    /// The vector with three equal components.
+    /// Returns the vector with three equal components.
     #[inline(always)]
     #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new(value, value, value)
     }
 
-    /// The components in order.
+    /// Returns the components in order.
     #[inline(always)]
     #[must_use]
     pub const fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// The vector with `convert` applied to every component.
+    /// Returns the vector with `convert` applied to every component.
     #[inline(always)]
     #[must_use]
     pub fn map<U: Copy>(self, convert: impl Fn(T) -> U) -> Vec3<U> {

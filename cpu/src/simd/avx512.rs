@@ -129,7 +129,7 @@ impl SimdF64 for F64 {
 impl SimdF32 for F32 {
     const LANES: usize = 16;
 
-    // As many numbers as lanes are at the pointers, which need no alignment.
+    // Each pointer is that of a slice of exactly `LANES` numbers, and needs no alignment.
     intrinsics! {
         fn splat(value: f32) -> Self { Self(_mm512_set1_ps(value)) }
         fn load(values: &[f32]) -> Self { Self(_mm512_loadu_ps(values[..Self::LANES].as_ptr())) }
