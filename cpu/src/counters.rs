@@ -22,7 +22,7 @@ macro_rules! counters {
 counters! {
     /// Camera rays.
     CameraRays,
-    /// Camera rays times the objects that they were tested against.
+    /// Tests of camera rays: for each camera ray, the number of candidate objects.
     CameraRayTests,
     /// Number of objects in the scene, added once for each span.
     SpanObjects,

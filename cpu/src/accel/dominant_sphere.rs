@@ -54,8 +54,8 @@ impl DominantSphere {
     /// points. Such a ray can hit only the dominant sphere and the objects that overlap it.
     pub fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
         let (center, radius) = bounding_sphere(objects, self.0?);
-        // Rounding in the plain formula moves a point away from the surface by some 26 units in the last place of
-        // (q + r^2) / r, where q is the squared distance from the ray's origin to the centre.
+        // Let q be the squared distance from the ray's origin to the centre. Rounding in the plain formula moves a
+        // point away from the surface by some 26 units in the last place of (q + r^2) / r.
         let squares = 12.0 * extent.max_coordinate * extent.max_coordinate;
         let slack = 1e-9 * extent.max_coordinate + 64.0 * f64::EPSILON * squares / radius;
         let overlaps =

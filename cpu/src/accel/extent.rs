@@ -6,7 +6,7 @@ use crate::input::material::Material;
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
-/// The magnitudes that occur in a scene.
+/// The largest coordinate of a scene, and whether the scene is moderate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// The largest magnitude of a coordinate of the objects and of the camera, in scene units.

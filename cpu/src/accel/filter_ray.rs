@@ -1,10 +1,11 @@
 //! Tests one ray against several bounding spheres and infinite cylinders at once, in single precision.
 //!
-//! With the ray `O + lambda d` and a bounding sphere of radius `R` around `C`, the quadratic is `a lambda^2 - 2 h
-//! lambda + c` with `a = d.d`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`. These forms are multiplied out,
-//! so that few operations depend on both ray and object. Take a cylinder in that sphere, of radius `r` around the axis
-//! `n`. Its quadratic uses only the parts of the vectors across the axis: `a' = a - (d.n)^2`, `h' = h - (d.n) ((C -
-//! O).n)` and `c' = c + (R^2 - r^2) - ((C - O).n)^2`. Here `R^2 - r^2` is the square of half the height.
+//! With the ray `O + lambda d` and a bounding sphere of radius `R` around `C`, the quadratic is
+//! `a lambda^2 - 2 h lambda + c` with `a = d.d`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`. These forms
+//! are multiplied out, so that few operations depend on both ray and object. Take a cylinder in that sphere, of radius
+//! `r` around the axis `n`. Its quadratic uses only the parts of the vectors across the axis: `a' = a - (d.n)^2`,
+//! `h' = h - (d.n) ((C - O).n)` and `c' = c + (R^2 - r^2) - ((C - O).n)^2`. Here `R^2 - r^2` is the square of half the
+//! height.
 //!
 //! Forms that are multiplied out lose digits to cancellation. The margins cover this loss (docs/margins.md).
 //!
@@ -16,8 +17,8 @@
 //! times the square of the radius. With a long direction a product may overflow, and the test may report a miss. The
 //! miss is right, for this reason. Let `L` be the [largest coordinate](crate::accel::extent::Extent::max_coordinate) of
 //! the scene. The ray's origin and the points of objects are at most `3.5 L` apart. So a ray with `|d| > 3500 L` is
-//! past all objects at the smallest lambda in range, 10^-3. For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <=
-//! 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene that is filtered
+//! past all objects at the smallest lambda in range, 10^-3. For a shorter direction `4 a <= 4.9 10^7 L^2` and
+//! `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene that is filtered
 //! ([`MAX_COORDINATE`]). Single precision holds numbers up to `3.4 10^38`.
 
 use crate::accel::target::Target;

@@ -18,7 +18,7 @@ pub struct Origin {
     pub enters: bool,
 }
 
-/// An acceleration structure.
+/// An acceleration structure, which finds the closest hit of a ray.
 pub trait Accelerator {
     /// Returns the closest hit of a ray that starts at `origin`. `stack` is memory for the traversal. The caller adds
     /// the ray to the [`counters`](crate::counters).

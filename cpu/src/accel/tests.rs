@@ -178,8 +178,8 @@ fn the_order_of_the_file_is_kept() {
     assert_eq!(in_order(&objects).expect("it fits"), [0, 1, 3, 2, 4]);
 }
 
-/// Compares a structure with the one that intersects every object, for directions of any length, from `10^-300` to
-/// `10^300`, and for null, infinite and NaN ones. The rays start on the objects or between them. `far` is the largest
+/// Compares a structure with the one that intersects every object, for directions of any length. The lengths are from
+/// `10^-300` to `10^300`, null, infinite and NaN. The rays start on the objects or between them. `far` is the largest
 /// coordinate of the points between them.
 fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far: f64) {
     let mut draws = Uniform::new(17);

@@ -1,9 +1,10 @@
 //! Exact intersection of ray and closed cylinder. [`crate::geometry::cylinder`] has the plain formulas.
 //!
-//! The quadratic has an error bound. The decisions that follow have margins: whether a point of the side is between the
-//! caps, and whether a point of a cap's plane is on the disc. Each margin covers the error of lambda, converted to a
-//! length, and the rounding of the points. Bounds of the same kind decide whether a cap's plane is parallel to the ray
-//! or too near. No lambdas of two parts are compared, because their order follows from the shape (see [`filtered`]).
+//! The quadratic has an error bound. Two decisions have margins: whether a point of the side is between the caps, and
+//! whether a point of a cap's plane is on the disc. Each margin covers the error of lambda, converted to a length, and
+//! the rounding of the points. Two other decisions have bounds of their own: whether a cap's plane is parallel to the
+//! ray, and whether it is too near. No lambdas of two parts are compared, because their order follows from the shape
+//! (see [`filtered`]).
 
 use crate::counters::{Counter, add};
 pub use crate::exact::cylinder_lanes::{CylinderHits, SideLanes};

@@ -99,7 +99,7 @@ mod tests {
             }
         }
         assert!(certain > 80_000, "{certain}");
-        // (10.5 k + 4 sqrt(k) + 5) u by proof.
+        // By the proof the relative error is at most (10.5 k + 4 sqrt(k) + 5) u, where k is the condition limit.
         assert!(worst < 4.9e-12, "{worst:e}");
     }
 
@@ -123,7 +123,7 @@ mod tests {
         for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
             assert!(!compensated(&large, &down(length)).certain, "{length}");
         }
-        // Away from the sphere, and from its surface.
+        // One ray goes away from the sphere, and the other one starts on its surface.
         assert!(!compensated(&large, &down(-1.0)).certain);
         assert!(!compensated(&large, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
     }

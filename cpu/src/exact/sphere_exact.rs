@@ -55,8 +55,8 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// Returns the equation with these coefficients. The result is `None` if it has no real root, because the ray's
-    /// line misses the surface, or if `a` is not positive, because the direction is null.
+    /// Returns the equation with these coefficients. The result is `None` if it has no real root, so that the ray's
+    /// line misses the surface. It is also `None` if `a` is not positive, so that the direction is null.
     pub fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
         let discriminant = &h.squared() - &(&a * &c);
         let real = a.sign() == Ordering::Greater && discriminant.sign() != Ordering::Less;

@@ -43,7 +43,7 @@ impl Camera {
     /// [`Picture::CameraAtTarget`], [`Picture::NorthParallel`] or [`Picture::CameraOutOfRange`] if the configuration
     /// gives no projection window.
     pub fn new(config: &Config, size: Size) -> Result<Self, Picture> {
-        // The computed cross product of parallel vectors is not zero, but a rounding error: a few units in the last
+        // The computed cross product of parallel vectors is not zero. It is a rounding error of a few units in the last
         // place of the product of their lengths.
         const PARALLEL: f64 = 4.0 * f64::EPSILON;
 

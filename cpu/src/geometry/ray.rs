@@ -2,7 +2,7 @@
 
 use crate::math::{real::Real, vec3::Vec3};
 
-/// Gives a structure of vectors and numbers the method `lanes`.
+/// Defines the method `lanes` for a structure of vectors and numbers.
 macro_rules! broadcast {
     ($type:ident: $($vector:ident),*; $($number:ident),*) => {
         impl $type {

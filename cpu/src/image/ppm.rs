@@ -1,4 +1,4 @@
-//! Writing pictures as PPM, variant P3 (specification, section 5.3).
+//! Writes pictures as PPM text, variant P3 (specification, section 5.3).
 
 use std::io::{self, Write};
 

@@ -29,8 +29,8 @@ const LOWEST: f64 = -1.0 / 16.0;
 #[derive(Clone, Debug)]
 pub struct Quantizer {
     gamma: f64,
-    /// `bounds[k] = (below, from)`: a mean at least [`LOWEST`] and at most `below` gives a byte less than `k`, and a
-    /// mean of at least `from` gives `k` or more. Every byte is at least 0 and less than 256.
+    /// The bounds of each byte. With `bounds[k] = (below, from)`, a mean of at least `from` gives the byte `k` or more.
+    /// A mean of at least [`LOWEST`] and at most `below` gives a byte less than `k`. `k` is from 0 to 256.
     bounds: Box<[(f64, f64); 257]>,
     /// For each cell, the byte of the cell's lowest mean, or a lower byte.
     first_guess: Box<[u8; CELLS]>,
@@ -113,8 +113,8 @@ impl Quantizer {
 ///
 /// With `y = mean^(1 / gamma)`, the byte changes if `255 y` crosses an integer. `1 / gamma`, the power and the product
 /// are each rounded. Together they change `y` by less than `SLACK`, relative to `y`. The power function of any common
-/// platform is right to a few units in the last place. The rounding of `1 / gamma` is multiplied by `ln mean`, and `|ln
-/// mean| / gamma = |ln y| <= ln 255`. The two bounds are computed by a power too, so there is a second factor.
+/// platform is right to a few units in the last place. The rounding of `1 / gamma` is multiplied by `ln mean`, and
+/// `|ln mean| / gamma = |ln y| <= ln 255`. The two bounds are computed by a power too, so there is a second factor.
 fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
     const SLACK: f64 = 64.0 * f64::EPSILON;
     let power_slack = SLACK * (1.0 + gamma) * 8.0;
@@ -233,7 +233,8 @@ mod tests {
 
     #[test]
     fn bounds_are_infinite_where_nothing_is_certain() {
-        // The boundary vanishes, and the room grows beyond the boundary itself.
+        // In the first case the boundary underflows. In the second case the bounds would be farther apart than the
+        // boundary.
         for (root, gamma) in [(1.0 / 255.0, 1000.0), (1.0, 1e13)] {
             assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, f64::INFINITY));
         }

@@ -20,8 +20,8 @@ pub enum Material {
     },
     /// A refractive surface, which refracts all light.
     Refractive {
-        /// The refractive index, positive: the sine of the angle of incidence divided by the sine of the angle of
-        /// refraction, for light that enters the object.
+        /// The refractive index, positive. For light that enters the object, it is the sine of the angle of incidence
+        /// divided by the sine of the angle of refraction.
         index: f64,
     },
 }

@@ -15,8 +15,9 @@ pub const MAX_FILE_BYTES: u64 = 1 << 30;
 /// Calls `visit` with every line of `input`, without its line end (LF or CRLF).
 ///
 /// # Errors
-/// The first error that `visit` returns. Otherwise an error made from [`io::Error`], if the input cannot be read, if a
-/// line is longer than [`MAX_LINE_BYTES`], if the input is longer than [`MAX_FILE_BYTES`], or if memory is short.
+/// The first error that `visit` returns, or an error made from [`io::Error`]. The second kind means that the input
+/// cannot be read, that memory is short, that a line is longer than [`MAX_LINE_BYTES`], or that the input is longer
+/// than [`MAX_FILE_BYTES`].
 pub fn for_each_line<E: From<io::Error>>(
     input: impl BufRead,
     mut visit: impl FnMut(&[u8]) -> Result<(), E>,

@@ -37,8 +37,8 @@ pub(super) fn sphere_by<P: Intersect>(sphere: &Sphere, ray: &Ray) -> Option<Hit>
     Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
 }
 
-/// Returns the hit with a cylinder at the lambda and on the part that `P` returns, or `None` if there is no hit
-/// (specification, sections 9.2 and 9.3).
+/// Returns the hit with a cylinder at the lambda and on the part that `P` returns (specification, sections 9.2 and
+/// 9.3). If there is no hit, the result is `None`.
 pub(super) fn cylinder_by<P: Intersect>(cylinder: &Cylinder, ray: &Ray) -> Option<Hit> {
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
     let (lambda, part) = P::cylinder(&record, &cylinder.axis, ray).filter(|&(lambda, _)| in_range(lambda))?;

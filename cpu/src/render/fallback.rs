@@ -7,7 +7,7 @@
 use crate::geometry::{cylinder::CylinderPart, ray::Ray};
 use crate::simd::{SimdF64, columns::Columns};
 
-/// Largest number of lanes of any instruction set.
+/// Largest number of `f64` lanes of any instruction set.
 pub const MOST_LANES: usize = 8;
 
 /// A function that intersects one ray precisely with an object. It returns lambda and the part of a cylinder, or `None`

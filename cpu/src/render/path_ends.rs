@@ -1,5 +1,5 @@
-//! The ends of paths. A path that escapes takes the background's colour, which is computed for several paths at once
-//! and multiplied by the reflectances of the surfaces on the path. A path that is terminated is black.
+//! The ends of paths. A path that escapes takes the background's colour, multiplied by the reflectances of the surfaces
+//! on the path. The background is computed for several paths at once. A path that is terminated is black.
 
 use crate::counters::{Counter, add};
 use crate::input::{error::Error, scene::MaterialId};

@@ -8,8 +8,8 @@ use crate::render::arrays::{CAPACITY, ROOM};
 use crate::render::path_vertex::PathVertex;
 use crate::simd::{SimdF64, columns::Columns, valid_lanes};
 
-/// The queue of samples whose last hit was refractive. The numbers are the origin and direction of the next ray, the
-/// object on which it starts, and the index of the sample in its span.
+/// The queue of samples whose last hit was refractive. The numbers of a sample are the origin and direction of its next
+/// ray, the object on which that ray starts, and the sample's index in the span.
 pub type SpecularQueue = Queue<8>;
 
 /// The queue of samples whose last hit was matte or metal. The numbers are those of a [`PathVertex`].

@@ -114,7 +114,7 @@ mod tests {
 
     #[test]
     fn the_stream_is_rand_mts() {
-        // miri interprets each step: there the draws only suffice to renew the state several times.
+        // miri interprets each step, so there the test only draws enough to renew the state several times.
         let total = if cfg!(miri) { 3_000 } else { 100_000_000 };
         let (mut block, mut single) = (BlockUniform::new(45), Uniform::new(45));
         let mut draws = [0.0; 1000];

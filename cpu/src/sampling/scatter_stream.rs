@@ -19,8 +19,8 @@ pub const RESERVE: usize = 12;
 /// Number of places for samples.
 const ROOM: usize = SLACK + MADE;
 
-/// The scatter samples, in order. A sample is three random numbers in `[0, 1)` in the statement's convention, a vector
-/// of length one in the published one, and a null vector in deterministic mode.
+/// The scatter samples, in order. In the statement's convention a sample is three random numbers in `[0, 1)`. In the
+/// published convention it is a vector of length one, and in deterministic mode a null vector.
 /// [`ScatterParams`](crate::materials::scatter::ScatterParams) turns a sample into a random vector.
 #[derive(Debug)]
 pub struct ScatterSamples {

@@ -1,10 +1,10 @@
 //! A ray prepared for slab tests, which find the boxes that the ray hits.
 //!
 //! The boxes of a node are tested at once, in single precision. Along each axis, a plane at the coordinate `p` has the
-//! distance `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. The distance is a lambda. Let `u
-//! = 2^-24`. Rounding of inputs, products and sums changes that distance by at most `5 u |p r| + 7 u |o r|`. The code
-//! moves it by at least `16 u (|p| + |o|) |r|`, towards the side on which the box is hit. For this move, `p` is the
-//! farthest plane of the scene along the axis. So the computed distance of a plane where the ray enters is not too
+//! distance `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. The distance is a lambda. Let
+//! `u = 2^-24`. Rounding of inputs, products and sums changes that distance by at most `5 u |p r| + 7 u |o r|`. The
+//! code moves it by at least `16 u (|p| + |o|) |r|`, towards the side on which the box is hit. For this move, `p` is
+//! the farthest plane of the scene along the axis. So the computed distance of a plane where the ray enters is not too
 //! large. The computed distance of a plane where it leaves is not too small.
 //!
 //! A ray that hits a box enters all three slabs before it leaves one of them. This is then also true for the computed
@@ -25,14 +25,14 @@ const STEP: f32 = 8.0 * f32::EPSILON;
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
 const LARGEST_RECIPROCAL: f32 = 1e28;
 
-/// The smallest distance by which a plane is moved, in scene units. If a component of the direction is so small that
-/// its reciprocal is the largest one, this move exceeds the distance of any plane across another axis. This holds for a
-/// direction that is not [too short](is_too_short).
+/// The smallest distance by which a plane is moved, in scene units. A component of the direction may be so small that
+/// its reciprocal is limited to [`LARGEST_RECIPROCAL`]. Then the lambda of this move exceeds the lambda of every plane
+/// across another axis. This holds for a direction that is not [too short](is_too_short).
 const LEAST_STEP: f32 = 1e-10;
 
-/// The square of the length of the longest direction for which boxes are tested. This length, 10^30, is well below
-/// 3.4 10^38. In single precision the reciprocal of a longer component is zero, and the product of zero and an infinite
-/// plane of an empty lane is NaN.
+/// The square of the length of the longest direction for which boxes are tested. This length, 10^30, is well below 3.4
+/// 10^38. In single precision the reciprocal of a longer component is zero. The product of zero and an infinite plane
+/// of an empty lane is NaN.
 const LONGEST: f64 = 1e60;
 
 /// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
