@@ -38,8 +38,8 @@ pub(super) fn filtered<T: Rounding<Mask = bool>>(
 /// The plane of a cap and one ray, with what is certain before lambda is computed.
 pub(super) struct Plane<T: Rounding> {
     center: Vec3<T>,
-    /// The distance from the ray's origin to the plane, along the axis. It is negative if the plane is on the other
-    /// side.
+    /// The distance from the ray's origin to the plane, measured along the axis. It is positive if the plane lies in
+    /// the direction of the axis.
     to_plane: T,
     /// The dot product of the ray's direction and the axis.
     slope: T,

@@ -17,7 +17,8 @@ pub fn pixel_radius(camera: &Camera) -> f64 {
     (camera.delta_x.length() + camera.delta_y.length()) / 2.0
 }
 
-/// The derivative of `s` over a pixel, with a bound of the remaining error. With lanes, each lane has its own pixel.
+/// The derivative of `s` over a pixel, with a bound of the remaining error. The head of this file defines `s`. With
+/// lanes, each lane has its own pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct DerivativeBound<T = f64> {
     /// `s(d0)`, the value at the pixel's centre.

@@ -48,7 +48,7 @@ struct Outline {
     axis: Vec3,
     half_height: f64,
     radius: f64,
-    /// The distance from a plane that covers rounding, in scene units.
+    /// The margin that covers rounding, in scene units.
     margin: f64,
 }
 

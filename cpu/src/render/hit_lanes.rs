@@ -71,7 +71,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Replaces the hit of a lane by the hit with `object`, if the lambda of that hit is smaller or equal. `object`
     /// must be later in the scene file than all objects before it, because the later of two hits at the same lambda
     /// counts. In `certain` lanes an infinite lambda means a miss. In all other lanes NaN means a miss, because a hit's
-    /// lambda may overflow to infinity there.
+    /// lambda may overflow to infinity there. `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
     fn update(&mut self, object: ObjectId, (lambda, part): (V, V), certain: V::Mask, valid: u32) {
         let is_hit = lambda.less(V::of(f64::INFINITY)) | !certain;

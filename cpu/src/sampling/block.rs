@@ -72,7 +72,8 @@ impl BlockUniform {
     }
 }
 
-/// Computes the next state. A new word depends on three old words: itself, the next one, and the one half a state away.
+/// Computes the next state. A new word depends on the old word at its place, the next word, and the word half a state
+/// away.
 #[inline(always)]
 fn renew(state: &mut State) {
     // Both loops must begin at a multiple of the lanes. So the second begins four words before the middle of the state.
