@@ -1,4 +1,4 @@
-//! Intersects a sphere where the usual formula is wrong: a ray so close to a large sphere that rounding decides.
+//! Intersects a large sphere with rays that nearly touch it, so that the plain formula decides by its rounding errors.
 //!
 //! `cargo run -p cpu --example intersect_exactly`
 

@@ -1,11 +1,13 @@
-//! Acceleration structures: the closest hit of a ray without intersecting every object.
+//! Acceleration structures: they find the closest hit of a ray without intersecting every object.
 //!
 //! A structure only decides which objects are intersected, and in which order. [`exact`](crate::exact) alone decides
 //! whether and where a ray hits an object, and the closest hit does not depend on the order. A conservative test may
-//! let an object pass that the ray misses; it never stops one that the ray hits (docs/margins.md derives the margins).
+//! keep an object that the ray misses, but it never discards one that the ray hits. docs/margins.md derives the
+//! margins.
 //!
 //! Uses [`exact`](crate::exact), [`layout`](crate::layout), [`materials`](crate::materials) and what these use. Begin
-//! with [`choice`], the rule that chooses a structure, then [`every_object`], the plainest one, and [`conservative`].
+//! with [`choice`], the rule that chooses a structure, then [`every_object`], the simplest structure, and
+//! [`conservative`].
 
 pub mod bounds;
 pub mod bvh;

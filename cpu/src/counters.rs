@@ -1,7 +1,7 @@
 //! Counts rays, object tests and random draws, and how much work the shortcuts save.
 //!
-//! Only builds with the feature `counters` count. Measured programs are built without it: [`add`] then does nothing.
-//! Each thread has counters of its own, so that tests can run in parallel.
+//! Only builds with the feature `counters` count. The programs that are measured are built without this feature, and
+//! [`add`] then does nothing. Each thread has its own counters, so that tests can run in parallel.
 
 /// Defines [`Counter`] and the list of all counters from one table.
 macro_rules! counters {
@@ -22,17 +22,17 @@ macro_rules! counters {
 counters! {
     /// Camera rays.
     CameraRays,
-    /// Camera rays times the objects that they were tested against.
+    /// Tests of camera rays: for each camera ray, the number of candidate objects.
     CameraRayTests,
-    /// Objects of the scene, summed over spans.
+    /// Number of objects in the scene, added once for each span.
     SpanObjects,
-    /// Candidate objects of a span, summed over spans.
+    /// Number of a span's candidate objects, added for each span.
     SpanCandidates,
-    /// Rays of specular chains that were traced several at once.
+    /// Rays of specular chains, which are traced several at once.
     SpecularRays,
-    /// All other rays that start on a surface.
+    /// All rays that start on a surface, except those that `SpecularRays` counts.
     PathRays,
-    /// First rays of paths that were tested ahead, as if the paths before them escaped; some more than once.
+    /// First rays of paths that the lookahead tested. A ray that is tested twice counts twice.
     LookaheadRays,
     /// Nodes of the BVH whose boxes were tested.
     NodeVisits,
@@ -40,11 +40,11 @@ counters! {
     SphereTests,
     /// Exact tests of cylinders by rays that start on a surface.
     CylinderTests,
-    /// Last rays of paths that certainly hit, so that no object was tested.
+    /// Last rays of paths for which no object was tested, because they certainly hit.
     LastRaysSkipped,
-    /// Exact tests without a filter, in scenes of extreme magnitudes.
+    /// Exact tests by rays that start on a surface, in scenes of extreme magnitudes, where each ray tests every object.
     UnfilteredTests,
-    /// Rays from the dominant sphere whose entry was predicted wrong.
+    /// Rays from the dominant sphere for which the prediction was wrong whether they enter the sphere.
     MispredictedEntries,
     /// Rays that hit a surface.
     Hits,
@@ -52,19 +52,19 @@ counters! {
     Compensated,
     /// Uncertain intersections that were computed in double-double arithmetic.
     Fallbacks,
-    /// Draws of the pixel jitter.
+    /// Random numbers drawn for the pixel jitter, two for each sample.
     RayDraws,
-    /// Draws of the pixel jitter that were skipped.
+    /// Random numbers of the pixel jitter that were skipped, because no byte depends on them.
     RayDrawsSkipped,
-    /// Draws of the scatter samples.
+    /// Random numbers drawn for scatter samples.
     MaterialDraws,
     /// Scatter samples that surfaces used.
     ScatterSamples,
     /// Pixels whose bytes were known without a ray.
     BackgroundPixels,
-    /// Pixels whose rays can hit no object, but were traced, because the byte was not known without them.
+    /// Pixels whose rays can hit no object, but were traced, because a byte was not known without them.
     BackgroundPixelsTraced,
-    /// Power functions of the gamma correction.
+    /// Power functions computed to turn means into bytes.
     Powers,
     /// Paths that reached the maximum depth.
     MaxDepthReached,
@@ -82,7 +82,7 @@ mod counting {
         static COUNTS: [Cell<u64>; COUNT] = const { [const { Cell::new(0) }; COUNT] };
     }
 
-    /// Adds to a counter of this thread.
+    /// Adds `count` to a counter of this thread.
     pub fn add(counter: Counter, count: u64) {
         COUNTS.with(|counts| {
             let cell = &counts[counter as usize];
@@ -90,18 +90,18 @@ mod counting {
         });
     }
 
-    /// The counters of a thread at one time.
+    /// The values of all counters of one thread at one moment.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct Snapshot([u64; COUNT]);
 
     impl Snapshot {
-        /// The value of a counter.
+        /// Returns the value that `counter` had when the snapshot was taken.
         pub fn of(&self, counter: Counter) -> u64 {
             self.0[counter as usize]
         }
     }
 
-    /// The counters of this thread.
+    /// Returns the present values of this thread's counters.
     pub fn snapshot() -> Snapshot {
         COUNTS.with(|counts| Snapshot(counts.each_ref().map(Cell::get)))
     }

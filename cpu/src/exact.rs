@@ -1,27 +1,28 @@
 //! Intersections whose decisions are right and whose lambdas are accurate, at nearly the cost of the plain formulas.
 //!
-//! The plain formulas run first. A bound of their rounding errors, a few multiplications, tells whether their result is
-//! certain. If it is not, a sphere is intersected by a formula in which the smaller root does not
-//! [cancel](sphere_compensated). If that is uncertain too, and for every cylinder, the plain formulas and their bound
-//! run again in [double-double](double_double) arithmetic. Where even these are uncertain, every decision is taken in
-//! [exact](dyadic) arithmetic:
+//! The plain formulas run first. A bound of their rounding errors, which costs a few multiplications, tells whether
+//! their result is certain. If the result for a sphere is uncertain, a [compensated](sphere_compensated) formula runs,
+//! in which the smaller root does not cancel. If this is uncertain too, or if the object is a cylinder, the plain
+//! formulas and their bound run again in [double-double](double_double) arithmetic. If even these are uncertain, every
+//! decision is made in [dyadic](dyadic) arithmetic:
 //!
 //! | step | unit roundoff | taken by |
 //! |---|---|---|
 //! | plain, f64 | 2^-53 | nearly all rays |
 //! | compensated, f64 | 2^-53 | rays that start near a large sphere |
 //! | double-double | 2^-102 | rays that graze, or hit a small or far object |
-//! | exact | 0 | rays that are tangent, or pass through a rim, to the last bit |
+//! | dyadic | 0 | rays that are tangent, or pass through a rim, to the last bit |
 //!
 //! Uses [`geometry`](crate::geometry), [`math`](crate::math) and [`simd`](crate::simd). Begin with [`sphere`], then
 //! [`error_bound`].
 //!
-//! "Right" means right for the numbers of the scene file, taken as exact: the sphere `|C - O - d lambda| = r`; the
-//! cylinder of height `|axis|` around the line through its centre along `axis`, which need not be a multiple of a
-//! rounded unit vector. The bounds are derived in `docs/accuracy.md`, where they are also measured.
+//! "Right" means right for the numbers of the scene file and of the ray, taken as exact. The sphere is
+//! `|C - O - d lambda| = r`. The cylinder has the height `|axis|` and lies around the line through its centre along
+//! `axis`. This axis need not be a multiple of a rounded unit vector. The bounds are derived and measured in
+//! `docs/accuracy.md`.
 //!
-//! A ray that is not finite has no exact meaning: it gets the result of the plain formula. So does a null
-//! direction, which hits nothing, and the side of a cylinder that the ray is parallel to.
+//! If a number of the ray or of the object is not finite, the plain formula gives the result. A ray with a null
+//! direction hits nothing. A ray that is parallel to a cylinder's axis does not hit the side.
 
 pub(crate) mod cap;
 pub mod cylinder;

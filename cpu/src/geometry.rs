@@ -1,8 +1,9 @@
-//! Rays, the camera they come from, and the two shapes, by the plain formulas (specification, sections 6 and 9).
+//! Rays, the camera, spheres and cylinders, with the plain formulas (specification, sections 6 and 9).
 //!
-//! The formulas round as floating point does, and may decide wrongly where a ray grazes; [`exact`](crate::exact) says
-//! where they can be trusted. Uses [`math`](crate::math) and [`input`](crate::input). Begin with [`ray`], then
-//! [`sphere`]. Two rules have files of their own: a hit on a [`cap`], and two hits at the same distance ([`tie`]).
+//! The formulas have the rounding errors of `f64`. So they may decide wrongly if a ray grazes a surface.
+//! [`exact`](crate::exact) tells when their decisions are certain. Two rules have files of their own: a hit on a
+//! [`cap`], and two hits at the same lambda ([`tie`]). Uses [`math`](crate::math) and [`input`](crate::input). Begin
+//! with [`ray`], then [`sphere`].
 
 pub mod camera;
 pub mod cap;

@@ -1,4 +1,4 @@
-//! Pictures: what both layouts of their pixels can do, how a mean becomes a byte ([`quantize`]), and the text of a file
+//! Pictures: the trait [`Image`] of both layouts, the rule from a mean to a byte ([`quantize`]), and the text of a file
 //! ([`ppm`]).
 //!
 //! Uses [`input`](crate::input). Begin with [`quantize`].
@@ -9,7 +9,7 @@ pub mod quantize;
 use crate::input::error::{Error, with_room};
 use crate::input::size::Size;
 
-/// A pixel's red, green and blue.
+/// The colour of a pixel: red, green and blue, each from 0 to 255.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(C)]
 pub struct Rgb {
@@ -21,31 +21,32 @@ pub struct Rgb {
     pub blue: u8,
 }
 
-/// Pixels in rows from the top left, however they are laid out in memory. A pixel's index is `row * width + column`.
+/// A picture in any layout. The index of a pixel is `row * width + column`, where row 0 is at the top and column 0 at
+/// the left.
 pub trait Image: Sized {
-    /// A black picture.
+    /// Returns a black picture of this size.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     fn black(size: Size) -> Result<Self, Error>;
-    /// Its size.
+    /// Returns the size of the picture.
     fn size(&self) -> Size;
-    /// The pixel at `index`.
+    /// Returns the pixel at `index`.
     ///
     /// # Panics
-    /// When there is none.
+    /// If there is no such pixel.
     fn pixel(&self, index: usize) -> Rgb;
     /// Replaces the pixel at `index`.
     ///
     /// # Panics
-    /// When there is none.
+    /// If there is no such pixel.
     fn set_pixel(&mut self, index: usize, color: Rgb);
 }
 
-/// `count` default values.
+/// Returns a list of `count` default values.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub(crate) fn zeroed<T: Clone + Default>(count: usize) -> Result<Vec<T>, Error> {
     let mut values = with_room(count, "the image")?;
     values.resize(count, T::default());

@@ -1,8 +1,8 @@
-//! The two text files as checked values, and everything that can be wrong with them.
+//! The two text files as checked values, and the error for each fault that they can have.
 //!
-//! [`reader`] reads a file of bounded size and [`text`] cuts it into lines and numbers; [`config`] and [`scene`] are
-//! the two formats, [`material`] and [`size`] parts of them; [`error`] has every message. Uses [`math`](crate::math).
-//! Begin with [`config::Config`].
+//! [`reader`] reads a file of bounded size. [`text`] cuts it into lines and numbers. [`config`] and [`scene`] parse the
+//! two formats, and [`material`] and [`size`] have values of these formats. [`error`] has every message. Uses
+//! [`math`](crate::math). Begin with [`config::Config`].
 
 pub mod config;
 pub mod error;

@@ -1,7 +1,7 @@
-//! The two ways to lay out pixels and scene in memory, behind one set of traits.
+//! The two layouts of pixels and objects in memory, with the traits that both implement.
 //!
-//! Only storage differs: every formula works on the records that [`Objects`] hands out, and the compiler makes a copy
-//! of the renderer for each layout, so that nothing is looked up at run time.
+//! Only the storage differs. Every formula works on the records that [`Objects`] returns. The compiler makes a copy of
+//! the renderer for each layout, so no call is dispatched at run time.
 //!
 //! Uses [`geometry`](crate::geometry), [`image`](crate::image) and [`input`](crate::input). Begin with [`aos`].
 
@@ -15,54 +15,55 @@ use crate::input::{
 };
 use crate::math::vec3::Vec3;
 
-/// A choice of layout.
+/// A layout, as a type: the types that store pixels and objects.
 pub trait Layout {
-    /// How pixels are stored.
+    /// The type that stores the pixels of a picture.
     type Image: Image;
-    /// How the scene's objects are stored.
+    /// The type that stores the objects of a scene.
     type Objects: Objects;
 }
 
-/// A sphere or a cylinder with its place in the file and its material.
+/// A sphere or a cylinder with its place in the scene file and its material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placed<R> {
-    /// The shape, with what its rays need computed once.
+    /// The shape, in the form that the formulas use.
     pub record: R,
-    /// Position among all objects of the file, from 0.
+    /// The object's place among all objects of the scene file, from 0.
     pub order: u32,
-    /// Index into [`Scene::materials`].
+    /// The object's material, an index into [`Scene::materials`].
     pub material: MaterialId,
 }
 
-/// The objects of a scene, spheres and cylinders apart, each kind in the order of the file.
+/// The objects of a scene. Spheres and cylinders are stored separately, each kind in the order of the scene file.
 pub trait Objects: Sized {
-    /// The objects of `scene`.
+    /// Returns the objects of `scene`.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`], also for more objects than `u32` counts.
+    /// [`Error::OutOfMemory`] if memory is short, or if there are more objects than `u32` counts.
     fn build(scene: &Scene) -> Result<Self, Error>;
-    /// Number of spheres.
+    /// Returns the number of spheres.
     fn sphere_count(&self) -> usize;
-    /// Number of cylinders.
+    /// Returns the number of cylinders.
     fn cylinder_count(&self) -> usize;
-    /// The sphere at `index` among the spheres.
+    /// Returns the sphere at `index` among the spheres.
     ///
     /// # Panics
-    /// When there is none.
+    /// If there is no such sphere.
     fn sphere(&self, index: usize) -> Placed<SphereRecord>;
-    /// The cylinder at `index` among the cylinders.
+    /// Returns the cylinder at `index` among the cylinders.
     ///
     /// # Panics
-    /// When there is none.
+    /// If there is no such cylinder.
     fn cylinder(&self, index: usize) -> Placed<CylinderRecord>;
-    /// The axis of the cylinder at `index` as the file has it: what its record is the rounding of.
+    /// Returns the axis of the cylinder at `index`, with the numbers of the scene file. The axis of the record is
+    /// rounded, because it has length one.
     ///
     /// # Panics
-    /// When there is none.
+    /// If there is no such cylinder.
     fn axis(&self, index: usize) -> Vec3;
 }
 
-/// The spheres of `scene` in the order of the file.
+/// Returns the spheres of `scene` in the order of the scene file.
 fn spheres(scene: &Scene) -> impl Iterator<Item = Placed<SphereRecord>> {
     scene.objects.iter().zip(0..).filter_map(|(object, order)| {
         let Shape::Sphere(Sphere { center, radius }) = object.shape else { return None };
@@ -70,7 +71,7 @@ fn spheres(scene: &Scene) -> impl Iterator<Item = Placed<SphereRecord>> {
     })
 }
 
-/// The cylinders of `scene` in the order of the file, and their axes as the file has them.
+/// Returns the cylinders of `scene` in the order of the scene file, each with its axis as in the file.
 fn cylinders(scene: &Scene) -> impl Iterator<Item = (Placed<CylinderRecord>, Vec3)> {
     scene.objects.iter().zip(0..).filter_map(|(object, order)| {
         let Shape::Cylinder(Cylinder { center, radius, axis }) = object.shape else { return None };
@@ -79,20 +80,20 @@ fn cylinders(scene: &Scene) -> impl Iterator<Item = (Placed<CylinderRecord>, Vec
     })
 }
 
-/// Numbers of spheres and of cylinders in `scene`.
+/// Returns the number of spheres and the number of cylinders in `scene`.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`] for more objects than `u32` counts.
+/// [`Error::OutOfMemory`] if there are more objects than `u32` counts.
 fn count_kinds(scene: &Scene) -> Result<(usize, usize), Error> {
     u32::try_from(scene.objects.len()).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
     let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
     Ok((spheres, scene.objects.len() - spheres))
 }
 
-/// An empty list with room for `count` items of the objects.
+/// Returns an empty list with room for `count` items, for a list of objects.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
     error::with_room(count, "the objects")
 }

@@ -1,9 +1,9 @@
-//! A sequential renderer of spheres and cylinders, exact to the byte.
+//! Renders pictures of spheres and cylinders in one thread. docs/specification.md decides every byte of a picture.
 //!
-//! Text becomes checked values ([`Config`], [`Scene`]), these become pixels in one of two layouts ([`render()`],
-//! [`Aos`], [`Soa`]), and pixels become PPM text ([`write_ppm`]). What is wrong with the two texts is found before
-//! anything is rendered; after that only memory and the writer can fail. docs/design.md says what each folder holds,
-//! and which others it uses.
+//! Two texts become checked values ([`Config`] and [`Scene`]). [`render()`] turns these values into pixels, in one of
+//! two layouts ([`Aos`] and [`Soa`]). [`write_ppm`] turns the pixels into PPM text. Every fault of the two texts is
+//! found before rendering begins. After that, only memory and the writer can fail. docs/design.md says what each folder
+//! holds, and which other folders it uses.
 //!
 //! ```
 //! use cpu::{Aos, Config, Scatter, Scene};
@@ -17,11 +17,12 @@
 //! # Ok::<(), cpu::Error>(())
 //! ```
 //!
-//! Two renderers live here. The module [`mod@reference`] follows docs/specification.md line by line and stays slow and
-//! plain: start reading there. The real one, [`render()`], takes every shortcut that gives the same bytes.
+//! This crate has two renderers. The module [`mod@reference`] follows docs/specification.md line by line, and stays
+//! slow and plain: start reading there. The real renderer, [`render()`], takes every shortcut that gives the same
+//! bytes.
 //!
-//! The feature `internals` opens every module, for the project's own tests, tools and measurements. What it opens may
-//! change at any time.
+//! The feature `internals` makes every module public, for the project's own tests, tools and measurements. These
+//! modules may change at any time.
 
 #![allow(rustdoc::private_intra_doc_links, reason = "the modules are read with --document-private-items")]
 #![cfg_attr(

@@ -1,8 +1,8 @@
-//! The arithmetic that everything else is written in: numbers, vectors, and sums with their rounding errors.
+//! The arithmetic of all other modules: numbers, vectors, and sums with their rounding errors.
 //!
-//! [`real`] is one number or several at once, so that a formula is written once for both; [`vec3`] are vectors over it;
-//! [`rounding`] is arithmetic whose rounding is known, and [`error_free`] gives sums and products together with their
-//! rounding errors. Uses nothing else of the library. Begin with [`real::Real`].
+//! A formula over the trait of [`real`] is written once, and works on one number or on several at once. [`vec3`] has
+//! vectors of such numbers. [`rounding`] adds the size of the rounding errors to the trait. [`error_free`] computes
+//! sums and products together with their rounding errors. This module uses no other one. Begin with [`real::Real`].
 
 pub mod error_free;
 pub mod real;

@@ -1,14 +1,13 @@
-//! The renderer by the definition: docs/specification.md line by line. It is slow, and is never optimised.
+//! The reference: a renderer that follows docs/specification.md line by line. It is slow, and it is never optimised.
 //!
-//! Every ray is intersected with all objects, in the order of the file. With [`Plain`] intersections the reference has
-//! no formula in common with the real renderer, so a comparison shows an error of either. Both share only the vector
-//! arithmetic, the random numbers, the camera's window and the definition of a byte. Every fast path must give the
-//! reference's bytes.
+//! Every ray is intersected with all objects, in the order of the scene file. Every shortcut of the real renderer must
+//! give the reference's bytes. The two share only the vector arithmetic, the random numbers, the camera's window and
+//! the definition of a byte. All other formulas exist twice, so a comparison shows an error of either renderer. This
+//! holds for [`Plain`] intersections. With [`Exact`] intersections, the reference also shares the module `exact` with
+//! the real renderer.
 //!
 //! Uses `math`, `input`, `geometry`, `exact`, `sampling` and `image`. Begin here: this is the specification as a
 //! program.
-//!
-//! With [`Exact`] intersections it also shares these with the real renderer.
 
 pub mod intersect;
 mod nearest;
@@ -26,18 +25,18 @@ use crate::reference::nearest::Hit;
 use crate::sampling::scatter_vectors::{Scatter, ScatterVectors};
 use crate::sampling::uniform::Uniform;
 
-/// Renders by the definition, with the plain intersections.
+/// Renders a picture by the specification, with the plain intersections.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
+/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
 pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     render_with::<I, Plain>(config, scene, scatter)
 }
 
-/// Renders by the definition, with the intersections of `P`.
+/// Renders a picture by the specification, with the intersections of `P`.
 ///
 /// # Errors
-/// As [`render`].
+/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
 pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     let size = config.image_size()?;
     let mut image = I::black(size)?;
@@ -48,11 +47,11 @@ pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatt
     Ok(image)
 }
 
-/// Renders by the definition, with the plain intersections, and hands every pixel's mean, before it becomes
-/// bytes, to `pixel` with its index.
+/// Renders by the specification, with the plain intersections. Calls `pixel` for every pixel, with its index and its
+/// mean colour before quantisation.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
+/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
 pub fn render_linear(
     config: &Config,
     scene: &Scene,
@@ -62,19 +61,19 @@ pub fn render_linear(
     render_counted::<Plain>(config, scene, scatter, pixel).map(|_| ())
 }
 
-/// The work of a picture by the definition, without any shortcut.
+/// The work for a picture without any shortcut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Rays.
+    /// Number of rays.
     pub rays: u64,
-    /// Rays that hit an object.
+    /// Number of rays that hit an object.
     pub hits: u64,
 }
 
-/// [`render_linear`] with the intersections of `P`; returns the rays and hits of the picture.
+/// Renders as [`render_linear`] does, but with the intersections of `P`. Returns the numbers of rays and hits.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when a path does not fit.
+/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
 pub fn render_counted<P: Intersect>(
     config: &Config,
     scene: &Scene,
@@ -113,23 +112,23 @@ pub fn render_counted<P: Intersect>(
     Ok(path.counts)
 }
 
-/// The state that all rays of a picture share.
+/// The scene, and the state that all paths of a picture share. Paths are traced one after the other.
 struct Path<'a, P> {
     config: &'a Config,
     scene: &'a Scene,
     vectors: ScatterVectors,
-    /// Reflectances of the surfaces on the present path, first hit first. Empty between paths.
+    /// The reflectances of the surfaces on the present path, in the order of the hits. It is empty between paths.
     reflectances: Vec<Vec3>,
     intersect: PhantomData<P>,
     counts: Counts,
 }
 
 impl<P: Intersect> Path<'_, P> {
-    /// The colour that arrives along a ray: the recursion (specification, section 8.1), unrolled so that no depth
-    /// overflows the stack.
+    /// Returns the colour that a ray contributes (specification, section 8.1). The recursion of the specification is a
+    /// loop here, so that no depth overflows the call stack.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]: a ray between mirrors hits as many surfaces as `max_depth` says.
+    /// [`Error::OutOfMemory`] if memory is short. A path between mirrors hits up to `max_depth` surfaces.
     fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
         let mut reflectances = std::mem::take(&mut self.reflectances);
         let mut color = Vec3::ZERO;
@@ -147,7 +146,7 @@ impl<P: Intersect> Path<'_, P> {
             reflectances.push(reflectance);
             (origin, direction) = (hit.point, scattered);
         }
-        // From the last hit back to the first, as the recursion returns.
+        // The factors are applied from the last hit back to the first, in the order in which the recursion returns.
         for reflectance in reflectances.drain(..).rev() {
             color = color.attenuate(reflectance);
         }
@@ -155,7 +154,8 @@ impl<P: Intersect> Path<'_, P> {
         Ok(color)
     }
 
-    /// The nearest hit over all objects, in the order of the file, and the material of the object.
+    /// Returns the nearest hit among all objects, in the order of the scene file, and the material of its object. The
+    /// result is `None` if the ray hits no object.
     fn nearest(&self, ray: &Ray) -> Option<(Hit, Material)> {
         let (mut nearest, mut material) = (None, 0);
         for object in &self.scene.objects {
@@ -177,7 +177,8 @@ impl<P: Intersect> Path<'_, P> {
         self.config.background_light_color * (1.0 - m) + self.config.background_dark_color * m
     }
 
-    /// The reflectance of a surface, and the direction in which it scatters the ray.
+    /// Returns the reflectance of a surface, and the direction of the scattered ray. `direction` is that of the ray
+    /// that hits the surface, and `normal` is on the side that the ray comes from.
     fn scatter(&mut self, material: Material, direction: Vec3, normal: Vec3, front: bool) -> (Vec3, Vec3) {
         match material {
             Material::Matte { reflectance } => {

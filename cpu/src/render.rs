@@ -1,13 +1,14 @@
-//! The real renderer. It renders the pixels in order, one span of a row at a time.
+//! The real renderer. It renders the pixels in order, one span of a row at a time. A span goes through these stages:
 //!
-//! The camera rays of a span need no scatter samples, so they are drawn, intersected and shaded several at once
-//! (`camera_rays`, `specular_chains`), up to the first matte or metal surface. From there on the paths take their
-//! scatter samples from one stream in the order of the samples, and are traced one after the other (`trace_paths`).
-//! The background of the rays that escape is computed several rays at once again (`path_ends`). Then the samples are
-//! summed in their order (`accumulation`).
+//! 1. Up to the first matte or metal surface, rays need no scatter samples. So camera rays (`camera_rays`) and specular
+//!    chains (`specular_chains`) are intersected and shaded several at once.
+//! 2. From that surface on, the paths take their scatter samples from one stream, in the order of the samples. So they
+//!    are traced one after the other (`trace_paths`).
+//! 3. The background of the rays that escape is computed for several rays at once (`path_ends`).
+//! 4. The samples are summed in their order (`accumulation`).
 //!
-//! Uses all folders but `reference`. Begin with [`prepared`], then this file, then the stages in that
-//! order; docs/design.md follows one ray through them.
+//! Uses all folders but `reference`. Begin with [`prepared`], then this file, then the stages in the order of the list.
+//! docs/design.md follows one ray through them.
 
 pub(crate) mod accumulation;
 pub(crate) mod arrays;
@@ -48,18 +49,19 @@ use crate::render::{span_state::SpanState, specular_chains::TraceSpecularChains,
 use crate::sampling::scatter_vectors::Scatter;
 use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
 
-/// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
+/// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. It uses the fastest
+/// instruction set of this machine, unless the environment variable `RENDER_INSTRUCTION_SET` names another one.
 ///
 /// # Errors
-/// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when it does not fit.
+/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
 pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<L::Image, Error> {
     render_with(&Prepared::<L>::new(config, scene, scatter)?, InstructionSet::chosen())
 }
 
-/// Renders what was prepared, with a given instruction set.
+/// Renders the prepared scene with the instruction set `set`, and returns the picture.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`] when the picture does not fit.
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // The result is always `Continue`.
@@ -67,11 +69,12 @@ pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Re
     Ok(image)
 }
 
-/// Renders what was prepared into `image`, which must have the picture's size. After each row it calls `after_row` with
-/// the number of finished rows. If `after_row` returns `Break`, rendering stops, and the image holds the finished rows.
+/// Renders the prepared scene into `image`, which must have the picture's size. After each row it calls `after_row`
+/// with the number of finished rows. If `after_row` returns `Break`, rendering stops, and the image holds the finished
+/// rows.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn render_into<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,
@@ -81,10 +84,10 @@ pub fn render_into<L: Layout>(
     set.run(Picture::new(prepared, Target::Image(image), &mut after_row)?)
 }
 
-/// Renders what was prepared and calls `pixel` with the index and the mean of every pixel, before it becomes bytes.
+/// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn render_linear<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,
@@ -98,13 +101,14 @@ pub fn render_linear<L: Layout>(
 
 /// The destination of the pixels.
 enum Target<'a, I> {
-    /// An image, which takes their bytes.
+    /// An image, which gets the bytes of the pixels.
     Image(&'a mut I),
-    /// A function, which takes their means. Then every mean is computed, also where bounds would give the byte.
+    /// A function, which gets the means of the pixels. Then every mean is computed, even if bounds would give its
+    /// bytes.
     Means(&'a mut dyn FnMut(usize, Vec3)),
 }
 
-/// Renders the whole picture, row by row.
+/// A kernel that renders the whole picture, row by row.
 struct Picture<'a, L: Layout> {
     state: SpanState<'a, L>,
     sums: Sums,
@@ -176,7 +180,7 @@ impl<'a, L: Layout> Picture<'a, L> {
         }
     }
 
-    /// Renders a span whose samples have been drawn.
+    /// Traces the samples of the batch, whose offsets have been drawn, and adds them to their pixels.
     fn trace<S: Simd>(&mut self, simd: S, span: &Span) {
         let Self { state, sums, target, .. } = self;
         simd.run(TraceCameraRays(state));

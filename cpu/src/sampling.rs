@@ -1,9 +1,10 @@
-//! The two streams of random numbers: where a sample lies in its pixel, and how a surface scatters.
+//! The two streams of random numbers. One gives the samples their positions in the pixels, the other one gives surfaces
+//! their random vectors.
 //!
-//! `draw_order` has the rule that orders all draws. [`uniform`] draws one number as C++ does, [`block`] many at a time.
-//! [`scatter_vectors`] has the conventions of the random vectors, drawn one after the other. `draw_order` and
-//! `scatter_stream` have the streams as the renderer uses them.
-//! Uses [`math`](crate::math) and [`simd`](crate::simd). Begin with [`uniform`].
+//! `draw_order` has the rule that orders all draws. [`uniform`] draws one number as C++ does, and [`block`] draws many
+//! at a time. [`scatter_vectors`] draws random vectors one after the other, for the reference. `draw_order` and
+//! `scatter_stream` have the two streams in the form that the real renderer uses. Uses [`math`](crate::math) and
+//! [`simd`](crate::simd). Begin with [`uniform`].
 
 pub mod block;
 pub(crate) mod draw_order;

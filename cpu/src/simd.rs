@@ -1,11 +1,13 @@
-//! Lanes: several numbers that one instruction handles, with the instruction set that the machine has.
+//! Lanes: several numbers that one instruction handles. The instruction set is chosen at run time.
 //!
-//! A kernel is written once, over [`Simd`], and compiled for each instruction set by [`Simd::run`]. The set is chosen
-//! once, at run time ([`best`](instruction_set::InstructionSet::best)); every operation on `f64` lanes is one correctly
-//! rounded IEEE operation, so the choice never changes a byte. Only `mul_add_loosely` and the `f32` lanes, which serve
-//! conservative tests alone, may round once or twice.
+//! A kernel is written once, generic over [`Simd`]. [`Simd::run`] compiles it for each instruction set. The program
+//! chooses the instruction set once, when it starts to render
+//! ([`chosen`](instruction_set::InstructionSet::chosen)). Every operation on `f64` lanes is one correctly rounded IEEE
+//! operation, so the choice never changes a byte. There are two exceptions, which only conservative tests use:
+//! `mul_add_loosely` and the fused operations of `f32` lanes may round once or twice.
 //!
-//! The portable implementation is always compiled and tested. Tests compare the others with it.
+//! The portable implementation is always compiled and tested. Tests check the operations of all instruction sets
+//! against those of single numbers.
 //!
 //! Uses [`math`](crate::math). Begin with [`SimdF64`] and [`portable`].
 
@@ -28,19 +30,20 @@ use std::ops::{Add, Mul, Sub};
 
 use crate::math::rounding::MulAdd;
 
-/// An instruction set, as a type that kernels are compiled for. A value of the type proves that the machine has the
-/// instruction set: only [`run`](instruction_set::InstructionSet::run) makes one, after detecting it.
+/// An instruction set, as a type for which kernels are compiled. A value of the type proves that the machine has the
+/// instruction set: only [`run`](instruction_set::InstructionSet::run) makes such a value, after it has detected the
+/// set.
 pub trait Simd: Copy + 'static {
     /// Lanes of `f64`.
     type F64: SimdF64;
-    /// Lanes of `f32`, for filters.
+    /// Lanes of `f32`, for conservative tests.
     type F32: SimdF32;
 
-    /// Runs `kernel`, compiled for this instruction set as a function of its own.
+    /// Runs `kernel`, which is compiled for this instruction set as a separate function.
     fn run<K: Kernel>(self, kernel: K) -> K::Output;
 
-    /// Runs `kernel`, which works on one ray after the other and is bound by latency. Where comparisons have a lower
-    /// latency in another instruction set, `kernel` is compiled for that one.
+    /// Runs a `kernel` that works on one ray after the other, so that latency limits its speed. If comparisons have a
+    /// lower latency in another instruction set, `kernel` is compiled for that one.
     #[inline(always)]
     fn run_promptly<K: Kernel>(self, kernel: K) -> K::Output {
         self.run(kernel)
@@ -52,76 +55,80 @@ pub trait Kernel {
     /// The result of the work.
     type Output;
 
-    /// The work. Implementations, and all that handles lanes in them, must be `#[inline(always)]`: a function of its
-    /// own would be compiled without the instruction set.
+    /// Does the work. This function, and every function that it calls with lanes, must be `#[inline(always)]`. A
+    /// function that is not inlined is compiled without the instruction set.
     fn call<S: Simd>(self, simd: S) -> Self::Output;
 }
 
 /// The result of a comparison in each lane.
 pub trait LaneMask: Copy {
-    /// The lanes as bits, lane 0 lowest; bits beyond the lanes are 0.
+    /// Returns the lanes as bits. Lane 0 is the lowest bit, and bits beyond the last lane are 0.
     fn bits(self) -> u32;
 }
 
 /// Lanes of `f64`.
 pub trait SimdF64: MulAdd<Mask: LaneMask> {
-    /// Their number.
+    /// Number of lanes.
     const LANES: usize;
 
-    /// The first lanes of `values`.
+    /// Returns the first [`LANES`](Self::LANES) numbers of `values`.
     ///
     /// # Panics
-    /// When there are fewer.
+    /// If `values` has fewer numbers.
     fn load(values: &[f64]) -> Self;
-    /// Stores the lanes at the beginning of `place`.
+    /// Stores the lanes in the first [`LANES`](Self::LANES) numbers of `place`.
     ///
     /// # Panics
-    /// When it is shorter.
+    /// If `place` has fewer numbers.
     fn store(self, place: &mut [f64]);
-    /// The lanes that `bits` selects, in order, as the first lanes. The lanes behind these have no meaning.
+    /// Moves the lanes that `bits` selects to the front, in their order. The lanes behind the moved ones have no
+    /// meaning.
     fn compress(self, bits: u32) -> Self;
-    /// Joins these lanes and those of `next`; returns the lanes at even places, and those at odd places.
+    /// Joins these lanes and those of `next`, which follow. Returns the numbers at even places of the joined lanes, and
+    /// those at odd places.
     fn unzip(self, next: Self) -> (Self, Self);
 }
 
-/// The first `count` lanes as bits; all lanes if there are fewer than `count`.
+/// Returns a bit of 1 for each of the first `count` lanes, lane 0 lowest. If there are fewer lanes than `count`, every
+/// lane has a bit of 1.
 #[inline(always)]
 pub fn valid_lanes<V: SimdF64>(count: usize) -> u32 {
     let all = (1_u32 << V::LANES) - 1;
     if count >= V::LANES { all } else { (1_u32 << count) - 1 }
 }
 
-/// Lanes of `f32` for filters, whose error bounds hold with or without fused operations.
+/// Lanes of `f32` for conservative tests. The margins of these tests hold with and without fused operations.
 pub trait SimdF32: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// Their number; it divides 16.
+    /// Number of lanes, which divides 16.
     const LANES: usize;
 
-    /// `value` in every lane.
+    /// Returns `value` in every lane.
     fn splat(value: f32) -> Self;
-    /// The first lanes of `values`.
+    /// Returns the first [`LANES`](Self::LANES) numbers of `values`.
     ///
     /// # Panics
-    /// When there are fewer.
+    /// If `values` has fewer numbers.
     fn load(values: &[f32]) -> Self;
-    /// Stores the lanes at the beginning of `place`.
+    /// Stores the lanes in the first [`LANES`](Self::LANES) numbers of `place`.
     ///
     /// # Panics
-    /// When it is shorter.
+    /// If `place` has fewer numbers.
     fn store(self, place: &mut [f32]);
-    /// `self * factor + term`, rounded once or twice.
+    /// Returns `self * factor + term`, rounded once or twice.
     fn mul_add(self, factor: Self, term: Self) -> Self;
-    /// `term - self * factor`, rounded once or twice.
+    /// Returns `term - self * factor`, rounded once or twice.
     fn negative_mul_add(self, factor: Self, term: Self) -> Self;
-    /// The smaller; `other` when either is not a number.
+    /// Returns the smaller number of each lane. If one of the two is NaN, the lane gets `other`.
     fn min(self, other: Self) -> Self;
-    /// The larger; `other` when either is not a number.
+    /// Returns the larger number of each lane. If one of the two is NaN, the lane gets `other`.
     fn max(self, other: Self) -> Self;
-    /// Whether `self <= other`, a bit for each lane; 0 when either is not a number.
+    /// Compares the lanes. Bit `i` of the result is 1 if `self <= other` in lane `i`. If one of the two is NaN, the bit
+    /// is 0.
     fn less_equal(self, other: Self) -> u32;
     /// Compares the first [`LANES`](Self::LANES) of `numbers` with `number`. Bit `i` of the result is 1 if `numbers[i]`
     /// equals `number`.
     ///
     /// # Panics
-    /// When there are fewer.
+    /// If `numbers` has fewer entries.
     fn places_of(number: u32, numbers: &[u32]) -> u32;
 }

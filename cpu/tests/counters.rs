@@ -1,5 +1,5 @@
-//! The renderer does no work that a scene does not need. Each test counts some work, for a scene that needs it and for
-//! one that does not.
+//! Tests that the renderer does no work that a scene does not need. Each test counts some work, for a scene that needs
+//! it and for one that does not.
 //!
 //! Each thread has counters of its own, and each test runs in a thread of its own.
 
@@ -9,7 +9,7 @@ use cpu::internals::counters::{Counter, reset, snapshot};
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Scatter, Scene};
 
-/// A small picture: 32 by 18 pixels, 16 samples each, seen from z = -10.
+/// The configuration of a small picture: 32 by 18 pixels, 16 samples each, seen from z = -10.
 const SMALL: &str = "image_width: 32\nsamples_per_pixel: 16\nfield_of_view: 45\n";
 const PIXELS: u64 = 32 * 18;
 const SAMPLES: u64 = 16 * PIXELS;
@@ -25,7 +25,7 @@ fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     move |counter| counts.of(counter)
 }
 
-/// `count` spheres side by side, all in view.
+/// Returns the scene's lines for `count` spheres side by side, all in view.
 fn row_of_spheres(count: usize, material: &str) -> String {
     (0..count).map(|at| format!("sphere: {} 0 0 .3 {material}\n", 6.0 * (at as f64 / count as f64 - 0.5))).collect()
 }
@@ -36,7 +36,7 @@ const GLASS: &str = "refractive: g 1.5\n";
 
 #[test]
 fn kinds_of_objects_that_are_not_there_are_not_tested() {
-    // Two of a kind, so that rays go from one to the other.
+    // There are two objects of a kind, so that rays go from one to the other.
     let (spheres, cylinders) =
         ("sphere: -2 0 0 2 m\nsphere: 2 0 0 1.9 m\n", "cylinder: -2 0 0 2 0 3 0 m\ncylinder: 2 0 0 1.9 0 3 0 m\n");
     let both = count("", &format!("{MATTE}{spheres}{cylinders}"));
@@ -110,7 +110,7 @@ fn unused_materials_cost_nothing() {
 
 #[test]
 fn pixels_that_no_object_reaches_are_known_without_rays() {
-    // Pixels so small that the gradient hardly changes within one.
+    // The pixels are so small that the gradient hardly changes within one.
     let colors = "background_dark_color: .2 .4 .8\nbackground_light_color: .9 .8 .7\n";
     let view = &format!("image_width: 480\nsamples_per_pixel: 2\n{colors}");
     let pixels = 480 * 270;
@@ -120,7 +120,7 @@ fn pixels_that_no_object_reaches_are_known_without_rays() {
     assert!(corner(Counter::CameraRays) <= 2 * (pixels - known));
     assert!(corner(Counter::RayDrawsSkipped) > 2 * known, "most without drawing their jitter");
     assert_eq!(corner(Counter::RayDrawsSkipped) + corner(Counter::RayDraws), 4 * pixels);
-    // The default background, whose blue is 1 at both ends.
+    // The blue of the default background is 1 at both ends.
     let default = count("image_width: 480\nsamples_per_pixel: 2\n", &format!("{MATTE}sphere: 3 1 0 .5 m\n"));
     assert!(default(Counter::BackgroundPixels) > pixels / 2, "{} of {pixels}", default(Counter::BackgroundPixels));
     let full = count(view, &format!("{MATTE}sphere: 0 0 0 100 m\n"));
@@ -130,7 +130,7 @@ fn pixels_that_no_object_reaches_are_known_without_rays() {
 
 #[test]
 fn with_equal_background_colours_no_jitter_is_drawn() {
-    // Pixels so large that a gradient's bytes differ within each.
+    // The pixels are so large that a gradient's bytes differ within each.
     let view = "image_width: 8\nfield_of_view: 90\n";
     let equal = "background_dark_color: .3 .5 .7\nbackground_light_color: .3 .5 .7\n";
     let one_color = count(&format!("{view}{equal}"), "");
@@ -158,7 +158,7 @@ fn primary_rays_are_tested_against_objects_near_their_span_alone() {
 
 #[test]
 fn rays_are_tested_against_a_small_part_of_many_objects() {
-    // A handful, a filter, a tree; the last has nodes to visit.
+    // The three scenes get a small scene, a flat filter and a BVH. Only the BVH has nodes to visit.
     for (objects, has_tree) in [(8, false), (60, false), (1000, true)] {
         let text = format!("{MATTE}{}", row_of_spheres(objects, "m"));
         let skipped = count("", &text);
@@ -166,7 +166,7 @@ fn rays_are_tested_against_a_small_part_of_many_objects() {
         assert!(rays > 20 && tests < rays * objects as u64 / 4, "{tests} tests by {rays} rays of {objects} objects");
         assert_eq!(skipped(Counter::NodeVisits) > 0, has_tree);
         assert_eq!(skipped(Counter::UnfilteredTests), 0);
-        // A grain of dust too small for any filter: every ray tests every object.
+        // The added grain of dust is too small for conservative tests, so every ray tests every object.
         let extreme = count("", &format!("{text}sphere: 0 9 0 1e-9 m\n"));
         assert_eq!(extreme(Counter::SphereTests), extreme(Counter::PathRays) * (objects as u64 + 1));
         assert_eq!(extreme(Counter::UnfilteredTests), extreme(Counter::SphereTests));
@@ -176,7 +176,7 @@ fn rays_are_tested_against_a_small_part_of_many_objects() {
 #[test]
 fn paths_that_escape_at_once_are_looked_ahead_together() {
     // Outside of a mirroring ball every reflected ray escapes, so no guess is wrong. Inside of it every ray hits again,
-    // so all guesses are wrong: at each of its four hits a path tests the samples behind it ahead, and in vain.
+    // so all guesses are wrong. At each of its hits, a path tests the first rays of the next paths in vain.
     let lone = count("max_depth: 4\n", &format!("{MIRROR}sphere: 0 0 0 3 m\n"));
     assert!(lone(Counter::PathRays) > 100);
     assert_eq!(lone(Counter::LookaheadRays), lone(Counter::PathRays));
@@ -207,7 +207,7 @@ fn means_become_bytes_without_a_power() {
     for gamma in ["gamma: 1\n", "gamma: 2.2\n"] {
         assert_eq!(count(gamma, &scene)(Counter::Powers), 0, "no mean is at a boundary");
     }
-    // Every boundary of so large a gamma underflows: nothing is certain but zero.
+    // With so large a gamma every boundary underflows, so nearly every mean takes the power function.
     let bright = format!("{MATTE}sphere: 0 -300 0 290 m\n");
     assert!(count("gamma: 1e300\n", &bright)(Counter::Powers) > PIXELS);
 }
@@ -217,7 +217,8 @@ fn precise_intersections_are_for_uncertain_rays() {
     let ordinary = count("", &format!("{MATTE}sphere: -2 0 0 2 m\nsphere: 2 0 0 2 m\n"));
     assert!(ordinary(Counter::Hits) > 100);
     assert!(ordinary(Counter::Fallbacks) * 50 < ordinary(Counter::Hits));
-    // A marble ten kilometres away, as large as the picture: its discriminant is lost in the distance's square.
+    // The sphere is a marble, ten kilometres away and as large as the picture. The rounding error of the squared
+    // distance is larger than its discriminant.
     let far = count("field_of_view: 1e-4\n", &format!("{MATTE}sphere: 0 0 9990 .01 m\n"));
     assert!(far(Counter::Hits) > 100);
     assert!(far(Counter::Fallbacks) > far(Counter::Hits) / 2, "{} fallbacks", far(Counter::Fallbacks));
@@ -249,7 +250,7 @@ fn rays_inside_an_isolated_object_visit_no_node() {
 
 #[test]
 fn the_entry_into_the_dominant_sphere_is_nearly_always_predicted_right() {
-    // Wide enough for the filter, and a ground that sends rays into itself.
+    // Thirty spheres get the flat filter. Each ground sends some rays into itself.
     for ground in ["metal: ground .9 .9 .9 1.5\n", "matte: ground .9 .9 .9\n", GLASS] {
         let name = if ground == GLASS { "g" } else { "ground" };
         let text = format!("{MATTE}{ground}sphere: 0 -101 0 100 {name}\n{}", row_of_spheres(30, "m"));

@@ -1,5 +1,5 @@
-//! Pictures of 15 pixels, one for each acceleration structure and stage. They must have the reference's pixels with
-//! every available instruction set and in both layouts.
+//! Renders pictures of 15 pixels, one for each acceleration structure and stage. They must have the reference's pixels
+//! with every available instruction set and in both layouts.
 //!
 //! The properties in the package `tests` check the same for thousands of random scenes. These pictures are so small
 //! that miri, which interprets every instruction, renders them in minutes (`tests/memory.sh miri`).
@@ -13,7 +13,7 @@ use test_support::agreement::{equals_reference, reference};
 
 const MATERIALS: &str = "matte: m .8 .7 .6\nmetal: s .9 .8 .7 .4\nrefractive: g 1.5\n";
 
-/// A board of `count` objects, one after the other a sphere and a cylinder, of one material after the other.
+/// Returns the scene's lines for a board of `count` objects. Spheres and cylinders alternate, and so do the materials.
 fn board(count: usize) -> String {
     let object = |at: usize| {
         let (x, y) = ((at % 12) as f64 * 0.5 - 2.75, ((at / 12) as f64 - (count / 24) as f64) * 0.5);
@@ -26,8 +26,9 @@ fn board(count: usize) -> String {
     (0..count).map(object).collect()
 }
 
-/// Compares the picture of `objects`, which use the materials m, s and g, with the reference. `seen` is how many of the
-/// 15 pixels may show an object. `is_expected` checks the acceleration structure that the test's name gives.
+/// Compares the picture of `objects`, which use the materials m, s and g, with the reference. `seen` is the range of
+/// the number of pixels, of 15, that show an object. `is_expected` checks that the scene gets the acceleration
+/// structure in the test's name.
 fn check(objects: &str, seen: RangeInclusive<usize>, is_expected: fn(&Accel) -> bool) {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 3\nmax_depth: 6\nfield_of_view: 40\ncamera_position: .3 .2 -6\n";
     let config = Config::parse(config.as_bytes()).expect("the configuration is valid");
@@ -43,8 +44,8 @@ fn check(objects: &str, seen: RangeInclusive<usize>, is_expected: fn(&Accel) -> 
     assert!(is_expected(&prepared.accel), "{:?}", prepared.accel);
 }
 
-/// Means below -1/16: the squares of the rays' components underflow, so their lengths are too small by a fifth, and the
-/// background's weight is -0.1. With a gamma of 1/2 the bytes of such means are not 0.
+/// Tests means below -1/16. The squares of the rays' components underflow, so the rays' lengths are too small by a
+/// fifth, and the background's weight is -0.1. With a gamma of 1/2 the bytes of such means are not 0.
 #[test]
 fn negative_means() {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 1\nfield_of_view: 1\ngamma: 0.5\n\
@@ -56,7 +57,7 @@ fn negative_means() {
     assert!(means.iter().all(|mean| f64::from_bits(mean[0]) < -0.0625), "{means:?}");
 }
 
-/// Hits at an infinite lambda: it overflows, since the rays are 1e-150 long and the objects 1e159 away.
+/// Tests hits at an infinite lambda. It overflows, because the rays are 1e-150 long and the objects 1e159 away.
 #[test]
 fn hits_whose_lambda_overflows() {
     let config = "image_width: 5\naspect_ratio: 5 3\nsamples_per_pixel: 2\nfield_of_view: 40\n\

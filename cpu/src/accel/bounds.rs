@@ -1,4 +1,4 @@
-//! Boxes around objects, with room for rounding.
+//! Axis-aligned boxes around objects. They are large enough to hold every hit point in spite of rounding.
 
 use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
 use crate::layout::Objects;
@@ -7,17 +7,17 @@ use crate::math::vec3::Vec3;
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// Its lowest corner.
+    /// The smallest coordinate along each axis.
     pub low: [f32; 3],
-    /// Its highest corner.
+    /// The largest coordinate along each axis.
     pub high: [f32; 3],
 }
 
 impl Bounds {
-    /// An empty box: its union with another box is that box.
+    /// The empty box. Its union with another box is that other box.
     pub const EMPTY: Self = Self { low: [f32::INFINITY; 3], high: [f32::NEG_INFINITY; 3] };
 
-    /// The box around both.
+    /// Returns the smallest box around both boxes.
     pub fn union(mut self, other: &Self) -> Self {
         for axis in 0..3 {
             self.low[axis] = self.low[axis].min(other.low[axis]);
@@ -26,19 +26,20 @@ impl Bounds {
         self
     }
 
-    /// Half the surface area, which is proportional to the share of random lines that hit the box; 0 for an empty box.
+    /// Returns half of the surface area, or 0 for an empty box. The share of random lines that hit a box is
+    /// proportional to this.
     pub fn half_area(&self) -> f32 {
         let [x, y, z] = std::array::from_fn(|axis| (self.high[axis] - self.low[axis]).max(0.0));
         x * y + y * z + z * x
     }
 
-    /// The axis along which it is longest.
+    /// Returns the axis along which the box is longest: 0 for x, 1 for y, 2 for z.
     pub fn longest_axis(&self) -> usize {
         let length = |axis: usize| self.high[axis] - self.low[axis];
         (0..3).max_by(|&left, &right| length(left).total_cmp(&length(right))).unwrap_or(0)
     }
 
-    /// The box enlarged by this much on every side.
+    /// Returns the box with each of its six planes moved outward by at least `by`, in scene units.
     pub fn enlarged(mut self, by: f32) -> Self {
         for axis in 0..3 {
             self.low[axis] = (self.low[axis] - by).next_down();
@@ -52,7 +53,7 @@ impl Bounds {
         (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
     }
 
-    /// The distance of the box from a point; 0 if the point is inside.
+    /// Returns the distance between the box and a point, or 0 if the point is inside.
     pub fn distance(&self, point: Vec3) -> f64 {
         let point = point.to_array();
         let outside = |axis: usize| {
@@ -62,16 +63,16 @@ impl Bounds {
         Vec3::from([0, 1, 2].map(outside)).length()
     }
 
-    /// Twice the middle of the box along an axis.
+    /// Returns twice the coordinate of the box's middle along an axis.
     pub fn twice_middle(&self, axis: usize) -> f32 {
         self.low[axis] + self.high[axis]
     }
 
-    /// The box of the object at `id`, a sphere or a cylinder.
+    /// Returns a box around the object with the number `id`.
     ///
-    /// It holds every point that the exact formulas may report: the surface, and what their rounding adds. A
-    /// discriminant is off by at most some units in the last place of the squared distance between ray origin and
-    /// centre, which acts like a larger radius.
+    /// The box contains every hit point that the intersection may return. Such a point may lie a little outside of the
+    /// surface, because rounding changes the discriminant. The change is at most some units in the last place of the
+    /// squared distance from the ray's origin to the centre. It has the effect of a larger radius.
     pub fn of_object<O: Objects>(objects: &O, id: ObjectId, extent: &Extent) -> Self {
         let distance_squared = 12.0 * extent.max_coordinate * extent.max_coordinate;
         let slack = |radius: f64| (radius * radius + 64.0 * f64::EPSILON * distance_squared).sqrt() - radius;
@@ -91,7 +92,7 @@ impl Bounds {
     }
 
     fn around(center: Vec3, half_size: Vec3) -> Self {
-        // A relative millionth covers the rounding of both and of their sum to single precision.
+        // The added millionth covers the rounding of centre, half size and their sum to single precision.
         let half_size = (half_size * (1.0 + 1e-6)).to_array();
         let center = center.to_array();
         Self {

@@ -1,4 +1,4 @@
-//! The structure for many objects: a tree of boxes with 16 children in each node.
+//! The structure for many objects: a tree of boxes with up to 16 children in each node.
 
 mod build;
 pub(crate) mod collapsed_root;
@@ -19,21 +19,21 @@ use crate::input::error::Error;
 use crate::layout::Objects;
 use crate::simd::{Simd, SimdF32};
 
-/// Most objects for which isolation is computed, which takes as long as building the tree.
+/// Maximum number of objects for which the isolated objects are found. To find them takes as long as to build the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;
 
-/// Most nodes visited to tell whether an object is isolated, so that no scene takes long.
+/// Maximum number of nodes that are visited to decide whether an object is isolated. It limits the time.
 const MOST_VISITS: usize = 64;
 
-/// The tree over all objects of a scene.
+/// The tree over all objects of a scene but the dominant sphere, which is tested separately.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Vec<Node>,
-    /// The two highest levels in one row.
+    /// The two highest levels of the tree, as one row of boxes.
     collapsed_root: CollapsedRoot,
-    /// How far the planes of the boxes are moved.
+    /// The distances by which slab tests move the planes of the boxes, to cover rounding.
     steps: Steps,
-    /// The dominant sphere is not in the tree.
+    /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
     isolated: Isolated,
     /// A bound of the scene's coordinates for the conservative test of the origin object.
@@ -41,10 +41,10 @@ pub struct Bvh {
 }
 
 impl Bvh {
-    /// The tree over `objects`.
+    /// Builds the tree over `objects`.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short, or if there are 2^31 objects or more.
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let count = count(objects);
         if count >= Child::OBJECT as usize {
@@ -66,8 +66,8 @@ impl Bvh {
         Ok(bvh)
     }
 
-    /// Whether an object of the tree other than `id` has a box that overlaps this one; true if
-    /// [`MOST_VISITS`] nodes do not decide it.
+    /// Whether the box of an object other than `id` overlaps the box `bounds`. If [`MOST_VISITS`] visits of nodes do
+    /// not decide this, the result is true.
     fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
         let (mut pending, mut count) = ([0; MOST_VISITS], 1);
         for _ in 0..MOST_VISITS {
@@ -93,12 +93,13 @@ impl Bvh {
         true
     }
 
-    /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
+    /// Disables the shortcut for isolated objects, to measure what it gains.
     pub fn without_isolation(&mut self) {
         self.isolated = Isolated::none();
     }
 
-    /// Intersects the objects below a node, but for the object on which the ray starts.
+    /// Intersects the objects below `node` whose boxes the ray hits, and updates `closest`. It leaves out the object on
+    /// which the ray starts.
     #[inline(always)]
     fn traverse<'tree, S: Simd, O: Objects>(
         &'tree self,
@@ -153,8 +154,8 @@ impl Bvh {
         }
     }
 
-    /// Calls `visit` with the dominant sphere, and with every object whose box, and those of all nodes above it,
-    /// `may_reach` accepts.
+    /// Calls `visit` with the dominant sphere, and with every object for which `may_reach` accepts the object's box and
+    /// the boxes of all nodes above it.
     pub fn visit(&self, mut may_reach: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
         let mut pending = Vec::with_capacity(stack::CAPACITY);
         if !self.nodes.is_empty() {
@@ -176,7 +177,7 @@ impl Bvh {
     }
 }
 
-/// What is constant in a traversal.
+/// The data that do not change during a traversal.
 struct Query<'a, O, F> {
     objects: &'a O,
     ray: &'a Ray,
@@ -185,7 +186,7 @@ struct Query<'a, O, F> {
     slab_ray: SlabRay<F>,
 }
 
-/// The distance of the closest hit so far, rounded up; infinite at first.
+/// Returns the lambda of the closest hit so far, rounded up to single precision. It is infinite before the first hit.
 #[inline(always)]
 fn farthest(closest: &ClosestHit) -> f32 {
     closest.lambda as f32 * (1.0 + f32::EPSILON)

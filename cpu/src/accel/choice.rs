@@ -1,11 +1,11 @@
 //! The rule that chooses the acceleration structure of a scene: [`Accel::new`].
 //!
-//! The first of these that fits is taken:
-//! 1. [`EveryObject`] for extreme magnitudes: coordinates, diffusion or window beyond 1e9, radii or half heights below
-//!    1e-6, pixels below 1e-12 ([`Extent`]);
+//! The first structure of this list that fits the scene is taken:
+//! 1. [`EveryObject`] for extreme magnitudes: coordinates, diffusion or window distance beyond 1e9, radii or half
+//!    heights below 1e-6, pixels below 1e-12 ([`Extent`]);
 //! 2. [`SmallScene`] for up to 8 objects;
 //! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7;
-//! 4. [`Bvh`] for all others.
+//! 4. [`Bvh`] for all other scenes.
 //!
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 
@@ -23,21 +23,21 @@ use crate::simd::Simd;
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Accel {
-    /// Every object is intersected: magnitudes are too extreme for conservative tests.
+    /// No structure: every object is intersected, because the magnitudes are too extreme for conservative tests.
     EveryObject,
-    /// Up to eight objects, tested all at once.
+    /// The structure for up to eight objects.
     SmallScene(SmallScene),
-    /// A filter over all objects, several at once.
+    /// The structure that tests up to 64 spheres and 64 cylinders in single precision, several at once.
     FlatFilter(FlatFilter),
-    /// A tree of boxes.
+    /// The tree of boxes, for any number of objects.
     Bvh(Bvh),
 }
 
 impl Accel {
-    /// The structure that fits the objects.
+    /// Returns the structure that fits the objects.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         Ok(if !extent.moderate {
@@ -60,7 +60,8 @@ impl Accel {
         }
     }
 
-    /// The closest hit of a ray from the surface of `from`.
+    /// Returns the closest hit of a ray that starts on the surface of `from`, and counts the ray. `stack` is memory for
+    /// the traversal.
     #[inline(always)]
     pub fn closest_hit<S: Simd, O: Objects>(
         &self,
@@ -69,7 +70,7 @@ impl Accel {
         from: ObjectId,
         stack: &mut Stack,
     ) -> ClosestHit {
-        // Not a closure: it would be compiled without the instruction set.
+        // This is a macro, because a closure would be compiled without the instruction set.
         macro_rules! closest_hit {
             ($accel:expr) => {
                 $accel.closest_hit_from::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)

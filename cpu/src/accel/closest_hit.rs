@@ -1,4 +1,4 @@
-//! The closest hit so far of one ray. Several rays at once have theirs in `render/hit_lanes.rs`.
+//! The closest hit found so far, for one ray. `render/hit_lanes.rs` has the closest hits of several rays at once.
 
 use crate::accel::object::{NO_OBJECT, ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
@@ -9,18 +9,18 @@ use crate::layout::Objects;
 /// The closest hit among the objects intersected so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClosestHit {
-    /// Lambda of the hit; infinite if there is no hit.
+    /// The lambda of the hit. It is infinite if there is no hit.
     pub lambda: f64,
-    /// The object that is hit, or [`NO_OBJECT`].
+    /// The object that is hit, or [`NO_OBJECT`] if there is no hit.
     pub object: ObjectId,
-    /// The object's place in the file, which decides between two hits at the same lambda.
+    /// The object's place in the scene file, which decides between two hits at the same lambda.
     pub order: u32,
-    /// The part of a cylinder; the side for a sphere.
+    /// The part of a cylinder that is hit. It is the side for a sphere.
     pub part: CylinderPart,
 }
 
 impl ClosestHit {
-    /// No hit. Any hit is closer, even one at infinity.
+    /// The value before any hit. Every hit replaces it, even one whose lambda is infinite.
     pub const NOTHING: Self = Self { lambda: f64::INFINITY, object: NO_OBJECT, order: 0, part: CylinderPart::Side };
 
     /// Whether any object is hit.
@@ -29,7 +29,8 @@ impl ClosestHit {
         self.object != NO_OBJECT
     }
 
-    /// Replaces the hit by this one if it is closer.
+    /// Replaces the hit by the one that the parameters describe, if that one is closer. Of two hits at the same lambda
+    /// the one that is later in the scene file counts.
     #[inline(always)]
     pub fn update(&mut self, lambda: f64, object: ObjectId, order: u32, part: CylinderPart) {
         if is_closer((lambda, order), (self.lambda, self.order)) {
@@ -37,7 +38,7 @@ impl ClosestHit {
         }
     }
 
-    /// Intersects the object at `id`.
+    /// Intersects the object with the number `id`, and updates the closest hit.
     #[inline(always)]
     pub fn intersect<O: Objects>(&mut self, objects: &O, id: ObjectId, ray: &Ray) {
         match ObjectRef::of(objects, id) {
@@ -46,14 +47,15 @@ impl ClosestHit {
         }
     }
 
-    /// Intersects the sphere at `index`.
+    /// Intersects the sphere at `index` among the spheres, and updates the closest hit.
     #[inline(always)]
     pub fn intersect_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let decision = exact::sphere::filtered(&objects.sphere(index).record, ray);
         self.update_by_sphere(objects, index, ray, decision);
     }
 
-    /// Intersects the dominant sphere, with the compensated formula inline: rays near it are often uncertain.
+    /// Intersects the dominant sphere, which is at `index` among the spheres, and updates the closest hit. The
+    /// compensated formula is inlined here, because the filter is often uncertain for rays near this sphere.
     #[inline(always)]
     pub fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let decision = exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray);
@@ -72,7 +74,7 @@ impl ClosestHit {
         }
     }
 
-    /// Intersects the cylinder at `index` among the cylinders.
+    /// Intersects the cylinder at `index` among the cylinders, and updates the closest hit.
     #[inline(always)]
     pub fn intersect_cylinder<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         add(Counter::CylinderTests, 1);
@@ -87,15 +89,15 @@ impl ClosestHit {
     }
 }
 
-/// The hit by the precise formulas. The function fetches the object again and takes the ray by value, so that neither
-/// has to be in memory for rays that do not need it.
+/// Returns the lambda by the compensated or precise formulas, or `None` for a miss. The function reads the object
+/// again, and `ray` is no reference. So rays that do not need this function keep both in registers.
 #[cold]
 #[inline(never)]
 fn precise_sphere<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<f64> {
     exact::sphere::compensated_or_precise(&objects.sphere(index).record, &ray)
 }
 
-/// See [`precise_sphere`].
+/// Returns lambda and part by the precise formulas, or `None` for a miss. See [`precise_sphere`] for the parameters.
 #[cold]
 #[inline(never)]
 fn precise_cylinder<O: Objects>(objects: &O, index: usize, ray: Ray) -> Option<(f64, CylinderPart)> {

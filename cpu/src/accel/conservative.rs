@@ -1,44 +1,46 @@
-//! Which spheres and cylinders rays may hit, in double precision: the filter in front of the exact formulas.
+//! Conservative tests in double precision. They find the spheres and cylinders that a ray may hit, and the exact
+//! formulas then decide about each of these.
 //!
-//! A ray has no hit with a shape whose quadratic `f(lambda) = a lambda^2 - 2 h lambda + c` has no root in range: the
-//! line misses, or the ray has left the shape already; most rays start on a surface and go outward. The quadratics are
-//! those of [`crate::geometry::sphere`] and [`crate::geometry::cylinder`], multiplied out to be short. The margin
-//! covers their rounding and that of the exact formulas (docs/margins.md). The exact formulas decide about each object
-//! that the filter lets pass.
+//! If the quadratic `f(lambda) = a lambda^2 - 2 h lambda + c` of a shape has no root in range, a ray does not hit the
+//! shape. Either the ray's line misses the shape, or the ray has left it already. The second case is frequent, because
+//! most rays start on a surface and go outward. The quadratics are those of [`crate::geometry::sphere`] and
+//! [`crate::geometry::cylinder`], multiplied out to take fewer operations. The margin covers their rounding and that of
+//! the exact formulas (docs/margins.md).
 
 use crate::accel::{object::ObjectId, object::ObjectRef, target::Target};
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
 use crate::math::{real::Real, rounding::MulAdd, vec3::Vec3};
 
-/// The constant of a quadratic is lowered by this share of the sum of its terms' magnitudes: a thousand roundings.
+/// The margin of the constant `c`, relative to the sum of the magnitudes of its terms. It is a thousand roundings.
 pub(super) const MARGIN: f64 = 512.0 * f64::EPSILON;
 
-/// The smallest squared length of a direction for which the tests are valid. From it on their margins exceed 10^-31, so
-/// that underflow is negligible, in single precision too.
+/// The smallest squared length of a direction for which the tests are valid. With it the margins exceed 10^-31, so
+/// underflow is negligible, in single precision too.
 const SHORTEST: f64 = 1e-14;
 
-/// Whether directions of this squared length are too short for the tests. The caller must then intersect every object.
+/// Whether a direction with this squared length is too short for the tests: shorter than 10^-7. The caller must then
+/// intersect every object.
 #[inline(always)]
 pub fn is_too_short<T: Real>(length_squared: T) -> T::Mask {
     length_squared.less(T::of(SHORTEST))
 }
 
-/// One ray or a lane of them, which start within the scene's extent.
+/// A ray for conservative tests, or one ray in each lane. The ray must start inside the scene's extent.
 ///
-/// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::accel::extent::Extent::LARGEST)), but a direction may
-/// be of any length that is not [too short](is_too_short). With a long direction a product may overflow, and a test may
-/// reject the object. It does so rightly: a direction longer than 10^13 takes the ray past all objects before the
-/// smallest lambda in range, 10^-3. A NaN rejects no object, because every comparison with NaN is false.
+/// Coordinates are at most 10^9 (see [`Extent::LARGEST`](crate::accel::extent::Extent::LARGEST)). A direction may have
+/// any length that is not [too short](is_too_short). With a direction longer than 10^13 a product may overflow, and a
+/// test may discard the object. This is right, because such a ray has passed all objects before the smallest lambda in
+/// range, 10^-3. NaN discards no object, because every comparison with NaN is false.
 #[derive(Clone, Copy, Debug)]
 pub struct ConservativeRay<T> {
     /// The ray.
     pub ray: Ray<T>,
-    /// `direction.direction`.
+    /// The square of the direction's length.
     pub length_squared: T,
 }
 
-/// The quadratic `a lambda^2 - 2 h lambda + c`.
+/// The coefficients of `a lambda^2 - 2 h lambda + c`.
 #[derive(Clone, Copy)]
 pub(super) struct Quadratic<T> {
     pub a: T,
@@ -49,7 +51,7 @@ pub(super) struct Quadratic<T> {
 }
 
 impl ConservativeRay<f64> {
-    /// Whether the ray may hit the object, in a scene with this largest coordinate.
+    /// Whether the ray may hit the object with the number `id`, in a scene with this largest coordinate.
     #[inline(always)]
     pub fn may_hit<O: Objects>(&self, objects: &O, id: ObjectId, max_coordinate: f64) -> bool {
         match ObjectRef::of(objects, id) {
@@ -62,7 +64,7 @@ impl ConservativeRay<f64> {
 }
 
 impl<T: MulAdd> ConservativeRay<T> {
-    /// The ray.
+    /// Prepares a ray for the tests.
     #[inline(always)]
     pub fn new(ray: Ray<T>) -> Self {
         Self { ray, length_squared: dot(ray.direction, ray.direction) }
@@ -76,7 +78,7 @@ impl<T: MulAdd> ConservativeRay<T> {
         !quadratic.has_no_root(a * size.mul_add_loosely(T::of(-MARGIN), c))
     }
 
-    /// The sphere's quadratic.
+    /// Returns the quadratic of ray and sphere.
     #[inline(always)]
     pub(super) fn sphere_quadratic(&self, target: &Target<T>) -> Quadratic<T> {
         let to_center = target.center - self.ray.origin;
@@ -90,15 +92,16 @@ impl<T: MulAdd> ConservativeRay<T> {
     pub fn cylinder(&self, target: &Target<T>) -> T::Mask {
         let (across, slope, along) = self.cylinder_quadratic(target);
         let Quadratic { a, c, size, .. } = across;
-        // The margin grows with the whole direction: its part across the axis may be nothing but rounding.
+        // The margin is proportional to the squared length of the whole direction. The part of the direction across the
+        // axis may be nothing but rounding error.
         let least_product = size.mul_add_loosely(self.length_squared * T::of(-MARGIN), a * c);
-        // How far the point at the smallest lambda is past the middle, in the direction in which the ray advances.
+        // The distance, along the axis and in the ray's direction, of the point at the smallest lambda from the middle.
         let past_middle = slope.abs().mul_add_loosely(T::of(LAMBDA_MIN), -along.flipped_by(slope));
         !(across.has_no_root(least_product) | target.half_height.less(past_middle))
     }
 
-    /// The quadratic of the cylinder's side, and the components along the axis of two vectors: the direction, and the
-    /// vector from the ray's origin to the centre.
+    /// Returns the quadratic of ray and side, and the components along the axis of two vectors. They are the direction,
+    /// and the vector from the ray's origin to the centre.
     #[inline(always)]
     pub(super) fn cylinder_quadratic(&self, target: &Target<T>) -> (Quadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
@@ -108,7 +111,8 @@ impl<T: MulAdd> ConservativeRay<T> {
             a: (-slope).mul_add_loosely(slope, self.length_squared),
             h: (-slope).mul_add_loosely(along, h),
             c: (-along).mul_add_loosely(along, q - target.radius_squared),
-            // With the height: a ray may come from far along the axis, at an angle as small as its rounding.
+            // This includes the height, because a ray may come from far along the axis, at an angle as small as the
+            // rounding of its direction.
             size: q + target.bounding_radius_squared,
         };
         (across, slope, along)
@@ -116,13 +120,13 @@ impl<T: MulAdd> ConservativeRay<T> {
 }
 
 impl<T: MulAdd> Quadratic<T> {
-    /// Whether the ray certainly has no root in range. `least_product` is `a c`, lowered by the margin.
+    /// Whether the quadratic certainly has no root in range. `least_product` is `a c`, lowered by the margin.
     #[inline(always)]
     fn has_no_root(&self, least_product: T) -> T::Mask {
         let Self { a, h, c, size } = *self;
         let most_discriminant = h.mul_add_loosely(h, -least_product);
         let least_c = size.mul_add_loosely(T::of(-MARGIN), c);
-        // f at the smallest lambda in range; where h is negative, f rises from there on.
+        // This is a lower bound of f at the smallest lambda in range. If h is negative, f only rises after it.
         let least_at_first = a.mul_add_loosely(T::of(LAMBDA_MIN * LAMBDA_MIN), least_c);
         let least_at_first = h.mul_add_loosely(T::of(-2.0 * LAMBDA_MIN), least_at_first);
         let zero = T::of(0.0);
@@ -198,7 +202,7 @@ mod tests {
             let (center, normal, axis, aside) = (vector(1e3), vector(1.0).unit(), vector(3.0), vector(1.0));
             let sphere = SphereRecord::new(center, size);
             let cylinder = CylinderRecord::new(center, size, axis * size);
-            // Grazing directions, where the test is hardest.
+            // The directions graze, because the tests are hardest for them.
             let tilt = draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-12.0, 0.0));
             let from = |normal: Vec3| Ray {
                 origin: center + normal * size,
@@ -237,7 +241,7 @@ mod tests {
                 |size_of_scene: f64| Vec3::from([(); 3].map(|()| draws.draw(-size_of_scene, size_of_scene)));
             let (center, axis, aside) = (vector(1e4), vector(3.0) * size, vector(1.0));
             let cylinder = CylinderRecord::new(center, size, axis);
-            // Exactly along it, and nearly.
+            // Every other ray is exactly parallel to the axis, and the others nearly.
             let tilt = if number % 2 == 0 { 0.0 } else { 10.0_f64.powf(draws.draw(-20.0, -6.0)) };
             let across = aside.perpendicular_to(cylinder.axis);
             let direction = (cylinder.axis + across * tilt) * (axis.length() * 10.0_f64.powf(draws.draw(-3.0, 2.0)));

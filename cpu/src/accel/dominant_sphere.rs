@@ -1,8 +1,8 @@
-//! The dominant sphere: a sphere much larger than all else, a ground for example. Nearly every ray must be tested
-//! against it, so it is kept out of the structures and tested separately.
+//! The dominant sphere: a sphere that is much larger than all other objects, for example a ground. Nearly every ray
+//! must be tested against it. So it is not in the acceleration structures, and is tested separately.
 //!
-//! [`crate::accel::conservative`] alone decides which rays cannot hit it. A prediction whether a ray enters it changes
-//! how long the closest hit takes, but never the closest hit.
+//! Only [`crate::accel::conservative`] decides which rays cannot hit the dominant sphere. This file also predicts
+//! whether a ray enters it. A wrong prediction costs time, but never changes the closest hit.
 
 use crate::accel::{
     bounds::Bounds, conservative::ConservativeRay, extent::Extent, object::ObjectId, object::bounding_sphere,
@@ -13,13 +13,14 @@ use crate::layout::Objects;
 use crate::materials::prepared::{BsdfKind, PreparedMaterial};
 use crate::math::vec3::Vec3;
 
-/// A sphere at least this many times as large as everything else is dominant.
+/// A sphere is dominant if its radius is at least this many times each other object's bounding radius.
 const RATIO: f64 = 8.0;
 
-/// Most overlapping objects for which it pays to intersect each of them.
+/// Maximum number of objects that overlap the dominant sphere. With more objects, to intersect each of them takes
+/// longer than the filter.
 const MOST_OVERLAPPING: usize = 4;
 
-/// The dominant sphere, if there is one.
+/// The number of the dominant sphere, or `None` if no sphere is dominant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DominantSphere(Option<ObjectId>);
 
@@ -35,23 +36,26 @@ impl DominantSphere {
         }))
     }
 
-    /// Its number among the objects.
+    /// Returns the number of the dominant sphere, or `None` if there is none.
     pub const fn id(self) -> Option<ObjectId> {
         self.0
     }
 
-    /// Whether it is the object `id`.
+    /// Whether the object with the number `id` is the dominant sphere.
     #[inline(always)]
     pub fn is(self, id: ObjectId) -> bool {
         self.0 == Some(id)
     }
 
-    /// The objects that overlap it, including those that rounding may move into it. A ray from its surface that hits it
-    /// again stays inside in between, because it is convex, and can hit no other object. `None` if there are more than
-    /// [`MOST_OVERLAPPING`] objects, or no dominant sphere.
+    /// Returns the objects that overlap the dominant sphere, including those that rounding may move into it. The result
+    /// is `None` if they are more than [`MOST_OVERLAPPING`], or if there is no dominant sphere.
+    ///
+    /// A sphere is convex. So if a ray from its surface hits it again, the ray is inside the sphere between the two
+    /// points. Such a ray can hit only the dominant sphere and the objects that overlap it.
     pub fn overlapping(self, objects: &impl Objects, extent: &Extent) -> Option<Vec<ObjectId>> {
         let (center, radius) = bounding_sphere(objects, self.0?);
-        // The plain formula's root moves a point off the surface by some 26 units in the last place of (q + r^2) / r.
+        // Let q be the squared distance from the ray's origin to the centre. Rounding in the plain formula moves a
+        // point away from the surface by some 26 units in the last place of (q + r^2) / r.
         let squares = 12.0 * extent.max_coordinate * extent.max_coordinate;
         let slack = 1e-9 * extent.max_coordinate + 64.0 * f64::EPSILON * squares / radius;
         let overlaps =
@@ -61,21 +65,25 @@ impl DominantSphere {
         (overlapping.len() <= MOST_OVERLAPPING).then_some(overlapping)
     }
 
-    /// Whether a ray from its surface goes into it; false if there is no dominant sphere.
+    /// Whether a ray from the surface of the dominant sphere enters it. The result is false if there is no dominant
+    /// sphere.
     #[inline(always)]
     pub fn is_entered_by<O: Objects>(self, objects: &O, ray: &Ray) -> bool {
         self.0.is_some_and(|id| ray.direction.dot(ray.origin - objects.sphere(id as usize).record.center) < 0.0)
     }
 
-    /// Predicts whether the ray that its surface scatters at `lambda`, with this material and a random vector, enters
-    /// it. Fewer than one prediction in 1,000 is wrong (`cpu/tests/counters.rs`). The processor mispredicts a branch on
-    /// whether a ray enters. This prediction resolves the branch before the ray is known: the ray needs a point, a
-    /// normal, a mirrored direction and its length, one after the other.
+    /// Predicts whether the next ray of a path enters the dominant sphere. The present ray hits the dominant sphere at
+    /// `lambda`, and the surface scatters with this material and this random vector. Fewer than one prediction in 1,000
+    /// is wrong (`cpu/tests/counters.rs`).
     ///
-    /// Let `w` be the vector from the centre to the hit point. The ray enters if its direction has a negative product
-    /// with `w`. The direction is the random vector plus the mirrored direction (metal) or the normal (matte), both of
-    /// length one. The product of the mirrored direction and `w` is `-d.w / |d|`, and that of the normal is `|w|` or
-    /// `-|w|`. All products follow from `w = (O - C) + lambda d`, so of the hit only lambda is needed.
+    /// The processor often mispredicts a branch on whether a ray enters. The prediction of this function is known
+    /// earlier than the ray. To compute the ray takes a point, a normal, a mirrored direction and its length, one after
+    /// the other.
+    ///
+    /// Let `w` be the vector from the centre to the hit point. The ray enters if the dot product of its direction and
+    /// `w` is negative. The direction is the random vector plus the mirrored direction (metal) or the normal (matte),
+    /// both of length one. The dot product of the mirrored direction and `w` is `-d.w / |d|`, and that of the normal is
+    /// `|w|` or `-|w|`. All these products follow from `w = (O - C) + lambda d`. So only lambda is needed of the hit.
     #[inline(always)]
     pub fn predicts_entry<O: Objects>(
         self,
@@ -101,7 +109,8 @@ impl DominantSphere {
         of_base + of_vector < 0.0
     }
 
-    /// Its index among the spheres if the ray may hit it; `None` if there is no dominant sphere.
+    /// Returns the index of the dominant sphere among the spheres if the ray may hit it. The result is `None` if the
+    /// ray certainly misses it, or if there is no dominant sphere.
     #[inline(always)]
     pub fn may_be_hit<O: Objects>(self, objects: &O, conservative: &ConservativeRay<f64>) -> Option<usize> {
         let index = self.0? as usize;
@@ -144,7 +153,7 @@ mod tests {
         let mut counts = [[0; 2]; 3];
         for number in 0..30_000 {
             let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
-            // From above, and from within.
+            // The rays start above the dominant sphere and inside it.
             let origin =
                 if number % 2 == 0 { Vec3::new(0.0, 5.0, 0.0) + vector() } else { vector() * 20.0 + record.center };
             let ray = Ray { origin, direction: vector() * 3.0 };
@@ -167,7 +176,7 @@ mod tests {
                 &material_data,
                 material_data.scatter_params.vector(scatter_sample),
             );
-            // Along the surface the prediction may be wrong.
+            // If the ray is nearly parallel to the surface, the prediction may be wrong.
             if next.direction.dot(surface.outward).abs() > 1e-5 {
                 assert_eq!(predicted, dominant.is_entered_by(&objects, &next), "{ray:?}, {material_data:?}");
                 counts[material][usize::from(predicted)] += 1;

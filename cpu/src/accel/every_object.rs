@@ -1,4 +1,4 @@
-//! The plainest structure: every object is intersected.
+//! The simplest structure, which intersects every object.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, find::Accelerator, find::Origin, object::count};
 use crate::counters::{Counter, add};
@@ -6,7 +6,7 @@ use crate::geometry::ray::Ray;
 use crate::layout::Objects;
 use crate::simd::Simd;
 
-/// Intersects every object.
+/// The structure that intersects every object. It has no data.
 #[derive(Debug)]
 pub struct EveryObject;
 
@@ -17,8 +17,8 @@ impl Accelerator for EveryObject {
     }
 }
 
-/// The closest hit among all objects. It takes the ray by value, because a reference would keep the rays of other
-/// structures, which seldom call this, in memory.
+/// Returns the closest hit among all objects. The parameter `ray` is a value and no reference. Other structures seldom
+/// call this function, and a reference would force them to keep every ray in memory instead of registers.
 #[inline(never)]
 pub fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
     add(Counter::UnfilteredTests, count(objects) as u64);

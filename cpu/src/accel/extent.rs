@@ -1,4 +1,4 @@
-//! How large a scene is, and whether conservative tests are valid for it.
+//! The magnitudes of a scene, which decide whether conservative tests are valid for it.
 
 use crate::accel::object::{ObjectId, ObjectRef, bounding_sphere, count};
 use crate::geometry::camera::Camera;
@@ -6,23 +6,24 @@ use crate::input::material::Material;
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
-/// The magnitudes that occur in a scene.
+/// The largest coordinate of a scene, and whether the scene is moderate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
-    /// Largest magnitude of a coordinate of the objects and of the camera.
+    /// The largest magnitude of a coordinate of the objects and of the camera, in scene units.
     pub max_coordinate: f64,
-    /// Whether all magnitudes are moderate. Where one is extreme, intermediate values of the conservative tests could
-    /// overflow or underflow. Every object is then intersected, by the exact formulas.
+    /// Whether the scene is moderate: all magnitudes are within the limits [`Extent::LARGEST`] and
+    /// [`Extent::SMALLEST`]. In any other scene, intermediate values of the conservative tests could overflow or
+    /// underflow. So there the exact formulas intersect every object.
     pub moderate: bool,
 }
 
 impl Extent {
-    /// Largest coordinate, height, radius or diffusion that counts as moderate.
+    /// The largest coordinate, window distance or diffusion of a moderate scene.
     pub const LARGEST: f64 = 1e9;
-    /// Smallest radius or height that counts as moderate.
+    /// The smallest radius or half height of a moderate scene. The smallest size of a pixel is the square of this.
     pub const SMALLEST: f64 = 1e-6;
 
-    /// The extent of a scene with its camera.
+    /// Returns the extent of a scene with its camera.
     pub fn new(objects: &impl Objects, camera: &Camera, materials: &[Material]) -> Self {
         let magnitude = |vector: Vec3| vector.x.abs().max(vector.y.abs()).max(vector.z.abs());
         let (mut max_coordinate, mut smallest) = (magnitude(camera.position), f64::INFINITY);

@@ -1,76 +1,78 @@
-//! A ray against bounding spheres and infinite cylinders, several at once, in single precision.
+//! Tests one ray against several bounding spheres and infinite cylinders at once, in single precision.
 //!
 //! With the ray `O + lambda d` and a bounding sphere of radius `R` around `C`, the quadratic is
-//! `a lambda^2 - 2 h lambda + c`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`: multiplied out, so that
-//! little is left to do for each object. For a cylinder within that sphere, of radius `r` around the axis `n`,
-//! everything is taken across the axis: `a' = a - (d.n)^2`, `h' = h - (d.n) ((C - O).n)`,
-//! `c' = c + (R^2 - r^2) - ((C - O).n)^2`, and `R^2 - r^2` is half the height, squared.
+//! `a lambda^2 - 2 h lambda + c` with `a = d.d`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`. These forms
+//! are multiplied out, so that few operations depend on both ray and object. Take a cylinder in that sphere, of radius
+//! `r` around the axis `n`. Its quadratic uses only the parts of the vectors across the axis: `a' = a - (d.n)^2`,
+//! `h' = h - (d.n) ((C - O).n)` and `c' = c + (R^2 - r^2) - ((C - O).n)^2`. Here `R^2 - r^2` is the square of half the
+//! height.
 //!
-//! The margins cover what multiplying out loses to cancellation (docs/margins.md).
+//! Forms that are multiplied out lose digits to cancellation. The margins cover this loss (docs/margins.md).
 //!
 //! Each test returns a number that is positive if the ray certainly misses the object. The maximum of two tests is
 //! positive if one of them is, and saves a comparison. A NaN is not positive, so [`misses`] keeps its object.
 //!
-//! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). Refraction, for
-//! example, turns the side's normal of a cylinder, which is as long as the cylinder's radius, into a direction about
-//! the square of the radius times the index long. With a long direction a product may overflow, and the test may report
-//! a miss. The miss is right, for this reason. Let `L` be the
-//! [largest coordinate](crate::accel::extent::Extent::max_coordinate) of the scene. Points of the ray and of objects
-//! are at most `3.5 L` apart, so a ray with `|d| > 3500 L` is past all objects at the smallest lambda in range, 10^-3.
-//! For a shorter direction `4 a <= 4.9 10^7 L^2` and `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is
-//! `2.2 10^38` for the largest scene that is filtered ([`MAX_COORDINATE`]), and single precision holds `3.4 10^38`.
+//! A direction may have any length that is not [too short](crate::accel::conservative::is_too_short). For example, the
+//! normal of a cylinder's side is as long as the radius. Refraction there gives a direction about as long as the index
+//! times the square of the radius. With a long direction a product may overflow, and the test may report a miss. The
+//! miss is right, for this reason. Let `L` be the [largest coordinate](crate::accel::extent::Extent::max_coordinate) of
+//! the scene. The ray's origin and the points of objects are at most `3.5 L` apart. So a ray with `|d| > 3500 L` is
+//! past all objects at the smallest lambda in range, 10^-3. For a shorter direction `4 a <= 4.9 10^7 L^2` and
+//! `|c| <= 27 L^2`, so no product exceeds `1.4 10^9 L^4`. This is `2.2 10^38` for the largest scene that is filtered
+//! ([`MAX_COORDINATE`]). Single precision holds numbers up to `3.4 10^38`.
 
 use crate::accel::target::Target;
 use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::math::vec3::Vec3;
 use crate::simd::SimdF32;
 
-/// The largest coordinate of a scene that is filtered; see the module's head.
+/// The largest coordinate of a scene for which these tests are valid, in scene units. The head of this file derives it.
 pub const MAX_COORDINATE: f64 = 2e7;
 
-/// Objects in a block; every instruction set's lanes divide it.
+/// Number of objects in a block. It is a multiple of every instruction set's number of lanes.
 pub const BLOCK: usize = 16;
 
 /// Half a unit in the last place of 1: the relative error of one rounding to single precision.
 const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-/// Margin of a bounding sphere's `c`, in roundings of its terms.
+/// Margin of a bounding sphere's `c`, relative to the terms of `c`.
 const SPHERE_MARGIN: f64 = 128.0 * ROUNDING;
-/// Margin of an infinite cylinder's discriminant, whose terms have passed through one more cancellation.
+/// Margin of an infinite cylinder's discriminant, relative to its terms. It is larger, because the terms have lost
+/// digits in one more cancellation.
 const CYLINDER_MARGIN: f64 = 384.0 * ROUNDING;
 
-/// A number for each object of a block.
+/// One number for each object of a block.
 type Row = [f32; BLOCK];
 
-/// Bounding spheres, relative to the scene's middle.
+/// A block of bounding spheres. Coordinates are relative to the scene's middle.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct BoundingSpheres {
-    /// `-2 C`, by axis.
+    /// `-2 C`, one row for each component.
     minus_two_center: [Row; 3],
-    /// `|C|^2 - R^2`, less the margin's part that grows with both.
+    /// `|C|^2 - R^2`, less the part of the margin that is proportional to `|C|^2 + R^2`.
     constant: Row,
 }
 
-/// Infinite cylinders, whose bounding spheres are stored separately. Axes are longer by `sqrt(2)`, which doubles the
-/// squares of their products with a ray, because all other terms are doubled too.
+/// A block of infinite cylinders, whose bounding spheres are stored separately. The axes have length `sqrt(2)`. This
+/// doubles the products of two dot products with an axis, because all other terms are doubled too.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct InfiniteCylinders {
-    /// `sqrt(2) n`, by axis.
+    /// `sqrt(2) n`, one row for each component.
     axis: [Row; 3],
     /// `-sqrt(2) C.n`.
     minus_along: Row,
     /// `2 (R^2 - r^2)`.
     squares: Row,
-    /// `|C|^2 + R^2`, with which the margin grows.
+    /// `|C|^2 + R^2`, to which a part of the margin is proportional.
     size: Row,
 }
 
 impl BoundingSpheres {
-    /// No objects. The filter masks lanes without an object out.
+    /// A block without objects. The flat filter ignores the results of lanes without an object.
     pub const EMPTY: Self = Self { minus_two_center: [[0.0; BLOCK]; 3], constant: [f32::INFINITY; BLOCK] };
 
-    /// Sets the sphere in a lane.
+    /// Sets the sphere in a lane. `center` is relative to the scene's middle.
     pub fn set(&mut self, lane: usize, center: Vec3, radius_squared: f64) {
         for (row, component) in self.minus_two_center.iter_mut().zip(center.to_array()) {
             row[lane] = (-2.0 * component) as f32;
@@ -81,11 +83,11 @@ impl BoundingSpheres {
 }
 
 impl InfiniteCylinders {
-    /// No objects.
+    /// A block without objects.
     pub const EMPTY: Self =
         Self { axis: [[0.0; BLOCK]; 3], minus_along: [0.0; BLOCK], squares: [0.0; BLOCK], size: [0.0; BLOCK] };
 
-    /// Sets the cylinder in a lane; `center` is relative to the scene's middle.
+    /// Sets the cylinder in a lane. `center` is relative to the scene's middle.
     pub fn set(&mut self, lane: usize, center: Vec3, target: &Target) {
         let axis = target.axis * std::f64::consts::SQRT_2;
         for (row, component) in self.axis.iter_mut().zip(axis.to_array()) {
@@ -97,7 +99,7 @@ impl InfiniteCylinders {
     }
 }
 
-/// A ray, the same in all lanes, relative to the scene's middle.
+/// One ray, the same in all lanes, relative to the scene's middle, with the products that all objects need.
 pub struct FilterRay<F> {
     origin: [F; 3],
     direction: [F; 3],
@@ -105,26 +107,28 @@ pub struct FilterRay<F> {
     four_a: F,
     /// `2 d.O`.
     two_d_o: F,
-    /// `|O|^2`, less its part of the spheres' margin.
+    /// `|O|^2`, less the part of the spheres' margin that is proportional to it.
     constant: F,
     /// `a t^2`, where `t` is the smallest lambda in range.
     a_t_t: F,
-    /// The factor of the cylinders' margin for their size, four times as large as the discriminant is.
+    /// The cylinders' margin for each unit of `|C|^2 + R^2 + |O|^2`. It is multiplied by 4, because the test computes
+    /// four times the discriminant.
     margin: F,
-    /// The origin's part of that margin.
+    /// The part of the cylinders' margin that is proportional to `|O|^2`.
     origin_margin: F,
 }
 
-/// The result for bounding spheres.
+/// The result of the test of several bounding spheres, with two numbers that the test of cylinders uses again.
 pub struct SphereTest<F> {
     minus_two_h: F,
     c: F,
-    /// Positive where the ray certainly has no point in the sphere at a lambda in range; see [`misses`].
+    /// A number that is positive where the ray certainly has no point in the sphere at a lambda in range. See
+    /// [`misses`].
     pub miss: F,
 }
 
 impl<F: SimdF32> FilterRay<F> {
-    /// The ray, in a scene around `middle`.
+    /// Prepares the ray. `middle` is the scene's middle.
     #[inline(always)]
     pub fn new(ray: &Ray, middle: Vec3) -> Self {
         let (origin, direction) = (in_all_lanes(ray.origin - middle), in_all_lanes(ray.direction));
@@ -144,22 +148,22 @@ impl<F: SimdF32> FilterRay<F> {
         }
     }
 
-    /// Tests the spheres from `at` on.
+    /// Tests the bounding spheres of a block from index `at` on, one in each lane.
     #[inline(always)]
     pub fn spheres(&self, spheres: &BoundingSpheres, at: usize) -> SphereTest<F> {
         let minus_two_center = load(&spheres.minus_two_center, at);
         let minus_two_h = plus_dot(self.two_d_o, self.direction, minus_two_center);
         let c = plus_dot(F::load(&spheres.constant[at..]) + self.constant, self.origin, minus_two_center);
         let minus_discriminant = minus_two_h.negative_mul_add(minus_two_h, self.four_a * c);
-        // A ray misses if its line does, or if the centre is behind it and its first point in range is outside the
-        // sphere. If `minus_two_h` is NaN, `at_first` is NaN too; `min` and `max` return their second operand where one
-        // is NaN.
+        // A ray misses if its line misses. It also misses if the centre is behind the ray and the ray's first point in
+        // range is outside the sphere. If `minus_two_h` is NaN, `at_first` is NaN too. `min` and `max` return their
+        // second operand if one of the two is NaN.
         let at_first = minus_two_h.mul_add(number(LAMBDA_MIN), self.a_t_t) + c;
         SphereTest { minus_two_h, c, miss: minus_discriminant.max(minus_two_h.min(at_first)) }
     }
 
-    /// Tests the infinite cylinders from `at` on, given the test of their bounding spheres: positive where the ray
-    /// certainly misses; see [`misses`].
+    /// Tests the infinite cylinders of a block from index `at` on, one in each lane. `spheres` is the test of their
+    /// bounding spheres. Returns a number that is positive where the ray certainly misses the cylinder. See [`misses`].
     #[inline(always)]
     pub fn cylinders(&self, spheres: &SphereTest<F>, cylinders: &InfiniteCylinders, at: usize) -> F {
         let axis = load(&cylinders.axis, at);
@@ -174,27 +178,27 @@ impl<F: SimdF32> FilterRay<F> {
     }
 }
 
-/// The objects that the ray certainly misses, a bit for each lane: those where `miss` is positive. Lanes offer `<=`
-/// only, so `miss` is compared with the smallest positive number.
+/// Returns a bit for each lane, which is 1 if `miss` is positive, so that the ray certainly misses the object.
+/// [`SimdF32`] has only the comparison `<=`. So the smallest positive number is compared with `miss`.
 #[inline(always)]
 pub fn misses<F: SimdF32>(miss: F) -> u32 {
     const LEAST_POSITIVE: f32 = f32::from_bits(1);
     F::splat(LEAST_POSITIVE).less_equal(miss)
 }
 
-/// `value` in every lane.
+/// Returns `value` in every lane.
 #[inline(always)]
 fn number<F: SimdF32>(value: f64) -> F {
     F::splat(value as f32)
 }
 
-/// `vector` in every lane.
+/// Returns `vector` in every lane.
 #[inline(always)]
 fn in_all_lanes<F: SimdF32>(vector: Vec3) -> [F; 3] {
     [number(vector.x), number(vector.y), number(vector.z)]
 }
 
-/// The vectors from `at` on, one in each lane.
+/// Returns the vectors from index `at` on, one in each lane.
 #[inline(always)]
 fn load<F: SimdF32>([x, y, z]: &[Row; 3], at: usize) -> [F; 3] {
     [F::load(&x[at..]), F::load(&y[at..]), F::load(&z[at..])]

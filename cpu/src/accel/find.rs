@@ -1,4 +1,5 @@
-//! The trait of acceleration structures; the path tracing loop is written once over it, and compiled for each.
+//! The trait of acceleration structures. The path tracing loop is written once, generic over this trait, and compiled
+//! for each structure.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, object::ObjectId};
 use crate::geometry::ray::Ray;
@@ -7,18 +8,20 @@ use crate::materials::prepared::PreparedMaterial;
 use crate::math::vec3::Vec3;
 use crate::simd::Simd;
 
-/// Where a ray starts.
+/// The object on which a ray starts, and whether the ray is expected to enter it.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
     /// The object on whose surface the ray starts.
     pub object: ObjectId,
-    /// Whether the ray is expected to enter that object. The closest hit does not depend on it, but the time does.
+    /// Whether the ray is expected to enter that object. A wrong expectation costs time, but does not change the
+    /// closest hit.
     pub enters: bool,
 }
 
-/// An acceleration structure.
+/// An acceleration structure, which finds the closest hit of a ray.
 pub trait Accelerator {
-    /// The closest hit of a ray. The caller counts the ray.
+    /// Returns the closest hit of a ray that starts at `origin`. `stack` is memory for the traversal. The caller adds
+    /// the ray to the [`counters`](crate::counters).
     fn closest_hit_from<S: Simd, O: Objects>(
         &self,
         objects: &O,
@@ -27,14 +30,14 @@ pub trait Accelerator {
         stack: &mut Stack,
     ) -> ClosestHit;
 
-    /// Where a ray from the surface of `object` starts.
+    /// Returns the origin of a ray that starts on the surface of `object`.
     #[inline(always)]
     fn origin<O: Objects>(&self, _: &O, _: &Ray, object: ObjectId) -> Origin {
         Origin { object, enters: false }
     }
 
-    /// The origin of the ray that a surface of this material scatters with a random vector, predicted before that ray
-    /// is computed.
+    /// Predicts the origin of the next ray of a path before that ray is computed. `hit` is the closest hit of the
+    /// present ray. The surface there scatters with this material and this random vector.
     #[inline(always)]
     fn next_origin<O: Objects>(&self, _: &O, _: &Ray, hit: &ClosestHit, _: &PreparedMaterial, _: Vec3) -> Origin {
         Origin { object: hit.object, enters: false }

@@ -1,5 +1,5 @@
-//! The structure for up to 64 spheres and 64 cylinders: a filter tests all of them, several at once, in single
-//! precision.
+//! The structure for up to 64 spheres and 64 cylinders. Conservative tests in single precision, several at once, find
+//! the objects that a ray may hit.
 
 pub use crate::accel::filter_ray::MAX_COORDINATE;
 use crate::accel::{
@@ -17,28 +17,29 @@ use crate::materials::prepared::PreparedMaterial;
 use crate::math::vec3::Vec3;
 use crate::simd::{Simd, SimdF32};
 
-/// Most spheres, and most cylinders, of a filter: their bits fill a word.
+/// Maximum number of spheres, and maximum number of cylinders. Each object of a kind has one bit in a word.
 pub const CAPACITY: usize = u64::BITS as usize;
 
-/// The filter's data. They are lanes in both layouts, because they only decide which objects are intersected.
+/// The structure for up to 64 spheres and 64 cylinders. Its data are stored as lanes in both layouts, because they only
+/// decide which objects are intersected.
 #[derive(Debug)]
 pub struct FlatFilter {
     middle: Vec3,
     dominant: DominantSphere,
-    /// See [`DominantSphere::overlapping`].
+    /// The objects that overlap the dominant sphere; see [`DominantSphere::overlapping`].
     overlapping: Option<Vec<ObjectId>>,
     spheres: Vec<BoundingSpheres>,
     cylinders: Vec<(BoundingSpheres, InfiniteCylinders)>,
-    /// The lanes that objects fill, as bits.
+    /// A bit for each lane, which is 1 if the lane holds an object.
     sphere_lanes: u64,
     cylinder_lanes: u64,
 }
 
 impl FlatFilter {
-    /// The filter over `objects`.
+    /// Builds the structure over `objects`.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let dominant = DominantSphere::of(objects);
         let mut filter = Self {
@@ -71,12 +72,13 @@ impl FlatFilter {
         Ok(filter)
     }
 
-    /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
+    /// Disables the shortcut for rays inside the dominant sphere, to measure what it gains.
     pub fn without_isolation(&mut self) {
         self.overlapping = None;
     }
 
-    /// The spheres but for the dominant one, and the cylinders, that a ray may hit: a bit for each.
+    /// Returns a bit for each sphere, and a bit for each cylinder, which is 1 if the ray may hit the object. The
+    /// dominant sphere is not tested, and its bit is 0.
     #[inline(always)]
     fn may_hit<S: Simd>(&self, ray: &Ray) -> (u64, u64) {
         let filter_ray = FilterRay::<S::F32>::new(ray, self.middle);
@@ -98,22 +100,23 @@ impl FlatFilter {
     }
 }
 
-/// The closest hit among all objects: for a ray whose direction is too short for the filter, or whose entry was
-/// predicted wrong. Both are rare.
+/// Returns the closest hit among all objects. This serves a ray whose direction is too short for the tests, or for
+/// which the entry into the dominant sphere was predicted wrong. Both are rare.
 #[cold]
 #[inline(never)]
 fn without_filter<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
     intersect_every_object(objects, ray)
 }
 
-/// As many blocks as `count` objects take.
+/// Returns as many empty blocks as `count` objects need.
 fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
     let mut blocks = with_room(count.div_ceil(BLOCK))?;
     blocks.resize(count.div_ceil(BLOCK), empty);
     Ok(blocks)
 }
 
-/// The middle of all objects that are filtered: coordinates relative to it lose least in single precision.
+/// Returns the middle of all objects but the dominant sphere. Coordinates relative to it lose the fewest digits in
+/// single precision.
 fn middle(objects: &impl Objects, dominant: DominantSphere) -> Vec3 {
     let (mut low, mut high) = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
     for id in (0..count(objects) as ObjectId).filter(|&id| !dominant.is(id)) {
@@ -140,8 +143,8 @@ impl Accelerator for FlatFilter {
         }
         let starts_on_dominant = self.dominant.is(origin.object) && self.overlapping.is_some();
         if starts_on_dominant && let Some(overlapping) = &self.overlapping {
-            // The processor mispredicts whether a ray enters. So this branch depends on the expected entry, which is
-            // known early. The later branch on the actual entry is predicted well.
+            // The processor often mispredicts a branch on whether a ray enters. So this branch uses the expected entry,
+            // which is known early. The later branch on the actual entry is predicted well.
             if origin.enters {
                 if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
                     closest.intersect_sphere(objects, index, ray);

@@ -1,12 +1,14 @@
-//! Rays that certainly hit an object, because they start inside it.
+//! Finds rays that certainly hit an object, because they start inside it.
 //!
 //! The objects are convex and bounded. So a ray that is inside an object at the smallest lambda in range leaves it
-//! later, and this is a hit. The lookahead uses this for the last ray that a path may send. If that ray hits, the path
-//! contributes black and takes one more scatter sample, whichever object is hit, so no object needs to be intersected.
+//! later, and this is a hit. The lookahead uses this for the last ray that a path may send. If that ray hits any
+//! object, the path contributes black and takes one more scatter sample. So it does not matter which object is hit, and
+//! no object is intersected.
 //!
-//! The tests are those of [`conservative`](crate::accel::conservative) with the margin to the other side
-//! (docs/margins.md). A NaN is inside no object, because every comparison with NaN is false. The squared length of the
-//! direction must be in scale, so that nothing overflows with coordinates of up to 10^9.
+//! The tests are those of [`conservative`](crate::accel::conservative), but with the margin on the opposite side
+//! (docs/margins.md): they accept a ray only if it is certainly inside. NaN is inside no object, because every
+//! comparison with NaN is false. The direction must be [in scale](crate::exact::error_bound::in_scale), so that nothing
+//! overflows with coordinates of up to 10^9.
 
 use crate::accel::{
     conservative::ConservativeRay, conservative::MARGIN, conservative::Quadratic, object::ObjectId, object::ObjectRef,
@@ -16,14 +18,15 @@ use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
 
-/// A ray with direction `d` certainly hits the planes of the caps if the product `p` of `d` and the axis has
-/// `|p| > STEEP` and `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice the limit of parallel, and both limits are far larger
-/// than rounding errors.
+/// The limit of `|p|`, where `p` is the dot product of the direction `d` and the axis. A ray certainly hits the planes
+/// of the caps if `|p| > STEEP` and `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice the limit below which a cap is not hit,
+/// and both limits are far larger than rounding errors.
 const STEEP: f64 = 2.0 * PARALLEL;
 const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 
 impl SmallScene {
-    /// Whether a ray, which starts within the scene's extent, certainly starts inside one of the objects.
+    /// Whether the ray is certainly inside one of the objects at the smallest lambda in range, so that it hits. The ray
+    /// must start inside the scene's extent.
     #[inline(always)]
     pub fn starts_inside<O: Objects>(&self, objects: &O, ray: &Ray) -> bool {
         let (conservative, mut inside) = (ConservativeRay::new(*ray), false);
@@ -34,7 +37,7 @@ impl SmallScene {
                 ObjectRef::Cylinder(_) => conservative.starts_in_cylinder(&target, self.max_coordinate),
             };
         }
-        // A zero direction hits nothing.
+        // A null direction is not in scale, and it hits nothing.
         inside & in_scale(conservative.length_squared)
     }
 }
@@ -83,7 +86,7 @@ mod tests {
             let mut vector =
                 |size_of_scene: f64| Vec3::from([(); 3].map(|()| draws.draw(-size_of_scene, size_of_scene)));
             let (center, axis, outward, mut direction) = (vector(1e3), vector(3.0) * size, vector(1.0), vector(1.0));
-            // From near the surface, the cap or the rim, and so that the first lambda that counts is near it too.
+            // The ray starts near the surface, the cap or the rim, and the point at the smallest lambda is near it too.
             let start = 1.0 + draws.draw(-1.0, 1.0) * 10.0_f64.powf(draws.draw(-14.0, 0.0));
             direction = direction * (size * 10.0_f64.powf(draws.draw(-9.0, 6.0)));
             if draws.draw(0.0, 1.0) < 0.2 {
@@ -127,14 +130,14 @@ mod tests {
         let conservative = |origin: [f64; 3], direction: [f64; 3]| {
             ConservativeRay::new(Ray { origin: origin.into(), direction: direction.into() })
         };
-        // Inward and outward from the surface; from where the limit is on the surface.
+        // The rays go inward and outward from the surface. The third one is on the surface at the smallest lambda.
         assert!(conservative([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
         assert!(!conservative([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
         assert!(!conservative([1.0 - LAMBDA_MIN, 0.0, 0.0], [1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
         let begins = |origin, direction| conservative(origin, direction).starts_in_cylinder(&cylinder, 4.0);
         assert!(begins([1.0, 0.0, 0.0], [-1.0, 0.1, 0.0]) && begins([0.0, 1.0, 0.0], [0.1, -1.0, 0.0]));
         assert!(!begins([0.0, 1.0, 0.0], [0.1, 1.0, 0.0]) && !begins([0.0, 1.0 - LAMBDA_MIN, 0.0], [0.0, 1.0, 0.0]));
-        // Parallel to the caps the ray might hit nothing but a cap, which then does not count.
+        // A ray that is parallel to the caps might hit only a cap, and such a hit does not count.
         assert!(!begins([0.0, 0.0, 0.0], [1.0, 1e-9, 0.0]) && begins([0.0, 0.0, 0.0], [1.0, 1e-4, 0.0]));
     }
 }

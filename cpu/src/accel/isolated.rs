@@ -1,26 +1,27 @@
-//! Objects that no other object overlaps.
+//! Isolated objects: those that no other object overlaps.
 //!
-//! Spheres and cylinders are convex: a ray that starts on one and hits it again is inside it in between. If no other
-//! object overlaps it, no hit can be closer, and no other object is intersected. Half of the rays that rough metal
-//! scatters go inward, and so do all rays that are refracted into an object.
+//! Spheres and cylinders are convex. If a ray starts on an object and hits it again, the ray is inside that object
+//! between the two points. If no other object overlaps that object, no other hit can be closer. Then no other object is
+//! intersected. Half of the rays that rough metal scatters go inward, and so do all rays that are refracted into an
+//! object.
 //!
-//! Boxes are compared once for a scene, with coordinates of up to 10^9 in single precision. A box with NaN overlaps no
-//! other, but moderate scenes have none.
+//! The boxes of the objects are compared once for each scene. This happens only in
+//! [moderate](crate::accel::extent::Extent::moderate) scenes, whose boxes have no NaN and no overflow.
 
 use crate::accel::{bounds::Bounds, extent::Extent, object::ObjectId};
 use crate::input::error::Error;
 use crate::layout::{Objects, with_room};
 
-/// Which objects are isolated, a bit each.
+/// The set of isolated objects, as one bit for each object.
 #[derive(Clone, Debug)]
 pub struct Isolated(Vec<u64>);
 
 impl Isolated {
-    /// The objects of `count` for which `is_overlapped` is false. The dominant sphere does not count as overlapping:
-    /// every ray is tested against it.
+    /// Returns the set of those of `count` objects for which `is_overlapped` is false. An overlap with the dominant
+    /// sphere does not count, because every ray is tested against that sphere.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(count: usize, mut is_overlapped: impl FnMut(ObjectId) -> bool) -> Result<Self, Error> {
         let mut words = with_room(count.div_ceil(64))?;
         words.resize(count.div_ceil(64), 0);
@@ -30,19 +31,19 @@ impl Isolated {
         Ok(Self(words))
     }
 
-    /// No object is known to be isolated.
+    /// Returns the empty set, so that no object counts as isolated.
     pub const fn none() -> Self {
         Self(Vec::new())
     }
 
-    /// Whether the object at `id` is isolated.
+    /// Whether the object with the number `id` is isolated.
     #[inline(always)]
     pub fn is(&self, id: ObjectId) -> bool {
         self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
     }
 }
 
-/// The box of an object, enlarged by how far rounding may move the points of its surface.
+/// Returns the box of an object, enlarged by the distance by which rounding may move points of its surface.
 pub fn enlarged_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
     Bounds::of_object(objects, id, extent).enlarged((1e-9 * extent.max_coordinate) as f32)
 }

@@ -1,14 +1,14 @@
-//! The objects of a scene by number.
+//! Numbers for the objects of a scene.
 
 use crate::input::error::Error;
 use crate::layout::{Objects, with_room};
 use crate::math::vec3::Vec3;
 
-/// The number of an object: its index among the spheres, or the number of spheres plus its index among the cylinders.
-/// [`ObjectRef`] distinguishes the two.
+/// The number of an object. Spheres come first: for a sphere it is the index among the spheres. For a cylinder it is
+/// the number of spheres plus the index among the cylinders. [`ObjectRef`] distinguishes the two kinds.
 pub type ObjectId = u32;
 
-/// No object: where camera rays come from.
+/// The number that stands for no object. It is the origin object of a camera ray.
 pub const NO_OBJECT: ObjectId = ObjectId::MAX;
 
 /// An object by its kind, with its index among the objects of that kind.
@@ -21,7 +21,7 @@ pub enum ObjectRef {
 }
 
 impl ObjectRef {
-    /// The object with this number.
+    /// Returns kind and index of the object with the number `id`.
     #[inline(always)]
     pub fn of(objects: &impl Objects, id: ObjectId) -> Self {
         match (id as usize).checked_sub(objects.sphere_count()) {
@@ -31,15 +31,15 @@ impl ObjectRef {
     }
 }
 
-/// Number of objects.
+/// Returns the number of objects.
 pub fn count(objects: &impl Objects) -> usize {
     objects.sphere_count() + objects.cylinder_count()
 }
 
-/// All objects, in the order of the file.
+/// Returns the numbers of all objects, in the order of the scene file.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn in_order(objects: &impl Objects) -> Result<Vec<ObjectId>, Error> {
     let mut all = with_room(count(objects))?;
     all.extend(0..count(objects) as ObjectId);
@@ -47,7 +47,7 @@ pub fn in_order(objects: &impl Objects) -> Result<Vec<ObjectId>, Error> {
     Ok(all)
 }
 
-/// An object's place in the file.
+/// Returns the object's place among all objects of the scene file, from 0.
 pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
     match ObjectRef::of(objects, id) {
         ObjectRef::Sphere(index) => objects.sphere(index).order,
@@ -55,7 +55,7 @@ pub fn order_of(objects: &impl Objects, id: ObjectId) -> u32 {
     }
 }
 
-/// Centre and radius of the smallest sphere around an object, rounded.
+/// Returns centre and radius of the smallest sphere around an object, in scene units and rounded.
 pub fn bounding_sphere(objects: &impl Objects, id: ObjectId) -> (Vec3, f64) {
     match ObjectRef::of(objects, id) {
         ObjectRef::Sphere(index) => {

@@ -1,5 +1,5 @@
-//! Up to eight objects for the [conservative tests](crate::accel::conservative): many rays against one object after the
-//! other, or one ray against several objects at once, an object in each lane.
+//! Up to eight objects for the [conservative tests](crate::accel::conservative). Either each lane holds a ray and the
+//! objects are tested in turn, or each lane holds an object and one ray is tested.
 
 use crate::accel::{
     conservative::ConservativeRay, conservative::is_too_short, object::ObjectId, object::count, target::Target,
@@ -9,13 +9,13 @@ use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 use crate::simd::{LaneMask, SimdF64};
 
-/// Most objects; every instruction set's lanes divide it.
+/// Maximum number of objects. It is a multiple of every instruction set's number of lanes of `f64`.
 pub const CAPACITY: usize = 8;
 
-/// A number for each object.
+/// One number for each object.
 type Row = [f64; CAPACITY];
 
-/// The objects by their [ids](ObjectId), a place each; places that are left over repeat the first object.
+/// The objects in the order of their [numbers](ObjectId). The places after the last object repeat the first object.
 #[derive(Clone, Debug)]
 pub struct ObjectLanes {
     sphere_count: usize,
@@ -24,7 +24,7 @@ pub struct ObjectLanes {
 }
 
 impl ObjectLanes {
-    /// The first [`CAPACITY`] objects of a scene with this largest coordinate.
+    /// Returns the first [`CAPACITY`] objects of a scene with this largest coordinate.
     pub fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
         let (sphere_count, count) = (objects.sphere_count().min(CAPACITY), count(objects).min(CAPACITY));
         let row = |number: &dyn Fn(&Target) -> f64| -> Row {
@@ -43,7 +43,7 @@ impl ObjectLanes {
         Self { sphere_count, count, targets }
     }
 
-    /// The objects that one ray may hit: a bit for each.
+    /// Returns a bit for each object, which is 1 if the ray may hit the object.
     #[inline(always)]
     pub fn objects_may_hit<V: SimdF64>(&self, ray: &Ray) -> u32 {
         let conservative = ConservativeRay::new(ray.lanes::<V>());
@@ -52,7 +52,7 @@ impl ObjectLanes {
             return all;
         }
         let mut may_hit = 0;
-        // First the groups of lanes that hold only spheres, then the others.
+        // The groups of lanes that hold only spheres are tested first, then the other groups.
         let spheres = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
         for at in (0..spheres).step_by(V::LANES) {
             may_hit |= conservative.sphere(&self.targets.load::<V, false>(at)).bits() << at;
@@ -63,8 +63,8 @@ impl ObjectLanes {
         may_hit & all
     }
 
-    /// Whether each of several rays may hit the object at this place. The result has no meaning for directions that are
-    /// [too short](is_too_short).
+    /// For each lane, whether its ray may hit the object with the number `at`. The result has no meaning for directions
+    /// that are [too short](is_too_short).
     #[inline(always)]
     pub fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
         if at < self.sphere_count {
@@ -74,7 +74,8 @@ impl ObjectLanes {
         }
     }
 
-    /// The objects that each of several rays may hit; all objects for the lanes of `too_short`, which are bits.
+    /// For each lane, finds the objects that its ray may hit. `too_short` has a bit for each lane. If the bit is 1, all
+    /// objects count as ones that the ray may hit.
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
@@ -86,45 +87,45 @@ impl ObjectLanes {
     }
 }
 
-/// Which of up to eight objects each of several rays may hit.
+/// For each of up to eight rays, which of up to eight objects it may hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MayHitLanes {
-    /// Eight bits for each object, one for each ray.
+    /// Eight bits for each object, one of them for each ray.
     bits: u64,
-    /// The rays that may hit any object.
+    /// A bit for each ray, which is 1 if the ray may hit at least one object.
     any: u32,
 }
 
 impl MayHitLanes {
-    /// No ray may hit any object.
+    /// The value for rays that can hit no object.
     pub const NOTHING: Self = Self { bits: 0, any: 0 };
 
-    /// Adds the object at `id`, which the rays whose bits are set may hit.
+    /// Adds the object with the number `id`. The rays whose bits are set in `rays` may hit it.
     #[inline(always)]
     const fn add(&mut self, id: usize, rays: u32) {
         self.bits |= (rays as u64) << (8 * id);
         self.any |= rays;
     }
 
-    /// The rays that may hit any object, as bits.
+    /// Returns a bit for each ray, which is 1 if the ray may hit at least one object.
     #[inline(always)]
     pub const fn any(&self) -> u32 {
         self.any
     }
 
-    /// The objects that the ray in `lane` may hit: a bit for each, by [id](ObjectId).
+    /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray in `lane` may hit the object.
     #[inline(always)]
     pub const fn of_lane(&self, lane: usize) -> u32 {
         const FIRST_BIT_OF_EACH: u64 = 0x0101_0101_0101_0101;
-        // The product moves bit 8 i to bit 56 + i; its other bits stay below bit 56.
+        // The product moves bit 8 i to bit 56 + i. All other bits of the product stay below bit 56.
         const GATHER: u64 = 0x0102_0408_1020_4080;
         ((self.bits >> lane & FIRST_BIT_OF_EACH).wrapping_mul(GATHER) >> 56) as u32
     }
 }
 
-// No closures here: they would be compiled without the instruction set.
+// These are functions, because closures would be compiled without the instruction set.
 impl Target<Row> {
-    /// The objects from `at` on, one in each lane; or, if `SAME`, the object at `at` in every lane.
+    /// Returns the objects from index `at` on, one in each lane. If `SAME` is set, every lane gets the object at `at`.
     #[inline(always)]
     fn load<V: SimdF64, const SAME: bool>(&self, at: usize) -> Target<V> {
         Target {

@@ -1,8 +1,8 @@
-//! The structure for up to eight objects: all of them are tested in double precision, for several rays at once or, for
-//! one ray, several objects at once.
+//! The structure for up to eight objects. All of them are tested in double precision: one object for several rays at
+//! once, or several objects for one ray at once.
 //!
-//! The [conservative tests](crate::accel::conservative) decide which objects a ray may hit; the exact formulas
-//! intersect these. A ray that may hit no object certainly escapes.
+//! The [conservative tests](crate::accel::conservative) find the objects that a ray may hit, and the exact formulas
+//! intersect these. If a ray may hit no object, it certainly escapes.
 
 use crate::accel::{
     bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
@@ -14,44 +14,44 @@ use crate::input::error::Error;
 use crate::layout::Objects;
 use crate::simd::{Simd, SimdF64};
 
-/// Fewest objects that are tested in the lanes of one ray: fewer fill too few lanes.
+/// If a scene has at least this many objects, lanes hold several objects for one ray. Fewer objects fill too few lanes.
 const FEWEST_IN_LANES: usize = 4;
 
-/// The structure over up to eight objects.
+/// The structure for up to eight objects.
 #[derive(Clone, Debug)]
 pub struct SmallScene {
     in_order: Vec<ObjectId>,
     object_lanes: ObjectLanes,
-    /// See [`Extent::max_coordinate`].
+    /// The largest coordinate of the scene; see [`Extent::max_coordinate`].
     pub(super) max_coordinate: f64,
 }
 
 impl SmallScene {
-    /// The structure over `objects`.
+    /// Builds the structure over `objects`.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &impl Objects, &Extent { max_coordinate, .. }: &Extent) -> Result<Self, Error> {
         let object_lanes = ObjectLanes::new(objects, max_coordinate);
         Ok(Self { in_order: in_order(objects)?, object_lanes, max_coordinate })
     }
 
-    /// The objects in the order of the file.
+    /// Returns the numbers of the objects, in the order of the scene file.
     pub fn in_order(&self) -> &[ObjectId] {
         &self.in_order
     }
 
-    /// Whether lanes hold several objects for one ray; otherwise they hold several rays for one object.
+    /// Whether lanes hold several objects for one ray. Otherwise lanes hold several rays for one object.
     #[inline(always)]
     pub fn uses_object_lanes(&self) -> bool {
         self.in_order.len() >= FEWEST_IN_LANES
     }
 
-    /// The closest hit of a ray, which starts within the scene's extent.
+    /// Returns the closest hit of a ray, which must start inside the scene's extent.
     #[inline(always)]
     pub fn closest_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> ClosestHit {
         let (may_hit, mut closest) = (self.objects_may_hit::<V, O>(objects, ray), ClosestHit::NOTHING);
-        // With several objects of a kind, mostly none of that kind may be hit.
+        // Most rays can hit no object of a kind, so one branch for each kind skips the loop over its objects.
         if may_hit & ((1 << objects.sphere_count()) - 1) != 0 {
             intersect_spheres(&mut closest, objects, ray, may_hit);
         }
@@ -61,7 +61,8 @@ impl SmallScene {
         closest
     }
 
-    /// The objects that one ray, which starts within the scene's extent, may hit: a bit for each, by [id](ObjectId).
+    /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray may hit the object. The ray
+    /// must start inside the scene's extent.
     #[inline(always)]
     pub fn objects_may_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> u32 {
         if self.uses_object_lanes() {
@@ -78,22 +79,23 @@ impl SmallScene {
         may_hit
     }
 
-    /// Whether each of several rays, which start within the scene's extent, may hit an object. The result has no
-    /// meaning for directions that are [too short](is_too_short).
+    /// For each lane, whether its ray may hit the object with the number `id`. The rays must start inside the scene's
+    /// extent. The result has no meaning for directions that are [too short](is_too_short).
     #[inline(always)]
     pub fn may_hit<V: SimdF64>(&self, id: ObjectId, conservative: &ConservativeRay<V>) -> V::Mask {
         self.object_lanes.may_hit(id as usize, conservative)
     }
 
-    /// The objects that each of several rays, which start within the scene's extent, may hit. `too_short` holds, as
-    /// bits, at least the lanes whose directions are [too short](is_too_short). These may hit all objects.
+    /// For each lane, finds the objects that its ray may hit. The rays must start inside the scene's extent.
+    /// `too_short` has a bit for each lane, which must be 1 if the direction is [too short](is_too_short). Then all
+    /// objects count as ones that the ray may hit.
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         self.object_lanes.objects_may_hit_lanes(ray, too_short)
     }
 }
 
-/// The closest hit among the objects that this ray may hit, a bit for each.
+/// Returns the closest hit of a ray among the objects whose bits are set in `may_hit`.
 #[inline(always)]
 pub fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, may_hit: u32) -> ClosestHit {
     let mut closest = ClosestHit::NOTHING;
@@ -102,8 +104,8 @@ pub fn closest_hit_among<O: Objects>(objects: &O, ray: &Ray, may_hit: u32) -> Cl
     closest
 }
 
-/// Intersects the spheres of `may_hit`. A loop over all spheres lets the processor predict each branch before it knows
-/// the bits.
+/// Intersects the spheres whose bits are set in `may_hit`, and updates `closest`. The loop visits all spheres. So the
+/// processor can predict each branch before the bits are known.
 #[inline(always)]
 fn intersect_spheres<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &Ray, may_hit: u32) {
     for index in 0..objects.sphere_count() {
@@ -113,7 +115,7 @@ fn intersect_spheres<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &Ra
     }
 }
 
-/// Intersects the cylinders of `may_hit`; see [`intersect_spheres`].
+/// Intersects the cylinders whose bits are set in `may_hit`, and updates `closest`. See [`intersect_spheres`].
 #[inline(always)]
 fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &Ray, may_hit: u32) {
     for index in 0..objects.cylinder_count() {
@@ -146,7 +148,8 @@ mod tests {
                          cylinder: 0 0 -2 .5 1 2 .5 m\ncylinder: 3 1 1 .1 0 0 4 m\n";
     const EXTENT: f64 = 201.0;
 
-    /// Which objects the first lane's ray, the same in all lanes, may hit, and which it hits first.
+    /// A kernel that intersects one ray, the same in all lanes. It returns the objects that the ray may hit, and the
+    /// hit.
     struct MayHit<'a> {
         small_scene: &'a SmallScene,
         objects: &'a AosObjects,
@@ -174,7 +177,7 @@ mod tests {
         let objects = AosObjects::build(&scene).expect("it fits");
         let small_scene =
             SmallScene::new(&objects, &Extent { max_coordinate: EXTENT, moderate: true }).expect("it fits");
-        // A list shorter than [`FEWEST_IN_LANES`], so that it tests all objects one after the other.
+        // This list is shorter than `FEWEST_IN_LANES`, so the structure tests the objects one after the other.
         let one_by_one = SmallScene { in_order: small_scene.in_order[..1].to_vec(), ..small_scene.clone() };
         let mut draws = Uniform::new(5);
         let (mut tests_passed, mut hits) = (0, 0);
@@ -182,7 +185,7 @@ mod tests {
             let mut place = || Vec3::from([(); 3].map(|()| draws.draw(-3.0, 3.0)));
             let (mut origin, mut direction) = (place(), place());
             if number % 2 == 0 {
-                // From a surface, and every other time along it.
+                // The ray starts on a surface. Every other such ray goes along the surface.
                 let sphere = objects.sphere(number / 2 % 3).record;
                 let normal = (origin - sphere.center).unit();
                 origin = sphere.center + normal * sphere.radius;

@@ -1,30 +1,34 @@
-//! Spheres and cylinders as the [conservative tests](crate::accel::conservative) need them.
+//! Spheres and cylinders in the form that the [conservative tests](crate::accel::conservative) use.
 
 use crate::accel::object::{ObjectId, ObjectRef};
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
-/// How far rounding may move a point of the scene, relative to the scene's largest coordinate: thousands of roundings.
+/// A bound of the distance by which rounding may move a point of the scene, relative to the scene's largest coordinate.
+/// It is some thousand roundings.
 pub const SLACK: f64 = 8192.0 * f64::EPSILON;
 
-/// A sphere or a cylinder; `T` is a number, lanes, or an array. A test of a sphere uses only centre and radius.
+/// A sphere or a cylinder. `T` is a number, lanes, or an array of numbers. A test of a sphere uses only centre and
+/// radius.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<T = f64> {
-    /// Its centre.
+    /// The object's centre.
     pub center: Vec3<T>,
-    /// Of length one; null for a sphere.
+    /// The direction of a cylinder's axis, of length one. It is null for a sphere.
     pub axis: Vec3<T>,
-    /// The square of its radius.
+    /// The square of the object's radius.
     pub radius_squared: T,
-    /// The square of the radius of the sphere around it.
+    /// The square of the radius of the smallest sphere around the object.
     pub bounding_radius_squared: T,
-    /// Half its height, enlarged by how far rounding may move points of the caps; infinite for a sphere.
+    /// Half of a cylinder's height, plus the distance by which rounding may move points of the caps. It is infinite for
+    /// a sphere.
     pub half_height: T,
 }
 
 impl Target {
-    /// The object at `id`, in a scene with this [largest coordinate](crate::accel::extent::Extent::max_coordinate).
+    /// Returns the object with the number `id`, in a scene with this
+    /// [largest coordinate](crate::accel::extent::Extent::max_coordinate).
     #[inline(always)]
     pub fn of<O: Objects>(objects: &O, id: ObjectId, max_coordinate: f64) -> Self {
         match ObjectRef::of(objects, id) {
@@ -33,14 +37,14 @@ impl Target {
         }
     }
 
-    /// The sphere: for the tests of cylinders it is one without an axis, and of any height.
+    /// Returns the sphere. The tests of cylinders treat it as a cylinder without an axis and with infinite height.
     #[inline(always)]
     pub fn sphere(&SphereRecord { center, radius_squared, .. }: &SphereRecord) -> Self {
         let (axis, half_height) = (Vec3::ZERO, f64::INFINITY);
         Self { center, axis, radius_squared, bounding_radius_squared: radius_squared, half_height }
     }
 
-    /// The cylinder, in a scene with this largest coordinate.
+    /// Returns the cylinder, in a scene with this largest coordinate.
     #[inline(always)]
     pub fn cylinder(record: &CylinderRecord, max_coordinate: f64) -> Self {
         let CylinderRecord { center, axis, radius_squared, half_height, .. } = *record;

@@ -1,4 +1,4 @@
-//! Compares each acceleration structure with intersecting every object.
+//! Compares each acceleration structure with the one that intersects every object.
 
 use crate::accel::bvh::stack::Stack;
 use crate::accel::choice::Accel;
@@ -17,7 +17,7 @@ use crate::simd::instruction_set::InstructionSet;
 use crate::simd::tests::positive_nan::PositiveNan;
 use crate::simd::{Kernel, Simd};
 
-/// `count` objects of both kinds in a cube, and one much larger below them.
+/// Returns `count` objects of both kinds in a cube, and a much larger sphere below them.
 fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
     let mut draws = Uniform::new(seed);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -120 0 110 m\n");
@@ -35,7 +35,7 @@ fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
     AosObjects::build(&scene).expect("it fits")
 }
 
-/// Intersects one ray with a structure.
+/// A kernel that finds the closest hit of one ray with a structure.
 struct Intersect<'a> {
     accel: &'a Accel,
     objects: &'a AosObjects,
@@ -54,7 +54,8 @@ impl Kernel for Intersect<'_> {
     }
 }
 
-/// Compares a structure with intersecting every object, for random rays, and for rays from their hits. Many graze.
+/// Compares a structure with the one that intersects every object, for random rays and for rays that start at their
+/// hits. Many of the rays graze a sphere.
 fn agrees_with_plain(accel: &Accel, objects: &AosObjects, rays: usize) {
     let mut draws = Uniform::new(99);
     let mut stack = Stack::EMPTY;
@@ -66,7 +67,8 @@ fn agrees_with_plain(accel: &Accel, objects: &AosObjects, rays: usize) {
                 direction: [(); 3].map(|()| draws.draw(-1.0, 1.0)).into(),
             };
             if number % 3 == 0 {
-                // Towards the rim of a sphere, from a part in a thousand inside to as much outside, and closer.
+                // The ray goes towards the rim of a sphere. It passes the rim inside or outside, at up to a thousandth
+                // of the radius.
                 let target = objects.sphere(number % objects.sphere_count()).record;
                 let to_center = target.center - ray.origin;
                 let aside = ray.direction.perpendicular_to(to_center.unit()).unit() * target.radius;
@@ -120,8 +122,9 @@ fn many_objects_get_a_bvh() {
     agrees_with_plain(&accel, &objects, 300);
 }
 
-/// Spheres and cylinders at least `above` over y = 0, where a dominant sphere of radius 60 ends, but for the first
-/// `overlapping` of them. They are so far from each other that all are isolated.
+/// Returns a dominant sphere of radius 60, which ends at y = 0, and `count` spheres and cylinders. The first
+/// `overlapping` of them overlap the dominant sphere, and the others are at least `above` over y = 0. They do not
+/// overlap each other.
 fn above_a_dominant_sphere(count: usize, above: f64, overlapping: usize) -> AosObjects {
     let mut draws = Uniform::new(8);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -60 0 60 m\n");
@@ -132,7 +135,7 @@ fn above_a_dominant_sphere(count: usize, above: f64, overlapping: usize) -> AosO
         if index % 2 == 0 {
             text += &format!("sphere: {x} {y} {z} {radius} m\n");
         } else {
-            // Leaning, and inside the sphere that it replaces.
+            // The cylinder leans, and it lies inside the sphere that it replaces.
             let (half_height, lean) = (radius / 2.0, radius / 4.0);
             text += &format!("cylinder: {x} {y} {z} {half_height} {lean} {radius} 0 m\n");
         }
@@ -171,12 +174,13 @@ fn a_scene_of_extreme_magnitudes_intersects_every_object() {
 #[test]
 fn the_order_of_the_file_is_kept() {
     let objects = objects(4, 1.0, 4);
-    // The dominant sphere, then sphere, cylinder, sphere, cylinder; spheres are numbered first.
+    // The file has the dominant sphere, then sphere, cylinder, sphere, cylinder. Spheres have the lowest numbers.
     assert_eq!(in_order(&objects).expect("it fits"), [0, 1, 3, 2, 4]);
 }
 
-/// Compares a structure with intersecting every object, for directions of any length, from `10^-300` to `10^300`, null,
-/// infinite and not a number, of rays that start on the objects or between them; `far` is how far that is.
+/// Compares a structure with the one that intersects every object, for directions of any length. The lengths are from
+/// `10^-300` to `10^300`, null, infinite and NaN. The rays start on the objects or between them. `far` is the largest
+/// coordinate of the points between them.
 fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far: f64) {
     let mut draws = Uniform::new(17);
     let mut stack = Stack::EMPTY;
@@ -188,7 +192,7 @@ fn agrees_for_directions_of_any_length(accel: &Accel, objects: &AosObjects, far:
         let (on_surface, anywhere, mut direction) = (vector().unit() * sphere.radius, vector() * far, vector());
         let is_on_surface = number % 2 == 0;
         let start = if is_on_surface { sphere.center + on_surface } else { anywhere };
-        // Mostly towards another sphere, and so that the ray arrives at a lambda that counts or nearly does.
+        // Two of three rays go towards another sphere. They reach it at lambda 1, before the direction is scaled.
         let target = objects.sphere(number * 7 % objects.sphere_count()).record;
         if number % 3 != 0 {
             direction = target.center + direction * target.radius - start;
@@ -225,8 +229,7 @@ fn directions_of_any_length_give_the_closest_hit() {
     }
 }
 
-/// A ring of spheres and cylinders, `scale` times as large as one of radius 5 around the origin, and a cylinder in its
-/// middle.
+/// Returns a ring of spheres and cylinders around the origin, with radius `5 scale`, and a cylinder in its middle.
 fn ring(count: usize, scale: f64) -> AosObjects {
     let mut text = format!("matte: m 1 1 1\ncylinder: 0 0 0 {} 0 {scale} 0 m\n", 0.01 * scale);
     for index in 0..count {

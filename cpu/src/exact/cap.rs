@@ -1,9 +1,11 @@
-//! The rule of a hit on a cylinder's cap, exact: the twin of [`crate::geometry::cap`], by which the programs decide.
+//! The rule of a hit on a cylinder's cap, with an error bound. This is the exact counterpart of
+//! [`crate::geometry::cap`], and the programs decide by it.
 //!
-//! A ray certainly hits a cap, certainly misses it, or the cap is uncertain. [`Plane`] serves one ray and lanes, in
-//! `f64` and in double-double; [`filtered`] is its form for one ray. If double-double is uncertain too, `Setting::cap`
-//! of `exact/cylinder_exact.rs` decides without rounding. The reference has its literal copy in `cap` of
-//! `reference/nearest.rs`, and WGSL in `cylinder_cap` of `cylinder.wgsl`.
+//! The result is that a ray certainly hits a cap, that it certainly misses the cap, or that this is uncertain.
+//! [`Plane`] serves one ray and lanes, in `f64` and in double-double. [`filtered`] calls it for one ray. If
+//! double-double is uncertain too, `Setting::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference
+//! has a literal copy of the rule in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of
+//! `cylinder.wgsl`.
 
 use crate::exact::{
     cylinder_side::LIMITS, cylinder_side::extent, cylinder_side::magnitude, cylinder_side::margin,
@@ -12,7 +14,8 @@ use crate::exact::{
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::LAMBDA_MIN, ray::Ray};
 use crate::math::{rounding::Rounding, vec3::Vec3};
 
-/// The hit of one ray with the cap that is the `part` around `center`.
+/// Returns lambda and `part` if the ray certainly hits the cap around `center`, and `None` if it certainly misses the
+/// cap. `part` says which of the two caps this is.
 #[inline(always)]
 pub(super) fn filtered<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
@@ -32,23 +35,25 @@ pub(super) fn filtered<T: Rounding<Mask = bool>>(
     }
 }
 
-/// A cap's plane, and which results are certain before lambda is computed.
+/// The plane of a cap and one ray, with what is certain before lambda is computed.
 pub(super) struct Plane<T: Rounding> {
     center: Vec3<T>,
-    /// From the ray's origin to the plane along the axis.
+    /// The distance from the ray's origin to the plane, measured along the axis. It is positive if the plane lies in
+    /// the direction of the axis.
     to_plane: T,
-    /// The product of the ray's direction and the axis.
+    /// The dot product of the ray's direction and the axis.
     slope: T,
-    /// The plane is certainly not hit: it is parallel to the ray, behind its origin, or too near.
+    /// The plane is certainly not hit. It is parallel to the ray, it is behind the ray's origin, or lambda is below
+    /// [`LAMBDA_MIN`].
     pub fails: T::Mask,
-    /// The ray is certainly not parallel to it.
+    /// The ray is certainly not parallel to the plane.
     steep: T::Mask,
-    /// Lambda can be computed with the accuracy of an accepted one.
+    /// The plain formula for lambda is accurate enough to accept its result.
     accurate: T::Mask,
 }
 
 impl<T: Rounding> Plane<T> {
-    /// The plane of the cap around `center`.
+    /// Returns the plane of the cap around `center`.
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, ray: &Ray<T>, center: Vec3<T>) -> Self {
         let condition = LIMITS.condition_limit::<T>();
@@ -58,7 +63,7 @@ impl<T: Rounding> Plane<T> {
         let slope_error = size_of_direction * T::of(8.0 * T::UNIT_ROUNDOFF);
         let parallel = (steepness + slope_error).less(T::of(PARALLEL));
         let steep = (T::of(PARALLEL) + slope_error).less(steepness);
-        // Positive in front of the ray.
+        // The distance is positive if the plane is in front of the ray.
         let distance = to_plane.flipped_by(slope);
         let size = extent(record) + magnitude(to_center);
         let distance_error = size * T::of(16.0 * T::UNIT_ROUNDOFF);
@@ -68,7 +73,7 @@ impl<T: Rounding> Plane<T> {
         Self { center, to_plane, slope, fails: parallel | (steep & too_near), steep, accurate }
     }
 
-    /// Whether the disc is hit.
+    /// Returns lambda, and whether the ray certainly hits the cap or certainly misses it.
     #[inline(always)]
     pub fn disc(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> Outcome<T> {
         let lambda = self.to_plane / self.slope;

@@ -1,9 +1,10 @@
-//! Ray against closed cylinder, exact; see [`crate::geometry::cylinder`] for the formulas.
+//! Exact intersection of ray and closed cylinder. [`crate::geometry::cylinder`] has the plain formulas.
 //!
-//! Besides the quadratic's error bound there are margins for what the plain formula decides afterwards: whether a point
-//! of the side is between the caps, whether a point of a cap's plane is on the disc, whether a plane is hit at all, and
-//! which of two surfaces is nearer. Each margin holds the error of lambda, as a length, and the rounding of the points,
-//! which have the size of the cylinder's coordinates.
+//! The quadratic has an error bound. Two decisions have margins: whether a point of the side is between the caps, and
+//! whether a point of a cap's plane is on the disc. Each margin covers the error of lambda, converted to a length, and
+//! the rounding of the points. Two other decisions have bounds of their own: whether a cap's plane is parallel to the
+//! ray, and whether it is too near. No lambdas of two parts are compared, because their order follows from the shape
+//! (see [`filtered`]).
 
 use crate::counters::{Counter, add};
 pub use crate::exact::cylinder_lanes::{CylinderHits, SideLanes};
@@ -15,8 +16,9 @@ use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
-/// Where the ray hits the cylinder, as [`CylinderRecord::intersect`], but with decisions that rounding does not change.
-/// `axis` is that of the scene file, as long as the cylinder is high, and `record` was made from it.
+/// Returns lambda and part of the ray's hit with the cylinder, or `None` if it misses. [`CylinderRecord::intersect`]
+/// has the same rule, but here rounding never changes a decision. `axis` is that of the scene file, as long as the
+/// cylinder is high. `record` must be made from this axis.
 ///
 /// ```
 /// use cpu::intersect::{self, CylinderPart, CylinderRecord};
@@ -24,7 +26,7 @@ use crate::simd::fused::run_fused;
 ///
 /// let axis = Vec3::new(0.0, 4.0, 0.0);
 /// let cylinder = CylinderRecord::new(Vec3::ZERO, 1.0, axis);
-/// // Exactly through the rim: side and cap are equally near, and the cap counts, because it is later.
+/// // The ray passes exactly through the rim. Side and cap have the same lambda, and the later one, the cap, counts.
 /// let ray = Ray { origin: Vec3::new(0.0, 4.0, -3.0), direction: Vec3::new(0.0, -1.0, 1.0) };
 /// assert_eq!(intersect::cylinder(&cylinder, &axis, &ray), Some((2.0, CylinderPart::Top)));
 /// ```
@@ -37,12 +39,13 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
     }
 }
 
-/// Returns the result of the plain formula in the arithmetic `T`, or that rounding may have changed it.
+/// Computes the plain formulas in the arithmetic `T`. Returns lambda and part, or `None` for a miss, if the result is
+/// certain.
 ///
-/// The cylinder is convex: the line crosses its surface where it enters and where it leaves, and nowhere else. So no
-/// cap is nearer than an entry through the side. Only the cap that faces the ray can be nearer than an exit through the
-/// side, and the other cap counts only if nothing else is hit. For rays that start inside, or go inward from the
-/// surface, an exit through the side mostly decides alone.
+/// The cylinder is convex, so the ray's line crosses its surface only where it enters and where it leaves. If the ray
+/// enters through the side, no cap is nearer. If it leaves through the side, only the cap that faces the ray can be
+/// nearer. The other cap counts only if nothing else is hit. For rays that start inside, or go inward from the surface,
+/// the exit through the side mostly decides alone.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
@@ -74,8 +77,8 @@ pub fn filtered<T: Rounding<Mask = bool>>(
     if entry.passes_by(&exit) {
         return Decision::Certain(None);
     }
-    // A branch on which cap faces the ray would be mispredicted, and a selection would become a branch. So its centre
-    // is computed, by the formula of `record.top` and `record.bottom`.
+    // Here `facing` is the centre of the cap that faces the ray. A branch that chooses it would be mispredicted, and a
+    // selection would become a branch. So it is computed by the formula of `record.top` and `record.bottom`.
     let slope = ray.direction.dot(record.axis);
     let along = record.axis * record.half_height.flipped_by(slope);
     let (facing, other) = (record.center - along, record.center + along);
@@ -88,7 +91,8 @@ pub fn filtered<T: Rounding<Mask = bool>>(
     }
 }
 
-/// Intersects a ray for which [`filtered`] is uncertain. This takes some thousand operations, and few rays need it.
+/// Intersects a ray for which [`filtered`] is uncertain, by double-double arithmetic. If that is uncertain too, dyadic
+/// arithmetic decides. This takes some thousand operations, and few rays need it. `axis` is that of the scene file.
 #[cold]
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
@@ -132,7 +136,8 @@ mod tests {
             (ray([0.5, 5.0, 0.0], [-0.3, -1.0, 0.1]), Some(CylinderPart::Top)),
             (ray([0.5, -5.0, 0.0], [-0.3, 1.0, 0.1]), Some(CylinderPart::Bottom)),
             (ray([0.0, 0.0, 0.0], [0.1, 1.0, 0.0]), Some(CylinderPart::Top)),
-            // From inside the infinite cylinder: the cap first, or the side.
+            // These rays start inside the infinite cylinder. The first two hit a cap first, and the third hits the
+            // side.
             (ray([0.0, 3.0, 0.0], [1.0, -1.5, 0.0]), Some(CylinderPart::Top)),
             (ray([0.0, -3.0, 0.0], [1.0, 1.5, 0.0]), Some(CylinderPart::Bottom)),
             (ray([0.0, 1.9, 0.0], [1.0, -1.5, 0.0]), Some(CylinderPart::Side)),
@@ -151,7 +156,7 @@ mod tests {
     fn through_the_rim_the_cap_counts() {
         assert_eq!(hit(UPRIGHT, &ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0])), Some((2.0, CylinderPart::Top)));
         assert_eq!(hit(UPRIGHT, &ray([0.0, -4.0, -3.0], [0.0, 1.0, 1.0])), Some((2.0, CylinderPart::Bottom)));
-        // Out of it: the far root is on the rim.
+        // The ray leaves the cylinder through the rim.
         assert_eq!(hit(UPRIGHT, &ray([0.0, 1.0, 0.0], [0.0, 1.0, 1.0])), Some((1.0, CylinderPart::Top)));
     }
 
@@ -181,7 +186,8 @@ mod tests {
 
     #[test]
     fn planes_within_the_limit_of_parallel_are_skipped() {
-        // Slopes around 1e-8: the ray with the slope just below hits no cap, though its line would.
+        // The slopes are close to 1e-8. The ray whose slope is just below hits no cap, although its line crosses the
+        // disc.
         let start = [0.0, 1.0 - 1e-9, 0.0];
         let toward = |slope: f64| ray(start, [0.5, slope, 0.0]);
         let flat = [0.0, 2.0, 0.0];

@@ -1,8 +1,12 @@
-//! Ray against closed cylinder without rounding, for rays that no other step can decide.
+//! Intersects ray and closed cylinder without rounding, for rays that no other step can decide.
 //!
-//! With `V` the file's axis and `q = O - C`, everything is multiplied by `V.V` so that no unit vector is needed: the
-//! side is `a lambda^2 - 2 h lambda + c = 0` with `a = |d x V|^2`, `h = -(q x V).(d x V)`, `c = |q x V|^2 - r^2 V.V`, a
-//! point `P` is between the caps when `|(P - C).V| <= V.V / 2`, and the top cap's plane is `(P - C).V = V.V / 2`.
+//! Let `V` be the axis of the scene file and `q = O - C`. The formulas are multiplied by `V.V`, so that they need no
+//! unit vector:
+//!
+//! - the side is `a lambda^2 - 2 h lambda + c = 0` with `a = |d x V|^2`, `h = -(q x V).(d x V)` and
+//!   `c = |q x V|^2 - r^2 V.V`;
+//! - a point `P` is between the caps if `|(P - C).V| <= V.V / 2`;
+//! - the plane of the top cap is `(P - C).V = V.V / 2`.
 
 use std::cmp::Ordering;
 
@@ -13,10 +17,10 @@ use crate::exact::{
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::LAMBDA_MIN, ray::Ray};
 use crate::math::vec3::Vec3;
 
-/// The terms that side and caps share.
+/// Ray and cylinder as exact numbers, with the products that the formulas of side and caps share.
 struct Setting {
     direction: Exact3,
-    /// From the centre to the ray's origin.
+    /// `q`: the vector from the cylinder's centre to the ray's origin.
     r_c: Exact3,
     axis: Exact3,
     radius_squared: Dyadic,
@@ -30,13 +34,14 @@ struct Setting {
     least: Dyadic,
 }
 
-/// A cap's lambda as a fraction; the denominator is positive.
+/// The lambda of a cap as a fraction. The denominator is positive.
 struct Fraction {
     numerator: Dyadic,
     denominator: Dyadic,
 }
 
-/// Where the ray hits the cylinder.
+/// Returns lambda and part of the ray's hit with the cylinder, or `None` if it misses. `axis` is that of the scene
+/// file, as long as the cylinder is high. The error says that an input is not finite.
 pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
     let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
     let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
@@ -49,7 +54,8 @@ pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Opt
 }
 
 impl Setting {
-    /// The side's quadratic, and whether the larger of its roots is the hit.
+    /// Returns the side's quadratic, and whether the hit is at its larger root. The result is `None` if the ray misses
+    /// the side.
     fn side(&self) -> Option<(Quadratic, bool)> {
         let length_squared = self.half.scaled(1);
         let flat = |product: Dyadic, along: Dyadic| &(&product * &length_squared) - &along;
@@ -61,7 +67,8 @@ impl Setting {
         Some((quadratic, larger))
     }
 
-    /// Whether a root is in range and its point between the caps.
+    /// Whether a root is in range, and its point is between the caps' planes. The root is the larger one if `larger` is
+    /// set.
     fn side_counts(&self, quadratic: &Quadratic, larger: bool) -> bool {
         let Self { half, slope, height, least, .. } = self;
         quadratic.is_linear_form_positive(&-least, &Dyadic::one(), larger)
@@ -69,7 +76,7 @@ impl Setting {
             && quadratic.is_linear_form_positive(&(half + height), slope, larger)
     }
 
-    /// A cap's lambda, if the cap is hit: the rule of [`crate::geometry::cap`].
+    /// Returns a cap's lambda, or `None` if the ray misses the cap. The rule is that of [`crate::geometry::cap`].
     fn cap(&self, is_bottom: bool) -> Result<Option<Fraction>, NotFinite> {
         let Self { direction, r_c, axis, radius_squared, half, slope, height, least } = self;
         let parallel = &exact(PARALLEL)?.squared() * &half.scaled(1);
@@ -85,7 +92,7 @@ impl Setting {
         if (&numerator - &(least * &denominator)).sign() == Ordering::Less {
             return Ok(None);
         }
-        // From the cap's centre to the point, times the denominator.
+        // `point` is the vector from the cap's centre to the ray's point, times the denominator.
         let to_cap = axis.times(&exact(if is_bottom { -0.5 } else { 0.5 })?);
         let point = r_c.minus(&to_cap).times(&denominator).plus(&direction.times(&numerator));
         let outside = &point.dot(&point) - &(radius_squared * &denominator.squared());
@@ -93,7 +100,8 @@ impl Setting {
     }
 }
 
-/// The closest of the parts that are hit: the rule of [`crate::geometry::tie`], in the order of the parameters.
+/// Returns lambda and name of the closest part, or `None` if no part is hit. Of equal lambdas the later parameter
+/// counts, by the rule of [`crate::geometry::tie`].
 fn closest_part(
     side: Option<(Quadratic, bool)>,
     top: Option<Fraction>,
@@ -101,7 +109,7 @@ fn closest_part(
 ) -> Option<(f64, CylinderPart)> {
     let side_is_closer = |cap: &Fraction| {
         side.as_ref().is_some_and(|(quadratic, larger)| {
-            // lambda_cap > lambda_side exactly if not (lambda_side - lambda_cap >= 0).
+            // The side is closer if `lambda_side - lambda_cap` is not at least 0.
             !quadratic.is_linear_form_positive(&-&cap.numerator, &cap.denominator, *larger)
         })
     };
@@ -122,7 +130,7 @@ impl Fraction {
         (&left - &right).sign() != Ordering::Greater
     }
 
-    /// The nearest f64, or a neighbour.
+    /// Returns the nearest `f64`, or a neighbour of it.
     fn value(&self) -> f64 {
         let (numerator, upper) = self.numerator.to_part_and_power();
         let (denominator, lower) = self.denominator.to_part_and_power();

@@ -1,36 +1,37 @@
-//! Several rays or cylinders at once, without a branch; see [`crate::exact::cylinder`] for one.
+//! Intersects several rays or cylinders at once, without a branch. [`crate::exact::cylinder`] has the form for one ray.
 
 use crate::exact::{cap::Plane, cylinder_side::Crossing, cylinder_side::Side};
 use crate::geometry::{cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// The hits of several rays or cylinders at once.
+/// The hits of several rays or cylinders at once, one in each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct CylinderHits<T: Real> {
-    /// The result of the plain formula; infinite where it finds no hit. Undefined in a lane that is not certain.
+    /// The lambda of the hit, or infinity if the ray misses the cylinder. It has no meaning in a lane that is not
+    /// `certain`.
     pub lambda: T,
-    /// Lanes whose hit, if there is one, is on the top cap.
+    /// The lanes whose hit is on the top cap, if there is a hit.
     pub top: T::Mask,
-    /// Lanes whose hit, if there is one, is on the bottom cap.
+    /// The lanes whose hit is on the bottom cap, if there is a hit.
     pub bottom: T::Mask,
-    /// Lanes whose result is right. The others need [`precise`](crate::exact::cylinder::precise).
+    /// The lanes whose result is certain. The other lanes need [`precise`](crate::exact::cylinder::precise).
     pub certain: T::Mask,
 }
 
-/// The decisions that need only the side.
+/// The decisions that need only the side. Many rays need no test of the caps.
 pub struct SideLanes<T: Real> {
     entry: Crossing<T>,
     exit: Crossing<T>,
-    /// Lanes that certainly miss the cylinder.
+    /// The lanes whose ray certainly misses the cylinder.
     nothing: T::Mask,
-    /// Lanes that certainly hit the side from inside.
+    /// The lanes whose ray certainly starts between the caps' planes and hits the side from inside.
     through: T::Mask,
-    /// Lanes whose result needs the caps.
+    /// The lanes that the side alone does not decide.
     pub open: T::Mask,
 }
 
 impl<T: Rounding> SideLanes<T> {
-    /// Intersects the side, and leaves the other lanes [open](Self::open).
+    /// Intersects the rays with the side. `view` has the cylinder's terms for the rays' origin.
     #[inline(always)]
     pub fn new(record: &CylinderRecord<T>, view: &CylinderView<T>, ray: &Ray<T>) -> Self {
         let side = Side::new(record, view, ray.direction);
@@ -42,7 +43,7 @@ impl<T: Rounding> SideLanes<T> {
         Self { entry, exit, nothing, through, open: !(nothing | entry.hits | through) }
     }
 
-    /// The hits if no lane is [open](Self::open).
+    /// Returns the hits by the side alone. Lanes that are [open](Self::open) are not `certain`.
     #[inline(always)]
     pub fn without_caps(&self) -> CylinderHits<T> {
         let none = T::of(1.0).less(T::of(0.0));
@@ -55,7 +56,7 @@ impl<T: Rounding> SideLanes<T> {
         }
     }
 
-    /// The hits with the caps.
+    /// Intersects the rays with the caps too, and returns the hits.
     #[inline(always)]
     pub fn with_caps(&self, record: &CylinderRecord<T>, ray: &Ray<T>) -> CylinderHits<T> {
         let Self { entry, exit, nothing, through, open } = *self;

@@ -1,54 +1,58 @@
-//! The side of a cylinder with its error bound, and the margins that side and [caps](crate::exact::cap) share;
-//! [`crate::exact::cylinder`] puts them together.
+//! Intersects a ray with the side of a cylinder, with an error bound. It also has the margins that are used for side
+//! and [caps](crate::exact::cap). [`crate::exact::cylinder`] combines side and caps.
 
 use crate::exact::error_bound::{ErrorBound, Limits};
 use crate::geometry::{cylinder::CylinderRecord, cylinder::CylinderView, ray::Ray};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// Counted in `docs/accuracy.md`: the error constant is at most 132. With this condition limit lambdas are right to
-/// 1.6e-10 on the side and 6.2e-10 on a cap (measured: 1.4e-11).
+/// The constants of the error bound for cylinders. By the count in `docs/accuracy.md`, an error constant of 132
+/// suffices. With this condition limit the relative error of lambda is at most 1.6e-10 on the side and 6.2e-10 on a
+/// cap. The largest measured error is 1.4e-11.
 pub const LIMITS: Limits = Limits { error_constant: 192.0, condition_limit: 65536.0 };
 
-/// The infinite cylinder's quadratic, and its error bound.
+/// The quadratic of one ray and an infinite cylinder, with its error bound.
 pub(super) struct Side<T> {
     pub bound: ErrorBound<T>,
     pub length_squared: T,
     a: T,
     pub h: T,
-    /// A line that misses the infinite cylinder hits no cap either.
+    /// A quarter of the quadratic's discriminant. If it is negative, the ray's line misses the infinite cylinder, and
+    /// so it misses the caps too.
     pub discriminant: T,
-    /// How far the ray's origin is along the axis from the plane halfway between the caps.
+    /// The distance of the ray's origin, along the axis, from the plane halfway between the caps. It is positive on the
+    /// side of the top cap.
     along: T,
-    /// By how much a point of the ray advances along the axis when lambda grows by one.
+    /// The distance, along the axis, that the ray's point moves if lambda grows by one.
     slope: T,
 }
 
-/// What is certain about a point where a line crosses the infinite cylinder. If no mask holds, the crossing is
-/// uncertain.
+/// What is certain about a point where the ray's line crosses the infinite cylinder. If no mask holds, nothing is
+/// certain.
 #[derive(Clone, Copy)]
 pub(super) struct Crossing<T: Real> {
     pub lambda: T,
-    /// The point is between the caps, and lambda is in range.
+    /// The point certainly is between the caps' planes, and lambda certainly is in range.
     pub hits: T::Mask,
-    /// `hits` holds, and the ray's origin is between the caps too: the ray crosses no cap's plane before the point.
+    /// `hits` holds, and the ray's origin certainly is between the caps' planes too. So the ray crosses no cap's plane
+    /// before the point.
     pub straight: T::Mask,
-    /// Lambda is too small.
+    /// Lambda certainly is too small.
     pub behind: T::Mask,
-    /// The point is beyond the top cap.
+    /// The point certainly is beyond the plane of the top cap.
     above: T::Mask,
-    /// The point is beyond the bottom cap.
+    /// The point certainly is beyond the plane of the bottom cap.
     below: T::Mask,
 }
 
 impl<T: Real> Crossing<T> {
-    /// Whether the side is certainly not hit there.
+    /// Whether the ray certainly does not hit the side at this point.
     #[inline(always)]
     pub fn fails(&self) -> T::Mask {
         self.behind | self.above | self.below
     }
 
-    /// Whether a ray that enters the infinite cylinder here and leaves it at `exit` certainly hits no part of the
-    /// cylinder: it has left already, or is beyond one cap all the way.
+    /// Whether a ray that enters the infinite cylinder at this point and leaves it at `exit` certainly hits no part of
+    /// the cylinder. Then it has left before the smallest lambda, or both points are beyond the same cap.
     #[inline(always)]
     pub fn passes_by(&self, exit: &Self) -> T::Mask {
         exit.behind | (self.above & exit.above) | (self.below & exit.below)
@@ -65,26 +69,27 @@ impl<T: Rounding> Side<T> {
         Self { bound, length_squared, a, h, discriminant, along: view.along, slope }
     }
 
-    /// Whether `a` is accurate enough. For a ray nearly along the axis `a` cancels, and its error exceeds that of an
-    /// accepted lambda.
+    /// Whether `a` is accurate enough. If a ray is nearly parallel to the axis, `a` cancels, and its error may exceed
+    /// the error of an accepted lambda.
     #[inline(always)]
     fn is_steep_enough(&self) -> T::Mask {
         let condition = LIMITS.condition_limit::<T>();
         self.length_squared.less_equal(self.a * T::of(64.0 * condition * condition))
     }
 
-    /// Whether the root `numerator / a` certainly is too small a lambda.
+    /// Whether the root `numerator / a` certainly is too small a lambda. `root` is the square root of the discriminant.
     #[inline(always)]
     pub fn is_behind(&self, numerator: T, root: T) -> T::Mask {
         self.is_steep_enough() & self.bound.is_too_small(self.a, numerator, root)
     }
 
-    /// The crossing at the root `numerator / a`, where `root` is that of the discriminant.
+    /// Returns the crossing at the lambda `numerator / a`. `root` is the square root of the discriminant.
     #[inline(always)]
     pub fn crossing(&self, record: &CylinderRecord<T>, ray: &Ray<T>, numerator: T, root: T) -> Crossing<T> {
         let steep_enough = self.is_steep_enough();
         let crossing = self.bound.root(self.a, numerator, root);
-        // The plain formula computes the point first. The margin covers the difference.
+        // The plain formula computes the point first, and then its distance along the axis. The margin covers the
+        // difference of the two results.
         let along = self.along + crossing.lambda * self.slope;
         let margin = margin(record, ray, crossing.lambda);
         let accurate = steep_enough & crossing.hits;
@@ -101,22 +106,22 @@ impl<T: Rounding> Side<T> {
     }
 }
 
-/// The size of a cylinder's coordinates and of the cylinder, which is constant for all rays.
+/// Returns a bound of the cylinder's coordinates and dimensions, in scene units. It is constant for all rays.
 #[inline(always)]
 pub(super) fn extent<T: Real>(record: &CylinderRecord<T>) -> T {
-    // Underflow changes lengths by far less than 2^-300.
+    // Underflow changes a length by far less than 2^-300.
     const UNDERFLOW: f64 = f64::from_bits((1023 - 300) << 52);
     magnitude(record.center) + record.radius + record.half_height + T::of(UNDERFLOW)
 }
 
-/// How far rounding may have moved the point at an accepted lambda.
+/// Returns a bound of the distance, in scene units, by which rounding moves the ray's point at an accepted lambda.
 #[inline(always)]
 pub(super) fn margin<T: Rounding>(record: &CylinderRecord<T>, ray: &Ray<T>, lambda: T) -> T {
     let along = lambda * magnitude(ray.direction) * T::of(2.0 * LIMITS.lambda_error::<T>());
     along + extent(record) * T::of(64.0 * T::UNIT_ROUNDOFF)
 }
 
-/// A number not smaller than the vector's length, and at most 1.74 times as large.
+/// Returns an upper bound of the vector's length, which is at most 1.74 times as large as the length.
 #[inline(always)]
 pub(super) fn magnitude<T: Real>(vector: Vec3<T>) -> T {
     vector.x.abs() + vector.y.abs() + vector.z.abs()

@@ -1,21 +1,23 @@
-//! Numbers of about 106 bits: the unevaluated sum of two f64, the second at most half a unit in the last place of
-//! the first.
+//! Numbers of about 106 bits. Each is the unevaluated sum of two `f64`. The magnitude of the second is at most
+//! half a unit in the last place of the first.
 //!
-//! The algorithms and their bounds are those of Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic
-//! building blocks of double-word arithmetic", ACM TOMS 44 (2017); the square root's is from Lefevre, Louvet, Muller,
-//! Picot and Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49 (2023).
-//! With u = 2^-53 the relative errors are at most: sum 3u^2 (also under cancellation), product 4u^2, quotient 15u^2,
-//! square root 25/8 u^2, so 16u^2 = 2^-102 serves as one unit roundoff for all, short of overflow and underflow.
+//! Sum, product and quotient, with their bounds, are those of Joldes, Muller and Popescu, "Tight and rigorous error
+//! bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017). The square root is that of Lefevre,
+//! Louvet, Muller, Picot and Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS
+//! 49 (2023). With u = 2^-53 the relative errors are at most 3u^2 for a sum (also under cancellation), 4u^2 for a
+//! product, 15u^2 for a quotient and 25/8 u^2 for a square root. So 16u^2 = 2^-102 serves as the unit roundoff of all
+//! operations, short of overflow and underflow.
 //!
-//! `f64::mul_add` rounds once by contract. Code that is compiled for a machine without the instruction calls a function
-//! instead, just as exact; so the precise paths are [compiled](crate::simd::Kernel) for each instruction set.
+//! `f64::mul_add` always rounds once. If code is compiled for a machine without the instruction, it calls a slow
+//! library function with the same result. So the precise formulas are [compiled](crate::simd::Kernel) for each
+//! instruction set.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::math::{error_free::two_product, error_free::two_sum, real::Real, rounding::Rounding};
 
-/// The number `high + low`. Comparisons need `low` to be at most half a unit in the last place of `high`, which all
-/// operations here see to.
+/// The number `high + low`. The magnitude of `low` is at most half a unit in the last place of `high`. Comparisons rely
+/// on this, and all operations of this file keep it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DoubleDouble {
     /// The f64 nearest to the number.
@@ -24,7 +26,7 @@ pub struct DoubleDouble {
     pub low: f64,
 }
 
-/// `a + b`, exactly, for `|a| >= |b|` or `a = 0` (Dekker).
+/// Returns exactly `a + b`, if `|a| >= |b|` or `a = 0` (Dekker).
 #[inline(always)]
 fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     let high = a + b;
@@ -122,7 +124,7 @@ impl Real for DoubleDouble {
 
 impl Rounding for DoubleDouble {
     const UNIT_ROUNDOFF: f64 = 16.0 * <f64 as Rounding>::UNIT_ROUNDOFF * <f64 as Rounding>::UNIT_ROUNDOFF;
-    // So that an accepted lambda is right to half a unit in the last place of f64.
+    // With this factor the error of an accepted lambda is at most half a unit in the last place of f64.
     const LENIENCE: f64 = (1 << 24) as f64;
 }
 

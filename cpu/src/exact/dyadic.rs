@@ -1,7 +1,7 @@
-//! Exact arithmetic on the finite numbers of f64, and on their sums and products.
+//! Arithmetic without rounding, on the finite numbers of `f64` and on their sums and products.
 //!
-//! A number is an integer of any size times a power of two. Nothing is rounded, nothing overflows; each operation
-//! allocates, so this is for the rare rays that no other step can decide.
+//! A number is an integer of any size times a power of two. No operation rounds or overflows. Each operation allocates
+//! memory, so only the rare rays use it that no other step can decide.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -9,17 +9,17 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::exact::{double_double::DoubleDouble, limbs};
 use crate::math::{error_free::two_sum, real::Real};
 
-/// The number `(-1)^negative magnitude 2^exponent`.
+/// The number `± magnitude * 2^exponent`, with the minus sign if `negative` is set.
 #[derive(Clone, Debug)]
 pub struct Dyadic {
     negative: bool,
-    /// Little endian, the last limb not zero; empty for zero.
+    /// A whole number in the form of [`limbs`]: the lowest limb first, the last limb not zero, empty for zero.
     magnitude: Vec<u64>,
     exponent: i64,
 }
 
 impl Dyadic {
-    /// Exactly `value`; none when it is infinite or not a number.
+    /// Returns exactly `value`, or `None` if `value` is infinite or NaN.
     pub fn new(value: f64) -> Option<Self> {
         const FRACTION: u64 = (1 << 52) - 1;
         if !value.is_finite() {
@@ -33,12 +33,12 @@ impl Dyadic {
         Some(Self { negative: value < 0.0, magnitude, exponent: biased.max(1) - 1075 })
     }
 
-    /// One.
+    /// Returns the number one.
     pub fn one() -> Self {
         Self { negative: false, magnitude: vec![1], exponent: 0 }
     }
 
-    /// How the number compares with zero.
+    /// Compares the number with zero.
     pub fn sign(&self) -> Ordering {
         match (self.magnitude.is_empty(), self.negative) {
             (true, _) => Ordering::Equal,
@@ -47,30 +47,30 @@ impl Dyadic {
         }
     }
 
-    /// The number's square.
+    /// Returns the square of the number.
     pub fn squared(&self) -> Self {
         self * self
     }
 
-    /// The number times `2^power`.
+    /// Returns the number times `2^power`.
     pub fn scaled(&self, power: i64) -> Self {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
-    /// The least `e` with `|self| < 2^e`; `None` for zero, which is below every power of two. The stored exponent of a
-    /// zero has no meaning: it is left over from the numbers that cancelled.
+    /// Returns the smallest `e` with `|self| < 2^e`, or `None` for zero, which is below every power of two. The field
+    /// `exponent` of a zero has no meaning, because it comes from the numbers that cancelled.
     pub fn order(&self) -> Option<i64> {
         (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
     }
 
-    /// The number as `part 2^power`, so that magnitudes beyond the exponents of f64 survive. The part is truncated to
-    /// 106 bits, with `0.5 <= |part| < 1`; zero gives `(0, 0)`.
+    /// Returns `part` and `power`, so that the number is `part 2^power`. So magnitudes beyond the range of `f64` can be
+    /// represented too. The part is truncated to 106 bits, with `0.5 <= |part| < 1`. For zero the result is `(0, 0)`.
     pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
         let power = self.order().unwrap_or(0);
         (self.scaled(-power).to_double_double(), power)
     }
 
-    /// The number, truncated to 106 bits.
+    /// Returns the number, truncated to 106 bits.
     pub fn to_double_double(&self) -> DoubleDouble {
         let Some(order) = self.order() else { return DoubleDouble::of(0.0) };
         let part = |skipped: i64| power_of_two(self.digits(skipped) as f64, order - 53 - skipped);
@@ -82,7 +82,7 @@ impl Dyadic {
         self.magnitude.last().map_or(0, |last| 64 * self.magnitude.len() as i64 - i64::from(last.leading_zeros()))
     }
 
-    /// 53 bits of the magnitude, after the first `skipped`.
+    /// Returns the 53 bits of the magnitude that follow its highest `skipped` bits.
     fn digits(&self, skipped: i64) -> u64 {
         let lowest = self.bits() - skipped - 53;
         (0..53).filter(|&index| self.bit(lowest + index)).fold(0, |digits, index| digits | 1 << index)
@@ -93,13 +93,14 @@ impl Dyadic {
         self.magnitude.get(index / 64).is_some_and(|limb| limb >> (index % 64) & 1 == 1)
     }
 
-    /// The magnitude as a multiple of `2^exponent`, which is at most the number's own.
+    /// Returns `|self| / 2^exponent`. The parameter is at most the number's own exponent, so the result is a whole
+    /// number.
     fn aligned(&self, exponent: i64) -> Vec<u64> {
         limbs::shifted(&self.magnitude, self.exponent.abs_diff(exponent))
     }
 }
 
-/// `value 2^power`, zero or infinite when f64 has no such number.
+/// Returns `value 2^power`. The result is infinite if it is too large for `f64`, and zero if it is too small.
 pub fn power_of_two(mut value: f64, power: i64) -> f64 {
     let mut left = power.clamp(-4000, 4000);
     while left != 0 {
@@ -110,7 +111,7 @@ pub fn power_of_two(mut value: f64, power: i64) -> f64 {
     value
 }
 
-/// The sign of `x + y sqrt(d)`, for `d >= 0`.
+/// Compares `x + y sqrt(d)` with zero, for `d >= 0`.
 pub fn sign_with_root(x: &Dyadic, y: &Dyadic, d: &Dyadic) -> Ordering {
     let y_sign = if d.sign() == Ordering::Equal { Ordering::Equal } else { y.sign() };
     match (x.sign(), y_sign) {
@@ -191,7 +192,7 @@ mod tests {
 
     #[test]
     fn sums_and_products_of_whole_numbers_are_theirs() {
-        // Whole numbers below 2^62, whose products need two limbs and whose sums carry.
+        // The whole numbers are below 2^62. Their products need two limbs, and their sums carry.
         let mut draws = Uniform::new(1);
         for _ in 0..2_000 {
             let [a, b] = [(); 2].map(|()| draws.draw(-4.6e18, 4.6e18).round());
@@ -199,7 +200,7 @@ mod tests {
             for (actual, expected) in
                 [(&exact(a) + &exact(b), x + y), (&exact(a) - &exact(b), x - y), (&exact(a) * &exact(b), x * y)]
             {
-                // In digits of 50 bits, which f64 holds exactly.
+                // The expected number is put together from digits of 50 bits, which f64 holds exactly.
                 let digit = |place: u32| exact(((expected >> (50 * place)) & ((1 << 50) - 1)) as f64);
                 let top = exact((expected >> 100) as f64);
                 let whole = &(&top.scaled(50) + &digit(1)).scaled(50) + &digit(0);

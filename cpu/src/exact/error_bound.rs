@@ -2,87 +2,90 @@
 //! decision.
 //!
 //! Spheres and the sides of cylinders lead to `a lambda^2 - 2 h lambda + c = 0`. Rounding moves the discriminant
-//! `D = h^2 - a c` by at most `E = error_constant u M`, where `u` is the unit roundoff, `M = |d|^2 (|O - C|^2 + r^2)`,
-//! and the constant counts operations. It moves the numerator `n = h -+ sqrt(D)` of a root by at most `E / sqrt(D)`.
-//! Both are derived in `docs/accuracy.md`. Hence, all quantities as computed:
+//! `D = h^2 - a c` by at most `E = error_constant u M`. Here `u` is the unit roundoff, `M = |d|^2 (|O - C|^2 + r^2)`,
+//! and the error constant counts roundings. Rounding moves the numerator `n = h -+ sqrt(D)` of a root by at most
+//! `E / sqrt(D)`. Both bounds are derived in `docs/accuracy.md`. So these decisions are certain, with the computed
+//! values of all quantities:
 //!
 //! - the ray misses if `-D > E`;
 //! - a root is below [`LAMBDA_MIN`] if `(a LAMBDA_MIN - n) sqrt(D) > E`;
 //! - a root is accurate if `M + 4 n^2 < condition_limit n sqrt(D)`, and then `D > 0` is certain too.
 //!
-//! Every comparison with NaN is false, so a result that overflows is uncertain. Underflow is covered by a tiny constant
-//! beside `M`, and by the demand that the direction is [in scale](in_scale).
+//! If a quantity overflows, the result is uncertain, because every comparison with NaN is false. Underflow cannot make
+//! a wrong result certain, for two reasons: a tiny constant is added to `M`, and the direction must be [in
+//! scale](in_scale).
 
 use crate::geometry::ray::LAMBDA_MIN;
 use crate::math::{real::Real, rounding::Rounding};
 
-/// The result of a formula, or that rounding may have changed it.
+/// The result of a formula if it is certain, or the statement that rounding may have changed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decision<A> {
-    /// The decisions are right, and lambda is accurate.
+    /// The result. Its decisions are right, and its lambda is accurate.
     Certain(A),
-    /// A decision may be wrong, or lambda inaccurate.
+    /// There is no result: a decision may be wrong, or lambda may be inaccurate.
     Uncertain,
 }
 
-/// The constants of a shape's error bound.
+/// The constants of the error bound, for one kind of surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// A bound of the rounding errors in the discriminant, in units of `u M`.
+    /// The bound of the rounding errors in the discriminant, in units of `u M`. See the head of this file for `M`.
     pub error_constant: f64,
-    /// The largest condition number of a root that is accepted in f64. The smaller, the more accurate is lambda, and
-    /// the fewer rays keep the bits of the plain formula.
+    /// The largest condition number, `(M + 4 n^2) / (n sqrt(D))`, of a root that is accepted in `f64`. With a smaller
+    /// limit lambda is more accurate, but fewer rays keep the bits of the plain formula.
     pub condition_limit: f64,
 }
 
 impl Limits {
-    /// The condition number up to which a root is accepted in the arithmetic `T`.
+    /// Returns the largest condition number of a root that is accepted in the arithmetic `T`.
     #[inline(always)]
     pub const fn condition_limit<T: Rounding>(&self) -> f64 {
         self.condition_limit * T::LENIENCE
     }
 
-    /// A bound of the relative error of an accepted lambda, which is at most a third of this.
+    /// Returns a bound of the relative error of an accepted lambda. The error is at most a third of the bound.
     #[inline(always)]
     pub const fn lambda_error<T: Rounding>(&self) -> f64 {
         256.0 * self.condition_limit::<T>() * T::UNIT_ROUNDOFF
     }
 
-    /// Whether an accurate lambda certainly is at least [`LAMBDA_MIN`].
+    /// Whether `lambda`, which is accurate, certainly is at least [`LAMBDA_MIN`].
     #[inline(always)]
     pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
         (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error::<T>())).less_equal(lambda)
     }
 }
 
-/// Added where a product may underflow: 2^-600.
+/// The constant that covers underflow, 2^-600. It is added to terms whose products may underflow.
 pub(super) const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
-/// The largest `M` whose products cannot overflow: 2^1000.
+/// The limit of `M`, 2^1000. If `M` is smaller, its products cannot overflow.
 pub(super) const OVERFLOW: f64 = f64::from_bits((1023 + 1000) << 52);
-/// The smallest squared length of a direction whose relative error does not suffer from underflow: 2^-300.
+/// The smallest squared length of a direction that is in scale, 2^-300. Underflow in its computation is negligible.
 const SHORTEST: f64 = f64::from_bits((1023 - 300) << 52);
-/// The largest squared length of a direction: 2^300.
+/// The largest squared length of a direction that is in scale, 2^300.
 const LONGEST: f64 = f64::from_bits((1023 + 300) << 52);
 
-/// Whether a direction's length squared lies between 2^-300 and 2^300, outside of which nothing is certain in f64. It
-/// does not depend on the object.
+/// Whether a direction is in scale: the square of its length lies between 2^-300 and 2^300. If a direction is not in
+/// scale, every result is uncertain. This does not depend on the object.
 #[inline(always)]
 pub fn in_scale<T: Rounding>(length_squared: T) -> T::Mask {
     T::of(SHORTEST).less_equal(length_squared) & length_squared.less_equal(T::of(LONGEST))
 }
 
-/// The certain result for one surface or one root. If neither `hits` nor `fails` holds, the result is uncertain.
+/// What is certain about the hit at one root, or with one disc. If neither `hits` nor `fails` holds, it is uncertain
+/// whether there is a hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Outcome<T: Real> {
-    /// Lambda of the hit; it has no meaning unless `hits` holds.
+    /// The lambda of the hit. It has no meaning unless `hits` holds.
     pub lambda: T,
-    /// It is certainly a hit.
+    /// There certainly is a hit.
     pub hits: T::Mask,
-    /// It is certainly no hit.
+    /// There certainly is no hit.
     pub fails: T::Mask,
 }
 
-/// The bounds for one ray and one object.
+/// The error bound for one ray and one object.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorBound<T> {
     limits: Limits,
@@ -93,25 +96,28 @@ pub struct ErrorBound<T> {
 }
 
 impl<T: Rounding> ErrorBound<T> {
-    /// The bounds for a direction's length squared, and the sum of the squares of distance to the centre and radius.
+    /// Returns the error bound. `length_squared` is the square of the direction's length, and `squares` is
+    /// `|O - C|^2 + r^2`.
     #[inline(always)]
     pub fn new(limits: Limits, length_squared: T, squares: T) -> Self {
         let size = length_squared * squares;
         Self { limits, size, error: size * T::of(limits.error_constant * T::UNIT_ROUNDOFF) + T::of(UNDERFLOW) }
     }
 
-    /// Whether the line certainly misses.
+    /// Whether the ray's line certainly misses the surface, for this computed discriminant.
     #[inline(always)]
     pub fn misses(&self, discriminant: T) -> T::Mask {
         self.error.less(-discriminant)
     }
 
-    /// The root `numerator / a`, where `root` is that of the discriminant, and whether it is in range.
+    /// Returns the lambda `numerator / a`, and whether it certainly is in range or certainly is not. `root` is the
+    /// square root of the discriminant.
     #[inline(always)]
     pub fn root(&self, a: T, numerator: T, root: T) -> Outcome<T> {
         let lambda = numerator / a;
         let share = 1.0 / self.limits.condition_limit::<T>();
-        // The compiler computes the first sum once for both roots. With two infinities the root is not accurate.
+        // The compiler computes the first sum once for both roots. If both sides are infinite, the root is not
+        // accurate.
         let least = (self.size * T::of(share) + T::of(UNDERFLOW)) + numerator * numerator * T::of(4.0 * share);
         let accurate = least.less(root * numerator);
         let finite = self.size.less(T::of(OVERFLOW));
@@ -119,10 +125,11 @@ impl<T: Rounding> ErrorBound<T> {
         Outcome { lambda, hits, fails: self.is_too_small(a, numerator, root) }
     }
 
-    /// Whether the root `numerator / a` is certainly out of range: cheaper than the [root](Self::root) itself.
+    /// Whether the lambda `numerator / a` certainly is below [`LAMBDA_MIN`]. This is cheaper than [`ErrorBound::root`],
+    /// because there is no division.
     #[inline(always)]
     pub fn is_too_small(&self, a: T, numerator: T, root: T) -> T::Mask {
-        // Lowered by more than the relative error of `a`.
+        // The limit is lowered by more than the relative error of `a`.
         let least = T::of(LAMBDA_MIN) - T::of(LAMBDA_MIN * self.limits.lambda_error::<T>());
         self.error.less((a * least - numerator) * root)
     }

@@ -1,8 +1,9 @@
-//! Whole numbers of any length: lists of 64-bit limbs, the lowest first, the last not zero, none for zero.
+//! Whole numbers of any length, as lists of 64-bit limbs. The lowest limb is first. The last limb is not zero, so the
+//! number zero is an empty list.
 
 use std::cmp::Ordering;
 
-/// Removes zero limbs at the upper end.
+/// Returns the list without the zero limbs at its end.
 fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
     while limbs.last() == Some(&0) {
         limbs.pop();
@@ -10,12 +11,12 @@ fn trimmed(mut limbs: Vec<u64>) -> Vec<u64> {
     limbs
 }
 
-/// Compares two numbers.
+/// Compares the numbers `a` and `b`.
 pub fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.len().cmp(&b.len()).then_with(|| a.iter().rev().cmp(b.iter().rev()))
 }
 
-/// `a + b`, or `a - b` if `is_difference`; then `b` is at most `a`.
+/// Returns `a + b`. If `is_difference` is set, it returns `a - b`, and `b` must be at most `a`.
 pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
     let limb = |list: &[u64], index: usize| i128::from(list.get(index).copied().unwrap_or(0));
     let mut carry = 0;
@@ -28,7 +29,7 @@ pub fn sum(a: &[u64], b: &[u64], is_difference: bool) -> Vec<u64> {
     trimmed(limbs.collect())
 }
 
-/// `a b`.
+/// Returns the product of `a` and `b`.
 pub fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
     let mut limbs = vec![0; a.len() + b.len()];
     for (shift, &x) in a.iter().enumerate() {
@@ -42,7 +43,7 @@ pub fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
     trimmed(limbs)
 }
 
-/// `a 2^shift`.
+/// Returns `a 2^shift`.
 pub fn shifted(a: &[u64], shift: u64) -> Vec<u64> {
     let mut limbs = vec![0; (shift / 64) as usize];
     let shift = shift % 64;

@@ -1,6 +1,6 @@
-//! Ray against sphere, exact. The steps are the plain formula with its [error bound](crate::exact::sphere_filter), the
-//! [compensated](sphere_compensated) formula, double-double, and arithmetic without rounding. Each is used where the
-//! step before it is uncertain.
+//! Exact intersection of ray and sphere, in four steps. They are the plain formula with its
+//! [error bound](crate::exact::sphere_filter), the [compensated](sphere_compensated) formula, double-double arithmetic,
+//! and dyadic arithmetic. A step is needed only if the step before it is uncertain.
 
 use crate::counters::{Counter, add};
 pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from};
@@ -9,13 +9,14 @@ use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::real::Real;
 use crate::simd::fused::run_fused;
 
-/// Where the ray hits the sphere, as [`SphereRecord::intersect`], but with decisions that rounding does not change.
+/// Returns the lambda at which the ray hits the sphere, or `None` if it misses. [`SphereRecord::intersect`] has the
+/// same rule, but here rounding never changes a decision.
 ///
 /// ```
 /// use cpu::intersect::{self, SphereRecord};
 /// use cpu::{Ray, Vec3};
 ///
-/// // A grain of sand, 10 km away, hit at its rim. The discriminant of the plain formula is only rounding error there.
+/// // A grain of sand, 10 km away, hit at its rim. The discriminant of the plain formula is nothing but rounding error.
 /// let sand = SphereRecord::new(Vec3::new(1e-4, 0.0, 1e4), 1e-4);
 /// let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(0.0, 0.0, 1.0) };
 /// assert_eq!(intersect::sphere(&sand, &ray), Some(1e4));
@@ -29,8 +30,9 @@ pub fn intersect(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     }
 }
 
-/// The result of [`filtered`] or, where that is uncertain, of [`sphere_compensated::compensated`]. Both are inlined,
-/// unlike [`compensated_or_precise`]: for a large sphere, near which most rays are uncertain.
+/// Returns the result of [`filtered`]. If that is uncertain, the result is that of [`sphere_compensated::compensated`].
+/// Both are inlined, unlike [`compensated_or_precise`]. This serves a large sphere, for which the filter is uncertain
+/// about most rays that start near it.
 #[inline(always)]
 pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Option<f64>> {
     let decision = filtered(record, ray);
@@ -45,7 +47,8 @@ pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Opt
     Decision::Certain(Some(lanes.lambda))
 }
 
-/// The hit of a ray for which [`filtered`] is uncertain.
+/// Returns the lambda of a ray for which [`filtered`] is uncertain, or `None` for a miss. The compensated formula runs
+/// first, then [`precise`].
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
@@ -59,7 +62,8 @@ pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {
     precise(record, ray)
 }
 
-/// The hit in double-double arithmetic or without rounding, in some hundred operations.
+/// Returns the lambda, or `None` for a miss, by double-double arithmetic, which takes some hundred operations. If that
+/// is uncertain too, dyadic arithmetic decides.
 #[cold]
 #[inline(never)]
 pub fn precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {

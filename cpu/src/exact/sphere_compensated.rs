@@ -1,9 +1,11 @@
-//! Ray against sphere where the root of the plain formula is the small difference of two large numbers. Such a ray
-//! starts near a sphere that is much larger than its distance, as most rays do above a dominant sphere.
+//! Intersects ray and sphere if the root of the plain formula is the small difference of two large numbers. Such a ray
+//! starts near a sphere whose radius is much larger than the distance to its surface. Most rays above a dominant sphere
+//! do so.
 //!
-//! That root, `(h - sqrt(D)) / a` where `h > 0`, equals `c / (h + sqrt(D))`, in which the sum loses nothing. What still
-//! cancels is `c = |C - O|^2 - r^2`, whose products and sums are taken with their rounding errors (Ogita, Rump and
-//! Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in `docs/accuracy.md`.
+//! For `h > 0` that root is `(h - sqrt(D)) / a`. It equals `c / (h + sqrt(D))`, in which the sum does not cancel. Only
+//! `c = |C - O|^2 - r^2` still cancels. So its products and sums are computed together with their rounding errors
+//! (Ogita, Rump and Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26, 2005). The bounds are derived in
+//! `docs/accuracy.md`.
 
 use crate::exact::{
     error_bound::OVERFLOW, error_bound::UNDERFLOW, error_bound::in_scale, sphere_filter::LIMITS,
@@ -12,13 +14,16 @@ use crate::exact::{
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::{error_free::two_product, error_free::two_sum, rounding::MulAdd, vec3::Vec3};
 
-/// The largest condition number of the root's denominator that is accepted.
+/// Limits the relative error of lambda. A root is accepted only if
+/// `a (|C - O|^2 + r^2) < CONDITION_LIMIT sqrt(D) (|h| + sqrt(D))`.
 const CONDITION_LIMIT: f64 = 4096.0;
-/// The smallest magnitude of `c` for which the bound holds, in units of `u (|C - O|^2 + r^2)`.
+/// The smallest magnitude of `c` for which the bound holds, in units of `u (|C - O|^2 + r^2)`. `u` is the unit
+/// roundoff.
 const LEAST_C: f64 = 64.0;
 
-/// The hits of rays that start outside and go inward, or start inside and go outward. Lanes with any other ray, or with
-/// a lambda that is uncertain or out of range, are not `certain`, and their lambda has no meaning.
+/// Returns the hits of rays that start outside the sphere and go towards its centre, or start inside and go away from
+/// its centre. A lane with any other ray is not `certain`. The same holds for a lane whose lambda is uncertain or out
+/// of range. The lambda of a lane that is not `certain` has no meaning.
 #[inline(always)]
 pub fn compensated<T: MulAdd>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereHits<T> {
     let a = ray.direction.dot(ray.direction);
@@ -36,7 +41,8 @@ pub fn compensated<T: MulAdd>(record: &SphereRecord<T>, ray: &Ray<T>) -> SphereH
     SphereHits { lambda, certain: in_scale(a) & accurate & c_is_large & ahead & LIMITS.in_range(lambda) }
 }
 
-/// `|C - O|^2 - r^2`, nearly as if rounded once, and `|C - O|^2 + r^2`.
+/// Returns `|C - O|^2 - r^2`, nearly as accurate as if it were rounded once, and `|C - O|^2 + r^2` with the usual
+/// accuracy.
 #[inline(always)]
 fn difference_of_squares<T: MulAdd>(record: &SphereRecord<T>, origin: Vec3<T>) -> (T, T) {
     let (x, x_error) = two_sum(record.center.x, -origin.x);
@@ -66,7 +72,7 @@ mod tests {
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, LaneMask, Simd};
 
-    /// Rays that start `10^-4` to `10^2` above or below the surface of spheres of radius 1 to `10^7`.
+    /// Returns rays that start `10^-4` to `10^2` above or below the surface of spheres of radius 1 to `10^7`.
     fn cases(count: usize) -> Vec<(SphereRecord, Ray)> {
         let mut draws = Uniform::new(11);
         let mut cases = Vec::with_capacity(count);
@@ -93,7 +99,7 @@ mod tests {
             }
         }
         assert!(certain > 80_000, "{certain}");
-        // (10.5 k + 4 sqrt(k) + 5) u by proof.
+        // By the proof the relative error is at most (10.5 k + 4 sqrt(k) + 5) u, where k is the condition limit.
         assert!(worst < 4.9e-12, "{worst:e}");
     }
 
@@ -117,12 +123,12 @@ mod tests {
         for length in [0.0, 1e-60, 1e60, f64::INFINITY, f64::NAN] {
             assert!(!compensated(&large, &down(length)).certain, "{length}");
         }
-        // Away from the sphere, and from its surface.
+        // One ray goes away from the sphere, and the other one starts on its surface.
         assert!(!compensated(&large, &down(-1.0)).certain);
         assert!(!compensated(&large, &Ray { origin: Vec3::ZERO, direction: Vec3::new(0.3, -1.0, 0.0) }).certain);
     }
 
-    /// As many of `cases` as there are lanes, compared with one at a time.
+    /// A kernel that intersects as many cases as there are lanes, and compares them with one case at a time.
     struct Together<'a>(&'a [(SphereRecord, Ray)]);
 
     impl Kernel for Together<'_> {

@@ -1,7 +1,7 @@
-//! Ray against sphere without rounding, for rays that no other step can decide.
+//! Intersects ray and sphere without rounding, for rays that no other step can decide.
 //!
-//! The coefficients of the quadratic are sums of products of the inputs, so they, the discriminant and the outcome of
-//! every comparison are exact. Only then are they rounded, to 106 bits each, for the root itself.
+//! The coefficients of the quadratic are sums of products of the inputs. So the coefficients, the discriminant and the
+//! result of every comparison are exact. Only for the root itself they are rounded, to 106 bits each.
 
 use std::cmp::Ordering;
 
@@ -9,11 +9,11 @@ use crate::exact::{double_double::DoubleDouble, dyadic::Dyadic, dyadic::power_of
 use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
 use crate::math::{real::Real, vec3::Vec3};
 
-/// An input is infinite or not a number.
+/// The error that a number of the ray or of the object is infinite or NaN.
 #[derive(Debug)]
 pub struct NotFinite;
 
-/// A vector of exact numbers.
+/// A vector of three exact numbers.
 pub struct Exact3([Dyadic; 3]);
 
 impl Exact3 {
@@ -40,12 +40,13 @@ impl Exact3 {
     }
 }
 
-/// The number as it is.
+/// Returns exactly `value` as a dyadic number.
 pub fn exact(value: f64) -> Result<Dyadic, NotFinite> {
     Dyadic::new(value).ok_or(NotFinite)
 }
 
-/// The quadratic `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0` and `h^2 - a c >= 0`.
+/// The equation `a lambda^2 - 2 h lambda + c = 0` with real roots: `a > 0`, and the discriminant `h^2 - a c` is at
+/// least 0.
 pub struct Quadratic {
     pub a: Dyadic,
     pub h: Dyadic,
@@ -54,30 +55,32 @@ pub struct Quadratic {
 }
 
 impl Quadratic {
-    /// The quadratic with these coefficients, unless its line misses or has no direction.
+    /// Returns the equation with these coefficients. The result is `None` if it has no real root, so that the ray's
+    /// line misses the surface. It is also `None` if `a` is not positive, so that the direction is null.
     pub fn with_roots(a: Dyadic, h: Dyadic, c: Dyadic) -> Option<Self> {
         let discriminant = &h.squared() - &(&a * &c);
         let real = a.sign() == Ordering::Greater && discriminant.sign() != Ordering::Less;
         real.then_some(Self { a, h, c, discriminant })
     }
 
-    /// Whether `x + y lambda >= 0` for the smaller root or the larger.
+    /// Whether `x + y lambda >= 0`, where lambda is the larger root if `larger` is set, and else the smaller root.
     pub fn is_linear_form_positive(&self, x: &Dyadic, y: &Dyadic, larger: bool) -> bool {
-        // Times a, which is positive: a x + y h -+ y sqrt(D).
+        // The form is multiplied by a, which is positive: a x + y h -+ y sqrt(D).
         let root = if larger { y.clone() } else { -y };
         sign_with_root(&(&(&self.a * x) + &(y * &self.h)), &root, &self.discriminant) != Ordering::Less
     }
 
-    /// The f64 nearest to a root, or a neighbour.
+    /// Returns the `f64` nearest to a root, or a neighbour of it. The root is the larger one if `larger` is set.
     pub fn root(&self, larger: bool) -> f64 {
-        // A common power of two for h and sqrt(D), others for a and c, keep f64 from overflowing. A zero has no part in
-        // it; where both are zero the root is zero, whatever the power.
+        // f64 must not overflow. So h and sqrt(D) are scaled by a common power of two, and a and c by powers of their
+        // own. A zero has no order, so it does not change the common power. If h and D are both zero, the root is zero
+        // with any power.
         let root_order = self.discriminant.order().map(|order| (order + 1).div_euclid(2));
         let scale = self.h.order().max(root_order).unwrap_or(0);
         let h = self.h.scaled(-scale).to_double_double();
         let root = self.discriminant.scaled(-2 * scale).to_double_double().sqrt();
         let (sum, root_is_added) = if h.less(DoubleDouble::of(0.0)) { (h - root, false) } else { (h + root, true) };
-        // The root whose numerator does not cancel; the other follows from their product c / a.
+        // The numerator of one root does not cancel. The other root follows from the product of both, c / a.
         let (quotient, power) = if root_is_added == larger {
             let (a, order) = self.a.to_part_and_power();
             (sum / a, scale - order)
@@ -89,7 +92,8 @@ impl Quadratic {
     }
 }
 
-/// Where the ray hits the sphere.
+/// Returns the lambda at which the ray hits the sphere, or `None` if it misses. The error says that an input is not
+/// finite.
 pub fn intersect(record: &SphereRecord, ray: &Ray) -> Result<Option<f64>, NotFinite> {
     let direction = Exact3::new(ray.direction)?;
     let r_c = Exact3::new(record.center)?.minus(&Exact3::new(ray.origin)?);

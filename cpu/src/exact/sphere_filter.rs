@@ -1,18 +1,20 @@
-//! The plain formula of ray and sphere with its error bound: a floating-point filter, whose result is certain, or none.
+//! The plain formula of ray and sphere with its error bound. This is a floating-point filter: it gives a result that is
+//! certain, or none.
 //!
-//! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. There
-//! are two forms with the same bits: without branches for lanes, and with branches for one ray, where the form for
-//! lanes takes 61 % more instructions.
+//! See [`crate::geometry::sphere`] for the formula and [`crate::exact::error_bound`] for the bound. There are two
+//! forms, which give the same bits. [`filtered_from`] has no branches, and serves lanes. [`filtered`] has branches, and
+//! serves one ray, for which the form without branches takes 61 % more instructions.
 
 use crate::exact::error_bound::{Decision, ErrorBound, Limits, in_scale};
 use crate::geometry::{ray::Ray, sphere::SphereRecord, sphere::SphereView};
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 
-/// Counted in `docs/accuracy.md`: the error constant is at most 26. With this condition limit lambdas are right to
-/// 5.9e-12 (a search reached 2.7e-12) and 99.6 % of an ordinary picture's keep the bits of the plain formula.
+/// The constants of the error bound for spheres. By the count in `docs/accuracy.md`, an error constant of 26 suffices.
+/// With this condition limit the relative error of lambda is at most 5.9e-12 (a search reached 2.7e-12). In an ordinary
+/// picture 99.6 % of the lambdas then keep the bits of the plain formula.
 pub const LIMITS: Limits = Limits { error_constant: 32.0, condition_limit: 12288.0 };
 
-/// Returns the result of the plain formula in the arithmetic `T`, or that rounding may have changed it.
+/// Computes the plain formula in the arithmetic `T`. Returns lambda, or `None` for a miss, if the result is certain.
 #[inline(always)]
 pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>) -> Decision<Option<T>> {
     let a = ray.direction.dot(ray.direction);
@@ -42,19 +44,20 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &SphereRecord<T>, ray: &Ray<T>
     }
 }
 
-/// The hits of several rays or spheres at once.
+/// The hits of several rays or spheres at once, one in each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereHits<T: Real> {
-    /// The result of the plain formula; infinite where it finds no hit. Undefined in a lane that is not certain.
+    /// The lambda of the hit, or infinity if the ray misses the sphere. It has no meaning in a lane that is not
+    /// `certain`.
     pub lambda: T,
-    /// Lanes whose result is right. The others need
+    /// The lanes whose result is certain. The other lanes need
     /// [`compensated_or_precise`](crate::exact::sphere::compensated_or_precise).
     pub certain: T::Mask,
 }
 
-/// [`filtered`] without a branch, for several lanes at once: the same bits in every lane, for the sphere as it is seen
-/// from the origin of the rays. `a` is the direction's length squared; the caller checks, once a ray, that it is
-/// [in scale](in_scale).
+/// Computes the plain formula without a branch, for several lanes at once. Each lane gets the bits of [`filtered`].
+/// `view` has the sphere's terms for the rays' origin, and `a` is the square of the direction's length. The caller
+/// checks once for each ray that the direction is [in scale](in_scale).
 #[inline(always)]
 pub fn filtered_from<T: Rounding>(view: &SphereView<T>, direction: Vec3<T>, a: T) -> SphereHits<T> {
     let (h, discriminant) = view.quadratic(direction, a);

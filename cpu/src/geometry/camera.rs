@@ -8,13 +8,13 @@ use crate::input::{
 };
 use crate::math::{real::Real, vec3::Vec3};
 
-/// Everything that a camera ray needs, in scene units.
+/// The constants from which every camera ray is computed, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Camera<T = f64> {
-    /// `P`, where all camera rays start.
+    /// `P`: the point where all camera rays start.
     pub position: Vec3<T>,
-    /// `O`, the middle of the top left pixel in the window.
+    /// `O`: the middle of the top left pixel in the projection window.
     pub origin: Vec3<T>,
     /// The vector from a pixel to the next one on its right.
     pub delta_x: Vec3<T>,
@@ -25,10 +25,11 @@ pub struct Camera<T = f64> {
 broadcast!(Camera: position, origin, delta_x, delta_y;);
 
 impl Config {
-    /// Checks that the picture described can be made, as [`render`](crate::render()) does before it renders.
+    /// Checks that the configuration describes a picture that can be made. [`render`](crate::render()) makes the same
+    /// check before it renders.
     ///
     /// # Errors
-    /// [`Error::Picture`]: the image is too large, or the camera has no window.
+    /// [`Error::Picture`] if the picture is too large, or if the camera has no projection window.
     pub fn check_picture(&self) -> Result<(), Error> {
         Camera::new(self, self.image_size()?)?;
         Ok(())
@@ -36,12 +37,14 @@ impl Config {
 }
 
 impl Camera {
-    /// The camera of a picture of `size` pixels.
+    /// Returns the camera of a picture of `size` pixels.
     ///
     /// # Errors
-    /// [`Picture::CameraAtTarget`], [`Picture::NorthParallel`] or [`Picture::CameraOutOfRange`]: there is no window.
+    /// [`Picture::CameraAtTarget`], [`Picture::NorthParallel`] or [`Picture::CameraOutOfRange`] if the configuration
+    /// gives no projection window.
     pub fn new(config: &Config, size: Size) -> Result<Self, Picture> {
-        // A cross product of parallel vectors leaves a rounding error: a few units in the last place of its factors.
+        // The computed cross product of parallel vectors is not zero. It is a rounding error of a few units in the last
+        // place of the product of their lengths.
         const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
         let (position, target, north) = (config.camera_position, config.camera_target, config.camera_north);
@@ -75,8 +78,8 @@ impl Camera {
 }
 
 impl<T: Real> Camera<T> {
-    /// The ray from the camera through the point `offset` pixels from the middle of pixel (`row`, `column`);
-    /// `offset` is to the right, then down, each in `[-1/2, 1/2)`. The direction is not normalised.
+    /// Returns the camera ray through a point of pixel (`row`, `column`). `offset` is the distance of the point from
+    /// the pixel's middle, in pixels: to the right, then down, each in `[-1/2, 1/2)`. The direction is not normalised.
     #[inline(always)]
     pub fn ray(&self, row: T, column: T, offset: [T; 2]) -> Ray<T> {
         let [x, y] = offset;

@@ -1,44 +1,46 @@
 //! Ray against closed cylinder (specification, sections 9.2 and 9.3).
 //!
-//! The curved side is part of the infinite cylinder `|r_c' + d' lambda|^2 = r^2`, where `'` takes the component
-//! perpendicular to the axis and `r_c = O - C`. With `h = r_c'.d'`, half of the linear coefficient, its roots are
-//! `(-h -+ sqrt(h^2 - a c)) / a`. The module of the [sphere](crate::geometry::sphere) explains why `h` gives the same
-//! bits as `b`. A root counts if its point, measured along the axis, is at most half the height from the centre. The
-//! caps are discs in the planes at both ends ([`cap`]).
+//! The curved side is part of the infinite cylinder `|r_c' + d' lambda|^2 = r^2`, with `r_c = O - C`. A prime marks the
+//! part of a vector that is perpendicular to the axis. With `a = d'.d'`, `c = r_c'.r_c' - r^2` and `h = r_c'.d'`, half
+//! of the linear coefficient, the roots are `(-h -+ sqrt(h^2 - a c)) / a`. The module of the
+//! [sphere](crate::geometry::sphere) explains why the formula with `h` gives the bits of the usual formula. A root
+//! counts if its point, measured along the axis, is at most half the height from the centre. The caps are discs in the
+//! planes at both ends ([`cap`]).
 
 use crate::geometry::{cap, ray::Ray, ray::broadcast, ray::in_range, tie::later_is_closer};
 use crate::math::{real::Real, vec3::Vec3};
 
-/// A cylinder with what its rays need computed once.
+/// A cylinder in the form that the formulas use. What does not depend on the ray is computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct CylinderRecord<T = f64> {
     /// The point halfway between the centres of its caps.
     pub center: Vec3<T>,
-    /// Its axis, of length one, towards the top cap.
+    /// The direction of the axis towards the top cap, of length one.
     pub axis: Vec3<T>,
     /// The centre of the top cap.
     pub top: Vec3<T>,
     /// The centre of the bottom cap.
     pub bottom: Vec3<T>,
-    /// Its radius, positive.
+    /// The cylinder's radius, in scene units, positive.
     pub radius: T,
-    /// Its radius squared.
+    /// The square of the radius.
     pub radius_squared: T,
-    /// Half its height, positive.
+    /// Half of the cylinder's height, in scene units, positive.
     pub half_height: T,
 }
 
 /// The terms of the cylinder's formula that are constant for all rays from one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CylinderView<T = f64> {
-    /// From the centre to the origin, perpendicular to the axis.
+    /// The vector from the cylinder's centre to the rays' origin, without its part along the axis.
     pub r_c: Vec3<T>,
-    /// `r_c.r_c - r^2`: negative inside the infinite cylinder.
+    /// `r_c.r_c - r^2`, which is negative if the origin is inside the infinite cylinder.
     pub c: T,
-    /// The sum of the squares of the distance to the centre and of the radius.
+    /// `|O - C|^2 + r^2`: the square of the distance from origin to centre, plus the square of the radius.
     pub squares: T,
-    /// How far the origin is along the axis from the plane halfway between the caps.
+    /// The distance of the origin, along the axis, from the plane halfway between the caps. It is positive on the side
+    /// of the top cap.
     pub along: T,
 }
 
@@ -53,19 +55,19 @@ pub enum CylinderPart {
     Side = 0,
     /// The cap that the axis points to.
     Top = 1,
-    /// The other cap.
+    /// The cap opposite to the top cap.
     Bottom = 2,
 }
 
 impl<T: Real> CylinderRecord<T> {
-    /// The record of the cylinder whose `axis` is as long as it is high.
+    /// Returns the record of the cylinder around `center`. The length of `axis` is the height of the cylinder.
     #[inline(always)]
     pub fn new(center: Vec3<T>, radius: T, axis: Vec3<T>) -> Self {
         let (unit, height) = axis.unit_and_length();
         Self::with_unit_axis(center, radius, unit, height / T::of(2.0))
     }
 
-    /// The record of the cylinder with an `axis` of length one.
+    /// Returns the record of the cylinder around `center`, for an `axis` of length one.
     #[inline(always)]
     pub fn with_unit_axis(center: Vec3<T>, radius: T, axis: Vec3<T>, half_height: T) -> Self {
         let to_cap = axis * half_height;
@@ -73,7 +75,7 @@ impl<T: Real> CylinderRecord<T> {
         Self { center, axis, top, bottom, radius, radius_squared: radius * radius, half_height }
     }
 
-    /// The cylinder as rays from `origin` see it.
+    /// Returns the terms of the formula that are constant for all rays from `origin`.
     #[inline(always)]
     pub fn seen_from(&self, origin: Vec3<T>) -> CylinderView<T> {
         let from_center = origin - self.center;
@@ -86,7 +88,8 @@ impl<T: Real> CylinderRecord<T> {
         }
     }
 
-    /// `a`, half of `b` and a quarter of the discriminant of the quadratic with the infinite cylinder.
+    /// Returns `a`, `h` and `h^2 - a c` of the infinite cylinder's quadratic. `h` is half of the linear coefficient,
+    /// and `h^2 - a c` is a quarter of the discriminant.
     #[inline(always)]
     pub fn quadratic(&self, view: &CylinderView<T>, direction: Vec3<T>) -> (T, T, T) {
         let direction = direction.perpendicular_to(self.axis);
@@ -95,13 +98,14 @@ impl<T: Real> CylinderRecord<T> {
         (a, h, h * h - a * view.c)
     }
 
-    /// Whether the side's point at `lambda` lies between the caps.
+    /// Whether the ray's point at `lambda` lies between the planes of the two caps.
     #[inline(always)]
     pub fn within_height(&self, ray: &Ray<T>, lambda: T) -> T::Mask {
         (ray.at(lambda) - self.center).dot(self.axis).abs().less_equal(self.half_height)
     }
 
-    /// The normal at `point` that leaves `part`. The side's is as long as the radius (specification, section 9.2).
+    /// Returns the normal that points out of the cylinder at `point`, a point on `part`. On the side the normal is as
+    /// long as the radius (specification, section 9.2). On a cap its length is one.
     #[inline(always)]
     pub fn outward(&self, part: CylinderPart, point: Vec3<T>) -> Vec3<T> {
         match part {
@@ -113,7 +117,8 @@ impl<T: Real> CylinderRecord<T> {
 }
 
 impl<T: Real<Mask = bool>> CylinderRecord<T> {
-    /// The closest hit among the side, the top cap and the bottom cap.
+    /// Returns lambda and part of the closest hit among side, top cap and bottom cap, by the plain formulas. If the ray
+    /// hits no part, the result is `None`.
     ///
     /// ```
     /// use cpu::intersect::{CylinderPart, CylinderRecord};

@@ -2,11 +2,11 @@
 
 use crate::math::{real::Real, vec3::Vec3};
 
-/// Gives a structure of vectors and numbers the method `lanes`.
+/// Defines the method `lanes` for a structure of vectors and numbers.
 macro_rules! broadcast {
     ($type:ident: $($vector:ident),*; $($number:ident),*) => {
         impl $type {
-            /// The same values in every lane.
+            /// Returns the structure with the same values in every lane.
             #[inline(always)]
             #[must_use]
             pub fn lanes<V: Real>(&self) -> $type<V> {
@@ -17,23 +17,23 @@ macro_rules! broadcast {
 }
 pub(super) use broadcast;
 
-/// Hits nearer than this are ignored, in lengths of the ray's direction (specification, section 8.2).
+/// The smallest lambda of a hit that counts, in lengths of the ray's direction (specification, section 8.2).
 pub const LAMBDA_MIN: f64 = 1e-3;
 
 /// A half-line from `origin` along `direction`, which need not have length one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Ray<T = f64> {
-    /// Where the ray starts, in scene units.
+    /// The point where the ray starts, in scene units.
     pub origin: Vec3<T>,
-    /// Its direction. Its length is the unit of lambda.
+    /// The direction of the ray, in scene units. The length of this vector is the unit of lambda.
     pub direction: Vec3<T>,
 }
 
 broadcast!(Ray: origin, direction;);
 
 impl<T: Real> Ray<T> {
-    /// The point `origin + direction lambda`.
+    /// Returns the point `origin + direction lambda`.
     #[inline(always)]
     #[must_use]
     pub fn at(&self, lambda: T) -> Vec3<T> {
@@ -41,7 +41,7 @@ impl<T: Real> Ray<T> {
     }
 }
 
-/// Whether a hit at `lambda` counts: at least [`LAMBDA_MIN`]. NaN never counts.
+/// Whether a hit at `lambda` counts: `lambda` is at least [`LAMBDA_MIN`]. NaN never counts.
 #[inline(always)]
 pub fn in_range<T: Real>(lambda: T) -> T::Mask {
     T::of(LAMBDA_MIN).less_equal(lambda)
@@ -50,16 +50,17 @@ pub fn in_range<T: Real>(lambda: T) -> T::Mask {
 /// A point where a ray hits a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<T = f64> {
-    /// The point, in scene units.
+    /// The point of the hit, in scene units.
     pub point: Vec3<T>,
-    /// The surface's normal on the side that the ray comes from. On the curved side of a cylinder its length is the
-    /// radius; elsewhere it is one.
+    /// The surface's normal on the side that the ray comes from. On the curved side of a cylinder the normal is as long
+    /// as the radius. Elsewhere its length is one.
     pub normal: Vec3<T>,
-    /// Whether the ray comes from outside.
+    /// Whether the ray hits the surface from outside the object.
     pub front: bool,
 }
 
-/// Whether a ray along `direction` comes from outside, and the normal on its side (specification, section 8.3).
+/// Returns whether a ray along `direction` comes from outside, and the normal on the side that the ray comes from
+/// (specification, section 8.3). `outward` is the normal that points out of the object.
 #[inline(always)]
 pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T>) {
     let front = direction.dot(outward).less(T::of(0.0));
@@ -67,8 +68,8 @@ pub fn facing<T: Real>(direction: Vec3<T>, outward: Vec3<T>) -> (T::Mask, Vec3<T
 }
 
 impl<T: Real<Mask = bool>> Hit<T> {
-    /// The hit at `point` of a ray along `direction`, given the normal that points `outward` (specification, section
-    /// 8.3).
+    /// Returns the hit at `point` of a ray along `direction` (specification, section 8.3). `outward` is the normal that
+    /// points out of the object.
     #[inline(always)]
     #[must_use]
     pub fn facing(direction: Vec3<T>, point: Vec3<T>, outward: Vec3<T>) -> Self {

@@ -1,38 +1,39 @@
 //! Ray against sphere (specification, section 9.1).
 //!
-//! A point `O + d lambda` lies on the sphere when `a lambda^2 + b lambda + c = 0` with `a = d.d`, `b = -2 d.r_c`,
-//! `c = r_c.r_c - r^2`, `r_c = C - O`. The code works with `h = -b / 2`: the roots
-//! `(h -+ sqrt(h^2 - a c)) / a` have the bits of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, since scaling by a power of two
-//! is exact short of overflow and underflow.
+//! A point `O + d lambda` lies on the sphere if `a lambda^2 + b lambda + c = 0` with `a = d.d`, `b = -2 d.r_c`,
+//! `c = r_c.r_c - r^2`, `r_c = C - O`. The code uses `h = -b / 2`. The roots `(h -+ sqrt(h^2 - a c)) / a` have the bits
+//! of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, because a product with a power of two is exact short of overflow and
+//! underflow.
 
 use crate::geometry::ray::{Ray, broadcast, in_range};
 use crate::math::{real::Real, vec3::Vec3};
 
-/// A sphere with what its rays need computed once.
+/// A sphere in the form that the formulas use. The square of the radius is computed once, not for each ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SphereRecord<T = f64> {
-    /// Its centre.
+    /// The sphere's centre, in scene units.
     pub center: Vec3<T>,
-    /// Its radius, positive.
+    /// The sphere's radius, in scene units, positive.
     pub radius: T,
-    /// Its radius squared.
+    /// The square of the radius.
     pub radius_squared: T,
 }
 
 /// The terms of the sphere's formula that are constant for all rays from one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereView<T = f64> {
-    /// From the origin to the centre.
+    /// The vector from the rays' origin to the sphere's centre.
     pub r_c: Vec3<T>,
-    /// `r_c.r_c - r^2`: negative inside.
+    /// `r_c.r_c - r^2`, which is negative if the origin is inside the sphere.
     pub c: T,
     /// `r_c.r_c + r^2`.
     pub squares: T,
 }
 
 impl<T: Real> SphereView<T> {
-    /// Half of `-b`, and a quarter of the discriminant, of the quadratic; `a` is `direction . direction`.
+    /// Returns `h = -b / 2` and `h^2 - a c`, a quarter of the quadratic's discriminant. The caller gives
+    /// `a = direction . direction`.
     #[inline(always)]
     pub fn quadratic(&self, direction: Vec3<T>, a: T) -> (T, T) {
         let h = direction.dot(self.r_c);
@@ -44,13 +45,13 @@ broadcast!(SphereView: r_c; c, squares);
 broadcast!(SphereRecord: center; radius, radius_squared);
 
 impl<T: Real> SphereRecord<T> {
-    /// The record of the sphere at `center`.
+    /// Returns the record of the sphere around `center`.
     #[inline(always)]
     pub fn new(center: Vec3<T>, radius: T) -> Self {
         Self { center, radius, radius_squared: radius * radius }
     }
 
-    /// The sphere as rays from `origin` see it.
+    /// Returns the terms of the formula that are constant for all rays from `origin`.
     #[inline(always)]
     pub fn seen_from(&self, origin: Vec3<T>) -> SphereView<T> {
         let r_c = self.center - origin;
@@ -59,7 +60,7 @@ impl<T: Real> SphereRecord<T> {
         SphereView { r_c, c, squares }
     }
 
-    /// The normal at `point` that leaves the sphere, of length one.
+    /// Returns the normal that points out of the sphere at `point`, a point on its surface. The length is one.
     #[inline(always)]
     pub fn outward(&self, point: Vec3<T>) -> Vec3<T> {
         (point - self.center) / self.radius
@@ -67,7 +68,8 @@ impl<T: Real> SphereRecord<T> {
 }
 
 impl<T: Real<Mask = bool>> SphereRecord<T> {
-    /// Where the ray hits the sphere: the smaller root that is in range, else the larger; `None` when neither is.
+    /// Returns the lambda at which the ray hits the sphere, by the plain formula. This is the smaller root if it is in
+    /// range, else the larger root if that is in range, else `None`.
     ///
     /// ```
     /// use cpu::intersect::SphereRecord;

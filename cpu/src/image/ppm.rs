@@ -1,10 +1,11 @@
-//! Writing pictures as PPM, variant P3 (specification, section 5.3).
+//! Writes pictures as PPM text, variant P3 (specification, section 5.3).
 
 use std::io::{self, Write};
 
 use crate::image::Image;
 
-/// The decimal digits of every byte with a closing blank, and how many of the four bytes count.
+/// The text of every byte: its decimal digits and a blank, and the length of this text. The rest of the four bytes is
+/// not used.
 const DECIMAL: [([u8; 4], u8); 256] = {
     let mut table = [([b' '; 4], 0); 256];
     let mut value = 0;
@@ -28,19 +29,19 @@ const DECIMAL: [([u8; 4], u8); 256] = {
     table
 };
 
-/// Longest line of a pixel: three digits and a blank or line end, three times.
+/// Length of a pixel's longest line in bytes: three times three digits and a blank or line end.
 const MAX_LINE: usize = 12;
 
-/// Bytes gathered before they are handed to the writer.
+/// Size in bytes of the buffer whose content is handed to the writer in one call.
 const CHUNK: usize = 64 << 10;
 
-/// Writes the picture: three header lines, then one pixel a line, row by row.
+/// Writes the picture to `out`: three header lines, then one line for each pixel, row by row.
 ///
 /// # Errors
-/// What `out` returns.
+/// The error that `out` returns.
 pub fn write_ppm(image: &impl Image, mut out: impl Write) -> io::Result<()> {
     let size = image.size();
-    // In one piece, which is one call of the system.
+    // The header is written in one piece, so that it is one system call.
     out.write_all(format!("P3\n{} {}\n255\n", size.width(), size.height()).as_bytes())?;
     let mut chunk = [0; CHUNK];
     let mut length = 0;

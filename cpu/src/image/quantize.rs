@@ -1,41 +1,43 @@
 //! The rule from a mean to a byte (specification, section 5.2): `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for
 //! NaN.
 //!
-//! [`quantize`] is the definition, which the reference uses too; WGSL has none, since means are compared. The power is
-//! slow, so [`Quantizer`] keeps the interval of means of each of the 256 bytes, and looks a mean up in a table. Close
-//! to a boundary, where the rounding of the power decides, and for means below -1/16 it calls [`quantize`].
+//! [`quantize`] is the definition, which the reference uses too. WGSL has no copy, because tests compare its means. The
+//! power is slow, so [`Quantizer`] has a table with the interval of means of each of the 256 bytes. It calls
+//! [`quantize`] only in two cases: for means close to a boundary, where the rounding of the power decides, and for
+//! means below -1/16.
 //!
-//! A mean can be negative: where the length of a ray underflows, the weight of the background leaves `[0, 1]`. The
-//! power of a negative mean is NaN, or it is positive if `1 / gamma` is an even number.
+//! A mean can be negative: if the length of a ray underflows, the weight of the background is outside of `[0, 1]`. The
+//! power of a negative mean is NaN, except if `1 / gamma` is a whole number. It is positive if that number is even.
 
 use crate::counters::{Counter, add};
 
-/// The byte of a channel by the definition. Each call computes a power.
+/// Returns the byte of a channel with this mean, by the definition at the head of this file. Each call computes a
+/// power, so the renderer uses [`Quantizer`].
 pub fn quantize(mean: f64, gamma: f64) -> u8 {
     // A float-to-integer cast truncates, saturates at 0 and 255, and turns "not a number" into 0.
     (255.0 * mean.powf(1.0 / gamma)) as u8
 }
 
-/// Cells of the first-guess table over `[0, 1)`.
+/// Number of cells into which the table of first guesses divides `[0, 1)`.
 const CELLS: usize = 4096;
 
-/// The lowest mean that the table takes. Negative means down to this one give 0 with every gamma: the power is NaN, or
-/// at most `(1 / 16)^2`, and `255 / 256` is truncated.
+/// The lowest mean for which the table is used. A negative mean that is not lower gives the byte 0 with every gamma.
+/// The power is NaN, negative or at most `(1 / 16)^2`, and 255 times that is `255 / 256`, which is truncated to 0.
 const LOWEST: f64 = -1.0 / 16.0;
 
-/// Gives the same bytes as [`quantize`] for one gamma, mostly without computing a power.
+/// A table for one gamma. It gives the same bytes as [`quantize`], mostly without computing a power.
 #[derive(Clone, Debug)]
 pub struct Quantizer {
     gamma: f64,
-    /// `bounds[k] = (below, from)`: a mean at least [`LOWEST`] and at most `below` gives a byte less than `k`, and a
-    /// mean of at least `from` gives `k` or more. Every byte is at least 0 and less than 256.
+    /// The bounds of each byte. With `bounds[k] = (below, from)`, a mean of at least `from` gives the byte `k` or more.
+    /// A mean of at least [`LOWEST`] and at most `below` gives a byte less than `k`. `k` is from 0 to 256.
     bounds: Box<[(f64, f64); 257]>,
-    /// The byte of the lowest mean of each cell.
+    /// For each cell, the byte of the cell's lowest mean, or a lower byte.
     first_guess: Box<[u8; CELLS]>,
 }
 
 impl Quantizer {
-    /// The table for a positive `gamma`.
+    /// Computes the table for a positive `gamma`.
     pub fn new(gamma: f64) -> Self {
         let mut bounds = Box::new([(f64::INFINITY, f64::INFINITY); 257]);
         bounds[0] = (f64::NEG_INFINITY, LOWEST);
@@ -54,7 +56,7 @@ impl Quantizer {
         Self { gamma, bounds, first_guess }
     }
 
-    /// The byte of a channel.
+    /// Returns the byte of a channel with this mean: the byte of [`quantize`].
     #[inline]
     pub fn quantize(&self, mean: f64) -> u8 {
         // Negative means and NaN land in cell 0.
@@ -73,7 +75,8 @@ impl Quantizer {
         if mean >= LOWEST { byte as u8 } else { quantize(mean, self.gamma) }
     }
 
-    /// The byte of every mean from `low` to `high`, if they certainly have one in common; `guess` is tried first.
+    /// Returns the byte that every mean from `low` to `high` certainly gives, or `None` if they may give different
+    /// bytes. `guess` is tried first, which is fastest if it is right.
     #[inline]
     pub fn quantize_interval(&self, low: f64, high: f64, guess: u8) -> Option<u8> {
         if self.holds(guess, low, high) {
@@ -97,7 +100,7 @@ impl Quantizer {
     #[cold]
     fn at_a_boundary(&self, mean: f64) -> u8 {
         if mean == 1.0 {
-            // A white pixel, to any power.
+            // The pixel is white, and any power of 1 is 1.
             return u8::MAX;
         }
         add(Counter::Powers, 1);
@@ -105,18 +108,19 @@ impl Quantizer {
     }
 }
 
-/// Means that are certainly below, and certainly not below, the boundary `root^gamma`.
+/// Returns `(below, from)` around the boundary `root^gamma`. A mean of at most `below` is certainly below the boundary,
+/// and a mean of at least `from` is certainly not below it.
 ///
-/// With `y = mean^(1 / gamma)`, the byte changes where `255 y` crosses an integer. `1 / gamma`, the power and the
-/// product are each rounded: together they move `y` by less than `SLACK` relatively (the power function of any common
-/// platform is right to a few units in the last place; `1 / gamma`'s rounding enters times `ln mean`, and
-/// `|ln mean| / gamma = |ln y| <= ln 255`). The bounds themselves come from a power, hence the second factor.
+/// With `y = mean^(1 / gamma)`, the byte changes if `255 y` crosses an integer. `1 / gamma`, the power and the product
+/// are each rounded. Together they change `y` by less than `SLACK`, relative to `y`. The power function of any common
+/// platform is right to a few units in the last place. The rounding of `1 / gamma` is multiplied by `ln mean`, and
+/// `|ln mean| / gamma = |ln y| <= ln 255`. The two bounds are computed by a power too, so there is a second factor.
 fn bound_of(root: f64, gamma: f64) -> (f64, f64) {
     const SLACK: f64 = 64.0 * f64::EPSILON;
     let power_slack = SLACK * (1.0 + gamma) * 8.0;
     let below = (root * (1.0 - SLACK)).powf(gamma) * (1.0 - power_slack);
     let from = (root * (1.0 + SLACK)).powf(gamma) * (1.0 + power_slack);
-    // An extreme gamma leaves nothing certain: every mean then takes the power function.
+    // With an extreme gamma nothing is certain. Then every mean takes the power function.
     if below.is_finite() && from > f64::MIN_POSITIVE && power_slack < 0.5 {
         (below, from)
     } else {
@@ -217,7 +221,7 @@ mod tests {
             for root in [0.1, 0.5, 254.0 / 255.0] {
                 let (below, from) = bound_of(root, gamma);
                 let boundary = root.powf(gamma);
-                // In units in the last place: 64 times gamma before the power, 512 times (1 + gamma) after it.
+                // This is in units in the last place: 64 gamma before the power, and 512 (1 + gamma) after it.
                 let expected = 64.0 * gamma + 512.0 * (1.0 + gamma);
                 for room in [1.0 - below / boundary, from / boundary - 1.0] {
                     let room = room / f64::EPSILON;
@@ -229,7 +233,8 @@ mod tests {
 
     #[test]
     fn bounds_are_infinite_where_nothing_is_certain() {
-        // The boundary vanishes, and the room grows beyond the boundary itself.
+        // In the first case the boundary underflows. In the second case the bounds would be farther apart than the
+        // boundary.
         for (root, gamma) in [(1.0 / 255.0, 1000.0), (1.0, 1e13)] {
             assert_eq!(bound_of(root, gamma), (f64::NEG_INFINITY, f64::INFINITY));
         }

@@ -1,4 +1,4 @@
-//! The configuration file: `key: values` lines to a checked [`Config`] (specification, section 3).
+//! Parses the configuration file, whose lines are `key: values`, into a checked [`Config`] (specification, section 3).
 
 use std::io::BufRead;
 use std::path::Path;
@@ -8,34 +8,34 @@ use crate::input::text::{self, Tokens};
 use crate::input::{reader, size::Size};
 use crate::math::vec3::Vec3;
 
-/// The configuration of a picture. Every value is in its range once it comes out of [`Config::parse`].
+/// The configuration of a picture. [`Config::parse`] returns only configurations whose values are in their ranges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {
-    /// Width to height of the picture, two positive integers.
+    /// The ratio of width to height of the picture, as two positive integers.
     pub aspect_ratio: [u64; 2],
     /// Width of the picture in pixels, positive.
     pub image_width: u64,
     /// Exponent of the gamma correction, positive: a channel is its mean to the power `1 / gamma`.
     pub gamma: f64,
-    /// The origin of the camera rays.
+    /// The point where the camera rays start, in scene units.
     pub camera_position: Vec3,
-    /// The point in the middle of the picture.
+    /// The point that is in the middle of the picture, in scene units.
     pub camera_target: Vec3,
-    /// The direction that is up in the picture; any length.
+    /// The direction that is up in the picture. It may have any length, but not zero.
     pub camera_north: Vec3,
-    /// Vertical opening of the view in degrees, between 0 and 180, both excluded.
+    /// The vertical field of view in degrees, greater than 0 and less than 180.
     pub field_of_view: f64,
-    /// Samples of a pixel, positive.
+    /// Number of samples of each pixel, positive.
     pub samples_per_pixel: u64,
-    /// Most rays of a sample, positive. The sample is black if the last of them hits an object.
+    /// Maximum number of rays of a sample, positive. If the last of these rays hits an object, the sample is black.
     pub max_depth: u64,
-    /// Seed of the generator that all materials share, positive.
+    /// Seed of the random generator that all materials share, positive.
     pub material_rng_seed: u64,
-    /// Seed of the generator of the samples' offsets in their pixels, positive.
+    /// Seed of the random generator of the samples' positions in their pixels, positive.
     pub ray_rng_seed: u64,
-    /// Colour of the background where a ray points straight along +y, channels in `[0, 1]`.
+    /// Colour of the background for a ray that points straight along +y, each channel in `[0, 1]`.
     pub background_dark_color: Vec3,
-    /// Colour of the background where a ray points straight along -y, channels in `[0, 1]`.
+    /// Colour of the background for a ray that points straight along -y, each channel in `[0, 1]`.
     pub background_light_color: Vec3,
 }
 
@@ -59,10 +59,11 @@ impl Default for Config {
     }
 }
 
-/// Reads one key's values into the configuration; `None` when they are missing, unreadable or out of range.
+/// A function that reads the values of one key into the configuration. It returns `None` if they are missing,
+/// unreadable or out of range.
 type Read = fn(&mut Config, &mut Tokens<'_>) -> Option<()>;
 
-/// Every key with its reader, in the order of the table (specification, section 3.1).
+/// Every key with the function that reads its values, in the order of the table (specification, section 3.1).
 const KEYS: [(&str, Read); 13] = [
     ("aspect_ratio:", |config, tokens| {
         config.aspect_ratio = [tokens.positive_integer()?, tokens.positive_integer()?];
@@ -93,13 +94,14 @@ fn vector(tokens: &mut Tokens<'_>) -> Option<Vec3> {
     tokens.reals().map(Vec3::from)
 }
 
-/// Three channels, each in `[0, 1]`: a background colour or a reflectance.
+/// Reads a background colour or a reflectance: three channels, each in `[0, 1]`. The result is `None` if one of them is
+/// missing, unreadable or out of range.
 pub(crate) fn color(tokens: &mut Tokens<'_>) -> Option<Vec3> {
     tokens.reals().filter(|channels| channels.iter().all(|channel| (0.0..=1.0).contains(channel))).map(Vec3::from)
 }
 
 impl Config {
-    /// Reads a configuration: absent keys keep their defaults, and of a repeated key the last counts.
+    /// Reads a configuration. Absent keys keep their defaults. If a key is repeated, its last line counts.
     ///
     /// ```
     /// let config = cpu::Config::parse(&b"image_width: 640\ngamma: 2\n"[..])?;
@@ -108,23 +110,23 @@ impl Config {
     /// ```
     ///
     /// # Errors
-    /// The first line that is wrong: [`Error::UnknownKey`], [`Error::InvalidValue`] or [`Error::ExtraValue`]; or
-    /// [`Error::Input`] when `input` cannot be read.
+    /// The fault of the first invalid line: [`Error::UnknownKey`], [`Error::InvalidValue`] or [`Error::ExtraValue`].
+    /// [`Error::Input`] if `input` cannot be read.
     pub fn parse(input: impl BufRead) -> Result<Self, Error> {
         let mut config = Self::default();
         text::for_each_line(input, |line| config.set(line))?;
         Ok(config)
     }
 
-    /// [`Config::parse`] of a file.
+    /// Reads the configuration file at `path`, as [`Config::parse`] does.
     ///
     /// # Errors
-    /// As [`Config::parse`], and [`Error::Read`] with the file's name.
+    /// Those of [`Config::parse`], but [`Error::Read`] with the file's name if the file cannot be read.
     pub fn read(path: &Path) -> Result<Self, Error> {
         reader::parse(path, Self::parse)
     }
 
-    /// Sets the value that one line of a configuration file gives. A blank line changes nothing.
+    /// Sets the values that `line`, a line of a configuration file, gives. A blank line changes nothing.
     ///
     /// ```
     /// let mut config = cpu::Config::default();
@@ -134,7 +136,7 @@ impl Config {
     /// ```
     ///
     /// # Errors
-    /// As [`Config::parse`], except [`Error::Input`].
+    /// [`Error::UnknownKey`], [`Error::InvalidValue`] or [`Error::ExtraValue`] if the line is invalid.
     pub fn set(&mut self, line: &[u8]) -> Result<(), Error> {
         let mut tokens = Tokens::new(line);
         let Some(key) = tokens.next() else { return Ok(()) };
@@ -148,10 +150,10 @@ impl Config {
         }
     }
 
-    /// The picture's size: `floor(width / (aspect width / aspect height))` rows, at least one.
+    /// Returns the picture's size. It has `floor(width / (aspect width / aspect height))` rows, but at least one.
     ///
     /// # Errors
-    /// [`Picture::TooLarge`] when it has more pixels than [`crate::input::error::MAX_PIXELS`].
+    /// [`Picture::TooLarge`] if the picture has more pixels than [`crate::input::error::MAX_PIXELS`].
     pub fn image_size(&self) -> Result<Size, Picture> {
         let [aspect_width, aspect_height] = self.aspect_ratio.map(|side| side as f64);
         let height = (self.image_width as f64 / (aspect_width / aspect_height)).floor().max(1.0);

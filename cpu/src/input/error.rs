@@ -1,4 +1,4 @@
-//! Everything that can go wrong, as values with the exact messages (specification, sections 3.4 and 4.3).
+//! The errors of this crate, with the exact messages (specification, sections 3.4 and 4.3).
 
 use std::fmt;
 use std::io;
@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 /// Why a configuration, a scene or a picture was refused.
 ///
-/// The message is [`Error::message`], without the leading `Error: ` that the programs print. Lines and keys are bytes,
-/// since the input need not be UTF-8 and is shown as it stands.
+/// [`Error::message`] returns the message, without the leading `Error: ` that the programs print. Lines and keys are
+/// bytes, because the input need not be UTF-8 and the message shows it unchanged.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {
@@ -23,42 +23,42 @@ pub enum Error {
         /// The line, without its line end.
         line: Vec<u8>,
     },
-    /// More tokens than a configuration value has.
+    /// A configuration line with more tokens than its key takes.
     ExtraValue {
         /// The key, with its colon.
         key: &'static str,
         /// The rest of the line, trimmed.
         extra: Vec<u8>,
     },
-    /// A scene line that starts with no known entity.
+    /// A scene line whose first token is no known entity.
     UnknownEntity {
         /// The first token of the line.
         name: Vec<u8>,
     },
     /// Scene parameters that are missing, unreadable or out of range.
     InvalidParameters {
-        /// What the line describes, as the message names it: `matte material`, `sphere` and so on.
+        /// The entity that the line describes, in the words of the message: `matte material`, `sphere` and so on.
         entity: &'static str,
         /// The line, without its line end.
         line: Vec<u8>,
     },
-    /// More tokens than a scene line has.
+    /// A scene line with more tokens than its entity takes.
     ExtraParameters {
-        /// The entity's tag, with its colon.
+        /// The first token of the line, with its colon.
         tag: &'static str,
         /// The rest of the line, trimmed.
         extra: Vec<u8>,
         /// The line, without its line end.
         line: Vec<u8>,
     },
-    /// A second material of the same name.
+    /// A material whose name a line above has already defined.
     MaterialExists {
         /// The material's name.
         name: Vec<u8>,
         /// The line, without its line end.
         line: Vec<u8>,
     },
-    /// An object made of a material that no line above defines.
+    /// An object whose material no line above defines.
     MaterialNotFound {
         /// The material's name.
         name: Vec<u8>,
@@ -67,48 +67,48 @@ pub enum Error {
     },
     /// A file that cannot be read.
     Read {
-        /// The file as named by the caller.
+        /// The path that the caller gave.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the operating system, or the limit that the file exceeds.
         cause: io::Error,
     },
-    /// Reading text failed before the file's name was known; [`Error::in_file`] adds it.
+    /// Text that cannot be read, when its file's name is not known. [`Error::in_file`] adds the name.
     Input(io::Error),
-    /// The configuration describes a picture that cannot be made.
+    /// A configuration that describes a picture that cannot be made.
     Picture(Picture),
-    /// As [`Error::Picture`], with the name of the configuration file.
+    /// An [`Error::Picture`] with the name of the configuration file.
     PictureIn {
-        /// The configuration file.
+        /// The path of the configuration file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The reason why the picture cannot be made.
         cause: Picture,
     },
-    /// There is not enough memory for what is named.
+    /// Memory that is too short.
     OutOfMemory {
-        /// What did not fit, in words.
+        /// What needed the memory, in the words of the message: `the image`, `the objects` and so on.
         what: &'static str,
     },
 }
 
-/// Most pixels that an image may have: 2^30, three bytes each.
+/// The largest number of pixels that a picture may have: 2^30. A pixel takes three bytes.
 pub const MAX_PIXELS: u64 = 1 << 30;
 
-/// A picture that cannot be made, though every value of the configuration is valid by itself.
+/// The reason why a picture cannot be made, although every single value of the configuration is valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Picture {
-    /// More pixels than an image may have ([`MAX_PIXELS`]).
+    /// The picture has more pixels than [`MAX_PIXELS`], or none.
     TooLarge {
         /// Width in pixels.
         width: u64,
-        /// Height in pixels; `u64::MAX` stands for any height that does not fit.
+        /// Height in pixels. `u64::MAX` also stands for any larger height.
         height: u64,
     },
     /// `camera_position` equals `camera_target`.
     CameraAtTarget,
     /// `camera_north` is null or parallel to the view.
     NorthParallel,
-    /// The camera's values are so large or so small that its window overflows.
+    /// The camera's values are so large or so small that the projection window is not finite.
     CameraOutOfRange,
 }
 
@@ -135,7 +135,8 @@ impl fmt::Display for Picture {
 }
 
 impl Error {
-    /// The same error, with the name of the file it comes from where it lacks one.
+    /// Returns the error with the name of its file, `path`. Only [`Error::Input`] and [`Error::Picture`] lack such a
+    /// name. All other errors are returned unchanged.
     #[must_use]
     pub fn in_file(self, path: &Path) -> Self {
         match self {
@@ -145,19 +146,21 @@ impl Error {
         }
     }
 
-    /// The message, byte for byte, without the leading `Error: ` and without a closing line end.
+    /// Returns the message without the leading `Error: ` and without a line end. Parts that come from files have their
+    /// bytes unchanged.
     #[must_use]
     pub fn message(&self) -> Vec<u8> {
         self.message_with(<[u8]>::to_vec)
     }
 
-    /// The message for a terminal: what comes from files and names is [escaped](crate::input::text::escape).
+    /// Returns the message for a terminal. Parts that come from files, and file names, are
+    /// [escaped](crate::input::text::escape).
     #[must_use]
     pub fn message_for_terminal(&self) -> Vec<u8> {
         self.message_with(|text| crate::input::text::escape(text).into_bytes())
     }
 
-    /// The message, in which `show` converts the parts that come from files and names.
+    /// Returns the message. `show` converts the parts that are put into its text, such as lines and file names.
     fn message_with(&self, show: fn(&[u8]) -> Vec<u8>) -> Vec<u8> {
         const LINE: &str = "\nLine: \"{}\"";
         const EXTRA: &str = "Extra data after configuration value for key: [{}]\nExtra: \"{}\"";
@@ -197,15 +200,15 @@ fn bytes(path: &Path) -> &[u8] {
     path.as_os_str().as_encoded_bytes()
 }
 
-/// A key or name without its colon, which the message adds or leaves out.
+/// Returns a key or name without a colon at its end. The message adds a colon to a key, and none to a name.
 fn without_colon(name: &[u8]) -> &[u8] {
     name.strip_suffix(b":").unwrap_or(name)
 }
 
-/// An empty list with room for `count` items; `what` names them.
+/// Returns an empty list with room for `count` items. `what` names the items in the message of the error.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, Error> {
     let mut list = Vec::new();
     list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what })?;

@@ -1,31 +1,34 @@
-//! What surfaces are made of (specification, section 4.1). How they scatter light is in [`crate::materials`].
+//! The materials of a scene file (specification, section 4.1). [`crate::materials`] computes how they scatter light.
 
 use crate::math::vec3::Vec3;
 
 /// The material of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Material {
-    /// Scatters around the normal.
+    /// A matte surface, which scatters light around the normal.
     Matte {
-        /// Share of the light that comes back, a channel each, in `[0, 1]`.
+        /// The share of the light that is scattered, for each channel, in `[0, 1]`.
         reflectance: Vec3,
     },
-    /// Scatters around the mirror direction, as widely as the diffusion says.
+    /// A metal surface, which scatters light around the mirror direction.
     Metal {
-        /// Share of the light that comes back, a channel each, in `[0, 1]`.
+        /// The share of the light that is scattered, for each channel, in `[0, 1]`.
         reflectance: Vec3,
-        /// Half the side of the cube of the random vector, at least 0.
+        /// The size of the random vector that is added to the mirror direction, at least 0. Each component of the
+        /// vector has at most this magnitude.
         diffusion: f64,
     },
-    /// Refracts light.
+    /// A refractive surface, which refracts all light.
     Refractive {
-        /// Sine of incidence to sine of refraction for light that enters, positive.
+        /// The refractive index, positive. For light that enters the object, it is the sine of the angle of incidence
+        /// divided by the sine of the angle of refraction.
         index: f64,
     },
 }
 
 impl Material {
-    /// The factor of the scattered ray's colour.
+    /// Returns the factor that the surface applies to the colour of the scattered ray. It is one for a refractive
+    /// surface.
     #[must_use]
     pub const fn reflectance(&self) -> Vec3 {
         match *self {

@@ -1,7 +1,7 @@
-//! Reading files: each is opened once, read once, and read only up to a limit.
+//! Reads files. Each file is opened once, read once, and read only up to a limit of bytes.
 //!
-//! A pipe gives its content once, and a device such as `/dev/zero` never ends. So a program that needs an input twice
-//! keeps its bytes.
+//! There are two reasons. A device such as `/dev/zero` never ends. A pipe gives its content only once. So a program
+//! that needs an input twice keeps the bytes of that input.
 
 use std::fs::File;
 use std::io::{self, BufReader, Read};
@@ -19,17 +19,18 @@ pub struct Input {
 }
 
 impl Input {
-    /// Opens `path`, of which at most `limit` bytes may be read.
+    /// Opens the file at `path`. At most `limit` bytes of it may be read.
     ///
     /// # Errors
-    /// The system does not open it.
+    /// The error of the operating system, if it does not open the file.
     pub fn open(path: &Path, limit: u64) -> io::Result<Self> {
         Ok(Self { file: File::open(path)?, limit, left: limit })
     }
 }
 
 impl Read for Input {
-    /// Reads as the file does. A byte beyond the limit is an error of the kind [`io::ErrorKind::FileTooLarge`].
+    /// Reads bytes of the file. If the file has a byte beyond the limit, the read that reaches it fails with
+    /// [`io::ErrorKind::FileTooLarge`].
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         if self.left == 0 {
             // At the limit, only the end of the file may follow.
@@ -45,36 +46,36 @@ impl Read for Input {
     }
 }
 
-/// The error for an input of more than `limit` bytes.
+/// Returns the error for an input of more than `limit` bytes.
 #[must_use]
 pub fn too_large(limit: u64) -> io::Error {
     io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {limit} bytes"))
 }
 
-/// Parses the file at `path`.
+/// Opens the file at `path` and calls `parse` to read it.
 ///
 /// # Errors
-/// Those of `parse`, with the file's name, and [`Error::Read`].
+/// [`Error::Read`] if the file cannot be opened. Otherwise the error of `parse`, with the file's name.
 pub(super) fn parse<T>(path: &Path, parse: impl FnOnce(BufReader<Input>) -> Result<T, Error>) -> Result<T, Error> {
     let input = Input::open(path, MAX_FILE_BYTES).map_err(Error::from);
     input.and_then(|input| parse(BufReader::with_capacity(1 << 16, input))).map_err(|error| error.in_file(path))
 }
 
-/// The bytes of the file at `path`, of which there may be at most `limit`.
+/// Returns the bytes of the file at `path`.
 ///
 /// # Errors
-/// It cannot be opened or read, it is too large, or there is too little memory for it.
+/// If the file cannot be opened or read, if it has more than `limit` bytes, or if memory is short.
 pub fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    // Reports too little memory as an error.
+    // If memory is short, `read_to_end` returns an error.
     Input::open(path, limit)?.read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// The text of the file at `path`, of at most `limit` bytes.
+/// Returns the text of the file at `path`.
 ///
 /// # Errors
-/// As [`read`], and bytes that are not UTF-8.
+/// Those of [`read`]. [`io::ErrorKind::InvalidData`] if the bytes are not UTF-8.
 pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
     String::from_utf8(read(path, limit)?).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
@@ -86,7 +87,7 @@ pub fn read_text(path: &Path, limit: u64) -> io::Result<String> {
 mod tests {
     use super::*;
 
-    /// A file of `text`, removed at the end.
+    /// A file with this text, which is removed when the value is dropped.
     struct Temporary(std::path::PathBuf);
 
     impl Temporary {

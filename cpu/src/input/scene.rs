@@ -1,4 +1,4 @@
-//! The scene file: materials and objects, one a line, to a checked [`Scene`] (specification, section 4).
+//! Parses the scene file into a checked [`Scene`] (specification, section 4). Each line is a material or an object.
 
 use std::collections::HashMap;
 use std::io::BufRead;
@@ -12,23 +12,23 @@ use crate::math::vec3::Vec3;
 /// Position of a material in [`Scene::materials`].
 pub type MaterialId = u32;
 
-/// A sphere as the file describes it.
+/// A sphere as the scene file describes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its centre.
+    /// The sphere's centre, in scene units.
     pub center: Vec3,
-    /// Its radius, positive.
+    /// The sphere's radius, in scene units, positive.
     pub radius: f64,
 }
 
-/// A closed cylinder as the file describes it.
+/// A closed cylinder as the scene file describes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     /// The point halfway between the centres of its caps.
     pub center: Vec3,
-    /// Its radius, positive.
+    /// The cylinder's radius, in scene units, positive.
     pub radius: f64,
-    /// Its axis; the length, positive and finite, is the height.
+    /// The cylinder's axis, towards the top cap. Its length, positive and finite, is the height of the cylinder.
     pub axis: Vec3,
 }
 
@@ -41,39 +41,40 @@ pub enum Shape {
     Cylinder(Cylinder),
 }
 
-/// A shape and what it is made of.
+/// An object of the scene: a shape and its material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object {
-    /// Its shape and place.
+    /// The shape, with its place in the scene.
     pub shape: Shape,
-    /// Its material, an index into [`Scene::materials`].
+    /// The material, an index into [`Scene::materials`].
     pub material: MaterialId,
 }
 
-/// Materials and objects in the order of the file, which decides between hits at the same distance.
+/// Materials and objects in the order of the scene file. If two hits have the same lambda, the object that is later in
+/// this order counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// All materials, used or not.
+    /// All materials, also those that no object uses.
     pub materials: Vec<Material>,
     /// All objects.
     pub objects: Vec<Object>,
 }
 
-/// Reads the scene line by line; keeps the names, which the finished scene does not need.
+/// The scene that has been read so far, with the names of its materials. The finished scene does not need the names.
 #[derive(Default)]
 struct Parser {
     scene: Scene,
     names: HashMap<Vec<u8>, MaterialId>,
 }
 
-/// A kind of line: its tag, its name in messages, and the function that reads its parameters.
+/// A kind of line: the line's first token, the name in messages, and the function that reads the parameters.
 struct Entity {
     tag: &'static str,
     name: &'static str,
     read: fn(&mut Tokens<'_>) -> Option<Item>,
 }
 
-/// What a line describes.
+/// The material or the shape that a line describes.
 enum Item {
     Material(Material),
     Shape(Shape),
@@ -97,7 +98,7 @@ fn sphere(tokens: &mut Tokens<'_>) -> Option<Shape> {
 
 fn cylinder(tokens: &mut Tokens<'_>) -> Option<Shape> {
     let (center, radius, axis) = (tokens.reals()?.into(), positive(tokens)?, Vec3::from(tokens.reals()?));
-    // The height is the axis' length: one that vanishes or overflows in f64 gives no direction either.
+    // The height is the length of the axis. If it vanishes or overflows in f64, the axis has no direction either.
     let height = axis.length();
     (height > 0.0 && height.is_finite()).then_some(Shape::Cylinder(Cylinder { center, radius, axis }))
 }
@@ -155,7 +156,9 @@ impl Parser {
 }
 
 impl Entity {
-    /// The name on the line, first for a material and last for an object, and what the line describes.
+    /// Reads a line after its tag. Returns the material's name on the line, and what the line describes. The name
+    /// stands before the parameters of a material and after those of an object. `None` means that a token is missing or
+    /// invalid.
     fn read_named<'a>(&self, tokens: &mut Tokens<'a>) -> Option<(&'a [u8], Item)> {
         let first = if self.name.ends_with("material") { Some(tokens.next()?) } else { None };
         let item = (self.read)(tokens)?;
@@ -170,10 +173,10 @@ fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> 
 }
 
 impl Scene {
-    /// The materials that objects are made of, each once.
+    /// Returns the materials that at least one object uses, each of them once.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn materials_in_use(&self) -> Result<Vec<Material>, Error> {
         let mut ids = with_room(self.objects.len(), "the materials")?;
         ids.extend(self.objects.iter().map(|object| object.material));
@@ -184,7 +187,7 @@ impl Scene {
         Ok(materials)
     }
 
-    /// Reads a scene.
+    /// Reads the text of a scene file.
     ///
     /// ```
     /// let text = "matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n";
@@ -194,17 +197,18 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// The first line that is wrong. On a line the parameters are checked first, then extra data, then names.
+    /// The fault of the first invalid line. On a line, the parameters are checked first, then extra data, then names.
+    /// [`Error::Input`] if `input` cannot be read, and [`Error::OutOfMemory`] if memory is short.
     pub fn parse(input: impl BufRead) -> Result<Self, Error> {
         let mut parser = Parser::default();
         text::for_each_line(input, |line| parser.read_line(line))?;
         Ok(parser.scene)
     }
 
-    /// [`Scene::parse`] of a file.
+    /// Reads the scene file at `path`, as [`Scene::parse`] does.
     ///
     /// # Errors
-    /// As [`Scene::parse`], and [`Error::Read`] with the file's name.
+    /// Those of [`Scene::parse`], but [`Error::Read`] with the file's name if the file cannot be read.
     pub fn read(path: &Path) -> Result<Self, Error> {
         reader::parse(path, Self::parse)
     }

@@ -1,8 +1,8 @@
-//! Width and height of a picture.
+//! The width and height of a picture, within the limits of the specification.
 
 use crate::input::error::{MAX_PIXELS, Picture};
 
-/// Width and height of a picture, at least one pixel each and at most [`MAX_PIXELS`] together.
+/// The width and height of a picture in pixels. Each is at least 1, and their product is at most [`MAX_PIXELS`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     width: u32,
@@ -10,10 +10,10 @@ pub struct Size {
 }
 
 impl Size {
-    /// The size, if an image may have it.
+    /// Returns the size of a picture with this width and height in pixels.
     ///
     /// # Errors
-    /// [`Picture::TooLarge`] for more pixels than [`MAX_PIXELS`] or for a side of 0.
+    /// [`Picture::TooLarge`] if there are more pixels than [`MAX_PIXELS`], or if `width` or `height` is 0.
     pub fn new(width: u64, height: u64) -> Result<Self, Picture> {
         let too_large = Picture::TooLarge { width, height };
         let pixels = width.checked_mul(height).ok_or(too_large)?;
@@ -24,19 +24,19 @@ impl Size {
         Ok(Self { width: width as u32, height: height as u32 })
     }
 
-    /// Columns.
+    /// Returns the number of columns.
     #[must_use]
     pub const fn width(self) -> usize {
         self.width as usize
     }
 
-    /// Rows.
+    /// Returns the number of rows.
     #[must_use]
     pub const fn height(self) -> usize {
         self.height as usize
     }
 
-    /// Columns times rows.
+    /// Returns the number of pixels: columns times rows.
     #[must_use]
     pub const fn pixels(self) -> usize {
         self.width() * self.height()

@@ -1,21 +1,23 @@
-//! Reading text: lines with a bounded length, tokens between blanks, numbers that must be whole tokens.
+//! Reads text: lines of bounded length, tokens between blanks, and numbers that fill their token.
 //!
-//! Both input files share these rules (specification, section 2): blanks and tabs separate tokens, a line ends in
-//! LF or CRLF, and bytes need not be valid UTF-8.
+//! Both input files have these rules (specification, section 2). Blanks and tabs separate tokens. A line ends in LF or
+//! CRLF. Bytes need not be valid UTF-8.
 
 use std::io::{self, BufRead, Read};
 
-/// Longest accepted line, in bytes. A longer one is refused before it is held in memory.
+/// Length of the longest line that is accepted, in bytes. A longer line is refused before it is read to its end.
 pub const MAX_LINE_BYTES: usize = 1 << 20;
 
-/// Largest accepted input file, in bytes. Reading stops there, so that an endless input ends in an error.
+/// Size of the largest input file that is accepted, in bytes. Reading stops there, so an endless input ends in an
+/// error.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
 
 /// Calls `visit` with every line of `input`, without its line end (LF or CRLF).
 ///
 /// # Errors
-/// The first error that `visit` returns, or one made from [`io::Error`]: the input cannot be read, a line is longer
-/// than [`MAX_LINE_BYTES`], or the whole is longer than [`MAX_FILE_BYTES`].
+/// The first error that `visit` returns, or an error made from [`io::Error`]. The second kind means that the input
+/// cannot be read, that memory is short, that a line is longer than [`MAX_LINE_BYTES`], or that the input is longer
+/// than [`MAX_FILE_BYTES`].
 pub fn for_each_line<E: From<io::Error>>(
     input: impl BufRead,
     mut visit: impl FnMut(&[u8]) -> Result<(), E>,
@@ -46,7 +48,7 @@ pub fn for_each_line<E: From<io::Error>>(
     Ok(())
 }
 
-/// The line without a closing LF or CRLF.
+/// Returns the line without LF, CRLF or CR at its end.
 fn without_line_end(line: &[u8]) -> &[u8] {
     match line.strip_suffix(b"\n") {
         Some(line) => line.strip_suffix(b"\r").unwrap_or(line),
@@ -58,8 +60,9 @@ const fn is_blank(byte: u8) -> bool {
     byte == b' ' || byte == b'\t'
 }
 
-/// `text` for a terminal: control characters, those that turn the direction of writing, and bytes that are no UTF-8 are
-/// shown as `\u{1b}` or `\x9b`, since a terminal would obey them. Tabs stay.
+/// Returns `text` in a form that a terminal can show safely. A terminal would obey control characters and characters
+/// that change the direction of writing. They are shown as escapes such as `\u{1b}`, and bytes that are not UTF-8 as
+/// `\x9b`. Tabs stay as they are.
 #[must_use]
 pub fn escape(text: &[u8]) -> String {
     let mut shown = String::with_capacity(text.len());
@@ -77,7 +80,7 @@ pub fn escape(text: &[u8]) -> String {
     shown
 }
 
-/// `text` without blanks and tabs at both ends.
+/// Returns `text` without the blanks and tabs at both ends.
 #[must_use]
 pub fn trim(text: &[u8]) -> &[u8] {
     let start = text.iter().position(|&byte| !is_blank(byte)).unwrap_or(text.len());
@@ -85,36 +88,37 @@ pub fn trim(text: &[u8]) -> &[u8] {
     &text[start..end]
 }
 
-/// The tokens of a line, one at a time, and what is left of it.
+/// Iterates over the tokens of a line, and knows the rest of the line that has not been read.
 #[derive(Clone, Debug)]
 pub struct Tokens<'a> {
     rest: &'a [u8],
 }
 
 impl<'a> Tokens<'a> {
-    /// The tokens of `line`.
+    /// Returns an iterator over the tokens of `line`.
     #[must_use]
     pub const fn new(line: &'a [u8]) -> Self {
         Self { rest: line }
     }
 
-    /// What has not been read, without blanks at both ends; empty when nothing is left.
+    /// Returns the part of the line that has not been read, without blanks at both ends. The result is empty if no
+    /// token is left.
     #[must_use]
     pub fn rest(&self) -> &'a [u8] {
         trim(self.rest)
     }
 
-    /// The next token as a real number; see [`parse_real`].
+    /// Returns the next token as a real number, or `None` if there is no token or [`parse_real`] refuses it.
     pub fn real(&mut self) -> Option<f64> {
         parse_real(self.next()?)
     }
 
-    /// The next three tokens as real numbers.
+    /// Returns the next three tokens as real numbers, or `None` if [`Tokens::real`] fails for one of them.
     pub fn reals(&mut self) -> Option<[f64; 3]> {
         Some([self.real()?, self.real()?, self.real()?])
     }
 
-    /// The next token as a positive integer of at most 64 bits.
+    /// Returns the next token as a positive integer of at most 64 bits, or `None` if there is no such token.
     pub fn positive_integer(&mut self) -> Option<u64> {
         parse_positive_integer(self.next()?)
     }
@@ -134,12 +138,14 @@ impl<'a> Iterator for Tokens<'a> {
     }
 }
 
-/// A plain decimal or scientific number that fills the token: `1`, `-2.`, `.25`, `+1e-3`.
+/// Returns the value of a token that is a decimal or scientific number, such as `1`, `-2.`, `.25` or `+1e-3`.
 ///
-/// Correctly rounded. `None` for anything else: `nan`, `inf`, hexadecimal, trailing text, or a value that overflows.
+/// The value is correctly rounded. For any other token the result is `None`: `nan`, `inf`, a hexadecimal number,
+/// trailing text, or a value that overflows.
 #[must_use]
 pub fn parse_real(token: &[u8]) -> Option<f64> {
-    // The standard library also reads `inf`, `infinity` and `nan`; no other accepted spelling has a letter but `e`.
+    // The standard library also reads `inf`, `infinity` and `nan`. All other texts that it reads have no letter but
+    // `e`.
     if !token.iter().all(|byte| matches!(byte, b'0'..=b'9' | b'+' | b'-' | b'.' | b'e' | b'E')) {
         return None;
     }
@@ -147,7 +153,8 @@ pub fn parse_real(token: &[u8]) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A decimal integer in `1..=u64::MAX` that fills the token; a leading `+` is allowed.
+/// Returns the value of a token that is a decimal integer in `1..=u64::MAX`. A leading `+` is allowed. For any other
+/// token the result is `None`.
 #[must_use]
 pub fn parse_positive_integer(token: &[u8]) -> Option<u64> {
     let text = std::str::from_utf8(token).ok()?;

@@ -1,4 +1,5 @@
-//! Arrays of structures: a pixel's channels side by side, an object's values side by side.
+//! The layout with arrays of structures. The channels of a pixel are side by side in memory, and so are the numbers of
+//! an object.
 
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
@@ -6,7 +7,7 @@ use crate::input::{error::Error, scene::Scene, size::Size};
 use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
 use crate::math::vec3::Vec3;
 
-/// Arrays of structures.
+/// The layout with arrays of structures. This type only names the layout and has no values.
 #[derive(Clone, Copy, Debug)]
 pub enum Aos {}
 
@@ -15,7 +16,7 @@ impl Layout for Aos {
     type Objects = AosObjects;
 }
 
-/// One array of pixels.
+/// A picture as one array of pixels.
 #[derive(Clone, Debug)]
 pub struct AosImage {
     size: Size,
@@ -42,12 +43,12 @@ impl Image for AosImage {
     }
 }
 
-/// One array of spheres, one of cylinders.
+/// The objects of a scene as one array of spheres and one array of cylinders.
 #[derive(Clone, Debug)]
 pub struct AosObjects {
     spheres: Vec<Placed<SphereRecord>>,
     cylinders: Vec<Placed<CylinderRecord>>,
-    /// The axes as the file has them. They are apart, since only the fallback of an uncertain intersection needs them.
+    /// The cylinders' axes as in the scene file. They are stored separately, because only the fallback needs them.
     axes: Vec<Vec3>,
 }
 

@@ -1,4 +1,4 @@
-//! Structures of arrays: a channel of all pixels side by side, a value of all objects side by side.
+//! The layout with structures of arrays. Each channel of a picture is one array, and so is each number of the objects.
 
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
@@ -6,7 +6,7 @@ use crate::input::{error::Error, scene::MaterialId, scene::Scene, size::Size};
 use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
 use crate::math::vec3::Vec3;
 
-/// Structures of arrays.
+/// The layout with structures of arrays. This type only names the layout and has no values.
 #[derive(Clone, Copy, Debug)]
 pub enum Soa {}
 
@@ -15,7 +15,7 @@ impl Layout for Soa {
     type Objects = SoaObjects;
 }
 
-/// An array for each channel.
+/// A picture as three arrays, one for each channel.
 #[derive(Clone, Debug)]
 pub struct SoaImage {
     size: Size,
@@ -47,7 +47,7 @@ impl Image for SoaImage {
     }
 }
 
-/// Three arrays, one a component.
+/// A list of vectors as three arrays, one for each component.
 #[derive(Clone, Debug)]
 struct Vectors {
     x: Vec<f64>,
@@ -72,15 +72,16 @@ impl Vectors {
     }
 }
 
-/// The value at `index`. The caller has indexed another array of this length already, so a second panic on a bad index
-/// is left out: it would keep the compiler from removing a load whose value is not used.
+/// Returns the value at `index`, or the default if there is none. The caller has already indexed another array of the
+/// same length. A second panic for an invalid index would keep the compiler from removing a load whose value is not
+/// used.
 #[inline(always)]
 fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
     values.get(index).copied().unwrap_or_default()
 }
 
-/// What spheres and cylinders have in common. The radius squared and a cylinder's caps are computed from the stored
-/// values, by the formulas of the records.
+/// The numbers that both spheres and cylinders have, as one array for each number. The squared radius and a cylinder's
+/// caps are not stored. They are computed again by the formulas of the records.
 #[derive(Clone, Debug)]
 struct Common {
     center: Vectors,
@@ -107,13 +108,13 @@ impl Common {
     }
 }
 
-/// An array for each value of the spheres and of the cylinders.
+/// The objects of a scene as one array for each number of the spheres and of the cylinders.
 #[derive(Clone, Debug)]
 pub struct SoaObjects {
     spheres: Common,
     cylinders: Common,
     axis: Vectors,
-    /// The axes as the file has them. Only the fallback of an uncertain intersection needs them.
+    /// The cylinders' axes as in the scene file. Only the fallback needs them.
     file_axis: Vectors,
     half_height: Vec<f64>,
 }

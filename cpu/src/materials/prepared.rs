@@ -1,4 +1,4 @@
-//! A material ready to scatter: its constants, and the direction in which it scatters.
+//! Materials in the form that the renderer uses: with constants that are computed once.
 
 use crate::geometry::ray::facing;
 use crate::input::material::Material;
@@ -6,32 +6,32 @@ use crate::materials::{reflection::mirror, refraction::IndexRatio, refraction::r
 use crate::math::{real::Real, vec3::NEGLIGIBLE, vec3::Vec3};
 use crate::sampling::scatter_vectors::Scatter;
 
-/// How a surface scatters.
+/// The kind of a surface, which decides the direction of scattered rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BsdfKind {
-    /// Around the normal.
+    /// The surface scatters around the normal.
     Matte,
-    /// Around the mirror image.
+    /// The surface scatters around the mirror direction.
     Metal,
-    /// Through the surface.
+    /// The surface refracts, or reflects beyond the critical angle. It takes no random vector.
     Refractive,
 }
 
-/// A material as the renderer uses it.
+/// A material in the form that the renderer uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedMaterial {
-    /// How it scatters.
+    /// The kind of the surface.
     pub bsdf_kind: BsdfKind,
-    /// How a scatter sample changes the direction.
+    /// The constants with which a scatter sample changes the direction.
     pub scatter_params: ScatterParams,
     /// The refractive index and its inverse. Only refractive materials use it.
     pub index_ratio: IndexRatio,
-    /// The factor of the scattered ray's colour.
+    /// The factor that the surface applies to the colour of the scattered ray.
     pub reflectance: Vec3,
 }
 
 impl PreparedMaterial {
-    /// A surface that scatters no light.
+    /// A material that makes every path black.
     pub const BLACK: Self = Self {
         bsdf_kind: BsdfKind::Metal,
         scatter_params: ScatterParams { scale: 0.0, shift: 0.0, negligible: 0.0 },
@@ -39,7 +39,7 @@ impl PreparedMaterial {
         reflectance: Vec3::ZERO,
     };
 
-    /// Prepares `material` for a convention of random vectors.
+    /// Prepares `material` for the convention `scatter` of random vectors.
     pub fn new(material: &Material, scatter: Scatter) -> Self {
         let (bsdf_kind, extent, negligible, index) = match *material {
             Material::Matte { .. } => (BsdfKind::Matte, 1.0, NEGLIGIBLE, 1.0),
@@ -47,7 +47,7 @@ impl PreparedMaterial {
             Material::Refractive { index } => (BsdfKind::Refractive, 0.0, 0.0, index),
         };
         let (scale, shift) = match scatter {
-            // A draw in [-extent, extent) is u * (extent - -extent) + -extent.
+            // By the specification a draw in [-extent, extent) is u * (extent - -extent) + -extent.
             Scatter::Statement => (extent + extent, -extent),
             // Adding -0 changes no number, not even the sign of a zero.
             Scatter::Published | Scatter::Deterministic => (extent, -0.0),
@@ -57,20 +57,20 @@ impl PreparedMaterial {
         Self { bsdf_kind, scatter_params, index_ratio, reflectance }
     }
 
-    /// Whether the surface scatters around a direction, by a scatter sample; a refractive one takes none.
+    /// Whether the surface takes a scatter sample: matte and metal surfaces do, refractive ones do not.
     #[inline(always)]
     pub fn takes_scatter_sample(&self) -> bool {
         self.bsdf_kind != BsdfKind::Refractive
     }
 
-    /// The direction in which a ray that comes along `direction` is scattered, before the random vector is added: the
-    /// normal of a matte surface, the mirror direction of a metal one, the refracted direction of a refractive one.
-    /// `outward` is the normal that leaves the object.
+    /// Returns the direction of the scattered ray before the random vector is added. This is the normal of a matte
+    /// surface, the mirror direction of a metal one, and the refracted direction of a refractive one. `direction` is
+    /// that of the ray that hits the surface, and `outward` is the normal that points out of the object.
     #[inline(always)]
     pub fn unperturbed_direction<T: Real>(&self, direction: Vec3<T>, outward: Vec3<T>) -> Vec3<T> {
         match self.bsdf_kind {
             BsdfKind::Matte => facing(direction, outward).1,
-            // The mirror image is the same, to the bit, for a normal and its opposite: both signs cancel.
+            // A normal and its opposite give the same bits of the mirror image, because both signs cancel.
             BsdfKind::Metal => mirror(direction, outward),
             BsdfKind::Refractive => {
                 let (front, normal) = facing(direction, outward);

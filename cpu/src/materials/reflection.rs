@@ -1,15 +1,16 @@
-//! Mirror images (specification, section 10.2). The reference's copy is in `reference.rs` (`scatter`), and the copy in
-//! WGSL is `scatter.wgsl`.
+//! Mirror images (specification, section 10.2). The reference has a copy of these formulas in `reference.rs`
+//! (`scatter`), and WGSL has one in `scatter.wgsl`.
 
 use crate::math::{real::Real, vec3::Vec3};
 
-/// The mirror image of `direction` in a surface.
+/// Returns `direction - 2 (direction . normal) normal`. This is the mirror image if `normal` has length one. The normal
+/// of a cylinder's side is as long as the radius, and the same formula is used.
 #[inline(always)]
 pub fn reflect<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
     direction - normal * (direction.dot(normal) * T::of(2.0))
 }
 
-/// The direction, of length one, in which a metal surface without diffusion reflects light.
+/// Returns [`reflect`] with length one. A metal surface without diffusion reflects light in this direction.
 #[inline(always)]
 pub fn mirror<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
     reflect(direction, normal).unit()

@@ -1,23 +1,25 @@
 //! Refraction (specification, section 10.3).
 //!
-//! With a normal of length one this is Snell's law: sine of incidence times the ratio of indices is sine of refraction.
-//! 1. A ray enters if the product of its direction and the outward normal is negative. The ratio is then `1 / rho`, and
-//!    otherwise `rho`.
-//! 2. Where the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
+//! If the normal has length one, this is Snell's law: the sine of incidence times the ratio of indices is the sine of
+//! refraction. With `rho` as the refractive index:
+//!
+//! 1. A ray enters if the dot product of its direction and the outward normal is negative. The ratio is then `1 / rho`,
+//!    and otherwise `rho`. `facing` in `geometry/ray.rs` decides whether a ray enters.
+//! 2. If the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
 //! 3. No random number is drawn, and the reflectance is 1 in every channel ([`Material::reflectance`]).
 //!
-//! The normal on the side of a cylinder has the length of the radius (section 9.2), and the same formula is used there.
-//! So the cosine is limited to 1, and the square root is that of a magnitude. `facing` in `geometry/ray.rs` decides
-//! whether a ray enters.
+//! On the side of a cylinder the normal is as long as the radius (section 9.2), and the same formula is used. So the
+//! cosine must be limited to 1, and the square root is that of a magnitude.
 //!
 //! [`Material::reflectance`]: crate::input::material::Material::reflectance
 //!
-//! The reference's copy is in `reference.rs` (`scatter`). The copy in WGSL is `scatter_refract` in `scatter.wgsl`.
+//! The reference has a copy of this rule in `reference.rs` (`scatter`), and WGSL has one in `scatter.wgsl`
+//! (`scatter_refract`).
 
 use crate::materials::reflection::reflect;
 use crate::math::{real::Real, vec3::Vec3};
 
-/// The ratios of indices of a refractive surface, for rays that enter and for rays that leave.
+/// The ratios of indices of a refractive surface with index `rho`, for rays that enter and for rays that leave.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IndexRatio {
     /// `1 / rho`.
@@ -27,20 +29,21 @@ pub struct IndexRatio {
 }
 
 impl IndexRatio {
-    /// The ratios of a material whose index is `rho`.
+    /// Returns the ratios of a material whose refractive index is `rho`.
     pub const fn new(rho: f64) -> Self {
         Self { entering: 1.0 / rho, leaving: rho }
     }
 
-    /// The ratio for a ray that hits the surface from outside where `front` holds, and from inside elsewhere.
+    /// Returns the ratio for a ray that hits the surface from outside if `front` holds, and from inside otherwise.
     #[inline(always)]
     pub fn at<T: Real>(&self, front: T::Mask) -> T {
         T::select(front, T::of(self.entering), T::of(self.leaving))
     }
 }
 
-/// The direction behind a refractive surface, or the mirror image beyond the critical angle. `normal` is on the side
-/// that the ray comes from, and `ratio` is the ratio of indices.
+/// Returns the direction of a ray behind a refractive surface, or its mirror image beyond the critical angle.
+/// `direction` is that of the ray that hits the surface, and may have any length. `normal` is on the side that the ray
+/// comes from. `ratio` is the ratio of indices.
 #[inline(always)]
 pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {
     let one = T::of(1.0);

@@ -1,21 +1,22 @@
-//! How a random vector changes a direction (specification, sections 10.1 and 10.2). The reference's copy is in
-//! `reference.rs` (`scatter`), and the copy in WGSL is `scatter.wgsl`.
+//! Adds a random vector to a direction (specification, sections 10.1 and 10.2). The reference has a copy of this rule
+//! in `reference.rs` (`scatter`), and WGSL has one in `scatter.wgsl`.
 
 use crate::math::{real::Real, vec3::Vec3};
 
-/// How a surface scatters light around a direction, or one surface in each lane.
+/// The constants with which a surface scatters light around a direction. With lanes, each lane may have its own
+/// surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScatterParams<T = f64> {
-    /// A random vector is a scatter sample times `scale`, plus `shift`.
+    /// The factor in the random vector: a scatter sample times `scale`, plus `shift` in each component.
     pub scale: T,
-    /// See `scale`.
+    /// The term in the random vector, see `scale`.
     pub shift: T,
-    /// See [`scatter_around`]: above 0 for a matte surface only.
+    /// The limit below which [`scatter_around`] replaces a sum. It is above 0 for matte surfaces only.
     pub negligible: T,
 }
 
 impl<T: Real> ScatterParams<T> {
-    /// The random vector that this scatter sample gives.
+    /// Returns the random vector that `scatter_sample` gives.
     #[inline(always)]
     pub fn vector(&self, scatter_sample: Vec3<T>) -> Vec3<T> {
         scatter_sample * self.scale + Vec3::splat(self.shift)
@@ -23,21 +24,21 @@ impl<T: Real> ScatterParams<T> {
 }
 
 impl ScatterParams {
-    /// The direction of a ray scattered around `unperturbed` with a scatter sample.
+    /// Returns the direction of a ray that is scattered around `unperturbed` with this scatter sample.
     #[inline(always)]
     pub fn scatter_around(&self, unperturbed: Vec3, scatter_sample: Vec3) -> Vec3 {
         scatter_around(unperturbed, self.vector(scatter_sample), self.negligible)
     }
 
-    /// The same parameters in every lane.
+    /// Returns the same constants in every lane.
     #[inline(always)]
     pub fn lanes<V: Real>(&self) -> ScatterParams<V> {
         ScatterParams { scale: V::of(self.scale), shift: V::of(self.shift), negligible: V::of(self.negligible) }
     }
 }
 
-/// The sum of a direction and a random vector; the direction alone where every component of the sum is smaller than
-/// `negligible` in magnitude.
+/// Returns the sum of the direction `unperturbed` and a random vector. If every component of the sum is smaller than
+/// `negligible` in magnitude, the result is `unperturbed`.
 #[inline(always)]
 pub fn scatter_around<T: Real<Mask = bool>>(unperturbed: Vec3<T>, vector: Vec3<T>, negligible: T) -> Vec3<T> {
     let direction = unperturbed + vector;
@@ -47,8 +48,9 @@ pub fn scatter_around<T: Real<Mask = bool>>(unperturbed: Vec3<T>, vector: Vec3<T
     direction
 }
 
-/// The last two comparisons of [`Vec3::is_within`], which rays seldom need. They are out of line, behind a branch. LLVM
-/// otherwise turns all three into a selection, and the next steps of the ray depend on its result.
+/// The last two comparisons of [`Vec3::is_within`]. They are seldom needed, so they are in a separate function behind a
+/// branch. Otherwise LLVM turns all three comparisons into a selection, and the next steps of the ray wait for its
+/// result.
 #[cold]
 #[inline(never)]
 fn are_within<T: Real<Mask = bool>>(y: T, z: T, limit: T) -> bool {

@@ -1,9 +1,9 @@
-//! Sums and products with their rounding errors. Each rounding error is itself a number of the arithmetic, so the pair
-//! is exact.
+//! Sums and products with their rounding errors. A rounding error is itself a floating-point number. So result and
+//! rounding error together are exact, short of overflow and underflow.
 
 use crate::math::rounding::{MulAdd, Rounding};
 
-/// `a + b` and its rounding error (Knuth).
+/// Returns the rounded `a + b` and its rounding error: the exact sum minus the rounded one (Knuth).
 #[inline(always)]
 pub fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
     let sum = a + b;
@@ -11,7 +11,7 @@ pub fn two_sum<T: Rounding>(a: T, b: T) -> (T, T) {
     (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
-/// `a b` and its rounding error.
+/// Returns the rounded `a b` and its rounding error: the exact product minus the rounded one.
 #[inline(always)]
 pub fn two_product<T: MulAdd>(a: T, b: T) -> (T, T) {
     let product = a * b;

@@ -1,30 +1,31 @@
-//! The arithmetic that formulas are generic over: one number, or several at once.
+//! The trait [`Real`], over which formulas are generic: one number, or several numbers at once.
 //!
-//! Every operation is one correctly rounded IEEE operation, so a formula gives the same bits in a lane as for a single
-//! number.
+//! For `f32`, `f64` and lanes of `f64`, every operation is one correctly rounded IEEE operation. So a formula gives the
+//! same bits in a lane as for a single number.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// A real number, or a vector of them, one a lane.
+/// A real number, or lanes that hold one real number each.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The result of a comparison: one `bool`, or one a lane.
+    /// The result of a comparison: one `bool`, or one for each lane.
     type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
 
-    /// The number nearest to `value`, in every lane.
+    /// Returns the number nearest to `value`, in every lane.
     fn of(value: f64) -> Self;
-    /// Square root; not a number below zero.
+    /// Returns the square root, which is NaN if the number is negative.
     fn sqrt(self) -> Self;
-    /// Magnitude.
+    /// Returns the magnitude.
     fn abs(self) -> Self;
-    /// Whether `self < other`; false when either is not a number.
+    /// Whether `self < other`. The result is false if one of the numbers is NaN.
     fn less(self, other: Self) -> Self::Mask;
-    /// Whether `self <= other`; false when either is not a number.
+    /// Whether `self <= other`. The result is false if one of the numbers is NaN.
     fn less_equal(self, other: Self) -> Self::Mask;
-    /// `yes` where `mask` holds, `no` elsewhere.
+    /// Returns `yes` where `mask` holds, and `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// The number, negated where `other` is negative; either where `other` is a zero.
+    /// Returns the number, negated where `other` is negative. Where `other` is a zero, implementations may negate or
+    /// not.
     #[inline(always)]
     fn flipped_by(self, other: Self) -> Self {
         Self::select(other.less(Self::of(0.0)), -self, self)

@@ -1,21 +1,24 @@
-//! The traits of arithmetic whose rounding errors are known. Formulas with an error bound are generic over them.
+//! The traits of arithmetic whose rounding errors are known. Formulas with an error bound are generic over these
+//! traits.
 
 use crate::math::real::Real;
 
-/// Arithmetic of known precision: that of f64, unless it states another.
+/// Arithmetic of known precision. The default values of its constants are those of `f64`.
 pub trait Rounding: Real {
-    /// The largest relative error of an operation.
+    /// The largest relative error of one operation.
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    /// How many times larger than in f64 the condition number of an accepted root may be.
+    /// Factor of the condition limit. A root is accepted if its condition number is below the limit for `f64`, times
+    /// this factor.
     const LENIENCE: f64 = 1.0;
 }
 
-/// Fused multiply-add.
+/// Arithmetic with a fused multiply-add.
 pub trait MulAdd: Rounding {
-    /// `self * factor + term`, rounded once. Code that is compiled for a machine without the instruction calls a
-    /// function instead, just as exact.
+    /// Returns `self * factor + term`, rounded once. If code is compiled for a machine without the instruction, a
+    /// library function computes the same bits.
     fn mul_add(self, factor: Self, term: Self) -> Self;
-    /// `self * factor + term`, rounded once or twice, whichever is faster: for tests whose margins cover both.
+    /// Returns `self * factor + term`, rounded once or twice, whichever is faster on the machine. Only tests whose
+    /// margins cover both may use this function.
     #[inline(always)]
     fn mul_add_loosely(self, factor: Self, term: Self) -> Self {
         self.mul_add(factor, term)

@@ -1,9 +1,10 @@
-//! Three-component vectors, for points, directions and colours alike.
+//! Vectors of three components, for points, directions and colours.
 //!
-//! They are generic over [`Real`], so that a formula is written once and works on one ray or on a lane of rays.
+//! They are generic over [`Real`]. So a formula is written once, and works on one ray or on several rays in lanes.
 //!
-//! The order of the operations inside each function is part of the result: images are compared byte for byte, so a dot
-//! product is always summed left to right and a unit vector is always divided by its length, component by component.
+//! The order of the operations in each function is part of the result, because pictures are compared byte for byte. So
+//! a dot product is always summed from left to right. A unit vector is always computed by dividing each component by
+//! the length.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -22,9 +23,9 @@ pub struct Vec3<T = f64> {
 }
 
 impl Vec3 {
-    /// The origin, the null direction, black.
+    /// Three zeros: the origin, the null vector or black.
     pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
-    /// White, or a reflectance that changes nothing.
+    /// Three ones: white, or the reflectance of a surface that changes no colour.
     pub const ONE: Self = Self::new(1.0, 1.0, 1.0);
 
     /// Whether every component is finite.
@@ -35,28 +36,28 @@ impl Vec3 {
 }
 
 impl<T: Copy> Vec3<T> {
-    /// The vector with these components.
+    /// Returns the vector with these components.
     #[inline(always)]
     #[must_use]
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
-    /// The vector with three equal components.
+    /// Returns the vector with three equal components.
     #[inline(always)]
     #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new(value, value, value)
     }
 
-    /// The components in order.
+    /// Returns the components in order.
     #[inline(always)]
     #[must_use]
     pub const fn to_array(self) -> [T; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// The vector with `convert` applied to every component.
+    /// Returns the vector with `convert` applied to every component.
     #[inline(always)]
     #[must_use]
     pub fn map<U: Copy>(self, convert: impl Fn(T) -> U) -> Vec3<U> {
@@ -65,21 +66,21 @@ impl<T: Copy> Vec3<T> {
 }
 
 impl<T: Real> Vec3<T> {
-    /// `yes` where `mask` holds, `no` elsewhere.
+    /// Returns `yes` where `mask` holds, and `no` elsewhere.
     #[inline(always)]
     #[must_use]
     pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self::new(T::select(mask, yes.x, no.x), T::select(mask, yes.y, no.y), T::select(mask, yes.z, no.z))
     }
 
-    /// Scalar product, summed left to right.
+    /// Returns the dot product, summed from left to right.
     #[inline(always)]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// Vector product.
+    /// Returns the cross product `self × other`.
     #[inline(always)]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
@@ -90,26 +91,27 @@ impl<T: Real> Vec3<T> {
         )
     }
 
-    /// Euclidean length.
+    /// Returns the Euclidean length.
     #[inline(always)]
     #[must_use]
     pub fn length(self) -> T {
         self.dot(self).sqrt()
     }
 
-    /// The vector of length one in the same direction; not a number in every component for a null vector.
+    /// Returns the vector of length one in the same direction. For a null vector every component is NaN.
     #[inline(always)]
     #[must_use]
     pub fn unit(self) -> Self {
         self / self.length()
     }
 
-    /// The vector of length one in the same direction, and the length; for short vectors too, in f64 and double-double.
+    /// Returns the vector of length one in the same direction, and the length. In `f64` and double-double both are
+    /// accurate for short vectors too.
     ///
-    /// The square of a length below 2^-537 underflows in f64. In double-double the low half of the square underflows
+    /// The square of a length below 2^-537 underflows in `f64`. In double-double the low half of the square underflows
     /// already for lengths below 2^-458. A vector shorter than 2^-300 is therefore multiplied by 2^600 first, which is
-    /// exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision cannot hold
-    /// 2^600: there no vector is scaled, and the square of a short one underflows.
+    /// exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. `f32` cannot hold 2^600. So in
+    /// `f32` no vector is scaled, and the squared length of a short vector underflows.
     #[inline(always)]
     #[must_use]
     pub fn unit_and_length(self) -> (Self, T) {
@@ -121,14 +123,15 @@ impl<T: Real> Vec3<T> {
         (scaled / length, length * T::select(is_short, T::of(INVERSE), T::of(1.0)))
     }
 
-    /// Product component by component: a colour attenuated by a reflectance.
+    /// Returns the product component by component: a colour after reflection by a surface with this `reflectance`.
     #[inline(always)]
     #[must_use]
     pub fn attenuate(self, reflectance: Self) -> Self {
         Self::new(self.x * reflectance.x, self.y * reflectance.y, self.z * reflectance.z)
     }
 
-    /// The part of the vector perpendicular to `axis`, a unit vector: `v - (v . axis) axis`.
+    /// Returns the part of the vector `v` that is perpendicular to `axis`: `v - (v . axis) axis`. The axis has length
+    /// one.
     #[inline(always)]
     #[must_use]
     pub fn perpendicular_to(self, axis: Self) -> Self {

@@ -1,38 +1,39 @@
-//! Which intersections the reference renders with.
+//! The choice of the intersections with which the reference renders.
 
 use crate::exact;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
 
-/// How the reference intersects: the choice as a value. [`Intersect`] is the same choice as a type.
+/// The intersections of the reference, as a value. [`Intersect`] is the same choice as a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// The plain formulas, with their rounding errors.
     Plain,
-    /// The plain formulas with their error bounds, and more precise ones where these do not decide, as in the real
-    /// renderer.
+    /// The exact intersections of the real renderer: the plain formulas with their error bounds, and more precise
+    /// formulas if these are uncertain.
     Exact,
 }
 
-/// Intersections of a ray with one object. Tests have implementations that count intersections or leave
-/// out a step.
+/// The intersections of a ray with one sphere or cylinder. Some tests implement it to count intersections, or to leave
+/// out a step of them.
 pub trait Intersect {
-    /// Whether the reference takes its own literal formulas or those of this type.
+    /// If this is [`Precision::Plain`], the reference uses its own literal formulas. Otherwise it calls the functions
+    /// of this type.
     const PRECISION: Precision;
 
-    /// Where the ray hits the sphere; the contract of [`SphereRecord::intersect`].
+    /// Returns the lambda at which the ray hits the sphere, or `None`, as [`SphereRecord::intersect`] does.
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
 
-    /// Where the ray hits the cylinder that the file describes with `axis`; the contract of
-    /// [`CylinderRecord::intersect`].
+    /// Returns lambda and part of the ray's hit with the cylinder, or `None`, as [`CylinderRecord::intersect`] does.
+    /// `axis` is that of the scene file.
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 }
 
-/// [`Precision::Plain`] as a type.
+/// The choice [`Precision::Plain`] as a type, which has no values.
 #[derive(Clone, Copy, Debug)]
 pub enum Plain {}
 
-/// [`Precision::Exact`] as a type.
+/// The choice [`Precision::Exact`] as a type, which has no values.
 #[derive(Clone, Copy, Debug)]
 pub enum Exact {}
 

@@ -1,26 +1,26 @@
-//! Where a ray hits one object, by the definition (specification, section 9), and which of two hits is nearer.
+//! Intersects a ray with one object by the specification (section 9), and decides which of two hits is nearer.
 
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::input::scene::{Cylinder, Sphere};
 use crate::math::vec3::Vec3;
 use crate::reference::intersect::Intersect;
 
-/// A hit of a ray.
+/// A hit of a ray on an object.
 #[derive(Clone, Copy)]
 pub(super) struct Hit {
     pub lambda: f64,
     pub point: Vec3,
-    /// The normal that leaves the object.
+    /// The normal that points out of the object.
     pub outward: Vec3,
 }
 
-/// Whether a hit at `lambda` counts (specification, section 8.2). A NaN never does.
+/// Whether a hit at `lambda` counts (specification, section 8.2). NaN never counts.
 fn in_range(lambda: f64) -> bool {
     lambda >= 1e-3
 }
 
-/// Replaces the nearest hit by a hit that is at most as far: of two hits at the same lambda the later one counts.
-/// Returns whether it replaced the nearest hit.
+/// Replaces `nearest` by `hit` if the lambda of `hit` is smaller or equal. Of two hits at the same lambda the later one
+/// counts. Returns whether `nearest` was replaced.
 pub(super) fn update(nearest: &mut Option<Hit>, hit: Option<Hit>) -> bool {
     let is_nearer = hit.is_some_and(|hit| nearest.is_none_or(|nearest| hit.lambda <= nearest.lambda));
     if is_nearer {
@@ -29,14 +29,16 @@ pub(super) fn update(nearest: &mut Option<Hit>, hit: Option<Hit>) -> bool {
     is_nearer
 }
 
-/// The hit with a sphere, at the lambda that `P` returns (specification, section 9.1).
+/// Returns the hit with a sphere at the lambda that `P` returns, or `None` if there is no hit (specification, section
+/// 9.1).
 pub(super) fn sphere_by<P: Intersect>(sphere: &Sphere, ray: &Ray) -> Option<Hit> {
     let lambda = P::sphere(&SphereRecord::new(sphere.center, sphere.radius), ray).filter(|&lambda| in_range(lambda))?;
     let point = ray.origin + ray.direction * lambda;
     Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
 }
 
-/// The hit with a cylinder, at the lambda and on the part that `P` returns (specification, sections 9.2 and 9.3).
+/// Returns the hit with a cylinder at the lambda and on the part that `P` returns (specification, sections 9.2 and
+/// 9.3). If there is no hit, the result is `None`.
 pub(super) fn cylinder_by<P: Intersect>(cylinder: &Cylinder, ray: &Ray) -> Option<Hit> {
     let record = CylinderRecord::new(cylinder.center, cylinder.radius, cylinder.axis);
     let (lambda, part) = P::cylinder(&record, &cylinder.axis, ray).filter(|&(lambda, _)| in_range(lambda))?;
@@ -50,7 +52,7 @@ pub(super) fn cylinder_by<P: Intersect>(cylinder: &Cylinder, ray: &Ray) -> Optio
     Some(Hit { lambda, point, outward })
 }
 
-/// The hit with a sphere by the plain formula.
+/// Returns the hit with a sphere by the plain formula, or `None` if the ray misses it.
 pub(super) fn sphere(sphere: &Sphere, &Ray { origin, direction }: &Ray) -> Option<Hit> {
     let r_c = sphere.center - origin;
     let a = direction.dot(direction);
@@ -61,7 +63,8 @@ pub(super) fn sphere(sphere: &Sphere, &Ray { origin, direction }: &Ray) -> Optio
     Some(Hit { lambda, point, outward: (point - sphere.center) / sphere.radius })
 }
 
-/// The hit with a cylinder by the plain formulas: with the side, then the upper cap, then the lower one.
+/// Returns the hit with a cylinder by the plain formulas, or `None` if the ray misses it. The side is tested first,
+/// then the upper cap, then the lower cap.
 pub(super) fn cylinder(cylinder: &Cylinder, ray: &Ray) -> Option<Hit> {
     let (axis, height) = cylinder.axis.unit_and_length();
     let mut nearest = side(cylinder, height, axis, ray);
@@ -85,7 +88,8 @@ fn side(cylinder: &Cylinder, height: f64, axis: Vec3, &Ray { origin, direction }
     })
 }
 
-/// The hit with the cap whose normal leaves the cylinder along `normal`.
+/// Returns the hit with one of the two caps, or `None` if the ray misses it. `normal` is the normal of this cap, which
+/// points out of the cylinder.
 fn cap(cylinder: &Cylinder, height: f64, normal: Vec3, &Ray { origin, direction }: &Ray) -> Option<Hit> {
     let center = cylinder.center + normal * (height / 2.0);
     let normal_component = direction.dot(normal);
@@ -98,7 +102,7 @@ fn cap(cylinder: &Cylinder, height: f64, normal: Vec3, &Ray { origin, direction 
     is_hit.then_some(Hit { lambda, point, outward: normal })
 }
 
-/// The roots of `a x^2 + b x + c`, the smaller one first.
+/// Returns the roots of `a x^2 + b x + c`, the smaller one first, or `None` if there is no real root.
 fn roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {

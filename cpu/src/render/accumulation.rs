@@ -1,25 +1,26 @@
-//! The mean of a pixel's samples, summed in their order.
+//! Computes the mean of a pixel's samples. They are summed in their order.
 
 use crate::math::vec3::Vec3;
 use crate::render::{samples::Batch, span::Span};
 
-/// The running sum of the pixel that is not complete yet.
+/// The sum of the samples of the present pixel, which may continue in the next span.
 #[derive(Debug)]
 pub struct Sums {
-    /// Samples of a pixel.
+    /// Number of samples of each pixel.
     samples: u64,
-    /// How many of them are in `sum`.
+    /// Number of samples that `sum` contains.
     summed: u64,
     sum: Vec3,
 }
 
 impl Sums {
-    /// An empty sum, for pixels of `samples` samples each.
+    /// Returns an empty sum, for pixels of `samples` samples each.
     pub const fn new(samples: u64) -> Self {
         Self { samples, summed: 0, sum: Vec3::ZERO }
     }
 
-    /// Adds the span's samples. Calls `pixel` with the column and the mean of every pixel that is complete.
+    /// Adds the samples of a span, whose colours are in `batch`. Calls `pixel` for every pixel that is then complete,
+    /// with its column and its mean colour.
     #[inline(always)]
     pub fn add(&mut self, span: &Span, batch: &Batch, mut pixel: impl FnMut(usize, Vec3)) {
         for (column, samples) in span.pixels(self.samples) {
@@ -45,7 +46,7 @@ mod tests {
         }
         let mut sums = Sums::new(4);
         let mut means = Vec::new();
-        // The last three samples of pixel 0, all of pixel 1, one of pixel 2.
+        // This span has the last three samples of pixel 0, all samples of pixel 1 and one sample of pixel 2.
         (sums.sum, sums.summed) = (Vec3::splat(1.0), 1);
         let span = Span { first: 0, first_sample: 1, count: 8, last: 2 };
         sums.add(&span, &batch, |column, mean| means.push((column, mean.x)));

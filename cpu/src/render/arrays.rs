@@ -6,7 +6,7 @@ pub const CAPACITY: usize = 1024;
 /// Length of an array: one number for each sample, and 16 more, because the last lanes may lie beyond the last sample.
 pub const ROOM: usize = CAPACITY + 16;
 
-/// One number for each sample.
+/// An array with one number for each sample.
 pub type Values = [f64; ROOM];
 
 /// The index of each sample in its span, as the bits of an `f64`. Lanes move these bits and never calculate with them.

@@ -1,25 +1,25 @@
-//! The colour of a ray that hits nothing: a gradient along y (specification, section 8.4).
+//! The background: the colour of a ray that hits no object. It is a gradient along y (specification, section 8.4).
 
 use crate::input::config::Config;
 use crate::math::{real::Real, vec3::Vec3};
 
-/// The two ends of the gradient, linear colours with channels in `[0, 1]`.
+/// The two ends of the background's gradient: linear colours with channels in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Background<T = f64> {
-    /// The colour straight along +y.
+    /// The colour of a ray straight along +y.
     pub dark: Vec3<T>,
-    /// The colour straight along -y.
+    /// The colour of a ray straight along -y.
     pub light: Vec3<T>,
 }
 
 impl Background {
-    /// The background of the configuration.
+    /// Returns the background of a configuration.
     pub const fn new(config: &Config) -> Self {
         Self { dark: config.background_dark_color, light: config.background_light_color }
     }
 
-    /// The same background in every lane.
+    /// Returns the same background in every lane.
     #[inline(always)]
     pub fn lanes<V: Real>(&self) -> Background<V> {
         Background { dark: self.dark.map(V::of), light: self.light.map(V::of) }
@@ -27,7 +27,8 @@ impl Background {
 }
 
 impl<T: Real> Background<T> {
-    /// The colour along `direction`, of any length: `(1 - m) light + m dark` with `m = (unit(direction).y + 1) / 2`.
+    /// Returns the colour of a ray along `direction`, which may have any length. It is `(1 - m) light + m dark` with
+    /// `m = (unit(direction).y + 1) / 2`.
     #[inline(always)]
     pub fn color(&self, direction: Vec3<T>) -> Vec3<T> {
         let m = (direction.y / direction.length() + T::of(1.0)) / T::of(2.0);
@@ -50,7 +51,7 @@ mod tests {
     #[test]
     fn between_the_ends_both_colours_have_their_share() {
         let background = Background { dark: Vec3::new(1.0, 0.0, 0.5), light: Vec3::new(0.0, 1.0, 0.25) };
-        // The direction's unit vector has y = 3 / 5: four fifths of the way up.
+        // The direction's unit vector has y = 3 / 5, so the weight of `dark` is 4 / 5.
         let color = background.color(Vec3::new(4.0, 3.0, 0.0));
         assert!((color - Vec3::new(0.8, 0.2, 0.45)).length() < 1e-15, "{color:?}");
     }

@@ -1,23 +1,25 @@
-//! Pixels that no object can reach. Most of them get their bytes from bounds of the background, without any ray.
+//! Background pixels, which no object can reach. Most of them get their bytes from bounds of the background, without
+//! any ray.
 //!
-//! 1. A span is a part of a row, of up to 32 pixels; its candidates are the objects that frustum culling leaves. A span
-//!    of whole pixels without candidates is rendered here if bytes are wanted, and not means (`render.rs` decides
-//!    that).
+//! 1. A span is a part of a row, of up to 32 pixels. Its candidates are the objects that frustum culling leaves. If a
+//!    span has no candidates and only whole pixels, and bytes are wanted and not means, it is rendered here.
+//!    `render.rs` decides this.
 //! 2. The mean of a channel lies in an interval, by the [slope](crate::render::background_slope) of the background. If
 //!    all means in the interval give the same byte, that is the pixel's byte, and no number is drawn.
 //! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.
-//! 4. If that interval does not give one byte either, the pixel's rays are traced like all others.
+//! 4. If the smaller interval does not give a single byte either, the pixel's rays are traced like all others.
 //!
 //! Neither the reference nor WGSL has this rule: they trace every ray.
 //!
-//! A NaN or an infinite bound is in no byte's interval, so such a pixel is traced. Where the magnitudes of camera and
-//! scene are extreme, lengths underflow and the slope is meaningless: there every pixel is traced
+//! If a bound is NaN or infinite, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or
+//! scene are extreme, lengths may underflow and the slope has no meaning. So in such a scene every pixel is traced
 //! ([`Candidates::are_culled`](crate::render::frustum::Candidates::are_culled)).
 //!
-//! A channel that is 1 at both ends, as the blue of the default background, is at a byte's boundary, where no interval
-//! has one byte. But it is exactly 1 in every sample: with `m` in `[0, 1]` the rounding error of `1 - m` is at most
-//! `2^-54`, and the sum `(1 - m) + m` rounds to 1 with it (below 1 that is a tie, and 1 is even). Sums of ones are
-//! exact. The same holds for 0.
+//! A channel may be 1 at both ends of the gradient, as the blue of the default background. It is then at a byte's
+//! boundary, and no interval around it gives a single byte. But the channel is exactly 1 in every sample. With `m` in
+//! `[0, 1]` the rounding error of `1 - m` is at most `2^-54`, and the sum `(1 - m) + m` is rounded to 1. If the error
+//! is negative this may be a tie, which rounds to the even number 1. Sums of ones are exact. The same holds for a
+//! channel that is 0 at both ends.
 
 use crate::layout::Layout;
 use crate::math::real::Real;
@@ -27,7 +29,7 @@ use crate::render::{prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
 use crate::simd::{SimdF64, columns::Columns};
 
-/// The bounds of a span's pixels.
+/// The bytes and the bounds of a span's pixels.
 #[derive(Debug)]
 pub struct BackgroundPixels {
     /// The bytes of the pixels that are done, in order.
@@ -46,7 +48,8 @@ pub struct BackgroundPixels {
     last: [u8; 3],
 }
 
-/// The lowest and the highest mean of a channel, if the mean of `s` is within `radius` of `middle`.
+/// Returns the lowest and the highest mean of a channel, if the mean of `s` is at most `radius` from `middle`. `dark`
+/// and `light` are the channel at the ends of the gradient. `rounding` is added on both sides.
 #[inline(always)]
 fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: f64) -> [T; 2] {
     let half = T::of(0.5);
@@ -56,7 +59,8 @@ fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: 
     [mean - radius, mean + radius]
 }
 
-/// The intervals of all channels, one after the other.
+/// Returns the lowest and the highest mean of red, then those of green, then those of blue. `mean` is the middle and
+/// the radius of an interval that contains the mean of `s`.
 #[inline(always)]
 fn intervals<T: Real, L: Layout>(prepared: &Prepared<L>, mean: (T, T), rounding: f64) -> [T; 6] {
     let (dark, light) = (prepared.background.dark, prepared.background.light);
@@ -67,7 +71,7 @@ fn intervals<T: Real, L: Layout>(prepared: &Prepared<L>, mean: (T, T), rounding:
 }
 
 impl BackgroundPixels {
-    /// No pixels yet.
+    /// Returns the state before the first span.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Self {
         let background = &prepared.background;
         let constant = [0, 1, 2].map(|channel| {
@@ -92,8 +96,8 @@ impl BackgroundPixels {
         }
     }
 
-    /// Returns the bytes of the span's pixel `at`, or `None` if the bounds do not give them. After `None` the
-    /// batch holds the pixel's samples, which must be traced.
+    /// Returns the bytes of the pixel at index `at` of the span, or `None` if the bounds do not give them. After `None`
+    /// the batch holds the pixel's samples, which must be traced.
     #[inline(always)]
     pub(super) fn find<V: SimdF64, L: Layout>(
         &mut self,
@@ -113,7 +117,8 @@ impl BackgroundPixels {
         self.bytes_within(prepared, intervals(prepared, derivative.at(offset), self.rounding), &derivative)
     }
 
-    /// Returns the bytes of a pixel whose means lie in these intervals, if all means of an interval give the same byte.
+    /// Returns the bytes of a pixel whose means lie in these intervals. The result is `None` if the means of an
+    /// interval may give different bytes.
     #[inline(always)]
     fn bytes_within<L: Layout>(
         &mut self,
@@ -131,7 +136,8 @@ impl BackgroundPixels {
     }
 }
 
-/// The sum of the values, as eight partial sums in lanes. The order changes its rounding, which the bound covers.
+/// Returns the sum of the values. It has eight partial sums in lanes, so its rounding differs from that of a sum in
+/// order. The bound `rounding` covers the difference.
 #[inline(always)]
 fn sum(values: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
@@ -144,7 +150,7 @@ fn sum(values: &[f64]) -> f64 {
     sums.iter().chain(remainder).sum()
 }
 
-/// 0, 1, 2, and so on: the columns of a span, counted from its first.
+/// The numbers 0, 1, 2 and so on: the columns of a span, relative to its first column.
 const FROM_ZERO: [f64; WIDEST] = {
     let mut numbers = [0.0; WIDEST];
     let mut at = 0;

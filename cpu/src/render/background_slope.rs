@@ -1,34 +1,36 @@
-//! Bounds of the background over a pixel, by its derivative. `background_pixels.rs` derives bytes from them.
+//! Bounds of the background over a pixel, by its derivative. `background_pixels.rs` derives bytes from these bounds.
 //!
 //! With `s(d) = d.y / |d|` for a direction `d`, a channel of the background is `light + (dark - light) (s + 1) / 2`.
-//! Over a pixel, `d = d0 + x dx + y dy` with `x, y` in `[-1/2, 1/2]`, and Taylor's theorem gives
+//! The rays through a pixel have the directions `d = d0 + x dx + y dy` with `x, y` in `[-1/2, 1/2]`. Taylor's theorem
+//! gives
 //!
 //! `s(d) = s(d0) + x g.dx + y g.dy + R`, `g = (j - s(d0) d0 / |d0|) / |d0|`, `|R| <= 3 |e|^2 / (|d0| - |e|)^2`
 //!
-//! where `j` is the unit vector along y, `e = d - d0`, and the bound uses that the second derivative of `s` is at most
-//! `6 / |d|^2`.
+//! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
+//! is at most `6 / |d|^2`.
 
 use crate::geometry::camera::Camera;
 use crate::math::{real::Real, vec3::Vec3};
 
-/// Bound of the distance of a pixel's points from the pixel's centre, in the window: the largest `|e|`.
+/// Returns an upper bound of `|e|`: the distance, in scene units, of a pixel's points from the pixel's centre.
 pub fn pixel_radius(camera: &Camera) -> f64 {
     (camera.delta_x.length() + camera.delta_y.length()) / 2.0
 }
 
-/// The numbers that bound `s` over a pixel, or over one pixel in each lane.
+/// The derivative of `s` over a pixel, with a bound of the remaining error. The head of this file defines `s`. With
+/// lanes, each lane has its own pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct DerivativeBound<T = f64> {
-    /// `s(d0)`.
+    /// `s(d0)`, the value at the pixel's centre.
     middle: T,
-    /// `g.dx` and `g.dy`.
+    /// `g.dx` and `g.dy`, the derivatives along the pixel's sides.
     along: [T; 2],
-    /// Bound of `|R|`.
+    /// An upper bound of `|R|`.
     remainder: T,
 }
 
 impl<T: Real> DerivativeBound<T> {
-    /// The bound over the pixel at `row` and `column`. `radius` is the camera's [`pixel_radius`].
+    /// Computes the numbers for the pixel at `row` and `column`. `radius` is the camera's [`pixel_radius`].
     #[inline(always)]
     pub fn new(camera: &Camera<T>, row: T, column: T, radius: T) -> Self {
         let zero = T::of(0.0);
@@ -36,14 +38,14 @@ impl<T: Real> DerivativeBound<T> {
         let length = d0.length();
         let middle = d0.y / length;
         let g = (Vec3::new(zero, T::of(1.0), zero) - d0 * (middle / length)) / length;
-        // A negative distance or NaN becomes 0, which makes the bound infinite.
+        // A negative difference or NaN becomes 0, so that the bound is infinite.
         let closest = T::select(zero.less(length - radius), length - radius, zero);
         let share = radius / closest;
         let remainder = share * share * T::of(3.0 * (1.0 + 1e-9));
         Self { middle, along: [g.dot(camera.delta_x), g.dot(camera.delta_y)], remainder }
     }
 
-    /// The numbers of the bound, in the order of the arrays that store them.
+    /// Returns the four numbers, in the order of the arrays that store them.
     #[inline(always)]
     pub fn numbers(&self) -> [T; 4] {
         [self.middle, self.along[0], self.along[1], self.remainder]
@@ -57,13 +59,14 @@ impl<T: Real> DerivativeBound<T> {
 }
 
 impl DerivativeBound {
-    /// The bound that consists of these [numbers](DerivativeBound::numbers).
+    /// Returns the derivative bound with these [numbers](DerivativeBound::numbers).
     #[inline(always)]
     pub fn of([middle, right, down, remainder]: [f64; 4]) -> Self {
         Self { middle, along: [right, down], remainder }
     }
 
-    /// Whether `(s + 1) / 2`, the weight of `dark`, is in `[0, 1]` all over the pixel, rounding included.
+    /// Whether `(s + 1) / 2`, the weight of `dark`, certainly is in `[0, 1]` at every point of the pixel, in spite of
+    /// rounding.
     #[inline(always)]
     pub fn weight_is_in_unit_interval(&self) -> bool {
         let (middle, radius) = self.anywhere();
@@ -113,7 +116,7 @@ mod tests {
         }
     }
 
-    /// The bounds of eight pixels of a row, in lanes.
+    /// A kernel that computes the bounds of eight pixels of a row, in lanes.
     struct Row<'a>(&'a Camera);
 
     impl Kernel for Row<'_> {

@@ -1,4 +1,4 @@
-//! A value on the heap, whose allocation may fail.
+//! A value on the heap, whose allocation may fail with an error.
 
 use std::ops::{Deref, DerefMut};
 
@@ -12,7 +12,7 @@ impl<T> Boxed<T> {
     /// Moves `value` to the heap.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(value: T) -> Result<Self, Error> {
         let mut list = with_room(1, "the samples of a span")?;
         list.push(value);

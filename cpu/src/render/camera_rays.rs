@@ -1,4 +1,4 @@
-//! Camera rays, several at once: intersected with the span's candidates, and shaded.
+//! Intersects several camera rays at once with the span's candidates, and shades them.
 
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
@@ -11,8 +11,9 @@ use crate::render::{
 };
 use crate::simd::{Kernel, Simd, SimdF64, valid_lanes};
 
-/// Traces the camera rays of the batch. A sample that hits nothing gets its colour. A sample whose hit is refractive
-/// goes to the specular queue, any other to the path queue.
+/// A kernel that traces the camera rays of the batch. If a ray hits no object, its sample gets the colour of the
+/// background. If it hits a refractive surface, its sample goes to the specular queue. If it hits a matte or metal
+/// surface, its sample goes to the path queue.
 pub struct TraceCameraRays<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
 impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
@@ -51,7 +52,8 @@ impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {
     }
 }
 
-/// The closest hits among the candidates, which are in the order of the file.
+/// Returns the closest hit of each ray among the candidates, which are in the order of the scene file. `valid` has a
+/// bit for each lane that holds a ray.
 #[inline(always)]
 fn closest_hit<V: SimdF64>(candidates: &Candidates, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();

@@ -1,18 +1,21 @@
-//! Precise intersections for the uncertain lanes among several rays.
+//! Precise intersections for those of several rays whose filter is uncertain.
 //!
-//! One call handles all uncertain lanes. It is kept out of line, because LLVM otherwise splits the lanes into single
-//! rays before the loop over the objects. It would do so for every group of rays, but hardly any has an uncertain lane.
+//! One call handles all uncertain lanes. It is a separate function that is not inlined. Otherwise LLVM splits the lanes
+//! into single rays before the loop over the objects. It does so for every group of rays, but few groups have an
+//! uncertain lane.
 
 use crate::geometry::{cylinder::CylinderPart, ray::Ray};
 use crate::simd::{SimdF64, columns::Columns};
 
-/// Largest number of lanes of any instruction set.
+/// Largest number of `f64` lanes of any instruction set.
 pub const MOST_LANES: usize = 8;
 
-/// The precise intersection of one ray with an object: lambda, and the part of a cylinder.
+/// A function that intersects one ray precisely with an object. It returns lambda and the part of a cylinder, or `None`
+/// for a miss.
 type Intersect<'a> = &'a dyn Fn(&Ray) -> Option<(f64, CylinderPart)>;
 
-/// Replaces lambda and part in the uncertain lanes by what `intersect` returns. A miss gets lambda NaN.
+/// Returns lambda and part of each lane. In the lanes whose bits are set in `uncertain` they come from `intersect`,
+/// where lambda is NaN for a miss. All other lanes keep the given values.
 #[inline(always)]
 pub fn precise<V: SimdF64>(ray: &Ray<V>, (lambda, part): (V, V), uncertain: u32, intersect: Intersect<'_>) -> (V, V) {
     let Ray { origin: o, direction: d } = *ray;
@@ -33,7 +36,7 @@ fn precise_lane_by_lane(lanes: &mut Columns<8, MOST_LANES>, uncertain: u32, inte
     });
 }
 
-/// Calls `visit` with every lane whose bit is set.
+/// Calls `visit` with the index of every lane whose bit is set, the lowest first.
 #[inline(always)]
 pub fn for_each_lane(mut bits: u32, mut visit: impl FnMut(usize)) {
     while bits != 0 {

@@ -3,9 +3,9 @@
 //! The rays of a row lie between two planes through the camera, above and below the row. The rays of a span also lie
 //! between two planes to its left and right. An object that lies outside of one of these planes is culled.
 //!
-//! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. Nothing
-//! overflows: no object is culled in a scene with a coordinate, diffusion or window beyond 10^9, an object below 10^-6
-//! or a pixel below 10^-12 ([`Candidates::are_culled`]).
+//! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. No value
+//! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes
+//! ([`Candidates::are_culled`]).
 
 use crate::accel::object::{self, ObjectId, ObjectRef};
 use crate::accel::{bounds::Bounds, choice::Accel};
@@ -17,34 +17,38 @@ use crate::layout::{Layout, Objects, with_room};
 use crate::math::vec3::Vec3;
 use crate::render::{prepared::Prepared, span::Span};
 
-/// An object that a span's rays may hit, as the camera sees it.
+/// An object that a span's rays may hit, with the terms of its formula that are constant for all camera rays.
 #[derive(Clone, Copy, Debug)]
 pub enum Candidate {
     /// A sphere.
     Sphere(SphereRecord, SphereView),
-    /// A cylinder, with the file's axis.
+    /// A cylinder: its record, the axis of the scene file, and its view.
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
-/// Margin relative to distance and size. It is many times the rounding errors of this file, the rays and the hits.
+/// Margin of the culling tests, relative to distance and size of the object. It is many times the rounding errors of
+/// this file, of the rays and of the hits.
 const MARGIN: f64 = 1e-9;
 
-/// Additional margin relative to a cylinder's radius: the rounding error of its side for rays along the axis.
+/// Additional margin relative to a cylinder's radius. It covers the rounding errors of the side for rays along the
+/// axis.
 const MARGIN_OF_CYLINDERS: f64 = 1e-7;
 
-/// The half-space of the points `v`, relative to the camera, with `normal.v >= 0`; the normal has length one.
+/// A half-space, as the normal of its plane, which goes through the camera. It contains the points `v`, relative to the
+/// camera, with `normal.v >= 0`. The normal has length one.
 type HalfSpace = Vec3;
 
-/// An object, relative to the camera: a cylinder, or a sphere as a cylinder without axis and height.
+/// An object in the form of the culling tests, with coordinates relative to the camera. A sphere is a cylinder without
+/// axis and height.
 #[derive(Clone, Copy, Debug)]
 struct Outline {
     id: ObjectId,
     center: Vec3,
-    /// Of length one; zero for a sphere.
+    /// The direction of a cylinder's axis, of length one. It is null for a sphere.
     axis: Vec3,
     half_height: f64,
     radius: f64,
-    /// Covers rounding.
+    /// The margin that covers rounding, in scene units.
     margin: f64,
 }
 
@@ -66,11 +70,12 @@ impl Outline {
         Self { id, center, axis, half_height, radius, margin }
     }
 
-    /// Returns false only if the object certainly lies outside of a half-space. A plane with a NaN culls nothing.
+    /// Returns false only if the object certainly lies outside of one of the half-spaces. A plane with a NaN culls
+    /// nothing.
     fn may_overlap(&self, planes: &[HalfSpace; 2]) -> bool {
         let outside = |normal: &HalfSpace| {
             let beyond = |extent: f64| normal.dot(self.center) < -extent - self.margin;
-            // The bounding sphere decides for most cylinders, and always for a sphere.
+            // The bounding sphere decides for most cylinders, and for all spheres.
             beyond(self.radius + self.half_height)
                 || self.half_height > 0.0 && {
                     let along = normal.dot(self.axis);
@@ -82,36 +87,38 @@ impl Outline {
     }
 }
 
-/// The candidates of a row and of a span.
+/// The candidates: the objects that the camera rays of the present row and of the present span may hit.
 #[derive(Debug)]
 pub struct Candidates {
-    /// All objects, in the order of the file.
+    /// All objects, in the order of the scene file.
     all: Vec<ObjectId>,
-    /// The objects whose boxes may overlap the frustum of the row, each after its position in the file.
+    /// The objects whose boxes may overlap the frustum of the row, each with its place in the scene file. Only used
+    /// with a BVH.
     boxed: Vec<(u32, ObjectId)>,
     row: Vec<Outline>,
-    /// The span's candidates, in the order of the file.
+    /// The span's candidates with their numbers, in the order of the scene file.
     pub span: Vec<(ObjectId, Candidate)>,
     are_culled: bool,
 }
 
 impl Candidates {
-    /// No candidates yet, but room for all objects.
+    /// Returns empty lists with room for all objects.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let all = object::in_order(&prepared.objects)?;
         let (boxed, row, span) = (with_room(all.len())?, with_room(all.len())?, with_room(all.len())?);
         Ok(Self { all, boxed, row, span, are_culled: !matches!(prepared.accel, Accel::EveryObject) })
     }
 
-    /// Whether the scene's magnitudes are moderate. Otherwise no object is culled, because no margin or bound is valid.
+    /// Whether objects are culled. They are not if the scene's magnitudes are not
+    /// [moderate](crate::accel::extent::Extent::moderate), because then no margin or bound is valid.
     pub const fn are_culled(&self) -> bool {
         self.are_culled
     }
 
-    /// Finds the objects that the rays of `row` may hit.
+    /// Finds the objects that the camera rays of `row` may hit.
     pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
         let camera = &prepared.camera;
         let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
@@ -130,7 +137,7 @@ impl Candidates {
         }
     }
 
-    /// Finds which of the row's objects the rays of `span` may hit.
+    /// Finds those objects of the row that the camera rays of `span` may hit.
     pub fn begin_span<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let (camera, objects) = (&prepared.camera, &prepared.objects);
         let center = camera.origin - camera.position + camera.delta_y * row as f64;
@@ -157,16 +164,16 @@ impl Candidates {
     }
 }
 
-/// The half-space that contains `inside`. Its plane goes through the camera, along `first` and `second`.
+/// Returns the half-space that contains `inside` and whose plane goes through the camera along `first` and `second`.
 fn half_space(first: Vec3, second: Vec3, inside: Vec3) -> HalfSpace {
     let normal = first.cross(second).unit();
     if normal.dot(inside) < 0.0 { -normal } else { normal }
 }
 
-/// Returns false only if the box certainly lies outside of a half-space.
+/// Returns false only if the box certainly lies outside of one of the half-spaces. `from` is the camera's position.
 fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2]) -> bool {
     planes.iter().all(|normal| {
-        // The corner farthest along the normal.
+        // `farthest` is the corner that is farthest along the normal.
         let corner = |axis: usize, component: f64| {
             f64::from(if component >= 0.0 { bounds.high[axis] } else { bounds.low[axis] })
         };

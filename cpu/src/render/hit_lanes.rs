@@ -1,4 +1,4 @@
-//! The closest hits of several rays at once.
+//! The closest hits of several rays, which are found at once.
 
 use crate::accel::object::ObjectId;
 use crate::counters::{Counter, add};
@@ -9,36 +9,37 @@ use crate::math::vec3::Vec3;
 use crate::render::fallback::precise;
 use crate::simd::{LaneMask, SimdF64};
 
-/// Relative bound of the rounding error of a discriminant, several times what the filter's error bounds prove.
+/// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`. It is several times as large
+/// as the proven bound of the filter.
 const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 
-/// The closest hits of several rays, one in each lane. Object and part are whole numbers.
+/// The closest hit of each of several rays, one ray in each lane. Object and part are whole numbers.
 #[derive(Clone, Copy)]
 pub struct HitLanes<V: SimdF64> {
-    /// Lambda of each hit; infinite in lanes without a hit.
+    /// The lambda of each hit. It is infinite in lanes without a hit.
     pub lambda: V,
-    /// The object that is hit.
+    /// The number of the object that is hit. It has no meaning in lanes without a hit.
     pub object: V,
-    /// The part of a cylinder, as [`CylinderPart`]'s number.
+    /// The part of a cylinder that is hit, as the number of a [`CylinderPart`]. It is the side for a sphere.
     pub part: V,
-    /// Lanes with a hit, as bits.
+    /// A bit for each lane, which is 1 if the ray hits an object.
     pub bits: u32,
 }
 
 /// Several rays, one in each lane.
 pub struct Rays<'a, V: SimdF64> {
     ray: &'a Ray<V>,
-    /// The squared lengths of their directions.
+    /// The square of each direction's length.
     a: V,
-    /// `a` times the relative bound of a discriminant's rounding error; infinite for directions that are not
-    /// [in scale](in_scale), so that no discriminant, which may have underflowed, is taken for a certain miss.
+    /// `a` times [`DISCRIMINANT_ERROR`]. It is infinite for directions that are not [in scale](in_scale), because their
+    /// discriminants may have underflowed and show no certain miss.
     discriminant_error: V,
-    /// The lanes that hold a ray, as bits.
+    /// A bit for each lane, which is 1 if the lane holds a ray.
     valid: u32,
 }
 
 impl<'a, V: SimdF64> Rays<'a, V> {
-    /// The rays of the valid lanes.
+    /// Prepares the rays. `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
     pub fn new(ray: &'a Ray<V>, valid: u32) -> Self {
         let a = ray.direction.dot(ray.direction);
@@ -46,14 +47,14 @@ impl<'a, V: SimdF64> Rays<'a, V> {
         Self { ray, a, discriminant_error, valid }
     }
 
-    /// Whether any ray may hit an object, given the discriminant and the sum of the squares in it. All rays miss most
-    /// objects, and this test is shorter than the whole filter.
+    /// Whether at least one ray may hit an object with this discriminant. `squares` is `|O - C|^2 + r^2`. For most
+    /// objects all rays miss, and this test is shorter than the filter.
     #[inline(always)]
     fn may_hit(&self, discriminant: V, squares: V) -> bool {
         (!discriminant.less(-(self.discriminant_error * squares))).bits() & self.valid != 0
     }
 
-    /// The lanes whose answer is uncertain, as bits.
+    /// Returns a bit for each lane, which is 1 if the lane holds a ray and its result is uncertain.
     #[inline(always)]
     fn uncertain(&self, certain: V::Mask) -> u32 {
         (!certain).bits() & self.valid
@@ -61,15 +62,16 @@ impl<'a, V: SimdF64> Rays<'a, V> {
 }
 
 impl<V: SimdF64> HitLanes<V> {
-    /// No hits.
+    /// Returns the value before any hit.
     #[inline(always)]
     pub fn none() -> Self {
         Self { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 }
     }
 
-    /// Replaces hits by those with `object` that are at most as far, in the `valid` lanes. `object` must come later in
-    /// the file than all objects before, because the later of two equally distant hits counts. The lambda of a miss is
-    /// infinite in `certain` lanes, and NaN in the others, because a hit's lambda may overflow to infinity there.
+    /// Replaces the hit of a lane by the hit with `object`, if the lambda of that hit is smaller or equal. `object`
+    /// must be later in the scene file than all objects before it, because the later of two hits at the same lambda
+    /// counts. In `certain` lanes an infinite lambda means a miss. In all other lanes NaN means a miss, because a hit's
+    /// lambda may overflow to infinity there. `valid` has a bit for each lane that holds a ray.
     #[inline(always)]
     fn update(&mut self, object: ObjectId, (lambda, part): (V, V), certain: V::Mask, valid: u32) {
         let is_hit = lambda.less(V::of(f64::INFINITY)) | !certain;
@@ -80,7 +82,8 @@ impl<V: SimdF64> HitLanes<V> {
         self.bits |= closer.bits() & valid;
     }
 
-    /// Intersects camera rays with a sphere, given its view.
+    /// Intersects camera rays with a sphere, and updates the hits. `view` has the sphere's terms for the camera's
+    /// position.
     #[inline(always)]
     pub fn intersect_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
         let (_, discriminant) = view.quadratic(rays.ray.direction, rays.a);
@@ -89,7 +92,8 @@ impl<V: SimdF64> HitLanes<V> {
         }
     }
 
-    /// Intersects rays with a sphere that at least one of them may hit. Their origins lie within the scene's extent.
+    /// Intersects rays with a sphere that at least one of them may hit, and updates the hits. Each ray has its own
+    /// origin, which must lie inside the scene's extent.
     #[inline(always)]
     pub fn intersect_candidate_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
         self.filtered_sphere(id, record, &record.lanes().seen_from(rays.ray.origin), rays);
@@ -116,7 +120,8 @@ impl<V: SimdF64> HitLanes<V> {
         self.update(id, hits, certain, valid);
     }
 
-    /// Intersects camera rays with a cylinder, given its view and the file's axis.
+    /// Intersects camera rays with a cylinder, and updates the hits. `cylinder` is the record and the axis of the scene
+    /// file. `view` has the cylinder's terms for the camera's position.
     #[inline(always)]
     pub fn intersect_cylinder(
         &mut self,
@@ -131,7 +136,8 @@ impl<V: SimdF64> HitLanes<V> {
         }
     }
 
-    /// Intersects rays with a cylinder that at least one of them may hit. Their origins lie within the scene's extent.
+    /// Intersects rays with a cylinder that at least one of them may hit, and updates the hits. Each ray has its own
+    /// origin, which must lie inside the scene's extent. `cylinder` is the record and the axis of the scene file.
     #[inline(always)]
     pub fn intersect_candidate_cylinder(&mut self, id: ObjectId, cylinder: (&CylinderRecord, &Vec3), rays: &Rays<V>) {
         self.filtered_cylinder(id, cylinder, &cylinder.0.lanes().seen_from(rays.ray.origin), rays);
@@ -148,7 +154,7 @@ impl<V: SimdF64> HitLanes<V> {
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray);
-        // Most rays do not come near the caps.
+        // For most groups of rays the side alone decides, so the caps need no test.
         let needs_caps = side.open.bits() & valid != 0;
         let lanes = if needs_caps { side.with_caps(&lanes_record, ray) } else { side.without_caps() };
         let number = |part: CylinderPart| V::of(f64::from(part as u32));

@@ -1,18 +1,18 @@
-//! Path tracing with fewer than four objects: the first rays of the next paths are tested ahead, several at once.
+//! Path tracing with fewer than four objects. The first rays of the next paths are tested ahead, several at once.
 //!
-//! Half of all paths escape with their first ray. So the guess is that each of the next paths does: then each of them
-//! takes one scatter sample, and the first rays of all of them can be tested at once. The guess is right for the paths
-//! before the first one that may hit an object. The test also gives the objects that this path may hit. The lanes after
-//! a wrong guess are computed again.
+//! Half of all paths escape with their first ray. So the guess is that each of the next paths escapes at once. Then
+//! each of them takes exactly one scatter sample, and the first rays of all of them can be tested at once. The guess is
+//! right for the paths before the first one that may hit an object. The test also gives the objects that this path may
+//! hit. The lanes after this path are computed again, because its hits may take more scatter samples.
 //!
 //! The intersections of one path depend on each other, so execution ports are idle meanwhile. Tests of the next paths
 //! use these ports, so they take almost no time.
 //!
-//! If a ray is the last that its path may send, and certainly hits an object, the hit itself is not needed: its surface
-//! takes one scatter sample.
+//! If a ray is the last one that its path may send, and it certainly hits an object, the hit itself is not needed. The
+//! path is black, and the surface takes one scatter sample.
 //!
-//! A path escapes only if the conservative test rejects every object; a NaN and a very short direction are never
-//! rejected.
+//! A path escapes only if the conservative test discards every object. The test discards no object if a number is NaN
+//! or if the direction is too short.
 
 use crate::accel::small_scene::{SmallScene, closest_hit_among};
 use crate::accel::{conservative::is_too_short, object_lanes::MayHitLanes};
@@ -23,14 +23,14 @@ use crate::math::vec3::Vec3;
 use crate::render::{max_depth::RaysLeft, path::PathTracer, path_vertex::PathVertex, prepared::Prepared};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF64};
 
-/// First rays of consecutive paths of the queue, one in each lane, under the guess that each of them escapes.
+/// The first rays of consecutive paths of the queue, one in each lane, under the guess that each of them escapes.
 #[derive(Clone, Copy)]
 struct Lookahead<V: SimdF64> {
-    /// The first path.
+    /// The index of the first path in the queue.
     at: usize,
-    /// The position in the stream of the scatter sample that the first path takes.
+    /// The position, in the stream, of the scatter sample that the first path takes.
     position: u64,
-    /// How many lanes hold a path.
+    /// Number of lanes that hold a path.
     tested: usize,
     direction: Vec3<V>,
     /// The objects that each ray may hit.
@@ -38,21 +38,23 @@ struct Lookahead<V: SimdF64> {
 }
 
 impl<V: SimdF64> Lookahead<V> {
-    /// No paths.
+    /// Returns a lookahead without paths.
     #[inline(always)]
     fn nothing() -> Self {
         let direction = Vec3::splat(V::of(0.0));
         Self { at: usize::MAX, position: 0, tested: 0, direction, may_hit: MayHitLanes::NOTHING }
     }
 
-    /// Tests the paths from `at` on, with the next scatter samples, a path in each lane.
+    /// Tests the first rays of the paths from index `at` on, one in each lane. They use the next scatter samples, but
+    /// do not take them.
     #[inline(always)]
     fn new(small_scene: &SmallScene, PathTracer { queue, scatter_samples, .. }: &PathTracer, at: usize) -> Self {
         let tested = V::LANES.min(queue.count - at);
         add(Counter::LookaheadRays, tested as u64);
         let PathVertex { point, unperturbed, scatter_params, .. } = PathVertex::of(queue.entries.load::<V>(at));
         let mut direction = unperturbed + scatter_params.vector(scatter_samples.peek::<V>());
-        // A direction with only negligible components is shorter than that limit, so other lanes need not be checked.
+        // If all components of a direction are negligible, the direction is too short. So only then the components need
+        // to be checked.
         let short = is_too_short(direction.dot(direction)).bits();
         if short != 0 {
             let limit = scatter_params.negligible;
@@ -64,14 +66,14 @@ impl<V: SimdF64> Lookahead<V> {
         Self { at, position: scatter_samples.position(), tested, direction, may_hit }
     }
 
-    /// How many paths escape before the first that may hit an object.
+    /// Returns the number of paths before the first one that may hit an object. All these paths escape.
     #[inline(always)]
     fn escaping(&self) -> usize {
         (self.may_hit.any() | u32::MAX << self.tested).trailing_zeros() as usize
     }
 }
 
-/// Traces every path of the queue, each of which may send a ray, to its end.
+/// A kernel that traces every path of the queue to its end. Each of the paths must be allowed to send at least one ray.
 pub struct TraceWithLookahead<'a, L: Layout> {
     pub prepared: &'a Prepared<L>,
     pub tracer: &'a mut PathTracer,
@@ -107,8 +109,9 @@ impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
 }
 
 impl<L: Layout> TraceWithLookahead<'_, L> {
-    /// Traces path `at` of the queue to its end, from its first ray on, which may hit the objects of `may_hit`. Tests
-    /// the first rays of the next paths meanwhile, and puts the result into `if_escapes`.
+    /// Traces the path at index `at` of the queue to its end. Its first ray may hit the objects whose bits are set in
+    /// `may_hit`. For each ray, tests the first rays of the next paths, under the guess that this path escapes with
+    /// that ray. The last of these tests is then in `if_escapes`.
     #[inline(always)]
     fn trace<S: Simd>(&mut self, simd: S, at: usize, mut may_hit: u32, if_escapes: &mut Lookahead<S::F64>) {
         let Self { prepared, tracer, small_scene } = self;
@@ -129,11 +132,12 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
             tracer.scatter_samples.prepare(simd);
             *if_escapes = Lookahead::new(small_scene, tracer, at + 1);
             may_hit = small_scene.objects_may_hit::<S::F64, _>(&prepared.objects, &ray);
-            // The most frequent case, decided by one branch as early as possible.
+            // This is the most frequent case, so one branch decides it as early as possible.
             if may_hit == 0 {
                 return tracer.ends.escape(at, ray.direction);
             }
-            // On a certain hit by the last ray the object does not matter: every material takes one scatter sample.
+            // If the last ray certainly hits, the object does not matter, because every material takes one scatter
+            // sample.
             if rays.is_one() && prepared.scatters_everywhere && small_scene.starts_inside(&prepared.objects, &ray) {
                 add(Counter::Hits, 1);
                 add(Counter::LastRaysSkipped, 1);

@@ -1,50 +1,50 @@
 //! The maximum depth (specification, section 8.1).
 //!
 //! 1. A sample may send `max_depth` rays, of which the camera ray is the first.
-//! 2. A surface that is hit by the last of them contributes black; no ray leaves it.
-//! 3. That surface takes its scatter sample all the same (`sampling/draw_order.rs`).
+//! 2. If the last of these rays hits a surface, the sample is black, and no further ray follows.
+//! 3. That surface still takes its scatter sample (`sampling/draw_order.rs`).
 //!
-//! All of the renderer counts by [`RaysLeft`], from the camera rays through specular chains to the paths, and ends a
-//! path at [`RaysLeft::is_none`] in black (`terminate` in `render/path_ends.rs`). The reference's copy is the loop of
-//! `color` in `reference.rs`, and the copy in WGSL is the loop of `trace.wgsl`.
+//! The whole renderer counts with [`RaysLeft`], from the camera rays through specular chains to the paths. At a hit
+//! with [`RaysLeft::is_none`] a path ends in black (`terminate` in `render/path_ends.rs`). The reference has a copy of
+//! this rule in the loop of `color` in `reference.rs`, and WGSL has one in the loop of `trace.wgsl`.
 
 use crate::math::real::Real;
 
-/// How many rays a path may still send.
+/// The number of rays that a path may still send.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RaysLeft(u64);
 
 impl RaysLeft {
-    /// After the camera ray; `max_depth` is at least 1.
+    /// Returns the number of rays that may follow the camera ray. `max_depth` is at least 1.
     pub const fn after_camera_ray(max_depth: u64) -> Self {
         Self(max_depth - 1)
     }
 
-    /// Whether the path is at the maximum depth, so that it contributes black.
+    /// Whether no ray is left. A path that hits a surface then contributes black.
     #[inline(always)]
     pub const fn is_none(self) -> bool {
         self.0 == 0
     }
 
-    /// Whether the next ray is the last one.
+    /// Whether exactly one ray is left, so that the next ray is the last one.
     #[inline(always)]
     pub const fn is_one(self) -> bool {
         self.0 == 1
     }
 
-    /// After one more ray.
+    /// Returns the number after one more ray. At least one ray must be left.
     #[inline(always)]
     pub const fn minus_one(self) -> Self {
         Self(self.0 - 1)
     }
 
-    /// The count as the bits of an `f64`, the same in every lane. Queues store only `f64`.
+    /// Returns the number as the bits of an `f64`, the same in every lane. Queues can store only `f64`.
     #[inline(always)]
     pub fn to_bits_of<T: Real>(self) -> T {
         T::of(f64::from_bits(self.0))
     }
 
-    /// The count that a lane of [`RaysLeft::to_bits_of`] holds.
+    /// Returns the number that a lane of [`RaysLeft::to_bits_of`] holds.
     #[inline(always)]
     pub const fn of_bits(lane: f64) -> Self {
         Self(lane.to_bits())

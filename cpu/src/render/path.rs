@@ -1,4 +1,5 @@
-//! What a path does at a hit ([`PathTracer::scatter`]), and the data that all paths share ([`PathTracer`]).
+//! The data of the paths of a span ([`PathTracer`]), and the rule by which a path continues or ends at a hit
+//! ([`PathTracer::scatter`]).
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit};
 use crate::counters::{Counter, add};
@@ -14,32 +15,33 @@ use crate::render::{prepared::Prepared, queue::PathQueue};
 use crate::sampling::scatter_stream::ScatterSamples;
 use crate::simd::Simd;
 
-/// The ray that a surface scatters.
+/// The next ray of a path: scattered by a matte or metal surface, or refracted.
 pub struct Scattered<'a> {
-    /// The ray.
+    /// The next ray.
     pub ray: Ray,
-    /// The material and the random vector; `None` after refraction.
+    /// The material and the random vector that gave the ray, or `None` if the ray was refracted.
     pub cause: Option<(&'a PreparedMaterial, Vec3)>,
 }
 
-/// The data for tracing paths: the stream of scatter samples, the queue of paths, and the ends of the paths.
+/// The data for tracing the paths of a span: the stream of scatter samples, the queue of paths, and the ends of the
+/// paths.
 #[derive(Debug)]
 pub struct PathTracer {
     /// The stream of scatter samples.
     pub scatter_samples: ScatterSamples,
     /// The paths to trace.
     pub queue: PathQueue,
-    /// The paths of the queue that have ended.
+    /// The ends of the paths of the queue.
     pub ends: PathEnds,
-    /// Traversal stack of the acceleration structure.
+    /// The traversal stack of the acceleration structure.
     pub stack: Stack,
 }
 
 impl PathTracer {
-    /// The data before the first path, at the beginning of the stream.
+    /// Returns the data before the first path, with the stream of scatter samples at its beginning.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Boxed<Self>, Error> {
         Boxed::new(Self {
             scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed),
@@ -49,14 +51,15 @@ impl PathTracer {
         })
     }
 
-    /// Whether every path of the queue may send a ray.
+    /// Whether every path of the queue may send at least one ray.
     pub fn all_may_send_rays(&self) -> bool {
         let rays = &self.queue.entries.0[PathVertex::RAYS][..self.queue.count];
         !rays.iter().any(|&rays| RaysLeft::of_bits(rays).is_none())
     }
 
-    /// Scatters path `at` at its hit and returns its next ray. At the maximum depth it terminates the path and returns
-    /// `None`. `rays` is how many rays the path may send from here.
+    /// Continues the path at index `at` of the queue at `hit`, and returns its next ray. `rays` is the number of rays
+    /// that the path may still send. If there are none, or if memory is short, the path ends in black and the result is
+    /// `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
     #[inline(always)]
     pub fn scatter<'a, S: Simd, L: Layout>(
         &mut self,

@@ -1,4 +1,5 @@
-//! The ends of paths: the background of those that escape, several at once, attenuated by the surfaces on the path.
+//! The ends of paths. A path that escapes takes the background's colour, multiplied by the reflectances of the surfaces
+//! on the path. The background is computed for several paths at once. A path that is terminated is black.
 
 use crate::counters::{Counter, add};
 use crate::input::{error::Error, scene::MaterialId};
@@ -9,20 +10,21 @@ use crate::render::{fallback::MOST_LANES, path_vertex::PathVertex, prepared::Pre
 use crate::render::{queue::PathQueue, samples::Batch};
 use crate::simd::{SimdF64, columns::Columns};
 
-/// The ends of the queue's paths, by index in the queue.
+/// The ends of the paths of the queue, by their indices in the queue. The present path is the one that is being traced.
 #[derive(Debug)]
 pub struct PathEnds {
-    /// The last direction of each path.
+    /// The direction of the last ray of each path.
     pub direction: Columns<3, ROOM>,
-    /// The surfaces that each path hits after its first surface, path after path. The first is in the queue.
+    /// The surfaces that each path hits after its first surface, path after path. The reflectance of the first surface
+    /// is in the queue.
     attenuations: Vec<Attenuation>,
-    /// How many attenuations belong to the paths before the present one.
+    /// Number of attenuations that belong to the paths before the present one.
     begin: usize,
-    /// Whether there was no room for an attenuation: colours are then wrong.
+    /// Whether memory was short for an attenuation. Colours are then wrong, and [`PathEnds::check`] fails.
     is_incomplete: bool,
 }
 
-/// A hit on a surface that attenuates the path's colour.
+/// A hit of a path, by its index in the queue, on a surface of this material, which attenuates the path's colour.
 #[derive(Clone, Copy, Debug)]
 struct Attenuation {
     path: u32,
@@ -30,16 +32,16 @@ struct Attenuation {
 }
 
 impl PathEnds {
-    /// The state before the first path.
+    /// Returns the state before the first path.
     pub(super) fn new() -> Self {
         let attenuations = Vec::with_capacity(8 * CAPACITY);
         Self { direction: Columns::ZERO, attenuations, begin: 0, is_incomplete: false }
     }
 
-    /// Whether there was room for all attenuations.
+    /// Checks that all attenuations could be stored, so that all colours are right.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`]: a path between mirrors may hit as many surfaces as `max_depth` says.
+    /// [`Error::OutOfMemory`] if memory was short. A path between mirrors may hit up to `max_depth` surfaces.
     pub fn check(&self) -> Result<(), Error> {
         if self.is_incomplete { Err(Error::OutOfMemory { what: "the surfaces that a ray meets" }) } else { Ok(()) }
     }
@@ -50,7 +52,8 @@ impl PathEnds {
         self.begin = self.attenuations.len();
     }
 
-    /// Attenuates the present path, `at`, by a material. Returns whether there was room; see [`PathEnds::check`].
+    /// Attenuates the present path, at index `at` of the queue, by a material. Returns false if memory is short. Then
+    /// [`PathEnds::check`] fails.
     #[inline(always)]
     pub fn push_attenuation(&mut self, at: usize, material: MaterialId) -> bool {
         if self.attenuations.len() == self.attenuations.capacity() && self.attenuations.try_reserve(1).is_err() {
@@ -61,7 +64,7 @@ impl PathEnds {
         true
     }
 
-    /// Ends the present path, `at`, at the maximum depth: it contributes black.
+    /// Ends the present path, at index `at` of `queue`, at the maximum depth, so that it is black.
     #[inline(always)]
     pub fn terminate(&mut self, at: usize, queue: &mut PathQueue) {
         self.attenuations.truncate(self.begin);
@@ -72,21 +75,21 @@ impl PathEnds {
         add(Counter::MaxDepthReached, 1);
     }
 
-    /// Ends the present path, `at`, where its ray leaves the scene.
+    /// Ends the present path, at index `at` of the queue, with a ray along `direction` that leaves the scene.
     #[inline(always)]
     pub fn escape(&mut self, at: usize, direction: Vec3) {
         self.direction.set(at, direction.to_array());
     }
 
-    /// Lets the paths from `at` on escape with their first rays, a path in each lane. All paths before `at` must have
-    /// ended. Later calls for a path overwrite its end.
+    /// Ends the paths from index `at` on, one in each lane, with their first rays, which leave the scene. All paths
+    /// before `at` must have ended. If a later call ends one of these paths again, it replaces the end.
     #[inline(always)]
     pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
         self.direction.store(at, directions.to_array());
         self.begin();
     }
 
-    /// Gives every path of the queue its colour, and removes the attenuations.
+    /// Computes the colours of all paths of the queue, stores them in `batch`, and removes the attenuations.
     #[inline(always)]
     pub fn color<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, queue: &PathQueue, batch: &mut Batch) {
         let colors = &mut self.direction;
@@ -95,8 +98,9 @@ impl PathEnds {
             let color = background.color(colors.load::<V>(at).into());
             colors.store(at, color.to_array());
         }
-        // From the last surface back to the first, in the order in which the recursion returns. One loop for all paths:
-        // a loop for each would end in a branch that is mispredicted once a path.
+        // The factors are applied from the last surface back to the first, in the order in which the recursion returns.
+        // There is one loop for all paths. A loop for each path would end in a branch that is mispredicted once for
+        // each path.
         for &Attenuation { path, material } in self.attenuations.iter().rev() {
             let color = Vec3::from(colors.get(path as usize));
             let reflectance = prepared.materials[material as usize].reflectance;
@@ -108,7 +112,8 @@ impl PathEnds {
             let color = Vec3::from(colors.load::<V>(at)).attenuate(reflectance).to_array();
             let sample = |index: usize| queue.entries.0[PathVertex::SAMPLE][index].to_bits() as usize;
             let last = at + V::LANES - 1;
-            // Mostly all samples of the span are in the queue. Their numbers are in order, so these are consecutive.
+            // Mostly all samples of the span are in the queue. They are in order, so the samples of the lanes are
+            // consecutive.
             if last < queue.count && sample(last) - sample(at) == V::LANES - 1 {
                 batch.color.store(sample(at), color);
             } else {

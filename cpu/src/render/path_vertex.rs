@@ -1,4 +1,4 @@
-//! A sample on a surface that scatters, with all numbers that its path begins with.
+//! A path vertex: a sample on a surface, with all numbers from which its path continues.
 
 use std::ops::Range;
 
@@ -9,33 +9,34 @@ use crate::math::{real::Real, vec3::Vec3};
 /// A sample on a surface, or one sample in each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct PathVertex<T = f64> {
-    /// The point.
+    /// The hit point, in scene units. The next ray starts there.
     pub point: Vec3<T>,
     /// The scattered direction before the random vector is added; see [`PreparedMaterial::unperturbed_direction`].
     pub unperturbed: Vec3<T>,
-    /// How the next ray is scattered around `unperturbed`.
+    /// The constants with which the next ray is scattered around `unperturbed`.
     pub scatter_params: ScatterParams<T>,
-    /// The factor of the next ray's colour.
+    /// The factor that the surface applies to the colour of the next ray.
     pub reflectance: Vec3<T>,
-    /// The [object](crate::accel::object::ObjectId) whose surface it is, a whole number.
+    /// The number of the [object](crate::accel::object::ObjectId) that is hit, as a whole number.
     pub object: T,
-    /// The sample's number in the span, as bits.
+    /// The index of the sample in its span, as the bits of an `f64`.
     pub sample: T,
-    /// How many rays the path may still send: [`RaysLeft`](crate::render::max_depth::RaysLeft) as bits.
+    /// The number of rays that the path may still send: [`RaysLeft`](crate::render::max_depth::RaysLeft) as the bits of
+    /// an `f64`.
     pub rays: T,
 }
 
 impl PathVertex {
-    /// How many numbers a vertex has.
+    /// Number of numbers in a vertex.
     pub const NUMBERS: usize = 15;
     /// The indices of `reflectance` in [`PathVertex::numbers`].
     pub const REFLECTANCE: Range<usize> = 9..12;
-    /// The index of `sample`.
+    /// The index of `sample` in [`PathVertex::numbers`].
     pub const SAMPLE: usize = 13;
-    /// The index of `rays`.
+    /// The index of `rays` in [`PathVertex::numbers`].
     pub const RAYS: usize = 14;
 
-    /// The ray that the surface scatters by this scatter sample.
+    /// Returns the ray that the matte or metal surface scatters with this scatter sample.
     #[inline(always)]
     pub fn scattered_ray(&self, scatter_sample: Vec3) -> Ray {
         Ray { origin: self.point, direction: self.scatter_params.scatter_around(self.unperturbed, scatter_sample) }
@@ -43,7 +44,8 @@ impl PathVertex {
 }
 
 impl<T: Real> PathVertex<T> {
-    /// A vertex on a surface of this prepared material. The caller replaces `sample` and `rays`, which are 0.
+    /// Returns a vertex on a surface of this prepared material. `sample` and `rays` are 0, and the caller replaces
+    /// them.
     #[inline(always)]
     pub fn new(point: Vec3<T>, unperturbed: Vec3<T>, object: T, material: &PreparedMaterial) -> Self {
         let (scatter_params, reflectance) = (material.scatter_params.lanes(), material.reflectance.map(T::of));
@@ -51,8 +53,9 @@ impl<T: Real> PathVertex<T> {
         Self { point, unperturbed, scatter_params, reflectance, object, sample, rays }
     }
 
-    /// Selects lanes: the direction, scatter parameters and reflectance come from this vertex where `mask` holds, and
-    /// from `other` elsewhere. The point, the object, the sample and the number of rays always come from this vertex.
+    /// Returns a vertex whose direction, scatter parameters and reflectance come from this vertex where `mask` holds,
+    /// and from `other` elsewhere. The point, the object, the sample and the number of rays always come from this
+    /// vertex.
     #[inline(always)]
     pub fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
         let (this, that) = (&self.scatter_params, &other.scatter_params);
@@ -70,21 +73,22 @@ impl<T: Real> PathVertex<T> {
         }
     }
 
-    /// The numbers, as a [queue](crate::render::queue::PathQueue) keeps them.
+    /// Returns the numbers of the vertex, in the order of the [path queue](crate::render::queue::PathQueue).
     #[inline(always)]
     pub fn numbers(&self) -> [T; PathVertex::NUMBERS] {
         let Self { point: p, unperturbed: u, scatter_params: s, reflectance: r, object, sample, rays } = *self;
         [p.x, p.y, p.z, u.x, u.y, u.z, s.scale, s.shift, s.negligible, r.x, r.y, r.z, object, sample, rays]
     }
 
-    /// The numbers of a sample whose hit is refractive, as a [queue](crate::render::queue::SpecularQueue) keeps them.
+    /// Returns the numbers of a vertex on a refractive surface, in the order of the
+    /// [specular queue](crate::render::queue::SpecularQueue): point, direction, object and sample.
     #[inline(always)]
     pub fn specular_numbers(&self) -> [T; 8] {
         let Self { point: p, unperturbed: u, object, sample, .. } = *self;
         [p.x, p.y, p.z, u.x, u.y, u.z, object, sample]
     }
 
-    /// The vertex that consists of these [numbers](PathVertex::numbers).
+    /// Returns the vertex with these [numbers](PathVertex::numbers).
     #[inline(always)]
     pub fn of(numbers: [T; PathVertex::NUMBERS]) -> Self {
         let [px, py, pz, ux, uy, uz, scale, shift, negligible, rx, ry, rz, object, sample, rays] = numbers;

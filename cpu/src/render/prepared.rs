@@ -10,45 +10,45 @@ use crate::materials::prepared::PreparedMaterial;
 use crate::render::background::Background;
 use crate::sampling::scatter_vectors::Scatter;
 
-/// Everything that is the same for all rays, computed once.
+/// The prepared scene: all values that do not depend on the ray.
 #[derive(Debug)]
 pub struct Prepared<L: Layout> {
     /// The picture's size.
     pub size: Size,
-    /// The origin of the camera rays, and the window.
+    /// The origin of the camera rays, and the projection window.
     pub camera: Camera,
-    /// The colour of rays that hit nothing.
+    /// The background: the colour of rays that hit no object.
     pub background: Background,
-    /// The scene's objects, in the layout's storage.
+    /// The scene's objects, stored in the layout `L`.
     pub objects: L::Objects,
-    /// The scene's materials, ready to scatter.
+    /// The scene's materials, with constants that are computed once.
     pub materials: Vec<PreparedMaterial>,
     /// The acceleration structure over the objects.
     pub accel: Accel,
-    /// Turns means into bytes.
+    /// The table that turns means into bytes.
     pub quantizer: Quantizer,
-    /// Samples of a pixel.
+    /// Number of samples of each pixel.
     pub samples: u64,
-    /// Most rays of a sample; see [`RaysLeft`](crate::render::max_depth::RaysLeft).
+    /// Maximum number of rays of a sample. See [`RaysLeft`](crate::render::max_depth::RaysLeft).
     pub max_depth: u64,
     /// The convention of the random vectors.
     pub scatter: Scatter,
-    /// The convention of the stream of scatter samples. It is `scatter`, or deterministic if no scatter sample can
-    /// change a pixel, because then nothing needs to be drawn.
+    /// The convention of the stream of scatter samples. It is `scatter`. But if no scatter sample can change a pixel,
+    /// it is [`Scatter::Deterministic`], so that nothing is drawn.
     pub scatter_stream: Scatter,
-    /// Whether no material in use is refractive: then every hit takes a scatter sample.
+    /// Whether every hit takes a scatter sample, because no object is refractive.
     pub scatters_everywhere: bool,
-    /// Seed of the samples' offsets.
+    /// Seed of the random generator of the samples' offsets.
     pub ray_seed: u64,
-    /// Seed of the scatter samples.
+    /// Seed of the random generator of the scatter samples.
     pub material_seed: u64,
 }
 
 impl<L: Layout> Prepared<L> {
-    /// Prepares to render `scene` as `config` asks.
+    /// Prepares `scene` for rendering with the configuration `config`.
     ///
     /// # Errors
-    /// [`Error::Picture`] when the configuration makes no picture, [`Error::OutOfMemory`] when the scene does not fit.
+    /// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
     pub fn new(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Self, Error> {
         let size = config.image_size()?;
         let camera = Camera::new(config, size)?;
@@ -81,8 +81,10 @@ fn prepare_materials(scene: &Scene, scatter: Scatter) -> Result<Vec<PreparedMate
     Ok(prepared)
 }
 
-/// Whether a scatter sample can change a pixel. With a depth of one every path that scatters is black. A metal without
-/// diffusion multiplies the statement's draws by zero. (A published vector times zero may be a negative zero.)
+/// Whether a scatter sample can change a pixel. It cannot with a maximum depth of one, because every path that hits a
+/// surface is then black. It cannot for a metal without diffusion in the statement's convention, because the random
+/// numbers are multiplied by zero. In the published convention this product may be a negative zero, so the sample is
+/// needed.
 fn needs_samples(config: &Config, materials: &[Material], scatter: Scatter) -> bool {
     let scatters = |material: &Material| match *material {
         Material::Matte { .. } => true,

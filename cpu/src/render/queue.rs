@@ -1,22 +1,22 @@
-//! Samples on their way to the next stage: an array for each of their numbers.
+//! Queues of samples that wait for the next stage. There is an array for each number of a sample.
 //!
-//! Data goes one way. Camera rays push a sample to the specular queue if its hit is refractive, and to the path queue
-//! if its hit scatters. Specular chains take samples from the specular queue and push those that reach a surface that
-//! scatters to a third queue, which is merged into the path queue.
+//! Data flow in one direction. Camera rays push a sample to the specular queue if its hit is refractive, and to the
+//! path queue if its hit is matte or metal. Specular chains take samples from the specular queue. They push the samples
+//! that reach a matte or metal surface to a third queue, which is merged into the path queue.
 
 use crate::render::arrays::{CAPACITY, ROOM};
 use crate::render::path_vertex::PathVertex;
 use crate::simd::{SimdF64, columns::Columns, valid_lanes};
 
-/// Samples whose last hit was refractive: the origin and direction of the next ray, the object that it leaves, and the
-/// sample's number.
+/// The queue of samples whose last hit was refractive. The numbers of a sample are the origin and direction of its next
+/// ray, the object on which that ray starts, and the sample's index in the span.
 pub type SpecularQueue = Queue<8>;
 
-/// Samples whose last hit scatters: the numbers of a [`PathVertex`].
+/// The queue of samples whose last hit was matte or metal. The numbers are those of a [`PathVertex`].
 pub type PathQueue = Queue<{ PathVertex::NUMBERS }>;
 
-/// Up to [`CAPACITY`] entries of `N` numbers each. Entries from `count` on are stale: they may be read as lanes beyond
-/// the last entry, and are never used.
+/// A queue of up to [`CAPACITY`] entries of `N` numbers each. Entries from `count` on have no meaning. They may be read
+/// into lanes beyond the last entry, but the results of these lanes are never used.
 #[derive(Debug)]
 pub struct Queue<const N: usize> {
     /// Number of entries.
@@ -29,11 +29,11 @@ impl<const N: usize> Queue<N> {
     /// An empty queue.
     pub const EMPTY: Self = Self { count: 0, entries: Columns::ZERO };
 
-    /// Adds the entries in the lanes that `bits` selects.
+    /// Adds an entry for each lane whose bit is set in `bits`, in the order of the lanes.
     #[inline(always)]
     pub fn push<V: SimdF64>(&mut self, numbers: [V; N], bits: u32) {
         let at = self.count;
-        // All lanes are selected more often than not, because neighbours mostly hit the same surface.
+        // Mostly all lanes are selected, because neighbouring rays mostly hit the same surface.
         if bits == valid_lanes::<V>(V::LANES) {
             self.entries.store(at, numbers);
         } else {
@@ -51,8 +51,9 @@ impl<const N: usize> Queue<N> {
         self.count += 1;
     }
 
-    /// Moves the entries of `other` into this queue and sorts by the array `key`, whose bits are integers below
-    /// [`CAPACITY`]. No integer may occur twice. This queue must be sorted already, `other` need not be.
+    /// Moves the entries of `other` into this queue, so that all entries are sorted by their number at index `key`. The
+    /// bits of this number are an integer below [`CAPACITY`], and no integer may occur twice. This queue must be sorted
+    /// already. `other` need not be sorted.
     #[inline(always)]
     pub fn merge(&mut self, other: &mut Self, key: usize) {
         const NONE: u16 = u16::MAX;
@@ -60,7 +61,7 @@ impl<const N: usize> Queue<N> {
         for (entry, number) in other.entries.0[key][..other.count].iter().enumerate() {
             entry_of[number.to_bits() as usize % CAPACITY] = entry as u16;
         }
-        // From the last entry to the first, so that no entry is overwritten before it has moved.
+        // The loop goes from the last entry to the first, so that no entry is overwritten before it has moved.
         let (mut from, mut to) = (self.count, self.count + other.count);
         (self.count, other.count) = (to, 0);
         for (number, &entry) in entry_of.iter().enumerate().rev() {
@@ -84,7 +85,8 @@ mod tests {
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
 
-    /// Pushes every third of 240 entries as lanes, and merges 9 others, pushed one by one.
+    /// A kernel that pushes every third of 240 entries in lanes, and merges 9 other entries, which are pushed one by
+    /// one.
     struct Fill;
 
     impl Kernel for Fill {

@@ -1,4 +1,4 @@
-//! The samples of a span: an array for each number, so that lanes handle several samples at once.
+//! The samples of a span. There is an array for each of their numbers, so that lanes handle several samples at once.
 
 use crate::accel::bvh::stack::Stack;
 use crate::input::error::Error;
@@ -15,26 +15,26 @@ use crate::simd::{SimdF64, columns::Columns};
 pub struct Batch {
     /// Number of samples.
     pub count: usize,
-    /// Column of each sample's pixel.
+    /// The column of each sample's pixel.
     pub column: Values,
-    /// Offsets in their pixels, to the right and down.
+    /// The offset of each sample from the middle of its pixel, in pixels, to the right and down.
     pub offset: Columns<2, ROOM>,
-    /// Samples whose ray has just hit a refractive surface.
+    /// The samples whose last ray has hit a refractive surface.
     pub specular: SpecularQueue,
-    /// Samples whose specular chain has ended on a surface that scatters.
+    /// The samples whose specular chain has ended on a matte or metal surface.
     pub chained: PathQueue,
-    /// Colours of the samples, linear; those of samples in a queue are not known yet.
+    /// The linear colour of each sample. The colours of samples that are in a queue are not known yet.
     pub color: Columns<3, ROOM>,
-    /// Traversal stack of the acceleration structure.
+    /// The traversal stack of the acceleration structure, for specular chains.
     pub stack: Stack,
     draws: [f64; 2 * CAPACITY],
 }
 
 impl Batch {
-    /// No samples.
+    /// Returns a batch without samples.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new() -> Result<Boxed<Self>, Error> {
         Boxed::new(Self {
             count: 0,
@@ -48,7 +48,7 @@ impl Batch {
         })
     }
 
-    /// Replaces the samples by those of a span, and draws their offsets.
+    /// Replaces the samples by those of `span`, and draws their offsets. In deterministic mode all offsets stay 0.
     #[inline(always)]
     pub fn draw<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, span: &Span, pixel_jitter: &mut PixelJitter) {
         self.count = span.count;

@@ -1,4 +1,4 @@
-//! Shading of several rays that have just hit a surface.
+//! Shades several rays that have hit a surface: computes the vertices at their hits.
 
 use crate::accel::object::{ObjectId, ObjectRef};
 use crate::counters::{Counter, add};
@@ -9,8 +9,8 @@ use crate::math::vec3::Vec3;
 use crate::render::{fallback::MOST_LANES, hit_lanes::HitLanes, path_vertex::PathVertex, prepared::Prepared};
 use crate::simd::{LaneMask, SimdF64};
 
-/// Returns the vertices of the lanes with a hit, and the lanes whose surface is refractive, as bits. The vertices of
-/// the other lanes are stale.
+/// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the surface is refractive. The
+/// vertices of lanes without a hit have no meaning. The caller sets `sample` and `rays` of the vertices.
 #[inline(always)]
 pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &HitLanes<V>) -> (PathVertex<V>, u32) {
     let objects = &prepared.objects;
@@ -21,7 +21,8 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
     add(Counter::Hits, u64::from(hits.bits.count_ones()));
     let mut left = hits.bits;
     while left != 0 {
-        // Neighbours mostly hit the same object, so all lanes that hit this one are shaded together.
+        // Neighbouring rays mostly hit the same object. So all lanes that hit the object of the first lane are shaded
+        // together.
         let number = objects_hit[left.trailing_zeros() as usize % MOST_LANES];
         let same = V::of(number).less_equal(hits.object) & hits.object.less_equal(V::of(number));
         let same_bits = same.bits() & left;

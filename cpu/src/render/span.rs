@@ -1,18 +1,20 @@
-//! Spans: consecutive samples of a row.
+//! Spans: consecutive samples of a row of pixels.
 
 use std::ops::Range;
 
 use crate::render::arrays::CAPACITY;
 
-/// Largest width of a span, in pixels. Wider spans have more candidates. Every instruction set's lanes divide it.
+/// Largest width of a span, in pixels. In a wider span each ray would be tested against more candidates. The width is a
+/// multiple of every instruction set's number of lanes.
 pub const WIDEST: usize = 32;
 
-/// Consecutive samples: from `first_sample` of pixel `first` on, `count` in all, over consecutive pixels of a row.
+/// Consecutive samples over consecutive pixels of a row. They begin with sample `first_sample` of the pixel in column
+/// `first`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span {
     /// Column of the first pixel.
     pub first: usize,
-    /// Samples of the first pixel that belong to earlier spans.
+    /// Number of samples of the first pixel that belong to earlier spans.
     pub first_sample: u64,
     /// Number of samples.
     pub count: usize,
@@ -21,18 +23,19 @@ pub struct Span {
 }
 
 impl Span {
-    /// Number of pixels, whole or in part.
+    /// Returns the number of pixels. Pixels that are only partly in the span count too.
     #[inline(always)]
     pub const fn width(&self) -> usize {
         self.last - self.first + 1
     }
 
-    /// Whether all its pixels are whole, for pixels of this many samples each.
+    /// Whether the span has all samples of each of its pixels. `samples` is the number of samples of each pixel.
     pub const fn is_whole(&self, samples: u64) -> bool {
         self.first_sample == 0 && self.count as u64 == self.width() as u64 * samples
     }
 
-    /// The column of every pixel with the indices of its samples in the span, for pixels of this many samples each.
+    /// Returns the column of every pixel, with the indices of the pixel's samples in the span. `samples` is the number
+    /// of samples of each pixel.
     #[inline(always)]
     pub fn pixels(&self, samples: u64) -> impl Iterator<Item = (usize, Range<usize>)> {
         let (count, mut left, mut to) = (self.count, samples - self.first_sample, 0);
@@ -44,7 +47,8 @@ impl Span {
         })
     }
 
-    /// The span of its pixel number `at` alone. All pixels must be whole, with this many samples each.
+    /// Returns the span that has only the pixel at index `at` of this span. `samples` is the number of samples of each
+    /// pixel, and this span must have all samples of its pixels.
     #[inline(always)]
     pub const fn pixel(&self, at: usize, samples: u64) -> Self {
         let column = self.first + at;
@@ -52,7 +56,8 @@ impl Span {
     }
 }
 
-/// The spans of a row, in order. Each has at most [`CAPACITY`] samples in at most [`WIDEST`] pixels.
+/// An iterator over the spans of a row, in order. Each span has at most [`CAPACITY`] samples in at most [`WIDEST`]
+/// pixels.
 #[derive(Clone, Debug)]
 pub struct Spans {
     width: usize,
@@ -62,7 +67,7 @@ pub struct Spans {
 }
 
 impl Spans {
-    /// The spans of a row of `width` pixels with `samples` samples each.
+    /// Returns the spans of a row of `width` pixels with `samples` samples each.
     pub const fn of_row(width: usize, samples: u64) -> Self {
         Self { width, samples, column: 0, sample: 0 }
     }
@@ -82,7 +87,7 @@ impl Iterator for Spans {
             self.sample += room;
             return Some(Span { first, first_sample, count: CAPACITY, last: first });
         }
-        // The rest of the first pixel, then as many whole pixels as fit.
+        // The span has the rest of the first pixel, then as many whole pixels as fit.
         let whole = ((room - left_in_pixel) / self.samples).min(WIDEST as u64 - 1) as usize;
         let whole = whole.min(self.width - first - 1);
         self.column = first + 1 + whole;

@@ -1,4 +1,4 @@
-//! The data that the stages of a span share, and that remain from span to span. `render.rs` runs the stages.
+//! The data that all stages of a span use, and that are reused for the next span. `render.rs` runs the stages.
 
 use crate::input::error::Error;
 use crate::layout::Layout;
@@ -7,15 +7,15 @@ use crate::render::{background_pixels::BackgroundPixels, frustum::Candidates, pa
 use crate::render::{prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
 
-/// The prepared scene, and the state of its rendering.
+/// The prepared scene, and all that the stages of a span read and write. It is reused for every span.
 pub struct SpanState<'a, L: Layout> {
     /// The prepared scene.
     pub prepared: &'a Prepared<L>,
-    /// The row of the span.
+    /// The row of the span, from 0 at the top.
     pub row: usize,
     /// The objects that rays of the row and of the span may hit.
     pub candidates: Candidates,
-    /// The stream of the samples' offsets.
+    /// The stream of the samples' offsets in their pixels.
     pub pixel_jitter: PixelJitter,
     /// Bounds of the pixels that no object can reach.
     pub background_pixels: BackgroundPixels,
@@ -26,10 +26,10 @@ pub struct SpanState<'a, L: Layout> {
 }
 
 impl<'a, L: Layout> SpanState<'a, L> {
-    /// The state before the first span.
+    /// Returns the state before the first span.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(prepared: &'a Prepared<L>) -> Result<Self, Error> {
         Ok(Self {
             prepared,
@@ -42,7 +42,7 @@ impl<'a, L: Layout> SpanState<'a, L> {
         })
     }
 
-    /// Begins a row: finds the objects that its rays may hit.
+    /// Begins a row: finds the objects that the camera rays of this row may hit.
     pub fn begin_row(&mut self, row: usize) {
         self.row = row;
         self.candidates.begin_row(self.prepared, row);

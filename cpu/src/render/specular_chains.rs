@@ -1,5 +1,5 @@
-//! Specular chains: rays through refractive surfaces, which need no random number, so they are traced ahead of the
-//! paths, up to the first surface that scatters.
+//! Specular chains: rays through refractive surfaces. They need no random number, so they are traced before the paths,
+//! up to the first matte or metal surface.
 
 use crate::accel::conservative::{ConservativeRay, is_too_short};
 use crate::accel::object::{ObjectId, ObjectRef};
@@ -14,8 +14,9 @@ use crate::render::{max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prep
 use crate::render::{span_state::SpanState, surface::Surface};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF64, columns::Columns, valid_lanes};
 
-/// Traces the samples of the specular queue until each hits a surface that scatters, escapes, or is at the maximum
-/// depth. Those that scatter are merged into the path queue; the others get their colour.
+/// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
+/// the maximum depth. The samples on matte or metal surfaces are merged into the path queue. All other samples get
+/// their colours.
 pub struct TraceSpecularChains<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
 impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
@@ -35,18 +36,18 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
                 batch.color.set(sample.to_bits() as usize, [0.0; 3]);
             }
         } else {
-            // Not a closure: it would be compiled without the instruction set.
+            // This is a loop, because a closure would be compiled without the instruction set.
             for at in 0..batch.specular.count {
                 trace::<S, L>(prepared, batch, at);
             }
         }
-        // All paths share one stream of scatter samples, which they take in the order of their samples.
+        // All paths share one stream of scatter samples, from which they take in the order of their samples.
         tracer.queue.merge(&mut batch.chained, PathVertex::SAMPLE);
     }
 }
 
-/// Traces every chain to its next hit, as many at once as there are lanes. Those that hit a refractive surface stay in
-/// the specular queue. `rays` is how many each may still send from that hit.
+/// Traces every chain to its next hit, as many at once as there are lanes. If the hit is refractive, the sample stays
+/// in the specular queue. `rays` is the number of rays that a sample may still send from that hit.
 #[inline(always)]
 fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene, batch: &mut Batch, rays: RaysLeft) {
     let background = prepared.background.lanes::<S::F64>();
@@ -70,15 +71,15 @@ fn step_all<S: Simd, L: Layout>(prepared: &Prepared<L>, small_scene: &SmallScene
         if hits.bits != 0 {
             let (vertex, refractive) = shade(prepared, &ray, &hits);
             let vertex = PathVertex { sample, rays, ..vertex };
-            // The entries that this overwrites have been loaded.
+            // This overwrites only entries that have been loaded.
             batch.specular.push(vertex.specular_numbers(), refractive);
             batch.chained.push(vertex.numbers(), hits.bits & !refractive);
         }
     }
 }
 
-/// The closest hits of rays that each have an origin of their own, among the objects that any of them may hit:
-/// neighbouring chains mostly miss the same objects.
+/// Returns the closest hit of each ray. An object is intersected only if at least one of the rays may hit it, because
+/// neighbouring chains mostly miss the same objects. `valid` has a bit for each lane that holds a ray.
 #[inline(always)]
 fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ray: &Ray<V>, valid: u32) -> HitLanes<V> {
     let mut hits = HitLanes::none();
@@ -100,7 +101,7 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ra
     hits
 }
 
-/// Traces the chain at `at` of the specular queue, for structures that take one ray at a time.
+/// Traces the chain at index `at` of the specular queue to its end. This serves structures that take one ray at a time.
 #[inline(always)]
 fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, at: usize) {
     let [x, y, z, dx, dy, dz, object, sample] = batch.specular.entries.get(at);

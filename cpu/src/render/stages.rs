@@ -5,7 +5,7 @@ use crate::layout::Layout;
 use crate::render::{path::PathTracer, span::Span, span_state::SpanState};
 use crate::simd::{Kernel, Simd};
 
-/// Begins a span: draws the offsets of its samples.
+/// A kernel that begins a span: it draws the offsets of the span's samples.
 pub struct DrawSamples<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>, pub &'s Span);
 
 impl<L: Layout> Kernel for DrawSamples<'_, '_, L> {
@@ -18,15 +18,15 @@ impl<L: Layout> Kernel for DrawSamples<'_, '_, L> {
     }
 }
 
-/// Finds the bytes of the pixels of a span that no object can reach. Stops at the first pixel whose bytes the bounds do
-/// not give, and returns its index, or the width of the span if there is none. The samples of that pixel are then in
-/// the batch, and must be traced.
+/// A kernel that finds the bytes of the pixels of a span that no object can reach. It stops at the first pixel whose
+/// bytes the bounds do not give, and returns the pixel's index in the span. The samples of that pixel are then in the
+/// batch, and must be traced. If the bounds give all bytes, it returns the width of the span.
 pub struct FindBytes<'s, 'a, L: Layout> {
     /// The state of the span.
     pub state: &'s mut SpanState<'a, L>,
-    /// A span of whole pixels.
+    /// The span, which must have only whole pixels.
     pub span: &'s Span,
-    /// Number of its leading pixels that are done.
+    /// Number of the span's leading pixels that are done.
     pub done: usize,
 }
 
@@ -50,7 +50,7 @@ impl<L: Layout> Kernel for FindBytes<'_, '_, L> {
     }
 }
 
-/// Ends a span: gives every path of the queue its colour.
+/// A kernel that ends a span: it computes the colours of all paths of the queue.
 pub struct ColorPaths<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
 impl<L: Layout> Kernel for ColorPaths<'_, '_, L> {

@@ -1,4 +1,4 @@
-//! The surface that a ray hits: its point, its normal and its material.
+//! The surface at a hit: point, normal and material.
 
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::object::{ObjectId, ObjectRef};
@@ -8,19 +8,20 @@ use crate::input::scene::MaterialId;
 use crate::layout::Objects;
 use crate::math::vec3::Vec3;
 
-/// A point of a surface.
+/// A point on the surface of an object, where a ray hits it.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
-    /// The point.
+    /// The hit point, in scene units.
     pub point: Vec3,
-    /// The normal that leaves the object.
+    /// The normal that points out of the object. On the side of a cylinder it is as long as the radius. Elsewhere its
+    /// length is one.
     pub outward: Vec3,
-    /// The object's material.
+    /// The material of the object, an index.
     pub material: MaterialId,
 }
 
 impl Surface {
-    /// The surface at the closest hit.
+    /// Returns the surface at the closest hit, which must be a hit, and counts the hit.
     #[inline(always)]
     pub fn new<O: Objects>(objects: &O, ray: &Ray, hit: &ClosestHit) -> Self {
         add(Counter::Hits, 1);
@@ -38,7 +39,7 @@ impl Surface {
     }
 }
 
-/// The material of an object.
+/// Returns the material of an object, as an index.
 #[inline(always)]
 pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
     match ObjectRef::of(objects, object) {

@@ -1,5 +1,5 @@
-//! Traces the paths, from their first surface that scatters, one after the other. The specification makes this part
-//! sequential, because all paths take their scatter samples from one stream.
+//! Traces the paths one after the other, each from its first matte or metal surface on. The specification makes this
+//! part sequential, because all paths take their scatter samples from one stream.
 //!
 //! With fewer than four objects, [`lookahead`](crate::render::lookahead) replaces this loop.
 
@@ -12,7 +12,7 @@ use crate::render::{lookahead::TraceWithLookahead, max_depth::RaysLeft, path::Pa
 use crate::render::{path_vertex::PathVertex, prepared::Prepared, span_state::SpanState};
 use crate::simd::{Kernel, Simd};
 
-/// Traces every path of the queue to its end.
+/// A kernel that traces every path of the queue to its end.
 pub struct TracePaths<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
 impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
@@ -22,7 +22,8 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
     fn call<S: Simd>(self, simd: S) {
         let SpanState { prepared, tracer, .. } = self.0;
         let prepared = *prepared;
-        // The loop is compiled once for each structure. With many objects, the width matters more than the latency.
+        // The loop is compiled once for each structure. With many objects, the width of the lanes matters more than the
+        // latency of comparisons.
         match &prepared.accel {
             Accel::EveryObject => {
                 simd.run_promptly(OneByOne::<(L, EveryObject)> { prepared, tracer, accel: &EveryObject });
@@ -37,7 +38,7 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
     }
 }
 
-/// The types that the loop is compiled for, besides the instruction set.
+/// The types for which the loop is compiled, besides the instruction set: layout and acceleration structure.
 trait Compiled {
     type Layout: Layout;
     type Accel: Accelerator;
@@ -48,7 +49,7 @@ impl<L: Layout, A: Accelerator> Compiled for (L, A) {
     type Accel = A;
 }
 
-/// Traces the paths one after the other.
+/// A kernel that traces the paths one after the other, without lookahead.
 struct OneByOne<'a, C: Compiled> {
     prepared: &'a Prepared<C::Layout>,
     tracer: &'a mut PathTracer,
@@ -75,7 +76,8 @@ impl<C: Compiled> Kernel for OneByOne<'_, C> {
 }
 
 impl<C: Compiled> OneByOne<'_, C> {
-    /// Traces path `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives its first ray.
+    /// Traces the path at index `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives
+    /// its first ray.
     #[inline(always)]
     fn trace<S: Simd>(&mut self, simd: S, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
         let Self { prepared, tracer, accel } = self;

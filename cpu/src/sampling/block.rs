@@ -1,29 +1,31 @@
-//! The same stream as [`crate::sampling::uniform::Uniform`], a block of 312 draws at a time.
+//! Draws the stream of [`crate::sampling::uniform::Uniform`], in blocks of 312 numbers.
 //!
-//! `mt19937_64` (Nishimura and Matsumoto, 2000) renews its whole state at once; renewing, tempering and converting are
-//! loops without branches that the compiler turns into lanes. A test compares 10^8 draws with `rand_mt`.
+//! `mt19937_64` (Nishimura and Matsumoto, 2000) renews its whole state of 312 words at once. To renew, temper and
+//! convert the words, there are loops without branches, which the compiler turns into lanes. A test compares 10^8 draws
+//! with the crate `rand_mt`.
 
 use crate::sampling::uniform::canonical;
 
 const LENGTH: usize = 312;
 const MIDDLE: usize = 156;
 
-/// Words before those of the state. Half of the state, 156 words, is 4 words more than a multiple of 8 lanes.
+/// Number of words that are stored before the state. Half of the state, 156 words, is 4 words more than a multiple of 8
+/// lanes.
 const LEAD: usize = 4;
 
-/// The last [`LEAD`] words of the previous state, the [`LENGTH`] words of the state, and its first word again.
+/// The last [`LEAD`] words of the previous state, then the [`LENGTH`] words of the state, then its first word again.
 type State = [u64; LEAD + LENGTH + 1];
 
-/// A stream of draws in `[0, 1)`.
+/// A stream of random numbers in `[0, 1)`.
 #[derive(Clone, Debug)]
 pub struct BlockUniform {
     state: Box<State>,
-    /// Number of words of the state that are used up.
+    /// Number of words of the state that have been drawn or skipped.
     used: usize,
 }
 
 impl BlockUniform {
-    /// The stream that `std::mt19937_64(seed)` gives.
+    /// Returns the stream of the generator `std::mt19937_64(seed)`.
     pub fn new(seed: u64) -> Self {
         const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
         let mut state = Box::new([seed; LEAD + LENGTH + 1]);
@@ -34,7 +36,7 @@ impl BlockUniform {
         Self { state, used: LENGTH }
     }
 
-    /// Fills `draws` with the next draws.
+    /// Fills `draws` with the next random numbers of the stream.
     #[inline(always)]
     pub fn fill(&mut self, mut draws: &mut [f64]) {
         while !draws.is_empty() {
@@ -53,7 +55,8 @@ impl BlockUniform {
         }
     }
 
-    /// Skips `count` draws. This is faster than drawing, because words are neither tempered nor converted.
+    /// Skips `count` random numbers. This is faster than drawing, because their words are neither tempered nor
+    /// converted.
     #[inline(always)]
     pub fn skip(&mut self, mut count: u64) {
         loop {
@@ -69,18 +72,19 @@ impl BlockUniform {
     }
 }
 
-/// Computes the next state. A word depends on itself, its neighbour and the one half a state away.
+/// Computes the next state. A new word depends on the old word at its place, the next word, and the word half a state
+/// away.
 #[inline(always)]
 fn renew(state: &mut State) {
-    // Both loops begin at a multiple of the lanes. So the second begins four words before the middle of the state. Half
-    // a state away from these four words are the last four of the old state.
+    // Both loops must begin at a multiple of the lanes. So the second begins four words before the middle of the state.
+    // The words half a state away from these four are the last four words of the old state.
     state.copy_within(LENGTH..LENGTH + LEAD, 0);
     renew_some::<{ MIDDLE - LEAD }>(state, LEAD, LEAD + MIDDLE);
     state[LEAD + LENGTH] = state[LEAD];
     renew_some::<{ LENGTH - MIDDLE + LEAD }>(state, MIDDLE, 0);
 }
 
-/// Renews `COUNT` words from index `at` on, with the words half a state away, from index `half` on.
+/// Renews the `COUNT` words from index `at` on. The words half a state away begin at index `half`.
 #[inline(always)]
 fn renew_some<const COUNT: usize>(state: &mut State, at: usize, half: usize) {
     for index in 0..COUNT {
@@ -111,7 +115,7 @@ mod tests {
 
     #[test]
     fn the_stream_is_rand_mts() {
-        // miri interprets each step: there the draws only suffice to renew the state several times.
+        // miri interprets each step, so there the test only draws enough to renew the state several times.
         let total = if cfg!(miri) { 3_000 } else { 100_000_000 };
         let (mut block, mut single) = (BlockUniform::new(45), Uniform::new(45));
         let mut draws = [0.0; 1000];

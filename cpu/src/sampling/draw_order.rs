@@ -1,31 +1,32 @@
 //! The order of the random draws, which decides every byte (specification, sections 7.3 and 11).
 //!
-//! 1. Pixels go row by row, the samples of a pixel one after the other, each path to its end before the next begins.
-//! 2. A sample takes two draws of the generator of rays: its offset in the pixel to the right, then down.
+//! 1. Pixels follow row by row, and the samples of a pixel one after the other. Each path ends before the next begins.
+//! 2. A sample takes two random numbers of the generator of rays: its offset in the pixel to the right, then down.
 //!    [`PixelJitter`] draws them.
-//! 3. A hit on a matte or metal surface takes one scatter sample of the generator of materials: x, then y, then z. It
-//!    takes the sample even at the maximum depth, where no ray is sent. A refractive surface takes none.
-//!    [`ScatterSamples`](crate::sampling::scatter_stream::ScatterSamples) makes them.
+//! 3. A hit on a matte or metal surface takes one scatter sample of the generator of materials: x, then y, then z. The
+//!    surface takes the sample even at the maximum depth, where no ray follows. A refractive surface takes none.
+//!    [`ScatterSamples`](crate::sampling::scatter_stream::ScatterSamples) makes the scatter samples.
 //!
-//! Where no number can change a byte, none is drawn: in deterministic mode, and if `needs_samples` of
-//! `render/prepared.rs` finds no material and depth for which a scatter sample matters. The reference's copy of the
-//! rule is in `reference.rs` (`render_counted` and `scatter`). WGSL has none: its numbers come from the CPU.
-//! `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this rule.
+//! Numbers that can change no byte are not drawn. This is so in deterministic mode, and if `needs_samples` of
+//! `render/prepared.rs` finds no material for which a scatter sample matters at this maximum depth. The reference's
+//! copy of the rule is in `reference.rs` (`render_counted` and `scatter`). WGSL has no copy, because its random numbers
+//! come from the CPU. `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this
+//! rule.
 
 use crate::counters::{Counter, add};
 use crate::sampling::block::BlockUniform;
 use crate::simd::SimdF64;
 use crate::simd::columns::Columns;
 
-/// Number of random draws for the position of one sample in its pixel: one to the right, one down.
+/// Number of random numbers for the position of one sample in its pixel: one to the right, one down.
 pub const DRAWS_OF_OFFSET: usize = 2;
 
-/// Number of random draws for one scatter sample. The published convention repeats these draws until their vector is in
+/// Number of random numbers for one scatter sample. The published convention draws them again until their vector is in
 /// the unit ball (specification, section 11.2).
 pub const DRAWS_OF_SCATTER_SAMPLE: usize = 3;
 
-/// The stream of the samples' offsets in their pixels. Draws that are passed over are only counted. The next draw skips
-/// all of them at once.
+/// The stream of the samples' offsets in their pixels. Samples that need no offset are passed over: their random
+/// numbers are only counted. The next draw skips all of them at once.
 #[derive(Debug)]
 pub struct PixelJitter {
     stream: BlockUniform,
@@ -33,12 +34,12 @@ pub struct PixelJitter {
 }
 
 impl PixelJitter {
-    /// The beginning of the stream with this seed.
+    /// Returns the stream whose generator starts from `seed`.
     pub fn new(seed: u64) -> Self {
         Self { stream: BlockUniform::new(seed), passed_over: 0 }
     }
 
-    /// Passes over the draws of `samples` samples.
+    /// Passes over the offsets of the next `samples` samples.
     #[inline(always)]
     pub fn pass_over(&mut self, samples: u64) {
         let draws = DRAWS_OF_OFFSET as u64 * samples;
@@ -46,8 +47,8 @@ impl PixelJitter {
         add(Counter::RayDrawsSkipped, draws);
     }
 
-    /// Draws the offsets of the next `count` samples, each in `[-1/2, 1/2)`. `draws` has room for the draws, and for
-    /// as many more as fill the last lanes. Offsets beyond the last sample are stale.
+    /// Draws the offsets of the next `count` samples, in pixels, each in `[-1/2, 1/2)`. `draws` is memory for the
+    /// random numbers of these samples, rounded up to whole lanes. Offsets beyond the last sample have no meaning.
     #[inline(always)]
     pub fn draw<V: SimdF64, const LENGTH: usize>(
         &mut self,
@@ -57,7 +58,7 @@ impl PixelJitter {
     ) {
         add(Counter::RayDraws, (DRAWS_OF_OFFSET * count) as u64);
         self.next_draws(&mut draws[..DRAWS_OF_OFFSET * count]);
-        // A draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor changes nothing.
+        // By the specification a draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor 1 changes nothing.
         let half = V::of(0.5);
         for at in (0..count).step_by(V::LANES) {
             let next = &draws[DRAWS_OF_OFFSET * at..];
@@ -66,7 +67,7 @@ impl PixelJitter {
         }
     }
 
-    /// Skips what is passed over and fills `draws`.
+    /// Skips the random numbers that were passed over, and fills `draws` with the next ones.
     #[inline(always)]
     fn next_draws(&mut self, draws: &mut [f64]) {
         if self.passed_over > 0 {

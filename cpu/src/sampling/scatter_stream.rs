@@ -1,6 +1,6 @@
-//! The stream of scatter samples that all materials share. The samples are made in bulk with the widest instruction
-//! set, even if the path tracing loop is compiled for another one. The order is that of
-//! [`draw_order`](crate::sampling::draw_order).
+//! The stream of scatter samples that all materials share, in the order of [`draw_order`](crate::sampling::draw_order).
+//! The samples are made 512 at a time with the widest instruction set, even if the path tracing loop is compiled for
+//! another one.
 
 use crate::counters::{Counter, add};
 use crate::math::vec3::Vec3;
@@ -10,18 +10,18 @@ use crate::sampling::scatter_vectors::{Scatter, is_in_ball};
 use crate::simd::columns::Columns;
 use crate::simd::{Kernel, Simd, SimdF64};
 
-/// Room before the new samples for the old ones that are not taken yet.
+/// Places before the new samples. The old samples that have not been taken are moved there.
 const SLACK: usize = 16;
-/// Samples made at a time.
+/// Number of samples that are made at a time.
 const MADE: usize = 512;
-/// Least number of samples that can be taken after [`ScatterSamples::prepare`].
+/// Number of samples that can always be taken after [`ScatterSamples::prepare`].
 pub const RESERVE: usize = 12;
-/// Length of the arrays of samples.
+/// Number of places for samples.
 const ROOM: usize = SLACK + MADE;
 
-/// The scatter samples, in order: draws in `[0, 1)` for the statement's convention, vectors of length one for the
-/// published images', null vectors in deterministic mode.
-/// [`ScatterParams`](crate::materials::scatter::ScatterParams) turn one into a random vector.
+/// The scatter samples, in order. In the statement's convention a sample is three random numbers in `[0, 1)`. In the
+/// published convention it is a vector of length one, and in deterministic mode a null vector.
+/// [`ScatterParams`](crate::materials::scatter::ScatterParams) turns a sample into a random vector.
 #[derive(Debug)]
 pub struct ScatterSamples {
     convention: Scatter,
@@ -30,7 +30,7 @@ pub struct ScatterSamples {
     samples: Columns<DRAWS_OF_SCATTER_SAMPLE, ROOM>,
     /// Index of the next sample.
     next: usize,
-    /// How many of the stream's samples came before index 0.
+    /// Number of the stream's samples that came before index 0, plus a constant.
     before: u64,
 }
 
@@ -41,7 +41,7 @@ impl ScatterSamples {
         Self { convention, generator: BlockUniform::new(seed), draws, samples: Columns::ZERO, next: ROOM, before: 0 }
     }
 
-    /// Makes samples if fewer than [`RESERVE`] are left.
+    /// Makes new samples if fewer than [`RESERVE`] are left.
     #[inline(always)]
     pub fn prepare<S: Simd>(&mut self, simd: S) {
         if self.next > ROOM - RESERVE {
@@ -49,7 +49,8 @@ impl ScatterSamples {
         }
     }
 
-    /// Takes the next sample. At most [`RESERVE`] may be taken between two calls of [`ScatterSamples::prepare`].
+    /// Takes the next sample. At most [`RESERVE`] samples may be taken between two calls of
+    /// [`ScatterSamples::prepare`].
     #[inline(always)]
     pub fn next(&mut self) -> Vec3 {
         let sample = self.samples.get(self.next).into();
@@ -57,13 +58,14 @@ impl ScatterSamples {
         sample
     }
 
-    /// The position of the next sample in the stream, plus a constant. It serves to compare positions.
+    /// Returns the position of the next sample in the stream, plus an unknown constant. Only differences of two
+    /// positions have a meaning.
     #[inline(always)]
     pub const fn position(&self) -> u64 {
         self.before.wrapping_add(self.next as u64)
     }
 
-    /// The next samples, one in each lane. None of them is taken.
+    /// Returns the next samples, one in each lane. None of them is taken.
     #[inline(always)]
     pub fn peek<V: SimdF64>(&self) -> Vec3<V> {
         self.samples.load(self.next).into()
@@ -77,7 +79,7 @@ impl ScatterSamples {
     }
 }
 
-/// Makes the next samples.
+/// A kernel that makes the next [`MADE`] samples.
 struct Make<'a>(&'a mut ScatterSamples);
 
 impl Kernel for Make<'_> {
@@ -110,7 +112,7 @@ impl Kernel for Make<'_> {
     }
 }
 
-/// A vector of length one by rejection, as [`crate::sampling::scatter_vectors::ScatterVectors`] draws it.
+/// Draws a vector of length one by rejection, as [`crate::sampling::scatter_vectors::ScatterVectors`] does.
 #[inline(always)]
 fn unit_vector(generator: &mut BlockUniform) -> Vec3 {
     loop {

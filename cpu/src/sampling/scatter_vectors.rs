@@ -1,28 +1,31 @@
-//! The random vectors that surfaces need to scatter light, in three conventions (specification, section 11).
+//! The random vectors with which surfaces scatter light, in three conventions (specification, section 11).
 
 use crate::math::vec3::Vec3;
 use crate::sampling::uniform::Uniform;
 
-/// The convention by which random vectors are drawn, or that none are drawn (specification, section 11).
+/// The convention by which random vectors are drawn (specification, section 11).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scatter {
-    /// The statement's: a vector in a cube, three draws. What `render-aos` and `render-soa` follow.
+    /// The convention of the statement: a vector in a cube, from three random numbers. `render-aos` and `render-soa`
+    /// use it.
     #[default]
     Statement,
-    /// The published images': a vector of length one, drawn by rejection, times the diffusion.
+    /// The convention of the published pictures: a vector of length one, drawn by rejection. For metal it is multiplied
+    /// by the diffusion.
     Published,
-    /// Deterministic mode, for comparing implementations: one ray a pixel, through its middle, whatever
-    /// `samples_per_pixel` says, and null vectors. Nothing is drawn.
+    /// Deterministic mode, to compare implementations. Each pixel has one sample, through its middle, and all random
+    /// vectors are null. `samples_per_pixel` is ignored, and no random number is drawn.
     Deterministic,
 }
 
-/// Whether a vector drawn in the cube is kept: it lies in the unit ball, and not too close to its centre.
+/// Whether rejection keeps a vector with this squared length. The vector must lie in the unit ball, and not too close
+/// to its centre.
 #[inline(always)]
 pub(crate) fn is_in_ball(length_squared: f64) -> bool {
     length_squared > 1e-160 && length_squared <= 1.0
 }
 
-/// The stream of random vectors that all materials share.
+/// The stream of random vectors that all materials share, drawn one at a time.
 #[derive(Clone, Debug)]
 pub struct ScatterVectors {
     convention: Scatter,
@@ -35,7 +38,8 @@ impl ScatterVectors {
         Self { convention, draws: Uniform::new(seed) }
     }
 
-    /// The next vector. `extent` is half the side of its cube, or its length: 1 for matte, the diffusion for metal.
+    /// Returns the next vector. `extent` is 1 for a matte surface, and the diffusion for a metal one. It is half the
+    /// side of the cube in the statement's convention, and the vector's length in the published one.
     #[inline]
     pub fn next(&mut self, extent: f64) -> Vec3 {
         match self.convention {
@@ -45,7 +49,8 @@ impl ScatterVectors {
         }
     }
 
-    /// A vector of length one: draws in the cube until [`is_in_ball`] keeps the vector, then scales it.
+    /// Returns a vector of length one. It draws vectors in the cube `[-1, 1)^3` until [`is_in_ball`] keeps one, and
+    /// divides that vector by its length.
     fn unit_vector(&mut self) -> Vec3 {
         loop {
             let vector = Vec3::from([(); 3].map(|()| self.draws.draw(-1.0, 1.0)));

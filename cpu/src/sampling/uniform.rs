@@ -1,43 +1,44 @@
-//! Random numbers as the C++ standard library draws them.
+//! Draws random numbers as the C++ standard library does: `std::mt19937_64` with libstdc++'s
+//! `uniform_real_distribution<double>`.
 //!
-//! `std::mt19937_64` under libstdc++'s `uniform_real_distribution<double>`: one 64-bit word a draw, converted to `f64`
-//! (which rounds), divided by 2^64 and clipped below one. Crate `rand_mt` is the generator.
+//! A draw takes one 64-bit word, converts it to `f64` (which rounds), divides it by 2^64 and limits it to below one.
+//! The crate `rand_mt` is the generator.
 
 use rand_mt::Mt64;
 
-/// The largest number below one, which replaces a quotient that rounds to one.
+/// The largest `f64` below one, which replaces a quotient that rounds to one.
 pub(crate) const BELOW_ONE: f64 = 1.0_f64.next_down();
 
-/// A stream of uniform draws.
+/// A stream of random numbers with uniform distribution.
 #[derive(Clone, Debug)]
 pub struct Uniform {
     generator: Mt64,
 }
 
 impl Uniform {
-    /// The stream that `std::mt19937_64(seed)` gives.
+    /// Returns the stream of the generator `std::mt19937_64(seed)`.
     pub fn new(seed: u64) -> Self {
         Self { generator: Mt64::new(seed) }
     }
 
-    /// The next draw in `[0, 1)`.
+    /// Returns the next random number, in `[0, 1)`.
     #[inline]
     pub fn canonical(&mut self) -> f64 {
         canonical(self.generator.next_u64())
     }
 
-    /// The next draw in `[low, high)`.
+    /// Returns the next random number, scaled to `[low, high)`.
     #[inline]
     pub fn draw(&mut self, low: f64, high: f64) -> f64 {
         self.canonical() * (high - low) + low
     }
 }
 
-/// A word of the generator as a number in `[0, 1)`.
+/// Converts a word of the generator to a number in `[0, 1)`.
 #[inline(always)]
 pub fn canonical(word: u64) -> f64 {
     const SCALE: f64 = 1.0 / 18_446_744_073_709_551_616.0;
-    // Multiplying by 2^-64 is exact, as dividing by 2^64 is.
+    // The product with 2^-64 is exact, and so it has the bits of the quotient by 2^64.
     (word as f64 * SCALE).min(BELOW_ONE)
 }
 

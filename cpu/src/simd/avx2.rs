@@ -1,4 +1,4 @@
-//! 256-bit lanes: AVX2 with fused multiply-add. Each line of a table is one operation with its intrinsics.
+//! Lanes of 256 bits: AVX2 with fused multiply-add. Each line of a table is one operation with its intrinsics.
 
 mod permutations;
 
@@ -17,7 +17,7 @@ features!("avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 pub struct Avx2(());
 
 impl Avx2 {
-    /// The proof.
+    /// Returns the proof.
     ///
     /// # Safety
     /// [`is_detected`] must be true.
@@ -45,7 +45,7 @@ pub struct F64(__m256d);
 #[derive(Clone, Copy, Debug)]
 pub struct F32(__m256);
 
-/// Results of comparisons: all bits of a lane are ones or zeros.
+/// The results of a comparison. All 64 bits of a lane are ones where the comparison holds, and zeros elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub struct Mask(__m256d);
 
@@ -99,17 +99,17 @@ impl MulAdd for F64 {
 impl SimdF64 for F64 {
     const LANES: usize = 4;
 
-    // As many numbers as lanes are at the pointers, which need no alignment.
+    // Each pointer is that of a slice of exactly `LANES` numbers, and needs no alignment.
     intrinsics! {
         fn load(values: &[f64]) -> Self { Self(_mm256_loadu_pd(values[..Self::LANES].as_ptr())) }
         fn store(self, place: &mut [f64]) { _mm256_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
         fn compress(self, bits: u32) -> Self {
-            // A permutation has 256 bits, aligned to as many.
+            // A permutation has 32 bytes and is aligned to 32 bytes.
             let order = _mm256_load_si256(COMPRESSING[bits as usize % 16].0.as_ptr().cast());
             Self(_mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(self.0), order)))
         }
         fn unzip(self, next: Self) -> (Self, Self) {
-            // Within each half; then the middle two change places.
+            // The first two instructions work in each half of the lanes. Then the two middle lanes are swapped.
             let (even, odd) = (_mm256_unpacklo_pd(self.0, next.0), _mm256_unpackhi_pd(self.0, next.0));
             (Self(_mm256_permute4x64_pd::<0b11_01_10_00>(even)), Self(_mm256_permute4x64_pd::<0b11_01_10_00>(odd)))
         }
@@ -119,7 +119,7 @@ impl SimdF64 for F64 {
 impl SimdF32 for F32 {
     const LANES: usize = 8;
 
-    // As many numbers as lanes are at the pointers, which need no alignment.
+    // Each pointer is that of a slice of exactly `LANES` numbers, and needs no alignment.
     intrinsics! {
         fn splat(value: f32) -> Self { Self(_mm256_set1_ps(value)) }
         fn load(values: &[f32]) -> Self { Self(_mm256_loadu_ps(values[..Self::LANES].as_ptr())) }

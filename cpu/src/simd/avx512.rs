@@ -1,4 +1,4 @@
-//! 512-bit lanes: AVX-512 F, DQ, BW and VL. Each line of a table is one operation with its intrinsics.
+//! Lanes of 512 bits: AVX-512 F, DQ, BW and VL. Each line of a table is one operation with its intrinsics.
 
 use std::arch::x86_64::*;
 
@@ -17,7 +17,7 @@ pub struct Avx512 {
 }
 
 impl Avx512 {
-    /// The proof.
+    /// Returns the proof. `throughout` tells whether [`Simd::run_promptly`] uses 512 bits too.
     ///
     /// # Safety
     /// [`is_detected`] must be true.
@@ -56,7 +56,7 @@ pub struct F64(__m512d);
 #[derive(Clone, Copy, Debug)]
 pub struct F32(__m512);
 
-/// Results of comparisons, a bit a lane.
+/// The results of a comparison, one bit for each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Mask(__mmask8);
 
@@ -110,7 +110,7 @@ impl MulAdd for F64 {
 impl SimdF64 for F64 {
     const LANES: usize = 8;
 
-    // As many numbers as lanes are at the pointers, which need no alignment.
+    // Each pointer is that of a slice of exactly `LANES` numbers, and needs no alignment.
     intrinsics! {
         fn load(values: &[f64]) -> Self { Self(_mm512_loadu_pd(values[..Self::LANES].as_ptr())) }
         fn store(self, place: &mut [f64]) { _mm512_storeu_pd(place[..Self::LANES].as_mut_ptr(), self.0) }
@@ -129,7 +129,7 @@ impl SimdF64 for F64 {
 impl SimdF32 for F32 {
     const LANES: usize = 16;
 
-    // As many numbers as lanes are at the pointers, which need no alignment.
+    // Each pointer is that of a slice of exactly `LANES` numbers, and needs no alignment.
     intrinsics! {
         fn splat(value: f32) -> Self { Self(_mm512_set1_ps(value)) }
         fn load(values: &[f32]) -> Self { Self(_mm512_loadu_ps(values[..Self::LANES].as_ptr())) }

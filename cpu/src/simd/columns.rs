@@ -1,20 +1,21 @@
-//! Entries of several numbers each, with an array for each number, so that lanes load and store several entries at
-//! once.
+//! A list of entries, each of which has several numbers. It has one array for each number of an entry. So lanes load
+//! and store several entries at once.
 
 use crate::simd::SimdF64;
 
-/// `LENGTH` entries of `N` numbers each.
+/// A list of `LENGTH` entries of `N` numbers each.
 #[derive(Clone, Debug)]
 pub struct Columns<const N: usize, const LENGTH: usize>(
-    /// The array of each number.
+    /// One array for each of the `N` numbers.
     pub [[f64; LENGTH]; N],
 );
 
 impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
-    /// All zero.
+    /// Entries whose numbers are all zero.
     pub const ZERO: Self = Self([[0.0; LENGTH]; N]);
 
-    /// The numbers of every lane; entries beyond the lanes are zero.
+    /// Returns a list whose first entries are the lanes: entry `i` has the numbers of lane `i`. All other entries are
+    /// zero.
     #[inline(always)]
     pub fn of_lanes<V: SimdF64>(numbers: [V; N]) -> Self {
         let mut columns = Self::ZERO;
@@ -22,10 +23,10 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
         columns
     }
 
-    /// The entry at `at`.
+    /// Returns the entry at index `at`.
     #[inline(always)]
     pub fn get(&self, at: usize) -> [f64; N] {
-        // Not a closure: it would be compiled without the instruction set.
+        // This is a loop, because a closure would be compiled without the instruction set.
         let mut numbers = [0.0; N];
         for (number, column) in numbers.iter_mut().zip(&self.0) {
             *number = column[at];
@@ -33,7 +34,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
         numbers
     }
 
-    /// Replaces the entry at `at`.
+    /// Replaces the entry at index `at`.
     #[inline(always)]
     pub fn set(&mut self, at: usize, numbers: [f64; N]) {
         for (column, number) in self.0.iter_mut().zip(numbers) {
@@ -41,7 +42,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
         }
     }
 
-    /// The entries from `at` on, a lane each.
+    /// Returns the entries from index `at` on, one in each lane.
     #[inline(always)]
     pub fn load<V: SimdF64>(&self, at: usize) -> [V; N] {
         let mut numbers = [V::of(0.0); N];
@@ -51,7 +52,7 @@ impl<const N: usize, const LENGTH: usize> Columns<N, LENGTH> {
         numbers
     }
 
-    /// Replaces the entries from `at` on, as many as there are lanes.
+    /// Replaces the entries from index `at` on by the lanes, one entry for each lane.
     #[inline(always)]
     pub fn store<V: SimdF64>(&mut self, at: usize, numbers: [V; N]) {
         for (column, lanes) in self.0.iter_mut().zip(numbers) {

@@ -1,8 +1,10 @@
-//! Runs the precise formulas of one ray with fused multiply-add.
+//! The macro `run_fused`, which runs the compensated and precise formulas of one ray with a fused multiply-add.
 
-/// Runs an expression over references, compiled for [`fused`](crate::simd::instruction_set::InstructionSet::fused).
+/// Runs an expression, whose inputs are references, with the instruction set
+/// [`InstructionSet::fused`](crate::simd::instruction_set::InstructionSet::fused).
 ///
-/// It is a macro, because a closure would be compiled without the instruction set: `mul_add` would call a function.
+/// This is a macro, because a closure would be compiled without the instruction set. In a closure `mul_add` would call
+/// a library function.
 macro_rules! run_fused {
     (|$($name:ident: &$type:ty),+| -> $output:ty { $($body:tt)* }) => {{
         struct Work<'a>($(&'a $type),+);

@@ -1,4 +1,4 @@
-//! The instruction sets: which the machine has, which is the fastest, and how to force another.
+//! The instruction sets: which of them the machine has, which is the fastest, and how to force another one.
 
 use std::sync::LazyLock;
 
@@ -6,28 +6,28 @@ use crate::simd::{Kernel, Simd, portable::Portable};
 #[cfg(target_arch = "x86_64")]
 use crate::simd::{avx2, avx512};
 
-/// The instruction sets that kernels are compiled for, the plainest first.
+/// The instruction sets for which kernels are compiled, from the simplest to the widest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum InstructionSet {
-    /// Arrays, for any machine; on x86-64 the compiler makes 128 bits of them.
+    /// Lanes as arrays, for any machine. On x86-64 the compiler turns them into instructions of 128 bits.
     Portable,
-    /// 256 bits with fused multiply-add.
+    /// Lanes of 256 bits, with fused multiply-add.
     Avx2,
-    /// 512 bits, but 256 for kernels that [`Simd::run_promptly`] runs.
+    /// Lanes of 512 bits, but of 256 bits for kernels that [`Simd::run_promptly`] runs.
     Avx512,
-    /// 512 bits throughout, for machines on which comparisons into mask registers have a low latency.
+    /// Lanes of 512 bits for all kernels, for machines on which comparisons into mask registers have a low latency.
     Avx512Throughout,
 }
 
 impl InstructionSet {
-    /// All of them, whether this machine has them or not.
+    /// All instruction sets, including those that this machine does not have.
     pub const ALL: [Self; 4] = [Self::Portable, Self::Avx2, Self::Avx512, Self::Avx512Throughout];
 
-    /// The environment variable that forces one of them, by [`InstructionSet::name`].
+    /// The environment variable that forces an instruction set. Its value is an [`InstructionSet::name`].
     pub const VARIABLE: &'static str = "RENDER_INSTRUCTION_SET";
 
-    /// Its name in lower case.
+    /// Returns the name of the instruction set, in lower case.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
@@ -37,8 +37,8 @@ impl InstructionSet {
         }
     }
 
-    /// Whether this machine has the instruction set. The features are detected once, because each uncertain ray runs a
-    /// kernel of its own, and detection would take a quarter of the kernel's time.
+    /// Whether this machine has the instruction set. The features are detected only once. Each uncertain ray runs a
+    /// kernel of its own, and a detection would take a quarter of the kernel's time.
     pub fn is_available(self) -> bool {
         static AVAILABLE: LazyLock<[bool; InstructionSet::ALL.len()]> =
             LazyLock::new(|| InstructionSet::ALL.map(InstructionSet::is_detected));
@@ -57,12 +57,12 @@ impl InstructionSet {
         return matches!(self, Self::Portable);
     }
 
-    /// Those that this machine has, the plainest first.
+    /// Returns the instruction sets that this machine has, from the simplest to the widest.
     pub fn available() -> impl DoubleEndedIterator<Item = Self> {
         Self::ALL.into_iter().filter(|set| set.is_available())
     }
 
-    /// The fastest that this machine has.
+    /// Returns the fastest instruction set that this machine has.
     pub fn best() -> Self {
         Self::available()
             .filter(|&set| set != Self::Avx512Throughout || has_fast_masks())
@@ -70,12 +70,14 @@ impl InstructionSet {
             .unwrap_or(Self::Portable)
     }
 
-    /// The plainest with fused multiply-add, or the best if this machine has none.
+    /// Returns [`InstructionSet::Avx2`], the simplest instruction set with a fused multiply-add. If this machine lacks
+    /// it, the result is [`InstructionSet::best`].
     pub fn fused() -> Self {
         if Self::Avx2.is_available() { Self::Avx2 } else { Self::best() }
     }
 
-    /// The instruction set that [`InstructionSet::VARIABLE`] names; the best if it names none that this machine has.
+    /// Returns the instruction set that [`InstructionSet::VARIABLE`] names. If the variable names none that this
+    /// machine has, the result is [`InstructionSet::best`].
     pub fn chosen() -> Self {
         let named = std::env::var_os(Self::VARIABLE);
         Self::ALL
@@ -84,7 +86,8 @@ impl InstructionSet {
             .unwrap_or_else(Self::best)
     }
 
-    /// Runs `kernel` compiled for this instruction set; for the portable one if this machine lacks it.
+    /// Runs `kernel`, compiled for this instruction set. If this machine lacks it, `kernel` is compiled for the
+    /// portable set.
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         let set = if self.is_available() { self } else { Self::Portable };
         match set {
@@ -102,8 +105,9 @@ impl InstructionSet {
     }
 }
 
-/// Whether comparisons into mask registers are as fast as those into vectors. On AMD's processors they are, by
-/// measurement (docs/experiments.md). Detected once: under a hypervisor `cpuid` takes microseconds.
+/// Whether comparisons into mask registers are as fast as comparisons into vectors. This is true for processors of AMD,
+/// by measurement (docs/experiments.md). The processor is detected only once, because `cpuid` takes microseconds under
+/// a hypervisor.
 fn has_fast_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {

@@ -1,5 +1,4 @@
-//! Lanes as arrays: for machines without another instruction set. Tests compare the other lanes with these, which need
-//! no unsafe code.
+//! Lanes as arrays, for machines that have no other instruction set of this program. They need no unsafe code.
 
 use std::array;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -7,7 +6,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::functions};
 
-/// The portable implementation.
+/// The portable instruction set.
 #[derive(Clone, Copy, Debug)]
 pub struct Portable;
 
@@ -21,7 +20,7 @@ impl Simd for Portable {
     }
 }
 
-/// Four lanes: numbers, or the results of comparisons.
+/// Four lanes, which hold numbers or results of comparisons.
 #[derive(Clone, Copy, Debug)]
 pub struct Array<T>([T; 4]);
 

@@ -1,6 +1,6 @@
-//! Macros that turn tables of operations into functions of a lane type, one line for each operation.
+//! Macros that turn a table of operations into the functions of a lane type. The table has one line for each operation.
 
-/// The functions of a trait, each always inlined: for the body of an `impl`.
+/// Defines functions in the body of an `impl`. Each of them is always inlined.
 macro_rules! functions {
     ($(fn $name:ident($($argument:tt)*) $(-> $result:ty)? $body:block)+) => {
         $(#[inline(always)]
@@ -8,21 +8,22 @@ macro_rules! functions {
     };
 }
 
-/// The functions of a trait, each by intrinsics of `std::arch`: for the body of an `impl`.
+/// Defines functions in the body of an `impl`, whose bodies call intrinsics of `std::arch`.
 ///
-/// A body is inside an `unsafe` block, so a body that reads or writes memory says why it may.
+/// Each body is inside an `unsafe` block. So a body that reads or writes memory has a comment that says why this is
+/// sound.
 macro_rules! intrinsics {
     ($(fn $name:ident($($argument:tt)*) $(-> $result:ty)? { $($body:tt)* })+) => {
         $(#[inline(always)]
         fn $name($($argument)*) $(-> $result)? {
-            // SAFETY: a lane exists only inside a kernel, which runs only where `run` has the proof that the machine
-            // has the instruction set.
+            // SAFETY: lanes exist only inside a kernel. A kernel runs only if `run` has the proof that the machine has
+            // the instruction set.
             unsafe { $($body)* }
         })+
     };
 }
 
-/// Arithmetic operators of a one-field lane type, each by intrinsics of `std::arch`.
+/// Implements arithmetic operators for a lane type with one field. Their bodies call intrinsics of `std::arch`.
 macro_rules! operators {
     ($type:ident: $($trait:ident $name:ident($($argument:tt)*) { $($body:tt)* })+) => {
         $(impl std::ops::$trait for $type {
@@ -36,15 +37,16 @@ macro_rules! operators {
     };
 }
 
-/// The features that kernels are compiled for: `is_detected` tests the machine for those that `compiled` enables.
+/// Takes the processor features for which kernels are compiled, and defines two functions. `compiled` runs a kernel
+/// with these features enabled. `is_detected` tells whether the machine has all of them.
 macro_rules! features {
     ($($feature:tt),+) => {
-        /// Whether this machine has all features that kernels are compiled for here.
+        /// Whether this machine has all features that `compiled` enables.
         pub fn is_detected() -> bool {
             true $(&& is_x86_feature_detected!($feature))+
         }
 
-        /// Runs `kernel`, compiled for the features as a function of its own.
+        /// Runs `kernel` in a separate function that is compiled with the features.
         #[inline(never)]
         #[target_feature($(enable = $feature),+)]
         fn compiled<S: $crate::simd::Simd, K: $crate::simd::Kernel>(simd: S, kernel: K) -> K::Output {

@@ -1,4 +1,4 @@
-//! Every operation of every instruction set, lane by lane against the plain one.
+//! Compares every operation of every instruction set, lane by lane, with the operation on a single number.
 
 pub(crate) mod positive_nan;
 
@@ -6,7 +6,7 @@ use crate::math::real::Real;
 use crate::simd::instruction_set::InstructionSet;
 use crate::simd::*;
 
-/// Numbers on which instruction sets could differ.
+/// Numbers for which instruction sets could differ.
 const AWKWARD: [f64; 12] = [
     0.0,
     -0.0,
@@ -22,17 +22,17 @@ const AWKWARD: [f64; 12] = [
     1.0 + f64::EPSILON,
 ];
 
-/// `numbers` from the one at `first` on, over and over.
+/// Returns 16 of `numbers`, from index `first` on. After the last number the first one follows again.
 fn some<T: Copy>(numbers: &[T], first: usize) -> [T; 16] {
     std::array::from_fn(|lane| numbers[(first + lane) % numbers.len()])
 }
 
-/// The bits of a number; `None` for NaN, whose bits are not specified.
+/// Returns the bits of a number, or `None` for NaN, whose bits are not specified.
 fn bits(number: f64) -> Option<u64> {
     (!number.is_nan()).then(|| number.to_bits())
 }
 
-/// Checks the operations of an instruction set on `f64` lanes.
+/// A kernel that checks the operations of an instruction set on `f64` lanes, and returns their number.
 struct Doubles;
 
 impl Kernel for Doubles {
@@ -90,7 +90,7 @@ impl Kernel for Doubles {
     }
 }
 
-/// Checks that every lane holds its number of `expected`.
+/// Checks that lane `i` holds the bits of `expected(i)`, or that both are NaN.
 #[inline(always)]
 fn same<V: SimdF64>(lanes: V, expected: impl Fn(usize) -> f64) {
     let mut actual = [0.0; 16];
@@ -100,7 +100,7 @@ fn same<V: SimdF64>(lanes: V, expected: impl Fn(usize) -> f64) {
     }
 }
 
-/// Checks the operations of an instruction set on `f32` lanes.
+/// A kernel that checks the operations of an instruction set on `f32` lanes, and returns their number.
 struct Singles;
 
 impl Kernel for Singles {

@@ -1,5 +1,5 @@
-//! Builds the tree: from the top down, by the surface area heuristic over bins (Wald, "On fast construction of
-//! SAH-based bounding volume hierarchies", 2007), binary splits gathered into nodes of up to 16 children.
+//! Builds the tree from the top down. The surface area heuristic (SAH) over bins chooses binary splits (Wald, "On fast
+//! construction of SAH-based bounding volume hierarchies", 2007). A node gathers up to 16 children.
 
 use crate::accel::{
     bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push,
@@ -8,20 +8,22 @@ use crate::accel::{
 use crate::input::error::Error;
 use crate::layout::with_room;
 
-/// Bins along the axis of a split.
+/// Number of bins along the axis of a split.
 const BINS: usize = 16;
 
-/// From this depth on, ranges are split in the middle: bounds the depth, and so the traversal's stack.
+/// From this depth on, a range is split into two halves with equal numbers of objects, and not by the surface area
+/// heuristic. This limits the depth of the tree, and so the size of the traversal stack.
 const MOST_SAH_DEPTH: u32 = 16;
 
-/// An object to be placed.
+/// An object that the builder places in the tree, with its box.
 #[derive(Clone, Copy)]
 struct Item {
     bounds: Bounds,
     id: ObjectId,
 }
 
-/// A part of the items that becomes one child.
+/// A part of the list of items, which becomes one child: from index `from` to before index `to`, with the box around
+/// them.
 #[derive(Clone, Copy)]
 struct Range {
     from: usize,
@@ -40,10 +42,11 @@ impl Range {
     }
 }
 
-/// Builds the nodes over at most `most` objects with these bounds. The root is first; without objects there is none.
+/// Builds the tree over at most `most` objects with these boxes. Returns its nodes, the root first. Without objects the
+/// list is empty.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> Result<Vec<Node>, Error> {
     let mut items = with_room(most)?;
     items.extend(objects.map(|(bounds, id)| Item { bounds, id }));
@@ -51,16 +54,16 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     if items.is_empty() {
         return Ok(nodes);
     }
-    // If a level cannot be full, it is one of the first two, which may be tested in one row.
+    // Only the two highest levels, which may be tested as one row, may have nodes that are not full.
     let planned = collapsed_root::planned(items.len());
-    // Nodes to be filled: their index, their items, their depth.
+    // The nodes that are not filled yet: index, range of items and depth.
     let mut pending = Vec::new();
     push(&mut pending, (0, Range::new(&items, 0, items.len()), 0))?;
     push(&mut nodes, Node::EMPTY)?;
     while let Some((node, range, depth)) = pending.pop() {
         let most = match planned {
             Some(planned) if depth == 1 => {
-                // The parts of the root's children add up to the plan.
+                // The numbers of children of all children of the root add up to the planned number.
                 let part = |end: usize| planned * end / items.len();
                 (part(range.to) - part(range.from)).clamp(2, WIDTH)
             }
@@ -89,8 +92,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     Ok(nodes)
 }
 
-/// Splits the range in `children[0]`, always the child that costs most, until all slots are full or every child has at
-/// most [`WIDTH`] objects. Returns the number of children.
+/// Splits the range in `children[0]` into several ranges. It always splits the child with the highest cost, until all
+/// of `children` are used or every child has at most [`WIDTH`] objects. Returns the number of children.
 fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
@@ -107,10 +110,10 @@ fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -
     count
 }
 
-/// Splits a range in two, neither empty.
+/// Splits a range of at least two items into two ranges, neither of which is empty. The items are reordered.
 fn split(items: &mut [Item], range: &Range, depth: u32) -> (Range, Range) {
     let part = &mut items[range.from..range.to];
-    // The box around the middles of the items, times two.
+    // The box around the middles of the items. All its coordinates are doubled.
     let middles = part.iter().fold(Bounds::EMPTY, |all, item| {
         let middle = [0, 1, 2].map(|axis| item.bounds.twice_middle(axis));
         all.union(&Bounds { low: middle, high: middle })
@@ -143,7 +146,7 @@ fn split(items: &mut [Item], range: &Range, depth: u32) -> (Range, Range) {
     (Range::new(items, range.from, middle), Range::new(items, middle, range.to))
 }
 
-/// The last bin of the cheaper side's left part; `None` when all items share a bin.
+/// Returns the last bin of the left part in the split with the lowest cost, or `None` if all items are in the same bin.
 fn cheapest_cut(part: &[Item], bin_of: impl Fn(&Item) -> usize) -> Option<usize> {
     let mut bins = [(Bounds::EMPTY, 0_usize); BINS];
     for item in part {

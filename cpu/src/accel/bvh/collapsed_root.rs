@@ -1,8 +1,8 @@
 //! The collapsed root: the two highest levels of the tree in one row of boxes, for lanes that test 16 boxes at once.
 //!
-//! A traversal is bound by latency: the next node is known after some sixty cycles. With 512 bits up to four nodes
-//! tested together take hardly longer than one, so the row saves the time of a level. With 256 bits it saves none, by
-//! measurement (docs/experiments.md).
+//! A traversal is bound by latency: the next node is known after some sixty cycles. With 512 bits, testing up to four
+//! nodes together takes hardly longer than testing one. So the row saves the time of a level. With 256 bits the row
+//! saves no time, by measurement (docs/experiments.md).
 
 use crate::accel::{
     bounds::Bounds, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push, bvh::slab_ray::SlabRay,
@@ -13,11 +13,11 @@ use crate::layout::with_room;
 use crate::math::vec3::Vec3;
 use crate::simd::SimdF32;
 
-/// Most children of the root's children: a bit each in a word.
+/// Maximum number of boxes in the row. Each has a bit in a word of 64 bits.
 pub const MOST: usize = 64;
 
-/// The number of boxes for which all levels below the row are full. The builder gives the root's children as many
-/// children together. `None` if one node could hold all these boxes.
+/// Returns the number of boxes in the row for which all nodes below the row can be full. The builder gives the children
+/// of the root this number of children in total. The result is `None` if one node could hold all these boxes.
 pub fn planned(objects: usize) -> Option<usize> {
     let mut nodes = objects.div_ceil(WIDTH);
     while nodes > MOST {
@@ -26,24 +26,24 @@ pub fn planned(objects: usize) -> Option<usize> {
     (nodes > WIDTH).then_some(nodes)
 }
 
-/// The row of boxes, sorted along an axis. It holds the children of each child of the root. A child of the root that is
-/// an object, or has an object among its children, is in the row itself.
+/// The row of boxes, sorted along an axis. It holds the children of each child of the root. But if a child of the root
+/// is an object, or has an object among its children, that child itself is in the row.
 #[derive(Debug)]
 pub struct CollapsedRoot {
-    /// 16 boxes each. Empty if there would be at most 16 boxes, or more than [`MOST`].
+    /// The boxes, 16 in each node. The list is empty if the row would have at most 16 boxes, or more than [`MOST`].
     rows: Vec<Node>,
-    /// The index of the node that the first box leads to. The nodes of the other boxes follow it in their order. If
-    /// there is no row, the root's index.
+    /// The index of the node to which the first box leads. The nodes of the other boxes follow in the order of the
+    /// boxes. If there is no row, this is the index of the root.
     first_node: usize,
-    /// The axis along which the row is sorted.
+    /// The axis along which the row is sorted: 0 for x, 1 for y, 2 for z.
     axis: usize,
 }
 
 impl CollapsedRoot {
-    /// The row of a tree.
+    /// Returns the row of a tree. It reorders the nodes, so that the nodes of the row's boxes follow one another.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`].
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(nodes: &mut Vec<Node>) -> Result<Self, Error> {
         let mut boxes = with_room(WIDTH * WIDTH)?;
         for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
@@ -77,8 +77,8 @@ impl CollapsedRoot {
         Ok(row)
     }
 
-    /// The boxes that a ray hits within `farthest`, as bits. If there is no row, the bit of the root, whose box is not
-    /// tested.
+    /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`. If there is no
+    /// row, bit 0 stands for the root and is 1 without a test.
     #[inline(always)]
     pub fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
@@ -90,7 +90,7 @@ impl CollapsedRoot {
         bits
     }
 
-    /// Whether a ray along `direction` passes the last box of the row first.
+    /// Whether a ray along `direction` passes the boxes from the last of the row to the first.
     #[inline(always)]
     pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
         let along = match self.axis {
@@ -101,8 +101,8 @@ impl CollapsedRoot {
         along < 0.0
     }
 
-    /// Removes the first of the boxes in `bits`, or the last, and returns the index of the node that it leads to.
-    /// `bits` is not 0.
+    /// Removes one box from `bits` and returns the index of the node to which it leads. This is the last box if
+    /// `backwards` is set, and else the first. `bits` must not be 0.
     #[inline(always)]
     pub fn take_nearest(&self, bits: &mut u64, backwards: bool) -> usize {
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
@@ -111,16 +111,17 @@ impl CollapsedRoot {
         self.first_node + place as usize
     }
 
-    /// Its boxes.
+    /// Returns the boxes of the row, and what they lead to.
     #[cfg(test)]
     fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
         self.rows.iter().flat_map(Node::children)
     }
 }
 
-/// Moves the nodes at these indices, none of them the root, to the places behind the root, in this order.
+/// Moves the nodes with the indices in `places` to the places behind the root, in this order. The root is not among
+/// them.
 fn bring_forward(nodes: &mut [Node], places: &[u32]) -> Result<(), Error> {
-    // The old index of the node at a place, and the new place of a node by its old index.
+    // `at` has the old index of the node at each place. `place_of` has the new place of the node with each old index.
     let [mut at, mut place_of] = [with_room(nodes.len())?, with_room(nodes.len())?];
     for list in [&mut at, &mut place_of] {
         list.extend(0..nodes.len() as u32);
@@ -145,7 +146,7 @@ mod tests {
     use crate::accel::bvh::build::build;
     use crate::sampling::uniform::Uniform;
 
-    /// The objects below a node.
+    /// Returns the objects below a node.
     fn objects(nodes: &[Node], node: &Node) -> Vec<u32> {
         let of_child = |child: Child| match child.as_object() {
             Some(id) => vec![id],
@@ -174,7 +175,7 @@ mod tests {
             let in_row = |child: Child| objects(&nodes, &nodes[child.index() as usize]);
             let mut actual: Vec<_> = row.children().flat_map(|(_, child)| in_row(child)).collect();
             actual.sort_unstable();
-            // Where there is no plan, there may be too many for a row.
+            // If no number is planned, there may be too many boxes for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
             let places = row.children().map(|(_, child)| child.index() as usize);
             assert!(places.eq(row.first_node..row.first_node + children));

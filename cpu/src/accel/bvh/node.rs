@@ -1,72 +1,72 @@
-//! A node of the tree: the boxes of 16 children, and what each leads to.
+//! A node of the tree: the boxes of up to 16 children, each of which is an object or another node.
 
 use crate::accel::{bounds::Bounds, object::ObjectId};
 use crate::input::error::Error;
 use crate::simd::SimdF32;
 
-/// Children of a node; every instruction set's lanes divide it.
+/// Maximum number of children of a node. It is a multiple of every instruction set's number of lanes.
 pub const WIDTH: usize = 16;
 
-/// Appends to a list.
+/// Appends `item` to a list.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`].
+/// [`Error::OutOfMemory`] if memory is short.
 pub fn push<T>(list: &mut Vec<T>, item: T) -> Result<(), Error> {
     list.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the hierarchy over the objects" })?;
     list.push(item);
     Ok(())
 }
 
-/// What a lane of a node leads to: an object or a node.
+/// A child of a node: an object, or another node of the tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Child(u32);
 
 impl Child {
-    /// The bit that is set if it leads to an object.
+    /// The bit that is set if the child is an object.
     pub const OBJECT: u32 = 1 << 31;
 
-    /// The object at `id`.
+    /// Returns the child that is the object with the number `id`.
     pub const fn object(id: ObjectId) -> Self {
         Self(id | Self::OBJECT)
     }
 
-    /// The node at `index`.
+    /// Returns the child that is the node at `index`.
     pub const fn node(index: u32) -> Self {
         Self(index)
     }
 
-    /// The object, if it leads to one.
+    /// Returns the number of the object, or `None` if the child is a node.
     pub const fn as_object(self) -> Option<ObjectId> {
         if self.0 & Self::OBJECT == 0 { None } else { Some(self.index()) }
     }
 
-    /// The number of the object or of the node.
+    /// Returns the number of the object, or the index of the node.
     pub const fn index(self) -> u32 {
         self.0 & !Self::OBJECT
     }
 }
 
-/// The boxes of up to 16 children, and what they lead to.
+/// A node of the tree: up to 16 children with their boxes, one in each lane.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Node {
-    /// The lowest corners of the boxes and the highest, by axis.
+    /// The smallest coordinates of the boxes for each axis, then the largest coordinates.
     pub corners: [[[f32; WIDTH]; 3]; 2],
-    /// What the lanes lead to, as numbers.
+    /// The children, each as the number of a [`Child`].
     children: [u32; WIDTH],
-    /// The lanes that lead to objects, as bits.
+    /// A bit for each lane, which is 1 if the child is an object.
     pub objects: u32,
 }
 
 impl Node {
-    /// No children: boxes that no ray hits.
+    /// A node without children. No ray hits its boxes.
     pub const EMPTY: Self = Self {
         corners: [[[f32::INFINITY; WIDTH]; 3], [[f32::NEG_INFINITY; WIDTH]; 3]],
         children: [0; WIDTH],
         objects: 0,
     };
 
-    /// Sets the child of a lane.
+    /// Sets the child in a lane, and its box.
     pub fn set(&mut self, lane: usize, bounds: &Bounds, child: Child) {
         for axis in 0..3 {
             self.corners[0][axis][lane] = bounds.low[axis];
@@ -76,27 +76,28 @@ impl Node {
         self.objects |= u32::from(child.as_object().is_some()) << lane;
     }
 
-    /// Replaces the indices of nodes: `now` gives the new index for an old one. Lanes without a child count as leading
-    /// to the root.
+    /// Replaces the indices of all children that are nodes. `now` returns the new index for an old one. Lanes without a
+    /// child hold index 0, which is replaced too.
     pub fn relink(&mut self, now: impl Fn(u32) -> u32) {
         for child in self.children.iter_mut().filter(|child| Child(**child).as_object().is_none()) {
             *child = now(*child);
         }
     }
 
-    /// What a lane leads to.
+    /// Returns the child in a lane.
     #[inline(always)]
     pub const fn child(&self, lane: usize) -> Child {
         Child(self.children[lane])
     }
 
-    /// The lanes from `at` on, as many as `F` has, that lead to the object at `id`, as bits.
+    /// Returns a bit for each of the lanes from `at` on, as many as `F` has. The bit is 1 if the child is the object
+    /// with the number `id`.
     #[inline(always)]
     pub fn lanes_of<F: SimdF32>(&self, id: ObjectId, at: usize) -> u32 {
         F::places_of(Child::object(id).0, &self.children[at..])
     }
 
-    /// The children whose boxes overlap this one, as bits.
+    /// Returns a bit for each lane, which is 1 if the child's box overlaps the box `bounds`.
     pub fn overlaps(&self, bounds: &Bounds) -> u32 {
         let ([low, high], mut bits) = (&self.corners, 0);
         for lane in 0..WIDTH {
@@ -109,7 +110,7 @@ impl Node {
         bits
     }
 
-    /// The children with their boxes.
+    /// Returns the children with their boxes. Lanes without a child are left out.
     pub fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
         let [low, high] = &self.corners;
         (0..WIDTH).filter(|&lane| low[0][lane] <= high[0][lane]).map(|lane| {

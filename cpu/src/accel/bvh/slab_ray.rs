@@ -1,70 +1,75 @@
-//! Which boxes of the tree a ray hits: a ray prepared for slab tests.
+//! A ray prepared for slab tests, which find the boxes that the ray hits.
 //!
-//! A node's boxes are tested at once, in single precision: along each axis a plane at `p` is at the distance
-//! `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. Let `u = 2^-24`. By the rounding of
-//! origin, direction and reciprocal, of `o r`, and of what is multiplied and summed, fused or not, that distance is off
-//! by at most `5 u |p r|` and `7 u |o r|`. It is moved by `16 u (|p| + |o|) |r|`, more than twice as much, towards the
-//! side on which the box is hit, with the farthest plane of the scene along that axis for `p`. So the computed distance
-//! of a plane where the ray enters is not too large, and that of a plane where it leaves is not too small. A ray that
-//! hits a box, not farther than the closest hit so far, has entered all three slabs before it leaves the first of them,
-//! also as computed.
+//! The boxes of a node are tested at once, in single precision. Along each axis, a plane at the coordinate `p` has the
+//! distance `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. The distance is a lambda. Let
+//! `u = 2^-24`. Rounding of inputs, products and sums changes that distance by at most `5 u |p r| + 7 u |o r|`. The
+//! code moves it by at least `16 u (|p| + |o|) |r|`, towards the side on which the box is hit. For this move, `p` is
+//! the farthest plane of the scene along the axis. So the computed distance of a plane where the ray enters is not too
+//! large. The computed distance of a plane where it leaves is not too small.
 //!
-//! The direction must be [in scale](is_in_scale): then reciprocals are between 10^-31 and 10^28, and no product with a
-//! coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their other operand,
-//! which keeps the box.
+//! A ray that hits a box enters all three slabs before it leaves one of them. This is then also true for the computed
+//! distances. So no box is lost that the ray hits before the closest hit so far.
+//!
+//! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
+//! product with a coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their
+//! other operand, which keeps the box.
 
 use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
 use crate::geometry::ray::Ray;
 use crate::simd::SimdF32;
 
-/// How much planes and origins are moved by, relative to them.
+/// The distance by which a plane is moved, relative to the coordinates of plane and origin: `16 u`.
 const STEP: f32 = 8.0 * f32::EPSILON;
 
-/// Largest magnitude of a reciprocal: no coordinate of a moderate scene overflows with it.
+/// The largest magnitude of a reciprocal. Its product with a coordinate of a
+/// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
 const LARGEST_RECIPROCAL: f32 = 1e28;
 
-/// The least that a plane is moved: with the largest reciprocal it is farther than any plane across another axis, for a
-/// direction that is not [too short](is_too_short).
+/// The smallest distance by which a plane is moved, in scene units. A component of the direction may be so small that
+/// its reciprocal is limited to [`LARGEST_RECIPROCAL`]. Then the lambda of this move exceeds the lambda of every plane
+/// across another axis. This holds for a direction that is not [too short](is_too_short).
 const LEAST_STEP: f32 = 1e-10;
 
-/// Squared length of the longest direction that boxes are tested for, 10^30. It stays well below 3.4 10^38: the
-/// reciprocal of a longer component is zero in single precision, and zero times the infinite planes of an empty lane is
-/// NaN.
+/// The square of the length of the longest direction for which boxes are tested. This length, 10^30, is well below 3.4
+/// 10^38. In single precision the reciprocal of a longer component is zero. The product of zero and an infinite plane
+/// of an empty lane is NaN.
 const LONGEST: f64 = 1e60;
 
-/// Whether boxes can be tested for a direction of this length squared; false for NaN.
+/// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
+/// result is false for NaN.
 #[inline(always)]
 pub fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST
 }
 
-/// The part of the planes' moves that grows with the planes, by axis.
+/// The part of the planes' moves that does not depend on the ray, for each axis, in scene units.
 #[derive(Clone, Copy, Debug)]
 pub struct Steps([f32; 3]);
 
 impl Steps {
-    /// The moves for the planes of all boxes within these bounds.
+    /// Returns the moves for the planes of all boxes inside `bounds`.
     pub fn new(bounds: &Bounds) -> Self {
         let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
         Self([0, 1, 2].map(|axis| farthest(axis) * STEP + LEAST_STEP))
     }
 }
 
-/// A ray prepared for slab tests.
+/// A ray prepared for slab tests, with the same numbers in all lanes.
 pub struct SlabRay<F> {
-    /// The reciprocal of its direction.
+    /// The reciprocal of each component of the direction.
     reciprocal: [F; 3],
-    /// Minus the origin times the reciprocal, moved.
+    /// `-o r`, moved down for the planes through which the ray enters, and moved up for those through which it leaves.
     near_origin: [F; 3],
     far_origin: [F; 3],
-    /// Where in a node the planes are through which the ray enters along each axis, and those through which it leaves.
+    /// The indices in a node's corners at which, for each axis, the planes begin through which the ray enters, and
+    /// those through which it leaves.
     near: [usize; 3],
     far: [usize; 3],
 }
 
 impl<F: SimdF32> SlabRay<F> {
-    /// The ray, for boxes whose planes are moved by these steps. There is no branch on the direction's signs, because
-    /// it would be mispredicted half of the time.
+    /// Prepares a ray for boxes whose planes are moved by these steps. There is no branch on the signs of the
+    /// direction, because it would be mispredicted half of the time.
     #[inline(always)]
     pub fn new(ray: &Ray, Steps(steps): &Steps) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
@@ -85,7 +90,7 @@ impl<F: SimdF32> SlabRay<F> {
             slab_ray.reciprocal[axis] = F::splat(reciprocal);
             slab_ray.near_origin[axis] = F::splat(distance - step);
             slab_ray.far_origin[axis] = F::splat(distance + step);
-            // By the sign of the direction, which is known before the reciprocal.
+            // This uses the sign of the direction, which is known earlier than the reciprocal.
             let backwards = (direction[axis].to_bits() as i64 >> 63) as usize & (3 * WIDTH);
             slab_ray.near[axis] = axis * WIDTH + backwards;
             slab_ray.far[axis] = (axis + 3) * WIDTH - backwards;
@@ -93,7 +98,9 @@ impl<F: SimdF32> SlabRay<F> {
         slab_ray
     }
 
-    /// The distances to the boxes of a node from `at` on, and the boxes that the ray hits within `farthest`, as bits.
+    /// Tests the boxes of a node from lane `at` on, as many as `F` has lanes. Returns the lambda at which the ray
+    /// enters each box, or 0 if it starts inside. Also returns a bit for each box, which is 1 if the ray hits the box
+    /// at a lambda of at most `farthest`.
     #[inline(always)]
     pub fn intersect(&self, node: &Node, at: usize, farthest: F) -> (F, u32) {
         let planes = node.corners.as_flattened().as_flattened();
@@ -117,7 +124,7 @@ mod tests {
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd};
 
-    /// Tests every lane of a node, within a distance.
+    /// A kernel that tests every box of a node, up to a largest lambda.
     struct Intersect<'a>(&'a Ray, &'a Node, Bounds, f32);
 
     impl Kernel for Intersect<'_> {
@@ -142,7 +149,7 @@ mod tests {
         let mut beside = 0;
         for _ in 0..4000 {
             let scale = 10.0_f64.powf(draws.draw(-4.0, 8.0));
-            // Near zero, along an axis, or far away.
+            // A number is zero, so that a ray may be along an axis, or it is near zero, or it is large.
             let mut number = |reach: f64| match draws.draw(0.0, 4.0) as u32 {
                 0 => 0.0,
                 1 => draws.draw(-reach, reach) * 1e-9,
@@ -166,7 +173,7 @@ mod tests {
                 continue;
             }
             let farthest = (lambda as f32).next_up();
-            // Beside it by more than the box is long.
+            // The second ray passes beside the box, at a distance larger than the box.
             let aside = Vec3::new(offset.y - offset.z, offset.z - offset.x, offset.x - offset.y);
             let off = Ray { origin: ray.origin + aside / aside.length() * (0.6 * scale), ..ray };
             for set in sets() {

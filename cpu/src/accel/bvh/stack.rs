@@ -1,18 +1,20 @@
 //! The traversal stack: the nodes that wait to be visited.
 
-/// Most entries during a traversal: 15 for each level, and the builder bounds the levels.
+/// Largest number of entries during a traversal. A visit removes one entry and adds at most 16, so a level adds 15. The
+/// builder limits the number of levels.
 pub const CAPACITY: usize = 512;
 
-/// Indices and distances of nodes. The traversal keeps the number of entries. The stack is kept between rays, because
-/// clearing it would cost more than a visit.
+/// A stack of nodes: the index of each node, and the lambda at which the ray enters its box. The traversal stores the
+/// number of entries, `depth`. The stack is reused for all rays, because to clear it would cost more than a visit.
 #[derive(Clone, Debug)]
 pub struct Stack([(u32, f32); CAPACITY]);
 
 impl Stack {
-    /// No entries.
+    /// A stack without entries.
     pub const EMPTY: Self = Self([(0, 0.0); CAPACITY]);
 
-    /// Pushes a node below those entries from `first` on that are nearer, so that the nearest is popped first.
+    /// Adds a node among the entries from index `first` on, which stay sorted by distance, so that the nearest is
+    /// popped first. Increments `depth`.
     #[inline(always)]
     pub fn push_sorted(&mut self, depth: &mut usize, first: usize, entry: (u32, f32)) {
         let mut place = (*depth).min(CAPACITY - 1);
@@ -24,7 +26,7 @@ impl Stack {
         *depth += 1;
     }
 
-    /// Removes and returns the entry on top of a stack that is not empty.
+    /// Removes and returns the last entry, and decrements `depth`, which must not be 0.
     #[inline(always)]
     pub fn pop(&self, depth: &mut usize) -> (u32, f32) {
         *depth -= 1;

@@ -1,4 +1,4 @@
-//! Certain and uncertain results, and rays that are out of scale.
+//! Tests certain and uncertain results, and directions that are not in scale.
 
 use crate::exact::sphere::*;
 
@@ -44,7 +44,7 @@ fn the_limit_itself_counts_and_the_number_below_does_not() {
     assert_eq!(filtered(&wall(nearer), &along), Decision::Uncertain);
     assert_eq!(intersect(&wall(nearer), &along), Some(2.001), "the far root");
     assert_eq!(intersect(&wall(farther), &along), Some(farther - 1.0));
-    // From the other side of the origin the near root is the limit itself.
+    // This ray starts exactly 1e-3 before the sphere, so the smaller root is the limit itself.
     let limit = ray([-1e-3, 0.0, 0.0], [1.0, 0.0, 0.0]);
     assert_eq!(intersect(&wall(1.0), &limit), Some(1e-3));
     assert_eq!(intersect(&wall(1.0), &ray([-1e-3_f64.next_down(), 0.0, 0.0], [1.0, 0.0, 0.0])), Some(2.001));

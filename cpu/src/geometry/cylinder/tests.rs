@@ -1,4 +1,4 @@
-//! Hits with sides and caps, and their normals, at places where they are known.
+//! Tests hits with sides and caps, and their normals, at places where they are known.
 
 use crate::geometry::cylinder::*;
 
@@ -53,7 +53,7 @@ fn beyond_the_rim_nothing_is_met() {
 
 #[test]
 fn a_ray_from_above_the_top_meets_the_base() {
-    // Enters the infinite cylinder above the top: the smaller root is out of bounds, the cap comes first.
+    // The ray enters the infinite cylinder above the top cap. So the smaller root does not count, and the cap is hit.
     let hit = upright().intersect(&ray([0.0, 4.0, -3.0], [0.0, -1.0, 1.0]));
     assert_eq!(hit, Some((2.0, CylinderPart::Top)), "on the rim side and cap are equally near, and the later wins");
     let hit = upright().intersect(&ray([0.0, 4.5, -3.0], [0.0, -1.0, 1.0]));
@@ -62,7 +62,7 @@ fn a_ray_from_above_the_top_meets_the_base() {
 
 #[test]
 fn a_ray_along_the_axis_meets_only_bases() {
-    // The quadratic is 0/0 for the side; the cap still counts.
+    // The roots for the side are 0 / 0, but the cap still counts.
     let hit = upright().intersect(&ray([0.0, 5.0, 0.0], [0.0, -2.0, 0.0]));
     assert_eq!(hit, Some((1.5, CylinderPart::Top)));
     let hit = upright().intersect(&ray([0.0, 1.0, 0.0], [0.0, 2.0, 0.0]));

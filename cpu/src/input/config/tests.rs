@@ -1,4 +1,4 @@
-//! Values as they are read, defaults, and every way in which they can be wrong.
+//! Tests values that are read, default values, and every fault of a value.
 
 use crate::input::config::*;
 

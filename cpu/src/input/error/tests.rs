@@ -1,4 +1,4 @@
-//! The words of the messages.
+//! Tests the words of the messages.
 
 use crate::input::error::*;
 

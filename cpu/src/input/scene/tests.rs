@@ -1,4 +1,4 @@
-//! Lines as they are read, and every way in which they can be wrong.
+//! Tests lines that are read, and every fault of a line.
 
 use crate::input::scene::*;
 

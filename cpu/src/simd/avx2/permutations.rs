@@ -1,10 +1,12 @@
-//! The permutations that compress lanes, for which AVX2 has no instruction.
+//! Permutations that move the selected lanes to the front ("compress"). AVX2 has no instruction for this.
 
-/// A number for each half of four lanes: AVX2 permutes only 32-bit lanes by a variable.
+/// A permutation of the eight 32-bit halves of four lanes: the index of the half that moves to each place. AVX2 has no
+/// instruction that permutes 64-bit lanes by a variable.
 #[repr(align(32))]
 pub struct Halves(pub [u32; 8]);
 
-/// By the bits that select lanes: the halves of the selected lanes, in order.
+/// The permutation for each selection of lanes. The index has a bit for each lane, which is 1 if the lane is selected.
+/// The halves of the selected lanes come first, in order.
 pub static COMPRESSING: [Halves; 16] = {
     let mut table = [const { Halves([0; 8]) }; 16];
     let mut bits = 0;

@@ -1,13 +1,13 @@
-//! Portable lanes that emulate a machine whose default NaN is positive, as on aarch64; on x86 it is negative.
+//! Portable lanes that emulate a machine whose default NaN has a positive sign, as on aarch64. On x86 it is negative.
 //!
-//! Used only by tests, which show that no filter depends on the sign of a NaN.
+//! Only tests use them, to show that no conservative test depends on the sign of a NaN.
 
 use std::ops::{Add, Mul, Sub};
 
 use crate::simd::portable::{Array, Portable};
 use crate::simd::{Kernel, Simd, SimdF32};
 
-/// The portable set with positive NaNs in the lanes for filters.
+/// The portable instruction set, whose `f32` lanes hold only positive NaNs.
 #[derive(Clone, Copy, Debug)]
 pub struct PositiveNan;
 
@@ -20,7 +20,7 @@ impl Simd for PositiveNan {
     }
 }
 
-/// Four numbers, none of them a negative NaN.
+/// Four lanes, none of which holds a negative NaN.
 #[derive(Clone, Copy, Debug)]
 pub struct F32(Array<f32>);
 

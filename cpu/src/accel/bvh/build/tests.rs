@@ -1,9 +1,9 @@
-//! Trees of any number of boxes, also of equal boxes.
+//! Tests trees of any number of boxes, also of equal boxes.
 
 use crate::accel::bvh::build::*;
 use crate::sampling::uniform::Uniform;
 
-/// Checks that every object is in the tree once, inside all boxes above it; returns the depth.
+/// Checks that every object is in the tree once, inside all boxes above it. Returns the depth of the tree.
 fn check(nodes: &[Node], bounds: &[Bounds]) -> u32 {
     let mut seen = vec![false; bounds.len()];
     let mut deepest = 0;
