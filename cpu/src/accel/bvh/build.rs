@@ -2,10 +2,10 @@
 //! SAH-based bounding volume hierarchies", 2007), binary splits gathered into nodes of up to 16 children.
 
 use crate::accel::{
-    bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push,
+    bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH,
     object::ObjectId,
 };
-use crate::input::error::Error;
+use crate::input::error::{Error, push};
 use crate::layout::with_room;
 
 /// Bins along the axis of a split.
@@ -55,8 +55,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     let planned = collapsed_root::planned(items.len());
     // Nodes to be filled: their index, their items, their depth.
     let mut pending = Vec::new();
-    push(&mut pending, (0, Range::new(&items, 0, items.len()), 0))?;
-    push(&mut nodes, Node::EMPTY)?;
+    push(&mut pending, (0, Range::new(&items, 0, items.len()), 0), HIERARCHY)?;
+    push(&mut nodes, Node::EMPTY, HIERARCHY)?;
     while let Some((node, range, depth)) = pending.pop() {
         let most = match planned {
             Some(planned) if depth == 1 => {
@@ -79,8 +79,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
             let target = if child.count() == 1 {
                 Child::object(items[child.from].id)
             } else {
-                push(&mut pending, (nodes.len(), *child, depth + 1))?;
-                push(&mut nodes, Node::EMPTY)?;
+                push(&mut pending, (nodes.len(), *child, depth + 1), HIERARCHY)?;
+                push(&mut nodes, Node::EMPTY, HIERARCHY)?;
                 Child::node((nodes.len() - 1) as u32)
             };
             nodes[node].set(lane, &child.bounds, target);

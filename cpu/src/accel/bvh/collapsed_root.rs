@@ -5,10 +5,10 @@
 //! measurement (docs/experiments.md).
 
 use crate::accel::{
-    bounds::Bounds, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push, bvh::slab_ray::SlabRay,
+    bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
 };
 use crate::counters::{Counter, add};
-use crate::input::error::Error;
+use crate::input::error::{Error, push};
 use crate::layout::with_room;
 use crate::math::vec3::Vec3;
 use crate::simd::SimdF32;
@@ -68,7 +68,7 @@ impl CollapsedRoot {
                 let mut single = Node::EMPTY;
                 single.set(0, &bounds, child);
                 child = Child::node(nodes.len() as u32);
-                push(nodes, single)?;
+                push(nodes, single, HIERARCHY)?;
             }
             below.push(child.index());
             row.rows[place / WIDTH].set(place % WIDTH, &bounds, Child::node((row.first_node + place) as u32));
@@ -93,12 +93,7 @@ impl CollapsedRoot {
     /// Whether a ray along `direction` passes the last box of the row first.
     #[inline(always)]
     pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
-        let along = match self.axis {
-            0 => direction.x,
-            1 => direction.y,
-            _ => direction.z,
-        };
-        along < 0.0
+        direction.to_array()[self.axis] < 0.0
     }
 
     /// Removes the first of the boxes in `bits`, or the last, and returns the index of the node that it leads to.
@@ -109,12 +104,6 @@ impl CollapsedRoot {
         let place = if backwards { last } else { first };
         *bits ^= 1 << place;
         self.first_node + place as usize
-    }
-
-    /// Its boxes.
-    #[cfg(test)]
-    fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
-        self.rows.iter().flat_map(Node::children)
     }
 }
 
@@ -145,6 +134,11 @@ mod tests {
     use crate::accel::bvh::build::build;
     use crate::sampling::uniform::Uniform;
 
+    /// The boxes of the row.
+    fn boxes_of(row: &CollapsedRoot) -> impl Iterator<Item = (Bounds, Child)> {
+        row.rows.iter().flat_map(Node::children)
+    }
+
     /// The objects below a node.
     fn objects(nodes: &[Node], node: &Node) -> Vec<u32> {
         let of_child = |child: Child| match child.as_object() {
@@ -164,7 +158,7 @@ mod tests {
             });
             let mut nodes = build(count, bounds).expect("it fits");
             let row = CollapsedRoot::new(&mut nodes).expect("it fits");
-            let children = row.children().count();
+            let children = boxes_of(&row).count();
             if let Some(planned) = planned(count) {
                 assert!(
                     (planned / 2..=planned.max(2 * WIDTH)).contains(&children),
@@ -172,11 +166,11 @@ mod tests {
                 );
             }
             let in_row = |child: Child| objects(&nodes, &nodes[child.index() as usize]);
-            let mut actual: Vec<_> = row.children().flat_map(|(_, child)| in_row(child)).collect();
+            let mut actual: Vec<_> = boxes_of(&row).flat_map(|(_, child)| in_row(child)).collect();
             actual.sort_unstable();
             // Where there is no plan, there may be too many for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
-            let places = row.children().map(|(_, child)| child.index() as usize);
+            let places = boxes_of(&row).map(|(_, child)| child.index() as usize);
             assert!(places.eq(row.first_node..row.first_node + children));
             assert_eq!(row.first_node, usize::from(children > 0));
             assert!(actual.into_iter().eq(expected), "{count} objects");
@@ -184,7 +178,7 @@ mod tests {
             assert!(row.rows.iter().all(|row| row.objects == 0));
             let bytes = (nodes.len() + row.rows.len()) * size_of::<Node>();
             assert!(count <= 256 || bytes < 100 * count, "{bytes} bytes for {count} objects");
-            let middles = row.children().map(|(bounds, _)| bounds.twice_middle(row.axis));
+            let middles = boxes_of(&row).map(|(bounds, _)| bounds.twice_middle(row.axis));
             assert!(middles.is_sorted());
         }
     }
