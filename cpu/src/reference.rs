@@ -13,14 +13,12 @@
 pub mod intersect;
 mod nearest;
 
-pub use crate::reference::intersect::{Exact, Intersect, Plain, Precision};
-
-use std::marker::PhantomData;
+pub use crate::reference::intersect::{Exact, Intersect, Plain};
 
 use crate::geometry::{camera::Camera, ray::Ray};
 use crate::image::{Image, Rgb, quantize::quantize};
 use crate::input::scene::{Scene, Shape};
-use crate::input::{config::Config, error::Error, material::Material};
+use crate::input::{config::Config, error::Error, error::push, material::Material};
 use crate::math::vec3::Vec3;
 use crate::reference::nearest::Hit;
 use crate::sampling::scatter_vectors::{Scatter, ScatterVectors};
@@ -87,14 +85,7 @@ pub fn render_counted<P: Intersect>(
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
     let mut jitter = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
-    let mut path = Path::<P> {
-        config,
-        scene,
-        vectors,
-        reflectances: Vec::new(),
-        counts: Counts::default(),
-        intersect: PhantomData,
-    };
+    let mut path = Path { config, scene, vectors, counts: Counts::default() };
     for row in 0..size.height() {
         for column in 0..size.width() {
             let mut sum = Vec3::ZERO;
@@ -105,7 +96,7 @@ pub fn render_counted<P: Intersect>(
                     y = jitter.draw(-0.5, 0.5);
                 }
                 let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
-                sum = sum + path.color(camera.position, target - camera.position, config.max_depth)?;
+                sum = sum + path.color::<P>(camera.position, target - camera.position, config.max_depth)?;
             }
             pixel(row * size.width() + column, sum / samples as f64);
         }
@@ -114,28 +105,26 @@ pub fn render_counted<P: Intersect>(
 }
 
 /// The state that all rays of a picture share.
-struct Path<'a, P> {
+struct Path<'a> {
     config: &'a Config,
     scene: &'a Scene,
     vectors: ScatterVectors,
-    /// Reflectances of the surfaces on the present path, first hit first. Empty between paths.
-    reflectances: Vec<Vec3>,
-    intersect: PhantomData<P>,
     counts: Counts,
 }
 
-impl<P: Intersect> Path<'_, P> {
+impl Path<'_> {
     /// The colour that arrives along a ray: the recursion (specification, section 8.1), unrolled so that no depth
     /// overflows the stack.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`]: a ray between mirrors hits as many surfaces as `max_depth` says.
-    fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
-        let mut reflectances = std::mem::take(&mut self.reflectances);
+    fn color<P: Intersect>(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
+        // Of the surfaces on the path, first hit first.
+        let mut reflectances = Vec::new();
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {
             self.counts.rays += 1;
-            let Some((hit, material)) = self.nearest(&Ray { origin, direction }) else {
+            let Some((hit, material)) = self.nearest::<P>(&Ray { origin, direction }) else {
                 color = self.background(direction);
                 break;
             };
@@ -143,27 +132,25 @@ impl<P: Intersect> Path<'_, P> {
             let front = direction.dot(hit.outward) < 0.0;
             let normal = if front { hit.outward } else { -hit.outward };
             let (reflectance, scattered) = self.scatter(material, direction, normal, front);
-            reflectances.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the surfaces that a ray meets" })?;
-            reflectances.push(reflectance);
+            push(&mut reflectances, reflectance, "the surfaces that a ray meets")?;
             (origin, direction) = (hit.point, scattered);
         }
         // From the last hit back to the first, as the recursion returns.
-        for reflectance in reflectances.drain(..).rev() {
+        for reflectance in reflectances.into_iter().rev() {
             color = color.attenuate(reflectance);
         }
-        self.reflectances = reflectances;
         Ok(color)
     }
 
     /// The nearest hit over all objects, in the order of the file, and the material of the object.
-    fn nearest(&self, ray: &Ray) -> Option<(Hit, Material)> {
+    fn nearest<P: Intersect>(&self, ray: &Ray) -> Option<(Hit, Material)> {
         let (mut nearest, mut material) = (None, 0);
         for object in &self.scene.objects {
-            let hit = match (P::PRECISION, &object.shape) {
-                (Precision::Plain, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
-                (Precision::Plain, Shape::Cylinder(cylinder)) => nearest::cylinder(cylinder, ray),
-                (Precision::Exact, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
-                (Precision::Exact, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
+            let hit = match (P::IS_LITERAL, &object.shape) {
+                (true, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
+                (true, Shape::Cylinder(cylinder)) => nearest::cylinder(cylinder, ray),
+                (false, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
+                (false, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
             };
             if nearest::update(&mut nearest, hit) {
                 material = object.material;

@@ -4,21 +4,11 @@ use crate::exact;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
 
-/// How the reference intersects: the choice as a value. [`Intersect`] is the same choice as a type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// The plain formulas, with their rounding errors.
-    Plain,
-    /// The plain formulas with their error bounds, and more precise ones where these do not decide, as in the real
-    /// renderer.
-    Exact,
-}
-
 /// Intersections of a ray with one object. Tests have implementations that count intersections or leave
 /// out a step.
 pub trait Intersect {
-    /// Whether the reference takes its own literal formulas or those of this type.
-    const PRECISION: Precision;
+    /// Whether the reference takes its own literal formulas instead of those of this type.
+    const IS_LITERAL: bool = false;
 
     /// Where the ray hits the sphere; the contract of [`SphereRecord::intersect`].
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
@@ -28,16 +18,16 @@ pub trait Intersect {
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 }
 
-/// [`Precision::Plain`] as a type.
+/// The plain formulas, with their rounding errors.
 #[derive(Clone, Copy, Debug)]
 pub enum Plain {}
 
-/// [`Precision::Exact`] as a type.
+/// The plain formulas with their error bounds, and more precise ones where these do not decide, as in the real renderer.
 #[derive(Clone, Copy, Debug)]
 pub enum Exact {}
 
 impl Intersect for Plain {
-    const PRECISION: Precision = Precision::Plain;
+    const IS_LITERAL: bool = true;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         record.intersect(ray)
@@ -49,8 +39,6 @@ impl Intersect for Plain {
 }
 
 impl Intersect for Exact {
-    const PRECISION: Precision = Precision::Exact;
-
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         exact::sphere::intersect(record, ray)
     }
