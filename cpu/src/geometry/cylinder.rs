@@ -6,8 +6,8 @@
 //! bits as `b`. A root counts if its point, measured along the axis, is at most half the height from the centre. The
 //! caps are discs in the planes at both ends ([`cap`]).
 
-use crate::geometry::{cap, ray::Ray, ray::broadcast, ray::in_range, tie::later_is_closer};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::geometry::{cap, ray::Ray, ray::in_range, tie::later_is_closer};
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// A cylinder with what its rays need computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,21 +1,6 @@
 //! Rays, and the point where a ray hits a surface.
 
-use crate::math::{real::Real, vec3::Vec3};
-
-/// Gives a structure of vectors and numbers the method `lanes`.
-macro_rules! broadcast {
-    ($type:ident: $($vector:ident),*; $($number:ident),*) => {
-        impl $type {
-            /// The same values in every lane.
-            #[inline(always)]
-            #[must_use]
-            pub fn lanes<V: Real>(&self) -> $type<V> {
-                $type { $($vector: self.$vector.map(V::of),)* $($number: V::of(self.$number),)* }
-            }
-        }
-    };
-}
-pub(super) use broadcast;
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// Hits nearer than this are ignored, in lengths of the ray's direction (specification, section 8.2).
 pub const LAMBDA_MIN: f64 = 1e-3;

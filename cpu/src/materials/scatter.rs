@@ -1,7 +1,7 @@
 //! How a random vector changes a direction (specification, sections 10.1 and 10.2). The reference's copy is in
 //! `reference.rs` (`scatter`), and the copy in WGSL is `scatter.wgsl`.
 
-use crate::math::{real::Real, vec3::Vec3};
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// How a surface scatters light around a direction, or one surface in each lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub struct ScatterParams<T = f64> {
     /// See [`scatter_around`]: above 0 for a matte surface only.
     pub negligible: T,
 }
+
+broadcast!(ScatterParams:; scale, shift, negligible);
 
 impl<T: Real> ScatterParams<T> {
     /// The random vector that this scatter sample gives.
@@ -28,12 +30,6 @@ impl ScatterParams {
     pub fn scatter_around(&self, unperturbed: Vec3, scatter_sample: Vec3) -> Vec3 {
         scatter_around(unperturbed, self.vector(scatter_sample), self.negligible)
     }
-
-    /// The same parameters in every lane.
-    #[inline(always)]
-    pub fn lanes<V: Real>(&self) -> ScatterParams<V> {
-        ScatterParams { scale: V::of(self.scale), shift: V::of(self.shift), negligible: V::of(self.negligible) }
-    }
 }
 
 /// The sum of a direction and a random vector; the direction alone where every component of the sum is smaller than
@@ -47,7 +43,7 @@ pub fn scatter_around<T: Real<Mask = bool>>(unperturbed: Vec3<T>, vector: Vec3<T
     direction
 }
 
-/// The last two comparisons of [`Vec3::is_within`], which rays seldom need. They are out of line, behind a branch. LLVM
+/// The last two comparisons of [`Vec3::is_negligible`], which rays seldom need. They are out of line, behind a branch. LLVM
 /// otherwise turns all three into a selection, and the next steps of the ray depend on its result.
 #[cold]
 #[inline(never)]

@@ -11,6 +11,7 @@ use crate::math::real::Real;
 
 /// A point, a direction (both in scene units) or a linear colour (red, green, blue).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[must_use]
 #[repr(C)]
 pub struct Vec3<T = f64> {
     /// First component; red in a colour.
@@ -37,14 +38,12 @@ impl Vec3 {
 impl<T: Copy> Vec3<T> {
     /// The vector with these components.
     #[inline(always)]
-    #[must_use]
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
     /// The vector with three equal components.
     #[inline(always)]
-    #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new(value, value, value)
     }
@@ -58,7 +57,6 @@ impl<T: Copy> Vec3<T> {
 
     /// The vector with `convert` applied to every component.
     #[inline(always)]
-    #[must_use]
     pub fn map<U: Copy>(self, convert: impl Fn(T) -> U) -> Vec3<U> {
         Vec3::new(convert(self.x), convert(self.y), convert(self.z))
     }
@@ -67,7 +65,6 @@ impl<T: Copy> Vec3<T> {
 impl<T: Real> Vec3<T> {
     /// `yes` where `mask` holds, `no` elsewhere.
     #[inline(always)]
-    #[must_use]
     pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self::new(T::select(mask, yes.x, no.x), T::select(mask, yes.y, no.y), T::select(mask, yes.z, no.z))
     }
@@ -81,7 +78,6 @@ impl<T: Real> Vec3<T> {
 
     /// Vector product.
     #[inline(always)]
-    #[must_use]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
             self.y * other.z - self.z * other.y,
@@ -99,7 +95,6 @@ impl<T: Real> Vec3<T> {
 
     /// The vector of length one in the same direction; not a number in every component for a null vector.
     #[inline(always)]
-    #[must_use]
     pub fn unit(self) -> Self {
         self / self.length()
     }
@@ -123,14 +118,12 @@ impl<T: Real> Vec3<T> {
 
     /// Product component by component: a colour attenuated by a reflectance.
     #[inline(always)]
-    #[must_use]
     pub fn attenuate(self, reflectance: Self) -> Self {
         Self::new(self.x * reflectance.x, self.y * reflectance.y, self.z * reflectance.z)
     }
 
     /// The part of the vector perpendicular to `axis`, a unit vector: `v - (v . axis) axis`.
     #[inline(always)]
-    #[must_use]
     pub fn perpendicular_to(self, axis: Self) -> Self {
         self - axis * self.dot(axis)
     }
@@ -141,13 +134,7 @@ impl<T: Real<Mask = bool>> Vec3<T> {
     #[inline(always)]
     #[must_use]
     pub fn is_negligible(self) -> bool {
-        self.is_within(T::of(NEGLIGIBLE))
-    }
-
-    /// Whether every component is smaller than `limit` in magnitude.
-    #[inline(always)]
-    #[must_use]
-    pub fn is_within(self, limit: T) -> bool {
+        let limit = T::of(NEGLIGIBLE);
         self.x.abs().less(limit) && self.y.abs().less(limit) && self.z.abs().less(limit)
     }
 }
@@ -190,6 +177,21 @@ impl<T: Real> Neg for Vec3<T> {
         Self::new(-self.x, -self.y, -self.z)
     }
 }
+
+/// Gives a structure of vectors and numbers the method `lanes`.
+macro_rules! broadcast {
+    ($type:ident: $($vector:ident),*; $($number:ident),*) => {
+        impl $type {
+            /// The same values in every lane.
+            #[inline(always)]
+            #[must_use]
+            pub fn lanes<V: $crate::math::real::Real>(&self) -> $type<V> {
+                $type { $($vector: self.$vector.map(V::of),)* $($number: V::of(self.$number),)* }
+            }
+        }
+    };
+}
+pub(crate) use broadcast;
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! The colour of a ray that hits nothing: a gradient along y (specification, section 8.4).
 
 use crate::input::config::Config;
-use crate::math::{real::Real, vec3::Vec3};
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// The two ends of the gradient, linear colours with channels in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,16 +13,12 @@ pub struct Background<T = f64> {
     pub light: Vec3<T>,
 }
 
+broadcast!(Background: dark, light;);
+
 impl Background {
     /// The background of the configuration.
     pub const fn new(config: &Config) -> Self {
         Self { dark: config.background_dark_color, light: config.background_light_color }
-    }
-
-    /// The same background in every lane.
-    #[inline(always)]
-    pub fn lanes<V: Real>(&self) -> Background<V> {
-        Background { dark: self.dark.map(V::of), light: self.light.map(V::of) }
     }
 }
 
