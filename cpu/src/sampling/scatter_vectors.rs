@@ -16,10 +16,17 @@ pub enum Scatter {
     Deterministic,
 }
 
-/// Whether a vector drawn in the cube is kept: it lies in the unit ball, and not too close to its centre.
+/// A vector of length one by rejection: scales the first vector of the cube that lies in the unit ball, and not too
+/// close to its centre. `draw` gives the vectors of the cube.
 #[inline(always)]
-pub(crate) fn is_in_ball(length_squared: f64) -> bool {
-    length_squared > 1e-160 && length_squared <= 1.0
+pub(crate) fn unit_vector(mut draw: impl FnMut() -> Vec3) -> Vec3 {
+    loop {
+        let vector = draw();
+        let length_squared = vector.dot(vector);
+        if length_squared > 1e-160 && length_squared <= 1.0 {
+            return vector / length_squared.sqrt();
+        }
+    }
 }
 
 /// The stream of random vectors that all materials share.
@@ -38,21 +45,11 @@ impl ScatterVectors {
     /// The next vector. `extent` is half the side of its cube, or its length: 1 for matte, the diffusion for metal.
     #[inline]
     pub fn next(&mut self, extent: f64) -> Vec3 {
+        let mut in_cube = |half: f64| Vec3::from([(); 3].map(|()| self.draws.draw(-half, half)));
         match self.convention {
-            Scatter::Statement => Vec3::from([(); 3].map(|()| self.draws.draw(-extent, extent))),
-            Scatter::Published => self.unit_vector() * extent,
+            Scatter::Statement => in_cube(extent),
+            Scatter::Published => unit_vector(|| in_cube(1.0)) * extent,
             Scatter::Deterministic => Vec3::ZERO,
-        }
-    }
-
-    /// A vector of length one: draws in the cube until [`is_in_ball`] keeps the vector, then scales it.
-    fn unit_vector(&mut self) -> Vec3 {
-        loop {
-            let vector = Vec3::from([(); 3].map(|()| self.draws.draw(-1.0, 1.0)));
-            let length_squared = vector.dot(vector);
-            if is_in_ball(length_squared) {
-                return vector / length_squared.sqrt();
-            }
         }
     }
 }
