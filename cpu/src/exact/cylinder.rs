@@ -15,6 +15,9 @@ use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
+/// Lambda, and the part that is hit; `None` if the ray hits nothing.
+type Hit<T> = Option<(T, CylinderPart)>;
+
 /// Where the ray hits the cylinder, as [`CylinderRecord::intersect`], but with decisions that rounding does not change.
 /// `axis` is that of the scene file, as long as the cylinder is high, and `record` was made from it.
 ///
@@ -44,10 +47,7 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 /// side, and the other cap counts only if nothing else is hit. For rays that start inside, or go inward from the
 /// surface, an exit through the side mostly decides alone.
 #[inline(always)]
-pub fn filtered<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-) -> Decision<Option<(T, CylinderPart)>> {
+pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
     let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
     if !in_scale(side.length_squared) {
         return Decision::Uncertain;
@@ -93,10 +93,7 @@ pub fn filtered<T: Rounding<Mask = bool>>(
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    let decision = run_fused!(|record: &CylinderRecord,
-                               axis: &Vec3,
-                               ray: &Ray|
-     -> Decision<Option<(DoubleDouble, CylinderPart)>> {
+    let decision = run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<DoubleDouble>> {
         let of = DoubleDouble::of;
         filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
     });
