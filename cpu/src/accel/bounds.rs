@@ -47,11 +47,6 @@ impl Bounds {
         self
     }
 
-    /// Whether the boxes have a point in common.
-    pub fn overlaps(&self, other: &Self) -> bool {
-        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
-    }
-
     /// The distance of the box from a point; 0 if the point is inside.
     pub fn distance(&self, point: Vec3) -> f64 {
         let point = point.to_array();
@@ -140,19 +135,6 @@ mod tests {
         assert_eq!(right.twice_middle(0), 5.0);
         let long = |axis: usize| Bounds { low: [0.0; 3], high: [0, 1, 2].map(|at| if at == axis { 3.0 } else { 1.0 }) };
         assert_eq!([0, 1, 2].map(|axis| long(axis).longest_axis()), [0, 1, 2]);
-    }
-
-    #[test]
-    fn boxes_overlap_where_they_share_a_point() {
-        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
-        for axis in 0..3 {
-            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
-                let mut right = left;
-                (right.low[axis], right.high[axis]) = (from, from + 1.0);
-                assert_eq!((left.overlaps(&right), right.overlaps(&left)), (overlaps, overlaps), "{axis}: {from}");
-                assert!(left.overlaps(&right.enlarged(0.2)));
-            }
-        }
     }
 
     #[test]

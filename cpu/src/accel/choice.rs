@@ -11,7 +11,8 @@
 
 use crate::accel::{
     bvh::Bvh, bvh::stack::Stack, closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator,
-    flat_filter, flat_filter::FlatFilter, object::ObjectId, object::count, object_lanes, small_scene::SmallScene,
+    flat_filter, flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
+    small_scene::SmallScene,
 };
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
@@ -55,8 +56,8 @@ impl Accel {
     pub fn without_isolation(&mut self) {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}
-            Self::FlatFilter(filter) => filter.without_isolation(),
-            Self::Bvh(bvh) => bvh.without_isolation(),
+            Self::FlatFilter(filter) => filter.overlapping = None,
+            Self::Bvh(bvh) => bvh.isolated = Isolated::default(),
         }
     }
 
@@ -72,7 +73,7 @@ impl Accel {
         // Not a closure: it would be compiled without the instruction set.
         macro_rules! closest_hit {
             ($accel:expr) => {
-                $accel.closest_hit_from::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
+                $accel.closest_hit::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
             };
         }
         add(Counter::PathRays, 1);

@@ -21,7 +21,7 @@ const MOST_OVERLAPPING: usize = 4;
 
 /// The dominant sphere, if there is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DominantSphere(Option<ObjectId>);
+pub struct DominantSphere(pub Option<ObjectId>);
 
 impl DominantSphere {
     /// Finds the dominant sphere among `objects`.
@@ -33,11 +33,6 @@ impl DominantSphere {
             let others = (0..count(objects) as ObjectId).filter(|&id| id != largest);
             radius(largest) >= RATIO * others.map(radius).fold(0.0, f64::max)
         }))
-    }
-
-    /// Its number among the objects.
-    pub const fn id(self) -> Option<ObjectId> {
-        self.0
     }
 
     /// Whether it is the object `id`.
@@ -121,7 +116,7 @@ mod tests {
 
     fn dominant_of(objects: &str) -> Option<ObjectId> {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{objects}").as_bytes()).expect("the scene is valid");
-        DominantSphere::of(&AosObjects::build(&scene).expect("it fits")).id()
+        DominantSphere::of(&AosObjects::build(&scene).expect("it fits")).0
     }
 
     #[test]

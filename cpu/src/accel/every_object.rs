@@ -12,13 +12,15 @@ pub struct EveryObject;
 
 impl Accelerator for EveryObject {
     #[inline(always)]
-    fn closest_hit_from<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
         intersect_every_object(objects, *ray)
     }
 }
 
 /// The closest hit among all objects. It takes the ray by value, because a reference would keep the rays of other
-/// structures, which seldom call this, in memory.
+/// structures, which seldom call this, in memory. They call it for a direction that is too short or too long for their
+/// filter, and where an entry was predicted wrong.
+#[cold]
 #[inline(never)]
 pub fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
     add(Counter::UnfilteredTests, count(objects) as u64);

@@ -18,14 +18,8 @@ pub struct Origin {
 
 /// An acceleration structure.
 pub trait Accelerator {
-    /// The closest hit of a ray. The caller counts the ray.
-    fn closest_hit_from<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        origin: Origin,
-        stack: &mut Stack,
-    ) -> ClosestHit;
+    /// The closest hit of a ray that starts at `from`. The caller counts the ray.
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, stack: &mut Stack) -> ClosestHit;
 
     /// Where a ray from the surface of `object` starts.
     #[inline(always)]

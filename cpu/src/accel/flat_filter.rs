@@ -26,7 +26,7 @@ pub struct FlatFilter {
     middle: Vec3,
     dominant: DominantSphere,
     /// See [`DominantSphere::overlapping`].
-    overlapping: Option<Vec<ObjectId>>,
+    pub(super) overlapping: Option<Vec<ObjectId>>,
     spheres: Vec<BoundingSpheres>,
     cylinders: Vec<(BoundingSpheres, InfiniteCylinders)>,
     /// The lanes that objects fill, as bits.
@@ -71,11 +71,6 @@ impl FlatFilter {
         Ok(filter)
     }
 
-    /// See [`Accel::without_isolation`](crate::accel::choice::Accel::without_isolation).
-    pub fn without_isolation(&mut self) {
-        self.overlapping = None;
-    }
-
     /// The spheres but for the dominant one, and the cylinders, that a ray may hit: a bit for each.
     #[inline(always)]
     fn may_hit<S: Simd>(&self, ray: &Ray) -> (u64, u64) {
@@ -98,14 +93,6 @@ impl FlatFilter {
     }
 }
 
-/// The closest hit among all objects: for a ray whose direction is too short for the filter, or whose entry was
-/// predicted wrong. Both are rare.
-#[cold]
-#[inline(never)]
-fn without_filter<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
-    intersect_every_object(objects, ray)
-}
-
 /// As many blocks as `count` objects take.
 fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
     let mut blocks = with_room(count.div_ceil(BLOCK))?;
@@ -126,29 +113,23 @@ fn middle(objects: &impl Objects, dominant: DominantSphere) -> Vec3 {
 
 impl Accelerator for FlatFilter {
     #[inline(always)]
-    fn closest_hit_from<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        origin: Origin,
-        _: &mut Stack,
-    ) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, _: &mut Stack) -> ClosestHit {
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {
-            return without_filter(objects, *ray);
+            return intersect_every_object(objects, *ray);
         }
-        let starts_on_dominant = self.dominant.is(origin.object) && self.overlapping.is_some();
+        let starts_on_dominant = self.dominant.is(from.object) && self.overlapping.is_some();
         if starts_on_dominant && let Some(overlapping) = &self.overlapping {
             // The processor mispredicts whether a ray enters. So this branch depends on the expected entry, which is
             // known early. The later branch on the actual entry is predicted well.
-            if origin.enters {
+            if from.enters {
                 if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
                     closest.intersect_sphere(objects, index, ray);
                 }
                 if !closest.is_hit() {
                     add(Counter::MispredictedEntries, 1);
-                    return without_filter(objects, *ray);
+                    return intersect_every_object(objects, *ray);
                 }
                 for &id in overlapping {
                     closest.intersect(objects, id, ray);
@@ -157,7 +138,7 @@ impl Accelerator for FlatFilter {
             }
             if self.dominant.may_be_hit(objects, &conservative).is_some() {
                 add(Counter::MispredictedEntries, 1);
-                return without_filter(objects, *ray);
+                return intersect_every_object(objects, *ray);
             }
         }
         let (mut spheres, mut cylinders) = self.may_hit::<S>(ray);

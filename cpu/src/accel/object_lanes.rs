@@ -6,40 +6,27 @@ use crate::accel::{
 };
 use crate::geometry::ray::Ray;
 use crate::layout::Objects;
-use crate::math::vec3::Vec3;
-use crate::simd::{LaneMask, SimdF64};
+use crate::simd::{LaneMask, SimdF64, columns::Columns};
 
 /// Most objects; every instruction set's lanes divide it.
 pub const CAPACITY: usize = 8;
 
-/// A number for each object.
-type Row = [f64; CAPACITY];
-
-/// The objects by their [ids](ObjectId), a place each; places that are left over repeat the first object.
+/// The objects by their [ids](ObjectId), a place each; places that are left over repeat them.
 #[derive(Clone, Debug)]
 pub struct ObjectLanes {
     sphere_count: usize,
     count: usize,
-    targets: Target<Row>,
+    targets: Columns<{ Target::NUMBERS }, CAPACITY>,
 }
 
 impl ObjectLanes {
     /// The first [`CAPACITY`] objects of a scene with this largest coordinate.
     pub fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
         let (sphere_count, count) = (objects.sphere_count().min(CAPACITY), count(objects).min(CAPACITY));
-        let row = |number: &dyn Fn(&Target) -> f64| -> Row {
-            std::array::from_fn(|place| match count {
-                0 => 0.0,
-                _ => number(&Target::of(objects, if place < count { place as ObjectId } else { 0 }, max_coordinate)),
-            })
-        };
-        let targets = Target {
-            center: Vec3::new(row(&|it| it.center.x), row(&|it| it.center.y), row(&|it| it.center.z)),
-            axis: Vec3::new(row(&|it| it.axis.x), row(&|it| it.axis.y), row(&|it| it.axis.z)),
-            radius_squared: row(&|it| it.radius_squared),
-            bounding_radius_squared: row(&|it| it.bounding_radius_squared),
-            half_height: row(&|it| it.half_height),
-        };
+        let mut targets = Columns::ZERO;
+        for (place, id) in (0..count as ObjectId).cycle().take(CAPACITY).enumerate() {
+            targets.set(place, Target::of(objects, id, max_coordinate).numbers());
+        }
         Self { sphere_count, count, targets }
     }
 
@@ -55,10 +42,10 @@ impl ObjectLanes {
         // First the groups of lanes that hold only spheres, then the others.
         let spheres = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
         for at in (0..spheres).step_by(V::LANES) {
-            may_hit |= conservative.sphere(&self.targets.load::<V, false>(at)).bits() << at;
+            may_hit |= conservative.sphere(&Target::of_numbers(self.targets.load(at))).bits() << at;
         }
         for at in (spheres..self.count).step_by(V::LANES) {
-            may_hit |= conservative.cylinder(&self.targets.load::<V, false>(at)).bits() << at;
+            may_hit |= conservative.cylinder(&Target::of_numbers(self.targets.load(at))).bits() << at;
         }
         may_hit & all
     }
@@ -67,10 +54,11 @@ impl ObjectLanes {
     /// [too short](is_too_short).
     #[inline(always)]
     pub fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
+        // Only the numbers that a kind of object needs are broadcast.
         if at < self.sphere_count {
-            conservative.sphere(&self.targets.load::<V, true>(at))
+            conservative.sphere(&Target::of_numbers(self.targets.get(at)).lanes())
         } else {
-            conservative.cylinder(&self.targets.load::<V, true>(at))
+            conservative.cylinder(&Target::of_numbers(self.targets.get(at)).lanes())
         }
     }
 
@@ -91,8 +79,8 @@ impl ObjectLanes {
 pub struct MayHitLanes {
     /// Eight bits for each object, one for each ray.
     bits: u64,
-    /// The rays that may hit any object.
-    any: u32,
+    /// The rays that may hit any object, as bits.
+    pub any: u32,
 }
 
 impl MayHitLanes {
@@ -106,12 +94,6 @@ impl MayHitLanes {
         self.any |= rays;
     }
 
-    /// The rays that may hit any object, as bits.
-    #[inline(always)]
-    pub const fn any(&self) -> u32 {
-        self.any
-    }
-
     /// The objects that the ray in `lane` may hit: a bit for each, by [id](ObjectId).
     #[inline(always)]
     pub const fn of_lane(&self, lane: usize) -> u32 {
@@ -120,31 +102,6 @@ impl MayHitLanes {
         const GATHER: u64 = 0x0102_0408_1020_4080;
         ((self.bits >> lane & FIRST_BIT_OF_EACH).wrapping_mul(GATHER) >> 56) as u32
     }
-}
-
-// No closures here: they would be compiled without the instruction set.
-impl Target<Row> {
-    /// The objects from `at` on, one in each lane; or, if `SAME`, the object at `at` in every lane.
-    #[inline(always)]
-    fn load<V: SimdF64, const SAME: bool>(&self, at: usize) -> Target<V> {
-        Target {
-            center: vector::<V, SAME>(&self.center, at),
-            axis: vector::<V, SAME>(&self.axis, at),
-            radius_squared: number::<V, SAME>(&self.radius_squared, at),
-            bounding_radius_squared: number::<V, SAME>(&self.bounding_radius_squared, at),
-            half_height: number::<V, SAME>(&self.half_height, at),
-        }
-    }
-}
-
-#[inline(always)]
-fn number<V: SimdF64, const SAME: bool>(row: &Row, at: usize) -> V {
-    if SAME { V::of(row[at]) } else { V::load(&row[at..]) }
-}
-
-#[inline(always)]
-fn vector<V: SimdF64, const SAME: bool>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
-    Vec3::new(number::<V, SAME>(x, at), number::<V, SAME>(y, at), number::<V, SAME>(z, at))
 }
 
 #[cfg(test)]
@@ -162,7 +119,7 @@ mod tests {
             for lane in 0..8 {
                 let expected = (0..CAPACITY).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();
                 assert_eq!(may_hit.of_lane(lane), expected, "lane {lane} of {rays:?}");
-                assert_eq!(may_hit.any() >> lane & 1 == 1, expected != 0);
+                assert_eq!(may_hit.any >> lane & 1 == 1, expected != 0);
             }
         }
     }

@@ -12,6 +12,9 @@ use crate::simd::{LaneMask, SimdF64};
 /// Relative bound of the rounding error of a discriminant, several times what the filter's error bounds prove.
 const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 
+/// A cylinder and its axis in the scene file.
+type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
+
 /// The closest hits of several rays, one in each lane. Object and part are whole numbers.
 #[derive(Clone, Copy)]
 pub struct HitLanes<V: SimdF64> {
@@ -91,12 +94,7 @@ impl<V: SimdF64> HitLanes<V> {
 
     /// Intersects rays with a sphere that at least one of them may hit. Their origins lie within the scene's extent.
     #[inline(always)]
-    pub fn intersect_candidate_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
-        self.filtered_sphere(id, record, &record.lanes().seen_from(rays.ray.origin), rays);
-    }
-
-    #[inline(always)]
-    fn filtered_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
+    pub fn filtered_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
         let &Rays { ray, a, valid, .. } = rays;
         let lanes = exact::sphere::filtered_from(view, ray.direction, a);
         let mut certain = lanes.certain & in_scale(a);
@@ -118,13 +116,7 @@ impl<V: SimdF64> HitLanes<V> {
 
     /// Intersects camera rays with a cylinder, given its view and the file's axis.
     #[inline(always)]
-    pub fn intersect_cylinder(
-        &mut self,
-        id: ObjectId,
-        cylinder: (&CylinderRecord, &Vec3),
-        view: &CylinderView<V>,
-        rays: &Rays<V>,
-    ) {
+    pub fn intersect_cylinder(&mut self, id: ObjectId, cylinder: Cylinder, view: &CylinderView<V>, rays: &Rays<V>) {
         let (.., discriminant) = cylinder.0.lanes::<V>().quadratic(view, rays.ray.direction);
         if rays.may_hit(discriminant, view.squares) {
             self.filtered_cylinder(id, cylinder, view, rays);
@@ -133,18 +125,8 @@ impl<V: SimdF64> HitLanes<V> {
 
     /// Intersects rays with a cylinder that at least one of them may hit. Their origins lie within the scene's extent.
     #[inline(always)]
-    pub fn intersect_candidate_cylinder(&mut self, id: ObjectId, cylinder: (&CylinderRecord, &Vec3), rays: &Rays<V>) {
-        self.filtered_cylinder(id, cylinder, &cylinder.0.lanes().seen_from(rays.ray.origin), rays);
-    }
-
-    #[inline(always)]
-    fn filtered_cylinder(
-        &mut self,
-        id: ObjectId,
-        (record, axis): (&CylinderRecord, &Vec3),
-        view: &CylinderView<V>,
-        rays: &Rays<V>,
-    ) {
+    pub fn filtered_cylinder(&mut self, id: ObjectId, cylinder: Cylinder, view: &CylinderView<V>, rays: &Rays<V>) {
+        let (record, axis) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray);

@@ -38,13 +38,6 @@ struct Lookahead<V: SimdF64> {
 }
 
 impl<V: SimdF64> Lookahead<V> {
-    /// No paths.
-    #[inline(always)]
-    fn nothing() -> Self {
-        let direction = Vec3::splat(V::of(0.0));
-        Self { at: usize::MAX, position: 0, tested: 0, direction, may_hit: MayHitLanes::NOTHING }
-    }
-
     /// Tests the paths from `at` on, with the next scatter samples, a path in each lane.
     #[inline(always)]
     fn new(small_scene: &SmallScene, PathTracer { queue, scatter_samples, .. }: &PathTracer, at: usize) -> Self {
@@ -60,14 +53,14 @@ impl<V: SimdF64> Lookahead<V> {
             let is_negligible = x.abs().less(limit) & y.abs().less(limit) & z.abs().less(limit);
             direction = Vec3::select(is_negligible, unperturbed, direction);
         }
-        let may_hit = small_scene.objects_may_hit_lanes(&Ray { origin: point, direction }, short);
+        let may_hit = small_scene.object_lanes.objects_may_hit_lanes(&Ray { origin: point, direction }, short);
         Self { at, position: scatter_samples.position(), tested, direction, may_hit }
     }
 
     /// How many paths escape before the first that may hit an object.
     #[inline(always)]
     fn escaping(&self) -> usize {
-        (self.may_hit.any() | u32::MAX << self.tested).trailing_zeros() as usize
+        (self.may_hit.any | u32::MAX << self.tested).trailing_zeros() as usize
     }
 }
 
@@ -83,7 +76,8 @@ impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
 
     #[inline(always)]
     fn call<S: Simd>(mut self, simd: S) {
-        let mut lookahead = Lookahead::<S::F64>::nothing();
+        self.tracer.scatter_samples.prepare(simd);
+        let mut lookahead = Lookahead::<S::F64>::new(self.small_scene, self.tracer, 0);
         let mut at = 0;
         while at < self.tracer.queue.count {
             let tracer = &mut *self.tracer;

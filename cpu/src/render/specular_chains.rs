@@ -85,15 +85,18 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ra
     let rays = Rays::new(ray, valid);
     let conservative = ConservativeRay::new(*ray);
     let too_short = is_too_short(conservative.length_squared).bits() & valid;
-    for &id in small_scene.in_order() {
-        if (small_scene.may_hit(id, &conservative).bits() & valid) | too_short == 0 {
+    for &id in &small_scene.in_order {
+        if (small_scene.object_lanes.may_hit(id as usize, &conservative).bits() & valid) | too_short == 0 {
             continue;
         }
         match ObjectRef::of(objects, id) {
-            ObjectRef::Sphere(index) => hits.intersect_candidate_sphere(id, &objects.sphere(index).record, &rays),
+            ObjectRef::Sphere(index) => {
+                let record = objects.sphere(index).record;
+                hits.filtered_sphere(id, &record, &record.lanes().seen_from(ray.origin), &rays);
+            }
             ObjectRef::Cylinder(index) => {
-                let record = objects.cylinder(index).record;
-                hits.intersect_candidate_cylinder(id, (&record, &objects.axis(index)), &rays);
+                let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
+                hits.filtered_cylinder(id, (&record, &axis), &record.lanes().seen_from(ray.origin), &rays);
             }
         }
     }
