@@ -92,7 +92,8 @@ pub struct Candidates {
     row: Vec<Outline>,
     /// The span's candidates, in the order of the file.
     pub span: Vec<(ObjectId, Candidate)>,
-    are_culled: bool,
+    /// Whether the scene's magnitudes are moderate. Otherwise no object is culled, because no margin or bound is valid.
+    pub are_culled: bool,
 }
 
 impl Candidates {
@@ -104,11 +105,6 @@ impl Candidates {
         let all = object::in_order(&prepared.objects)?;
         let (boxed, row, span) = (with_room(all.len())?, with_room(all.len())?, with_room(all.len())?);
         Ok(Self { all, boxed, row, span, are_culled: !matches!(prepared.accel, Accel::EveryObject) })
-    }
-
-    /// Whether the scene's magnitudes are moderate. Otherwise no object is culled, because no margin or bound is valid.
-    pub const fn are_culled(&self) -> bool {
-        self.are_culled
     }
 
     /// Finds the objects that the rays of `row` may hit.

@@ -1,14 +1,13 @@
 //! What a path does at a hit ([`PathTracer::scatter`]), and the data that all paths share ([`PathTracer`]).
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit};
-use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::error::Error;
 use crate::layout::Layout;
 use crate::materials::prepared::PreparedMaterial;
 use crate::math::vec3::Vec3;
 use crate::render::boxed::Boxed;
-use crate::render::surface::{Surface, material_of};
+use crate::render::surface::Surface;
 use crate::render::{max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex};
 use crate::render::{prepared::Prepared, queue::PathQueue};
 use crate::sampling::scatter_stream::ScatterSamples;
@@ -67,9 +66,9 @@ impl PathTracer {
     ) -> Option<Scattered<'a>> {
         let Self { scatter_samples, queue, ends, .. } = self;
         if rays.is_none() {
-            add(Counter::Hits, 1);
-            let material = material_of(&prepared.objects, hit.object);
-            if prepared.materials[material as usize].takes_scatter_sample() {
+            // Only the material of the surface is used, so LLVM removes the rest.
+            let surface = Surface::new(&prepared.objects, ray, hit);
+            if prepared.materials[surface.material as usize].takes_scatter_sample() {
                 scatter_samples.prepare(simd);
                 scatter_samples.skip(1);
             }

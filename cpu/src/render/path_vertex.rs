@@ -28,6 +28,8 @@ pub struct PathVertex<T = f64> {
 impl PathVertex {
     /// How many numbers a vertex has.
     pub const NUMBERS: usize = 15;
+    /// The indices of the direction, the scatter parameters and the reflectance in [`PathVertex::numbers`].
+    const SELECTED: Range<usize> = 3..12;
     /// The indices of `reflectance` in [`PathVertex::numbers`].
     pub const REFLECTANCE: Range<usize> = 9..12;
     /// The index of `sample`.
@@ -55,19 +57,11 @@ impl<T: Real> PathVertex<T> {
     /// from `other` elsewhere. The point, the object, the sample and the number of rays always come from this vertex.
     #[inline(always)]
     pub fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
-        let (this, that) = (&self.scatter_params, &other.scatter_params);
-        let scatter_params = ScatterParams {
-            scale: T::select(mask, this.scale, that.scale),
-            shift: T::select(mask, this.shift, that.shift),
-            negligible: T::select(mask, this.negligible, that.negligible),
-        };
-        let reflectance = Vec3::select(mask, self.reflectance, other.reflectance);
-        Self {
-            unperturbed: Vec3::select(mask, self.unperturbed, other.unperturbed),
-            scatter_params,
-            reflectance,
-            ..*self
+        let (mut numbers, others) = (self.numbers(), other.numbers());
+        for index in PathVertex::SELECTED {
+            numbers[index] = T::select(mask, numbers[index], others[index]);
         }
+        Self::of(numbers)
     }
 
     /// The numbers, as a [queue](crate::render::queue::PathQueue) keeps them.

@@ -55,6 +55,8 @@ impl<L: Layout> Prepared<L> {
         let objects = L::Objects::build(scene)?;
         let materials = scene.materials_in_use()?;
         let extent = Extent::new(&objects, &camera, &materials);
+        let mut prepared_materials = with_room(scene.materials.len(), "the materials")?;
+        prepared_materials.extend(scene.materials.iter().map(|material| PreparedMaterial::new(material, scatter)));
         let deterministic = scatter == Scatter::Deterministic;
         Ok(Self {
             size,
@@ -62,7 +64,7 @@ impl<L: Layout> Prepared<L> {
             background: Background::new(config),
             accel: Accel::new(&objects, &extent)?,
             objects,
-            materials: prepare_materials(scene, scatter)?,
+            materials: prepared_materials,
             quantizer: Quantizer::new(config.gamma),
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,
@@ -73,12 +75,6 @@ impl<L: Layout> Prepared<L> {
             material_seed: config.material_rng_seed,
         })
     }
-}
-
-fn prepare_materials(scene: &Scene, scatter: Scatter) -> Result<Vec<PreparedMaterial>, Error> {
-    let mut prepared = with_room(scene.materials.len(), "the materials")?;
-    prepared.extend(scene.materials.iter().map(|material| PreparedMaterial::new(material, scatter)));
-    Ok(prepared)
 }
 
 /// Whether a scatter sample can change a pixel. With a depth of one every path that scatters is black. A metal without

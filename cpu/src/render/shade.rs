@@ -35,9 +35,7 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
                 let cylinder = objects.cylinder(index);
                 let record = cylinder.record.lanes::<V>();
                 let side = record.outward(CylinderPart::Side, point);
-                let (top, bottom) =
-                    (record.outward(CylinderPart::Top, point), record.outward(CylinderPart::Bottom, point));
-                let cap = Vec3::select(hits.part.less(V::of(1.5)), top, bottom);
+                let cap = Vec3::select(hits.part.less(V::of(1.5)), record.axis, -record.axis);
                 (Vec3::select(hits.part.less(V::of(0.5)), side, cap), cylinder.material)
             }
         };

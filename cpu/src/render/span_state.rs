@@ -41,10 +41,4 @@ impl<'a, L: Layout> SpanState<'a, L> {
             tracer: PathTracer::new(prepared)?,
         })
     }
-
-    /// Begins a row: finds the objects that its rays may hit.
-    pub fn begin_row(&mut self, row: usize) {
-        self.row = row;
-        self.candidates.begin_row(self.prepared, row);
-    }
 }

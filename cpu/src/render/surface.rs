@@ -1,7 +1,7 @@
 //! The surface that a ray hits: its point, its normal and its material.
 
 use crate::accel::closest_hit::ClosestHit;
-use crate::accel::object::{ObjectId, ObjectRef};
+use crate::accel::object::ObjectRef;
 use crate::counters::{Counter, add};
 use crate::geometry::ray::Ray;
 use crate::input::scene::MaterialId;
@@ -35,14 +35,5 @@ impl Surface {
                 Self { point, outward: cylinder.record.outward(hit.part, point), material: cylinder.material }
             }
         }
-    }
-}
-
-/// The material of an object.
-#[inline(always)]
-pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
-    match ObjectRef::of(objects, object) {
-        ObjectRef::Sphere(index) => objects.sphere(index).material,
-        ObjectRef::Cylinder(index) => objects.cylinder(index).material,
     }
 }
