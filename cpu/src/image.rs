@@ -6,8 +6,7 @@
 pub mod ppm;
 pub mod quantize;
 
-use crate::input::error::{Error, with_room};
-use crate::input::size::Size;
+use crate::{input::error::Error, input::error::with_room, input::size::Size};
 
 /// A pixel's red, green and blue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,14 +15,13 @@ mod nearest;
 
 pub use crate::reference::intersect::{Exact, Intersect, Plain};
 
-use crate::geometry::{camera::Camera, ray::Ray};
-use crate::image::{Image, Rgb, quantize::quantize};
-use crate::input::scene::{Scene, Shape};
-use crate::input::{config::Config, error::Error, error::push, material::Material};
-use crate::math::vec3::Vec3;
 use crate::reference::nearest::Hit;
-use crate::sampling::scatter_vectors::{Scatter, ScatterVectors};
-use crate::sampling::uniform::Uniform;
+use crate::{
+    geometry::camera::Camera, geometry::ray::Ray, image::Image, image::Rgb, image::quantize::quantize,
+    input::config::Config, input::error::Error, input::error::push, input::material::Material, input::scene::Scene,
+    input::scene::Shape, math::vec3::Vec3, sampling::scatter_vectors::Scatter,
+    sampling::scatter_vectors::ScatterVectors, sampling::uniform::Uniform,
+};
 
 /// Renders by the definition, with the plain intersections.
 ///

@@ -37,18 +37,16 @@ pub mod trace_paths;
 
 use std::ops::ControlFlow;
 
-use crate::counters::{Counter, add};
-use crate::image::{Image, Rgb};
-use crate::input::{config::Config, error::Error, scene::Scene};
-use crate::layout::Layout;
-use crate::math::vec3::Vec3;
-use crate::render::stages::{ColorPaths, DrawSamples, FindBytes};
 use crate::render::{
     accumulation::Sums, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::spans_of_row,
+    span_state::SpanState, specular_chains::TraceSpecularChains, stages::ColorPaths, stages::DrawSamples,
+    stages::FindBytes, trace_paths::TracePaths,
 };
-use crate::render::{span_state::SpanState, specular_chains::TraceSpecularChains, trace_paths::TracePaths};
-use crate::sampling::scatter_vectors::Scatter;
-use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
+use crate::{
+    counters::Counter, counters::add, image::Image, image::Rgb, input::config::Config, input::error::Error,
+    input::scene::Scene, layout::Layout, math::vec3::Vec3, sampling::scatter_vectors::Scatter, simd::Kernel,
+    simd::Simd, simd::instruction_set::InstructionSet,
+};
 
 /// Renders `scene` as `config` asks, in the layout `L`, with the instruction set that this machine offers.
 ///

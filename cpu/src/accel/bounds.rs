@@ -1,8 +1,7 @@
 //! Boxes around objects, with room for rounding.
 
 use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
-use crate::layout::Objects;
-use crate::math::vec3::Vec3;
+use crate::{layout::Objects, math::vec3::Vec3};
 
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,11 +13,10 @@ use crate::accel::{
     every_object::intersect_every_object, extent::Extent, find::Accelerator, find::Origin, isolated::Isolated,
     object::NO_OBJECT, object::ObjectId, object::count,
 };
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Objects;
-use crate::simd::{Simd, SimdF32};
+use crate::{
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd,
+    simd::SimdF32,
+};
 
 /// Most objects for which isolation is computed, which takes as long as building the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;

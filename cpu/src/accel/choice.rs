@@ -14,11 +14,7 @@ use crate::accel::{
     flat_filter, flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
     small_scene::SmallScene,
 };
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Objects;
-use crate::simd::Simd;
+use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
 /// The acceleration structure of a scene.
 #[derive(Debug)]

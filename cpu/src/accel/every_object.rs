@@ -1,10 +1,7 @@
 //! The plainest structure: every object is intersected.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, find::Accelerator, find::Origin, object::count};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::Objects;
-use crate::simd::Simd;
+use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Objects, simd::Simd};
 
 /// Intersects every object.
 #[derive(Debug)]

@@ -21,9 +21,7 @@
 //! `2.2 10^38` for the largest scene that is filtered ([`MAX_COORDINATE`]), and single precision holds `3.4 10^38`.
 
 use crate::accel::target::Target;
-use crate::geometry::ray::{LAMBDA_MIN, Ray};
-use crate::math::vec3::Vec3;
-use crate::simd::SimdF32;
+use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};
 
 /// The largest coordinate of a scene that is filtered; see the module's head.
 pub const MAX_COORDINATE: f64 = 2e7;

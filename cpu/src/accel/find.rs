@@ -1,11 +1,7 @@
 //! The trait of acceleration structures; the path tracing loop is written once over it, and compiled for each.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, object::ObjectId};
-use crate::geometry::ray::Ray;
-use crate::layout::Objects;
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
-use crate::simd::Simd;
+use crate::{geometry::ray::Ray, layout::Objects, materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd};
 
 /// Where a ray starts.
 #[derive(Clone, Copy, Debug)]

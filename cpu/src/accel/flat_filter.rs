@@ -9,13 +9,10 @@ use crate::accel::{
     find::Accelerator, find::Origin, object::ObjectId, object::ObjectRef, object::bounding_sphere, object::count,
     target::Target,
 };
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::{Objects, with_room};
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
-use crate::simd::{Simd, SimdF32};
+use crate::{
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, layout::with_room,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
+};
 
 /// Most spheres, and most cylinders, of a filter: their bits fill a word.
 pub const CAPACITY: usize = u64::BITS as usize;

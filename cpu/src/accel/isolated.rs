@@ -8,8 +8,7 @@
 //! other, but moderate scenes have none.
 
 use crate::accel::object::ObjectId;
-use crate::input::error::Error;
-use crate::layout::with_room;
+use crate::{input::error::Error, layout::with_room};
 
 /// Which objects are isolated, a bit each. By default no object is known to be isolated.
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,6 @@
 //! The objects of a scene by number.
 
-use crate::input::error::Error;
-use crate::layout::{Objects, with_room};
-use crate::math::vec3::Vec3;
+use crate::{input::error::Error, layout::Objects, layout::with_room, math::vec3::Vec3};
 
 /// The number of an object: its index among the spheres, or the number of spheres plus its index among the cylinders.
 /// [`ObjectRef`] distinguishes the two.

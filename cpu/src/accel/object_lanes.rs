@@ -4,9 +4,7 @@
 use crate::accel::{
     conservative::ConservativeRay, conservative::is_too_short, object::ObjectId, object::count, target::Target,
 };
-use crate::geometry::ray::Ray;
-use crate::layout::Objects;
-use crate::simd::{LaneMask, SimdF64, columns::Columns};
+use crate::{geometry::ray::Ray, layout::Objects, simd::LaneMask, simd::SimdF64, simd::columns::Columns};
 
 /// Most objects; every instruction set's lanes divide it.
 pub const CAPACITY: usize = 8;

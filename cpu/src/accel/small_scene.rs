@@ -8,10 +8,7 @@ use crate::accel::{
     bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
     extent::Extent, find::Accelerator, find::Origin, object::ObjectId, object::in_order, object_lanes::ObjectLanes,
 };
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Objects;
-use crate::simd::{Simd, SimdF64};
+use crate::{geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd, simd::SimdF64};
 
 /// Fewest objects that are tested in the lanes of one ray: fewer fill too few lanes.
 const FEWEST_IN_LANES: usize = 4;

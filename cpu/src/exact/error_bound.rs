@@ -13,8 +13,7 @@
 //! Every comparison with NaN is false, so a result that overflows is uncertain. Underflow is covered by a tiny constant
 //! beside `M`, and by the demand that the direction is [in scale](in_scale).
 
-use crate::geometry::ray::LAMBDA_MIN;
-use crate::math::{real::Real, rounding::Rounding};
+use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 
 /// The result of a formula, or that rounding may have changed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,8 +5,7 @@
 //! the exact twin, `exact/cap.rs`; they use this form only for numbers that are not finite. The reference has its
 //! literal copy in `cap` of `reference/nearest.rs`, and WGSL in `cylinder_cap` of `cylinder.wgsl`.
 
-use crate::geometry::ray::{Ray, in_range};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{geometry::ray::Ray, geometry::ray::in_range, math::real::Real, math::vec3::Vec3};
 
 /// A plane is not hit if the product of its normal and the ray's direction has a smaller magnitude than this.
 pub const PARALLEL: f64 = 1e-8;

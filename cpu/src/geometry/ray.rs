@@ -20,7 +20,6 @@ broadcast!(Ray: origin, direction;);
 impl<T: Real> Ray<T> {
     /// The point `origin + direction lambda`.
     #[inline(always)]
-    #[must_use]
     pub fn at(&self, lambda: T) -> Vec3<T> {
         self.origin + self.direction * lambda
     }

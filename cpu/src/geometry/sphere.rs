@@ -5,8 +5,7 @@
 //! `(h -+ sqrt(h^2 - a c)) / a` have the bits of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, since scaling by a power of two
 //! is exact short of overflow and underflow.
 
-use crate::geometry::ray::{Ray, in_range};
-use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
+use crate::{geometry::ray::Ray, geometry::ray::in_range, math::real::Real, math::vec3::Vec3, math::vec3::broadcast};
 
 /// A sphere with what its rays need computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -26,7 +26,6 @@ pub enum Material {
 
 impl Material {
     /// The factor of the scattered ray's colour.
-    #[must_use]
     pub const fn reflectance(&self) -> Vec3 {
         match *self {
             Self::Matte { reflectance } | Self::Metal { reflectance, .. } => reflectance,

@@ -14,8 +14,7 @@
 //!
 //! The reference's copy is in `reference.rs` (`scatter`). The copy in WGSL is `scatter_refract` in `scatter.wgsl`.
 
-use crate::materials::reflection::reflect;
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
 /// The ratios of indices of a refractive surface, for rays that enter and for rays that leave.
 #[derive(Clone, Copy, Debug, PartialEq)]

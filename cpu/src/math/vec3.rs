@@ -106,7 +106,6 @@ impl<T: Real> Vec3<T> {
     /// exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. Single precision cannot hold
     /// 2^600: there no vector is scaled, and the square of a short one underflows.
     #[inline(always)]
-    #[must_use]
     pub fn unit_and_length(self) -> (Self, T) {
         const SCALE: f64 = f64::from_bits((1023 + 600) << 52);
         const INVERSE: f64 = f64::from_bits((1023 - 600) << 52);

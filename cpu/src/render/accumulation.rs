@@ -1,7 +1,6 @@
 //! The mean of a pixel's samples, summed in their order.
 
-use crate::math::vec3::Vec3;
-use crate::render::{samples::Batch, span::Span};
+use crate::{math::vec3::Vec3, render::samples::Batch, render::span::Span};
 
 /// The running sum of the pixel that is not complete yet.
 #[derive(Debug)]

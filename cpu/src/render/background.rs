@@ -1,7 +1,6 @@
 //! The colour of a ray that hits nothing: a gradient along y (specification, section 8.4).
 
-use crate::input::config::Config;
-use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
+use crate::{input::config::Config, math::real::Real, math::vec3::Vec3, math::vec3::broadcast};
 
 /// The two ends of the gradient, linear colours with channels in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,8 +8,7 @@
 //! where `j` is the unit vector along y, `e = d - d0`, and the bound uses that the second derivative of `s` is at most
 //! `6 / |d|^2`.
 
-use crate::geometry::camera::Camera;
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{geometry::camera::Camera, math::real::Real, math::vec3::Vec3};
 
 /// Bound of the distance of a pixel's points from the pixel's centre, in the window: the largest `|e|`.
 pub fn pixel_radius(camera: &Camera) -> f64 {

@@ -3,8 +3,7 @@
 //! One call handles all uncertain lanes. It is kept out of line, because LLVM otherwise splits the lanes into single
 //! rays before the loop over the objects. It would do so for every group of rays, but hardly any has an uncertain lane.
 
-use crate::geometry::{cylinder::CylinderPart, ray::Ray};
-use crate::simd::{SimdF64, columns::Columns};
+use crate::{geometry::cylinder::CylinderPart, geometry::ray::Ray, simd::SimdF64, simd::columns::Columns};
 
 /// Largest number of lanes of any instruction set.
 pub const MOST_LANES: usize = 8;

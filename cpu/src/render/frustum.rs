@@ -7,15 +7,13 @@
 //! overflows: no object is culled in a scene with a coordinate, diffusion or window beyond 10^9, an object below 10^-6
 //! or a pixel below 10^-12 ([`Candidates::are_culled`]).
 
-use crate::accel::object::{self, ObjectId, ObjectRef};
-use crate::accel::{bounds::Bounds, choice::Accel};
-use crate::counters::{Counter, add};
-use crate::geometry::cylinder::{CylinderRecord, CylinderView};
-use crate::geometry::sphere::{SphereRecord, SphereView};
-use crate::input::error::Error;
-use crate::layout::{Layout, Objects, with_room};
-use crate::math::vec3::Vec3;
 use crate::render::{prepared::Prepared, span::Span};
+use crate::{
+    accel::bounds::Bounds, accel::choice::Accel, accel::object, accel::object::ObjectId, accel::object::ObjectRef,
+    counters::Counter, counters::add, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
+    geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::Objects,
+    layout::with_room, math::vec3::Vec3,
+};
 
 /// An object that a span's rays may hit, as the camera sees it.
 #[derive(Clone, Copy, Debug)]

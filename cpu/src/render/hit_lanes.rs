@@ -1,13 +1,12 @@
 //! The closest hits of several rays at once.
 
-use crate::accel::object::ObjectId;
-use crate::counters::{Counter, add};
-use crate::exact::{self, error_bound::in_scale};
-use crate::geometry::cylinder::{CylinderPart, CylinderRecord, CylinderView};
-use crate::geometry::{ray::Ray, sphere::SphereRecord, sphere::SphereView, tie::later_is_closer};
-use crate::math::vec3::Vec3;
 use crate::render::fallback::precise;
-use crate::simd::{LaneMask, SimdF64};
+use crate::{
+    accel::object::ObjectId, counters::Counter, counters::add, exact, exact::error_bound::in_scale,
+    geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
+    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView, geometry::tie::later_is_closer,
+    math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+};
 
 /// Relative bound of the rounding error of a discriminant, several times what the filter's error bounds prove.
 const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;

@@ -14,14 +14,12 @@
 //! A path escapes only if the conservative test rejects every object; a NaN and a very short direction are never
 //! rejected.
 
-use crate::accel::small_scene::{SmallScene, closest_hit_among};
-use crate::accel::{conservative::is_too_short, object_lanes::MayHitLanes};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::Layout;
-use crate::math::vec3::Vec3;
 use crate::render::{max_depth::RaysLeft, path::PathTracer, path_vertex::PathVertex, prepared::Prepared};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF64};
+use crate::{
+    accel::conservative::is_too_short, accel::object_lanes::MayHitLanes, accel::small_scene::SmallScene,
+    accel::small_scene::closest_hit_among, counters::Counter, counters::add, geometry::ray::Ray, layout::Layout,
+    math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
+};
 
 /// First rays of consecutive paths of the queue, one in each lane, under the guess that each of them escapes.
 #[derive(Clone, Copy)]

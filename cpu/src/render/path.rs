@@ -1,17 +1,13 @@
 //! What a path does at a hit ([`PathTracer::scatter`]), and the data that all paths share ([`PathTracer`]).
 
-use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Layout;
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
-use crate::render::boxed::Boxed;
-use crate::render::surface::Surface;
-use crate::render::{max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex};
-use crate::render::{prepared::Prepared, queue::PathQueue};
-use crate::sampling::scatter_stream::ScatterSamples;
-use crate::simd::Simd;
+use crate::render::{
+    boxed::Boxed, max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex, prepared::Prepared,
+    queue::PathQueue, surface::Surface,
+};
+use crate::{
+    accel::bvh::stack::Stack, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error, layout::Layout,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, sampling::scatter_stream::ScatterSamples, simd::Simd,
+};
 
 /// The ray that a surface scatters.
 pub struct Scattered<'a> {

@@ -1,14 +1,12 @@
 //! The prepared scene: all values that rendering needs, computed once from the checked texts.
 
-use crate::accel::{choice::Accel, extent::Extent};
-use crate::geometry::camera::Camera;
-use crate::image::quantize::Quantizer;
-use crate::input::error::{Error, with_room};
-use crate::input::{config::Config, material::Material, scene::Scene, size::Size};
-use crate::layout::{Layout, Objects};
-use crate::materials::prepared::PreparedMaterial;
 use crate::render::background::Background;
-use crate::sampling::scatter_vectors::Scatter;
+use crate::{
+    accel::choice::Accel, accel::extent::Extent, geometry::camera::Camera, image::quantize::Quantizer,
+    input::config::Config, input::error::Error, input::error::with_room, input::material::Material,
+    input::scene::Scene, input::size::Size, layout::Layout, layout::Objects, materials::prepared::PreparedMaterial,
+    sampling::scatter_vectors::Scatter,
+};
 
 /// Everything that is the same for all rays, computed once.
 #[derive(Debug)]

@@ -4,9 +4,8 @@
 //! if its hit scatters. Specular chains take samples from the specular queue and push those that reach a surface that
 //! scatters to a third queue, which is merged into the path queue.
 
-use crate::render::arrays::{CAPACITY, ROOM};
-use crate::render::path_vertex::PathVertex;
-use crate::simd::{SimdF64, columns::Columns, valid_lanes};
+use crate::render::{arrays::CAPACITY, arrays::ROOM, path_vertex::PathVertex};
+use crate::{simd::SimdF64, simd::columns::Columns, simd::valid_lanes};
 
 /// Samples whose last hit was refractive: the origin and direction of the next ray, the object that it leaves, and the
 /// sample's number.

@@ -1,13 +1,11 @@
 //! Shading of several rays that have just hit a surface.
 
-use crate::accel::object::{ObjectId, ObjectRef};
-use crate::counters::{Counter, add};
-use crate::geometry::{cylinder::CylinderPart, ray::Ray};
-use crate::layout::{Layout, Objects};
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
 use crate::render::{fallback::MOST_LANES, hit_lanes::HitLanes, path_vertex::PathVertex, prepared::Prepared};
-use crate::simd::{LaneMask, SimdF64};
+use crate::{
+    accel::object::ObjectId, accel::object::ObjectRef, counters::Counter, counters::add,
+    geometry::cylinder::CylinderPart, geometry::ray::Ray, layout::Layout, layout::Objects,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+};
 
 /// Returns the vertices of the lanes with a hit, and the lanes whose surface is refractive, as bits. The vertices of
 /// the other lanes are stale.

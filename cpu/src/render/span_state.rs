@@ -1,11 +1,10 @@
 //! The data that the stages of a span share, and that remain from span to span. `render.rs` runs the stages.
 
-use crate::input::error::Error;
-use crate::layout::Layout;
-use crate::render::boxed::Boxed;
-use crate::render::{background_pixels::BackgroundPixels, frustum::Candidates, path::PathTracer};
-use crate::render::{prepared::Prepared, samples::Batch};
-use crate::sampling::draw_order::PixelJitter;
+use crate::render::{
+    background_pixels::BackgroundPixels, boxed::Boxed, frustum::Candidates, path::PathTracer, prepared::Prepared,
+    samples::Batch,
+};
+use crate::{input::error::Error, layout::Layout, sampling::draw_order::PixelJitter};
 
 /// The prepared scene, and the state of its rendering.
 pub struct SpanState<'a, L: Layout> {

@@ -1,18 +1,16 @@
 //! Specular chains: rays through refractive surfaces, which need no random number, so they are traced ahead of the
 //! paths, up to the first surface that scatters.
 
-use crate::accel::conservative::{ConservativeRay, is_too_short};
-use crate::accel::object::{ObjectId, ObjectRef};
-use crate::accel::{choice::Accel, small_scene::SmallScene};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::{Layout, Objects};
-use crate::math::vec3::Vec3;
-use crate::render::fallback::{MOST_LANES, for_each_lane};
-use crate::render::hit_lanes::{HitLanes, Rays};
-use crate::render::{max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade};
-use crate::render::{span_state::SpanState, surface::Surface};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF64, columns::Columns, valid_lanes};
+use crate::render::{
+    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, max_depth::RaysLeft,
+    path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade, span_state::SpanState, surface::Surface,
+};
+use crate::{
+    accel::choice::Accel, accel::conservative::ConservativeRay, accel::conservative::is_too_short,
+    accel::object::ObjectId, accel::object::ObjectRef, accel::small_scene::SmallScene, counters::Counter,
+    counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask,
+    simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+};
 
 /// Traces the samples of the specular queue until each hits a surface that scatters, escapes, or is at the maximum
 /// depth. Those that scatter are merged into the path queue; the others get their colour.

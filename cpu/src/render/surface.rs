@@ -1,12 +1,9 @@
 //! The surface that a ray hits: its point, its normal and its material.
 
-use crate::accel::closest_hit::ClosestHit;
-use crate::accel::object::ObjectRef;
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::scene::MaterialId;
-use crate::layout::Objects;
-use crate::math::vec3::Vec3;
+use crate::{
+    accel::closest_hit::ClosestHit, accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray,
+    input::scene::MaterialId, layout::Objects, math::vec3::Vec3,
+};
 
 /// A point of a surface.
 #[derive(Clone, Copy, Debug)]

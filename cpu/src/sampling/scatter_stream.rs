@@ -2,13 +2,12 @@
 //! set, even if the path tracing loop is compiled for another one. The order is that of
 //! [`draw_order`](crate::sampling::draw_order).
 
-use crate::counters::{Counter, add};
-use crate::math::vec3::Vec3;
-use crate::sampling::block::BlockUniform;
-use crate::sampling::draw_order::DRAWS_OF_SCATTER_SAMPLE;
-use crate::sampling::scatter_vectors::{Scatter, unit_vector};
-use crate::simd::columns::Columns;
-use crate::simd::{Kernel, Simd, SimdF64};
+use crate::sampling::{
+    block::BlockUniform, draw_order::DRAWS_OF_SCATTER_SAMPLE, scatter_vectors::Scatter, scatter_vectors::unit_vector,
+};
+use crate::{
+    counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
+};
 
 /// Room before the new samples for the old ones that are not taken yet.
 const SLACK: usize = 16;

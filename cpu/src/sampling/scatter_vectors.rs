@@ -1,7 +1,6 @@
 //! The random vectors that surfaces need to scatter light, in three conventions (specification, section 11).
 
-use crate::math::vec3::Vec3;
-use crate::sampling::uniform::Uniform;
+use crate::{math::vec3::Vec3, sampling::uniform::Uniform};
 
 /// The convention by which random vectors are drawn, or that none are drawn (specification, section 11).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,8 +5,7 @@ use crate::accel::{
     bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH,
     object::ObjectId,
 };
-use crate::input::error::{Error, push};
-use crate::layout::with_room;
+use crate::{input::error::Error, input::error::push, layout::with_room};
 
 /// Bins along the axis of a split.
 const BINS: usize = 16;

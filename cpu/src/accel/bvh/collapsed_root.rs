@@ -7,11 +7,10 @@
 use crate::accel::{
     bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
 };
-use crate::counters::{Counter, add};
-use crate::input::error::{Error, push};
-use crate::layout::with_room;
-use crate::math::vec3::Vec3;
-use crate::simd::SimdF32;
+use crate::{
+    counters::Counter, counters::add, input::error::Error, input::error::push, layout::with_room, math::vec3::Vec3,
+    simd::SimdF32,
+};
 
 /// Most children of the root's children: a bit each in a word.
 pub const MOST: usize = 64;

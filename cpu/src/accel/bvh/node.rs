@@ -1,7 +1,6 @@
 //! A node of the tree: the boxes of 16 children, and what each leads to.
 
-use crate::accel::{bounds::Bounds, object::ObjectId};
-use crate::simd::SimdF32;
+use crate::{accel::bounds::Bounds, accel::object::ObjectId, simd::SimdF32};
 
 /// Children of a node; every instruction set's lanes divide it.
 pub const WIDTH: usize = 16;

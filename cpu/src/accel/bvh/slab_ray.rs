@@ -14,8 +14,7 @@
 //! which keeps the box.
 
 use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
-use crate::geometry::ray::Ray;
-use crate::simd::SimdF32;
+use crate::{geometry::ray::Ray, simd::SimdF32};
 
 /// How much planes and origins are moved by, relative to them.
 const STEP: f32 = 8.0 * f32::EPSILON;
