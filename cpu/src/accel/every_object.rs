@@ -15,9 +15,7 @@ impl Accelerator for EveryObject {
 }
 
 /// The closest hit among all objects. It takes the ray by value, because a reference would keep the rays of other
-/// structures, which seldom call this, in memory. They call it for a direction that is too short or too long for their
-/// filter, and where an entry was predicted wrong.
-#[cold]
+/// structures, which seldom call this, in memory.
 #[inline(never)]
 pub fn intersect_every_object<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
     add(Counter::UnfilteredTests, count(objects) as u64);

@@ -90,6 +90,14 @@ impl FlatFilter {
     }
 }
 
+/// The closest hit among all objects: for a ray whose direction is too short for the filter, or whose entry was
+/// predicted wrong. Both are rare.
+#[cold]
+#[inline(never)]
+fn without_filter<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
+    intersect_every_object(objects, ray)
+}
+
 /// As many blocks as `count` objects take.
 fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
     let mut blocks = with_room(count.div_ceil(BLOCK))?;
@@ -114,7 +122,7 @@ impl Accelerator for FlatFilter {
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {
-            return intersect_every_object(objects, *ray);
+            return without_filter(objects, *ray);
         }
         let starts_on_dominant = self.dominant.is(from.object) && self.overlapping.is_some();
         if starts_on_dominant && let Some(overlapping) = &self.overlapping {
@@ -126,7 +134,7 @@ impl Accelerator for FlatFilter {
                 }
                 if !closest.is_hit() {
                     add(Counter::MispredictedEntries, 1);
-                    return intersect_every_object(objects, *ray);
+                    return without_filter(objects, *ray);
                 }
                 for &id in overlapping {
                     closest.intersect(objects, id, ray);
@@ -135,7 +143,7 @@ impl Accelerator for FlatFilter {
             }
             if self.dominant.may_be_hit(objects, &conservative).is_some() {
                 add(Counter::MispredictedEntries, 1);
-                return intersect_every_object(objects, *ray);
+                return without_filter(objects, *ray);
             }
         }
         let (mut spheres, mut cylinders) = self.may_hit::<S>(ray);

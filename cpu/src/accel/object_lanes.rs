@@ -60,7 +60,8 @@ impl ObjectLanes {
         }
     }
 
-    /// The objects that each of several rays may hit; all objects for the lanes of `too_short`, which are bits.
+    /// The objects that each of several rays may hit; all objects for the lanes of `too_short`, which are bits. These
+    /// hold at least the lanes whose directions are [too short](is_too_short).
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
