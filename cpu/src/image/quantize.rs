@@ -74,8 +74,8 @@ impl Quantizer {
         self.holds(byte, low, high).then_some(byte)
     }
 
-    /// The last byte whose certain means begin at `mean` or below, and `below` of the next. Byte 0 for negative means and
-    /// NaN.
+    /// The last byte whose certain means begin at `mean` or below, and `below` of the next byte. Negative means and NaN
+    /// give byte 0.
     #[inline]
     fn last_reached(&self, mean: f64) -> (u8, f64) {
         // Negative means and NaN land in cell 0.

@@ -43,8 +43,8 @@ pub fn scatter_around<T: Real<Mask = bool>>(unperturbed: Vec3<T>, vector: Vec3<T
     direction
 }
 
-/// The last two comparisons of [`Vec3::is_negligible`], which rays seldom need. They are out of line, behind a branch. LLVM
-/// otherwise turns all three into a selection, and the next steps of the ray depend on its result.
+/// The last two comparisons of [`Vec3::is_negligible`], which rays seldom need. They are out of line, behind a branch.
+/// LLVM otherwise turns all three into a selection, and the next steps of the ray depend on its result.
 #[cold]
 #[inline(never)]
 fn are_within<T: Real<Mask = bool>>(y: T, z: T, limit: T) -> bool {

@@ -22,7 +22,8 @@ pub trait Intersect {
 #[derive(Clone, Copy, Debug)]
 pub enum Plain {}
 
-/// The plain formulas with their error bounds, and more precise ones where these do not decide, as in the real renderer.
+/// The plain formulas with their error bounds, and more precise ones where these do not decide, as in the real
+/// renderer.
 #[derive(Clone, Copy, Debug)]
 pub enum Exact {}
 
