@@ -90,20 +90,9 @@ mod counting {
         });
     }
 
-    /// The values of all counters of one thread at one moment.
-    #[derive(Clone, Debug, PartialEq, Eq)]
-    pub struct Snapshot([u64; COUNT]);
-
-    impl Snapshot {
-        /// Returns the value that `counter` had when the snapshot was taken.
-        pub fn of(&self, counter: Counter) -> u64 {
-            self.0[counter as usize]
-        }
-    }
-
-    /// Returns the present values of this thread's counters.
-    pub fn snapshot() -> Snapshot {
-        COUNTS.with(|counts| Snapshot(counts.each_ref().map(Cell::get)))
+    /// The counters of this thread, by their numbers in [`Counter`].
+    pub fn snapshot() -> [u64; COUNT] {
+        COUNTS.with(|counts| counts.each_ref().map(Cell::get))
     }
 
     /// Sets all counters of this thread to 0.
@@ -113,7 +102,7 @@ mod counting {
 }
 
 #[cfg(feature = "counters")]
-pub use counting::{Snapshot, add, reset, snapshot};
+pub use counting::{add, reset, snapshot};
 
 /// Does nothing, because the feature `counters` is not compiled in.
 #[cfg(not(feature = "counters"))]

@@ -6,8 +6,7 @@
 pub mod ppm;
 pub mod quantize;
 
-use crate::input::error::{Error, with_room};
-use crate::input::size::Size;
+use crate::{input::error::Error, input::error::with_room, input::size::Size};
 
 /// The colour of a pixel: red, green and blue, each from 0 to 255.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

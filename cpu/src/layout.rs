@@ -8,12 +8,11 @@
 pub mod aos;
 pub mod soa;
 
-use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
-use crate::image::Image;
-use crate::input::{
-    error, error::Error, scene::Cylinder, scene::MaterialId, scene::Scene, scene::Shape, scene::Sphere,
+use crate::{
+    geometry::cylinder::CylinderRecord, geometry::sphere::SphereRecord, image::Image, input::error,
+    input::error::Error, input::scene::Cylinder, input::scene::MaterialId, input::scene::Scene, input::scene::Shape,
+    input::scene::Sphere, math::vec3::Vec3,
 };
-use crate::math::vec3::Vec3;
 
 /// A layout, as a type: the types that store pixels and objects.
 pub trait Layout {

@@ -12,18 +12,15 @@
 pub mod intersect;
 mod nearest;
 
-pub use crate::reference::intersect::{Exact, Intersect, Plain, Precision};
+pub use crate::reference::intersect::{Exact, Intersect, Plain};
 
-use std::marker::PhantomData;
-
-use crate::geometry::{camera::Camera, ray::Ray};
-use crate::image::{Image, Rgb, quantize::quantize};
-use crate::input::scene::{Scene, Shape};
-use crate::input::{config::Config, error::Error, material::Material};
-use crate::math::vec3::Vec3;
 use crate::reference::nearest::Hit;
-use crate::sampling::scatter_vectors::{Scatter, ScatterVectors};
-use crate::sampling::uniform::Uniform;
+use crate::{
+    geometry::camera::Camera, geometry::ray::Ray, image::Image, image::Rgb, image::quantize::quantize,
+    input::config::Config, input::error::Error, input::error::push, input::material::Material, input::scene::Scene,
+    input::scene::Shape, math::vec3::Vec3, sampling::scatter_vectors::Scatter,
+    sampling::scatter_vectors::ScatterVectors, sampling::uniform::Uniform,
+};
 
 /// Renders a picture by the specification, with the plain intersections.
 ///
@@ -86,14 +83,7 @@ pub fn render_counted<P: Intersect>(
     let samples = if deterministic { 1 } else { config.samples_per_pixel };
     let mut jitter = Uniform::new(config.ray_rng_seed);
     let vectors = ScatterVectors::new(scatter, config.material_rng_seed);
-    let mut path = Path::<P> {
-        config,
-        scene,
-        vectors,
-        reflectances: Vec::new(),
-        counts: Counts::default(),
-        intersect: PhantomData,
-    };
+    let mut path = Path { config, scene, vectors, counts: Counts::default() };
     for row in 0..size.height() {
         for column in 0..size.width() {
             let mut sum = Vec3::ZERO;
@@ -104,7 +94,7 @@ pub fn render_counted<P: Intersect>(
                     y = jitter.draw(-0.5, 0.5);
                 }
                 let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
-                sum = sum + path.color(camera.position, target - camera.position, config.max_depth)?;
+                sum = sum + path.color::<P>(camera.position, target - camera.position, config.max_depth)?;
             }
             pixel(row * size.width() + column, sum / samples as f64);
         }
@@ -113,28 +103,26 @@ pub fn render_counted<P: Intersect>(
 }
 
 /// The scene, and the state that all paths of a picture share. Paths are traced one after the other.
-struct Path<'a, P> {
+struct Path<'a> {
     config: &'a Config,
     scene: &'a Scene,
     vectors: ScatterVectors,
-    /// The reflectances of the surfaces on the present path, in the order of the hits. It is empty between paths.
-    reflectances: Vec<Vec3>,
-    intersect: PhantomData<P>,
     counts: Counts,
 }
 
-impl<P: Intersect> Path<'_, P> {
+impl Path<'_> {
     /// Returns the colour that a ray contributes (specification, section 8.1). The recursion of the specification is a
     /// loop here, so that no depth overflows the call stack.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short. A path between mirrors hits up to `max_depth` surfaces.
-    fn color(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
-        let mut reflectances = std::mem::take(&mut self.reflectances);
+    fn color<P: Intersect>(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
+        // Of the surfaces on the path, first hit first.
+        let mut reflectances = Vec::new();
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {
             self.counts.rays += 1;
-            let Some((hit, material)) = self.nearest(&Ray { origin, direction }) else {
+            let Some((hit, material)) = self.nearest::<P>(&Ray { origin, direction }) else {
                 color = self.background(direction);
                 break;
             };
@@ -142,28 +130,26 @@ impl<P: Intersect> Path<'_, P> {
             let front = direction.dot(hit.outward) < 0.0;
             let normal = if front { hit.outward } else { -hit.outward };
             let (reflectance, scattered) = self.scatter(material, direction, normal, front);
-            reflectances.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the surfaces that a ray meets" })?;
-            reflectances.push(reflectance);
+            push(&mut reflectances, reflectance, "the surfaces that a ray meets")?;
             (origin, direction) = (hit.point, scattered);
         }
         // The factors are applied from the last hit back to the first, in the order in which the recursion returns.
-        for reflectance in reflectances.drain(..).rev() {
+        for reflectance in reflectances.into_iter().rev() {
             color = color.attenuate(reflectance);
         }
-        self.reflectances = reflectances;
         Ok(color)
     }
 
     /// Returns the nearest hit among all objects, in the order of the scene file, and the material of its object. The
     /// result is `None` if the ray hits no object.
-    fn nearest(&self, ray: &Ray) -> Option<(Hit, Material)> {
+    fn nearest<P: Intersect>(&self, ray: &Ray) -> Option<(Hit, Material)> {
         let (mut nearest, mut material) = (None, 0);
         for object in &self.scene.objects {
-            let hit = match (P::PRECISION, &object.shape) {
-                (Precision::Plain, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
-                (Precision::Plain, Shape::Cylinder(cylinder)) => nearest::cylinder(cylinder, ray),
-                (Precision::Exact, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
-                (Precision::Exact, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
+            let hit = match (P::IS_LITERAL, &object.shape) {
+                (true, Shape::Sphere(sphere)) => nearest::sphere(sphere, ray),
+                (true, Shape::Cylinder(cylinder)) => nearest::cylinder(cylinder, ray),
+                (false, Shape::Sphere(sphere)) => nearest::sphere_by::<P>(sphere, ray),
+                (false, Shape::Cylinder(cylinder)) => nearest::cylinder_by::<P>(cylinder, ray),
             };
             if nearest::update(&mut nearest, hit) {
                 material = object.material;

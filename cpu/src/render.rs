@@ -38,16 +38,16 @@ pub mod trace_paths;
 
 use std::ops::ControlFlow;
 
-use crate::counters::{Counter, add};
-use crate::image::{Image, Rgb};
-use crate::input::{config::Config, error::Error, scene::Scene};
-use crate::layout::Layout;
-use crate::math::vec3::Vec3;
-use crate::render::stages::{ColorPaths, DrawSamples, FindBytes};
-use crate::render::{accumulation::Sums, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::Spans};
-use crate::render::{span_state::SpanState, specular_chains::TraceSpecularChains, trace_paths::TracePaths};
-use crate::sampling::scatter_vectors::Scatter;
-use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
+use crate::render::{
+    accumulation::Sums, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::spans_of_row,
+    span_state::SpanState, specular_chains::TraceSpecularChains, stages::ColorPaths, stages::DrawSamples,
+    stages::FindBytes, trace_paths::TracePaths,
+};
+use crate::{
+    counters::Counter, counters::add, image::Image, image::Rgb, input::config::Config, input::error::Error,
+    input::scene::Scene, layout::Layout, math::vec3::Vec3, sampling::scatter_vectors::Scatter, simd::Kernel,
+    simd::Simd, simd::instruction_set::InstructionSet,
+};
 
 /// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. It uses the fastest
 /// instruction set of this machine, unless the environment variable `RENDER_INSTRUCTION_SET` names another one.
@@ -81,7 +81,8 @@ pub fn render_into<L: Layout>(
     image: &mut L::Image,
     mut after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
-    set.run(Picture::new(prepared, Target::Image(image), &mut after_row)?)
+    let (state, sums) = (SpanState::new(prepared)?, Sums::new(prepared.samples));
+    set.run(Picture { state, sums, target: Target::Image(image), after_row: &mut after_row })
 }
 
 /// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
@@ -95,7 +96,8 @@ pub fn render_linear<L: Layout>(
 ) -> Result<(), Error> {
     // The result is always `Continue`.
     let mut after_row = |_| ControlFlow::Continue(());
-    let _ = set.run(Picture::new(prepared, Target::Means(&mut pixel), &mut after_row)?)?;
+    let (state, sums) = (SpanState::new(prepared)?, Sums::new(prepared.samples));
+    let _ = set.run(Picture { state, sums, target: Target::Means(&mut pixel), after_row: &mut after_row })?;
     Ok(())
 }
 
@@ -123,8 +125,9 @@ impl<L: Layout> Kernel for Picture<'_, L> {
     fn call<S: Simd>(mut self, simd: S) -> Self::Output {
         let prepared = self.state.prepared;
         for row in 0..prepared.size.height() {
-            self.state.begin_row(row);
-            for span in Spans::of_row(prepared.size.width(), prepared.samples) {
+            self.state.row = row;
+            self.state.candidates.begin_row(prepared, row);
+            for span in spans_of_row(prepared.size.width(), prepared.samples) {
                 self.span(simd, &span);
             }
             self.state.tracer.ends.check()?;
@@ -136,20 +139,12 @@ impl<L: Layout> Kernel for Picture<'_, L> {
     }
 }
 
-impl<'a, L: Layout> Picture<'a, L> {
-    fn new(
-        prepared: &'a Prepared<L>,
-        target: Target<'a, L::Image>,
-        after_row: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
-    ) -> Result<Self, Error> {
-        Ok(Self { state: SpanState::new(prepared)?, sums: Sums::new(prepared.samples), target, after_row })
-    }
-
+impl<L: Layout> Picture<'_, L> {
     fn span<S: Simd>(&mut self, simd: S, span: &Span) {
         let Self { state, target, .. } = self;
         let (prepared, candidates) = (state.prepared, &mut state.candidates);
         candidates.begin_span(prepared, state.row, span);
-        let is_background = candidates.are_culled() && candidates.span.is_empty();
+        let is_background = candidates.are_culled && candidates.span.is_empty();
         if is_background && span.is_whole(prepared.samples) && matches!(target, Target::Image(_)) {
             self.background_span(simd, span);
         } else {

@@ -22,7 +22,7 @@ fn count(config: &str, scene: &str) -> impl Fn(Counter) -> u64 + use<> {
     reset();
     cpu::internals::render_with(&prepared, InstructionSet::chosen()).expect("it is small");
     let counts = snapshot();
-    move |counter| counts.of(counter)
+    move |counter| counts[counter as usize]
 }
 
 /// Returns the scene's lines for `count` spheres side by side, all in view.

@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     cpu::internals::render_with(&prepared, InstructionSet::chosen())?;
     let counts = counters::snapshot();
     for &counter in Counter::ALL {
-        println!("{:14} {counter:?}", counts.of(counter));
+        println!("{:14} {counter:?}", counts[counter as usize]);
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Kernels of rendering: the stages of one span of 32 pixels with 32 samples each.
 
 use cpu::internals::render::camera_rays::TraceCameraRays;
-use cpu::internals::render::span::{Span, Spans};
+use cpu::internals::render::span::{Span, spans_of_row};
 use cpu::internals::render::span_state::SpanState;
 use cpu::internals::render::specular_chains::TraceSpecularChains;
 use cpu::internals::render::stages::{ColorPaths, DrawSamples, FindBytes};
@@ -22,7 +22,7 @@ pub struct Stages {
 impl Stages {
     /// Returns the first span of `row` that begins at or after `column`, ready for its first stage.
     fn new(prepared: &'static Prepared<Aos>, row: usize, column: usize) -> Self {
-        let mut spans = Spans::of_row(prepared.size.width(), prepared.samples);
+        let mut spans = spans_of_row(prepared.size.width(), prepared.samples);
         let span = spans.find(|span| span.first >= column).expect("the row is longer");
         let mut state = SpanState::new(prepared).expect("it fits");
         state.row = row;

@@ -1,8 +1,7 @@
 //! Axis-aligned boxes around objects. They are large enough to hold every hit point in spite of rounding.
 
 use crate::accel::{extent::Extent, object::ObjectId, object::ObjectRef};
-use crate::layout::Objects;
-use crate::math::vec3::Vec3;
+use crate::{layout::Objects, math::vec3::Vec3};
 
 /// An axis-aligned box, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,11 +45,6 @@ impl Bounds {
             self.high[axis] = (self.high[axis] + by).next_up();
         }
         self
-    }
-
-    /// Whether the boxes have a point in common.
-    pub fn overlaps(&self, other: &Self) -> bool {
-        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
     }
 
     /// Returns the distance between the box and a point, or 0 if the point is inside.
@@ -141,19 +135,6 @@ mod tests {
         assert_eq!(right.twice_middle(0), 5.0);
         let long = |axis: usize| Bounds { low: [0.0; 3], high: [0, 1, 2].map(|at| if at == axis { 3.0 } else { 1.0 }) };
         assert_eq!([0, 1, 2].map(|axis| long(axis).longest_axis()), [0, 1, 2]);
-    }
-
-    #[test]
-    fn boxes_overlap_where_they_share_a_point() {
-        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
-        for axis in 0..3 {
-            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
-                let mut right = left;
-                (right.low[axis], right.high[axis]) = (from, from + 1.0);
-                assert_eq!((left.overlaps(&right), right.overlaps(&left)), (overlaps, overlaps), "{axis}: {from}");
-                assert!(left.overlaps(&right.enlarged(0.2)));
-            }
-        }
     }
 
     #[test]

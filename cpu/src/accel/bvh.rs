@@ -7,17 +7,16 @@ pub mod slab_ray;
 pub mod stack;
 
 use crate::accel::{
-    bounds::Bounds, bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::node::Child, bvh::node::Node,
-    bvh::node::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::Steps, bvh::slab_ray::is_in_scale, bvh::stack::Stack,
+    bounds::Bounds, bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::node::Child, bvh::node::HIERARCHY,
+    bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::stack::Stack,
     closest_hit::ClosestHit, conservative::ConservativeRay, dominant_sphere::DominantSphere,
     every_object::intersect_every_object, extent::Extent, find::Accelerator, find::Origin, isolated::Isolated,
-    isolated::enlarged_bounds, object::NO_OBJECT, object::ObjectId, object::count,
+    object::NO_OBJECT, object::ObjectId, object::count,
 };
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Objects;
-use crate::simd::{Simd, SimdF32};
+use crate::{
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd,
+    simd::SimdF32,
+};
 
 /// Maximum number of objects for which the isolated objects are found. To find them takes as long as to build the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;
@@ -32,10 +31,10 @@ pub struct Bvh {
     /// The two highest levels of the tree, as one row of boxes.
     collapsed_root: CollapsedRoot,
     /// The distances by which slab tests move the planes of the boxes, to cover rounding.
-    steps: Steps,
+    steps: [f32; 3],
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
-    isolated: Isolated,
+    pub(super) isolated: Isolated,
     /// A bound of the scene's coordinates for the conservative test of the origin object.
     max_coordinate: f64,
 }
@@ -48,19 +47,21 @@ impl Bvh {
     pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
         let count = count(objects);
         if count >= Child::OBJECT as usize {
-            return Err(Error::OutOfMemory { what: "the hierarchy over the objects" });
+            return Err(Error::OutOfMemory { what: HIERARCHY });
         }
         let dominant = DominantSphere::of(objects);
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let mut nodes = build(count, others.map(|id| (Bounds::of_object(objects, id, extent), id)))?;
         let collapsed_root = CollapsedRoot::new(&mut nodes)?;
         let root = nodes.first().into_iter().flat_map(Node::children);
-        let steps = Steps::new(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
-        let (isolated, max_coordinate) = (Isolated::none(), 2.0 * extent.max_coordinate);
+        let steps = slab_ray::steps(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
+        let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate);
         let mut bvh = Self { nodes, collapsed_root, steps, dominant, isolated, max_coordinate };
         if count <= MOST_FOR_ISOLATION {
+            // Enlarged by how far rounding may move the points of a surface.
+            let slack = (1e-9 * extent.max_coordinate) as f32;
             bvh.isolated = Isolated::new(count, |id| {
-                dominant.is(id) || bvh.overlaps_another(id, &enlarged_bounds(objects, id, extent))
+                dominant.is(id) || bvh.overlaps_another(id, &Bounds::of_object(objects, id, extent).enlarged(slack))
             })?;
         }
         Ok(bvh)
@@ -91,11 +92,6 @@ impl Bvh {
             }
         }
         true
-    }
-
-    /// Disables the shortcut for isolated objects, to measure what it gains.
-    pub fn without_isolation(&mut self) {
-        self.isolated = Isolated::none();
     }
 
     /// Intersects the objects below `node` whose boxes the ray hits, and updates `closest`. It leaves out the object on
@@ -161,7 +157,7 @@ impl Bvh {
         if !self.nodes.is_empty() {
             pending.push(0);
         }
-        if let Some(id) = self.dominant.id() {
+        if let Some(id) = self.dominant.0 {
             visit(id);
         }
         while let Some(index) = pending.pop() {
@@ -194,14 +190,8 @@ fn farthest(closest: &ClosestHit) -> f32 {
 
 impl Accelerator for Bvh {
     #[inline(always)]
-    fn closest_hit_from<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        Origin { object: from, .. }: Origin,
-        stack: &mut Stack,
-    ) -> ClosestHit {
-        let mut closest = ClosestHit::NOTHING;
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, stack: &mut Stack) -> ClosestHit {
+        let (from, mut closest) = (from.object, ClosestHit::NOTHING);
         let conservative = ConservativeRay::new(*ray);
         if !is_in_scale(conservative.length_squared) {
             return intersect_every_object(objects, *ray);

@@ -11,13 +11,10 @@
 
 use crate::accel::{
     bvh::Bvh, bvh::stack::Stack, closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator,
-    flat_filter, flat_filter::FlatFilter, object::ObjectId, object::count, object_lanes, small_scene::SmallScene,
+    flat_filter, flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
+    small_scene::SmallScene,
 };
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Objects;
-use crate::simd::Simd;
+use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
 /// The acceleration structure of a scene.
 #[derive(Debug)]
@@ -55,8 +52,8 @@ impl Accel {
     pub fn without_isolation(&mut self) {
         match self {
             Self::EveryObject | Self::SmallScene(_) => {}
-            Self::FlatFilter(filter) => filter.without_isolation(),
-            Self::Bvh(bvh) => bvh.without_isolation(),
+            Self::FlatFilter(filter) => filter.overlapping = None,
+            Self::Bvh(bvh) => bvh.isolated = Isolated::default(),
         }
     }
 
@@ -73,7 +70,7 @@ impl Accel {
         // This is a macro, because a closure would be compiled without the instruction set.
         macro_rules! closest_hit {
             ($accel:expr) => {
-                $accel.closest_hit_from::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
+                $accel.closest_hit::<S, O>(objects, ray, $accel.origin(objects, ray, from), stack)
             };
         }
         add(Counter::PathRays, 1);

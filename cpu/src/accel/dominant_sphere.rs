@@ -22,7 +22,7 @@ const MOST_OVERLAPPING: usize = 4;
 
 /// The number of the dominant sphere, or `None` if no sphere is dominant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DominantSphere(Option<ObjectId>);
+pub struct DominantSphere(pub Option<ObjectId>);
 
 impl DominantSphere {
     /// Finds the dominant sphere among `objects`.
@@ -34,11 +34,6 @@ impl DominantSphere {
             let others = (0..count(objects) as ObjectId).filter(|&id| id != largest);
             radius(largest) >= RATIO * others.map(radius).fold(0.0, f64::max)
         }))
-    }
-
-    /// Returns the number of the dominant sphere, or `None` if there is none.
-    pub const fn id(self) -> Option<ObjectId> {
-        self.0
     }
 
     /// Whether the object with the number `id` is the dominant sphere.
@@ -130,7 +125,7 @@ mod tests {
 
     fn dominant_of(objects: &str) -> Option<ObjectId> {
         let scene = Scene::parse(format!("matte: m 1 1 1\n{objects}").as_bytes()).expect("the scene is valid");
-        DominantSphere::of(&AosObjects::build(&scene).expect("it fits")).id()
+        DominantSphere::of(&AosObjects::build(&scene).expect("it fits")).0
     }
 
     #[test]

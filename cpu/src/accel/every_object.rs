@@ -1,10 +1,7 @@
 //! The simplest structure, which intersects every object.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, find::Accelerator, find::Origin, object::count};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::Objects;
-use crate::simd::Simd;
+use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Objects, simd::Simd};
 
 /// The structure that intersects every object. It has no data.
 #[derive(Debug)]
@@ -12,7 +9,7 @@ pub struct EveryObject;
 
 impl Accelerator for EveryObject {
     #[inline(always)]
-    fn closest_hit_from<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
         intersect_every_object(objects, *ray)
     }
 }

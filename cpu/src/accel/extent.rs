@@ -1,10 +1,7 @@
 //! The magnitudes of a scene, which decide whether conservative tests are valid for it.
 
-use crate::accel::object::{ObjectId, ObjectRef, bounding_sphere, count};
-use crate::geometry::camera::Camera;
-use crate::input::material::Material;
-use crate::layout::Objects;
-use crate::math::vec3::Vec3;
+use crate::accel::{object::ObjectId, object::ObjectRef, object::bounding_sphere, object::count};
+use crate::{geometry::camera::Camera, input::material::Material, layout::Objects, math::vec3::Vec3};
 
 /// The largest coordinate of a scene, and whether the scene is moderate.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -22,9 +22,7 @@
 //! ([`MAX_COORDINATE`]). Single precision holds numbers up to `3.4 10^38`.
 
 use crate::accel::target::Target;
-use crate::geometry::ray::{LAMBDA_MIN, Ray};
-use crate::math::vec3::Vec3;
-use crate::simd::SimdF32;
+use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};
 
 /// The largest coordinate of a scene for which these tests are valid, in scene units. The head of this file derives it.
 pub const MAX_COORDINATE: f64 = 2e7;

@@ -2,11 +2,7 @@
 //! for each structure.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, object::ObjectId};
-use crate::geometry::ray::Ray;
-use crate::layout::Objects;
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
-use crate::simd::Simd;
+use crate::{geometry::ray::Ray, layout::Objects, materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd};
 
 /// The object on which a ray starts, and whether the ray is expected to enter it.
 #[derive(Clone, Copy, Debug)]
@@ -20,15 +16,8 @@ pub struct Origin {
 
 /// An acceleration structure, which finds the closest hit of a ray.
 pub trait Accelerator {
-    /// Returns the closest hit of a ray that starts at `origin`. `stack` is memory for the traversal. The caller adds
-    /// the ray to the [`counters`](crate::counters).
-    fn closest_hit_from<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        origin: Origin,
-        stack: &mut Stack,
-    ) -> ClosestHit;
+    /// The closest hit of a ray that starts at `from`. The caller counts the ray.
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, stack: &mut Stack) -> ClosestHit;
 
     /// Returns the origin of a ray that starts on the surface of `object`.
     #[inline(always)]

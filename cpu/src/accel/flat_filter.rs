@@ -9,13 +9,10 @@ use crate::accel::{
     find::Accelerator, find::Origin, object::ObjectId, object::ObjectRef, object::bounding_sphere, object::count,
     target::Target,
 };
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::{Objects, with_room};
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
-use crate::simd::{Simd, SimdF32};
+use crate::{
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, layout::with_room,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
+};
 
 /// Maximum number of spheres, and maximum number of cylinders. Each object of a kind has one bit in a word.
 pub const CAPACITY: usize = u64::BITS as usize;
@@ -27,7 +24,7 @@ pub struct FlatFilter {
     middle: Vec3,
     dominant: DominantSphere,
     /// The objects that overlap the dominant sphere; see [`DominantSphere::overlapping`].
-    overlapping: Option<Vec<ObjectId>>,
+    pub(super) overlapping: Option<Vec<ObjectId>>,
     spheres: Vec<BoundingSpheres>,
     cylinders: Vec<(BoundingSpheres, InfiniteCylinders)>,
     /// A bit for each lane, which is 1 if the lane holds an object.
@@ -70,11 +67,6 @@ impl FlatFilter {
             }
         }
         Ok(filter)
-    }
-
-    /// Disables the shortcut for rays inside the dominant sphere, to measure what it gains.
-    pub fn without_isolation(&mut self) {
-        self.overlapping = None;
     }
 
     /// Returns a bit for each sphere, and a bit for each cylinder, which is 1 if the ray may hit the object. The
@@ -129,23 +121,17 @@ fn middle(objects: &impl Objects, dominant: DominantSphere) -> Vec3 {
 
 impl Accelerator for FlatFilter {
     #[inline(always)]
-    fn closest_hit_from<S: Simd, O: Objects>(
-        &self,
-        objects: &O,
-        ray: &Ray,
-        origin: Origin,
-        _: &mut Stack,
-    ) -> ClosestHit {
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, _: &mut Stack) -> ClosestHit {
         let mut closest = ClosestHit::NOTHING;
         let conservative = ConservativeRay::new(*ray);
         if is_too_short(conservative.length_squared) {
             return without_filter(objects, *ray);
         }
-        let starts_on_dominant = self.dominant.is(origin.object) && self.overlapping.is_some();
+        let starts_on_dominant = self.dominant.is(from.object) && self.overlapping.is_some();
         if starts_on_dominant && let Some(overlapping) = &self.overlapping {
             // The processor often mispredicts a branch on whether a ray enters. So this branch uses the expected entry,
             // which is known early. The later branch on the actual entry is predicted well.
-            if origin.enters {
+            if from.enters {
                 if let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
                     closest.intersect_sphere(objects, index, ray);
                 }

@@ -33,7 +33,7 @@ impl SmallScene {
         for id in 0..count(objects) as ObjectId {
             let target = Target::of(objects, id, self.max_coordinate);
             inside |= match ObjectRef::of(objects, id) {
-                ObjectRef::Sphere(_) => conservative.starts_in_sphere(&target),
+                ObjectRef::Sphere(_) => conservative.starts_within(&conservative.sphere_quadratic(&target)),
                 ObjectRef::Cylinder(_) => conservative.starts_in_cylinder(&target, self.max_coordinate),
             };
         }
@@ -43,12 +43,6 @@ impl SmallScene {
 }
 
 impl ConservativeRay<f64> {
-    /// Whether the ray is certainly inside the sphere at the smallest lambda in range.
-    #[inline(always)]
-    fn starts_in_sphere(&self, target: &Target) -> bool {
-        self.starts_within(&self.sphere_quadratic(target))
-    }
-
     /// Whether the ray is certainly inside the cylinder at the smallest lambda in range, and not parallel to its caps.
     #[inline(always)]
     fn starts_in_cylinder(&self, target: &Target, max_coordinate: f64) -> bool {
@@ -77,6 +71,11 @@ mod tests {
     use crate::math::vec3::Vec3;
     use crate::sampling::uniform::Uniform;
 
+    fn starts_in_sphere(ray: Ray, sphere: &SphereRecord) -> bool {
+        let conservative = ConservativeRay::new(ray);
+        conservative.starts_within(&conservative.sphere_quadratic(&Target::sphere(sphere)))
+    }
+
     #[test]
     fn a_ray_that_starts_inside_hits() {
         let mut draws = Uniform::new(31);
@@ -100,7 +99,7 @@ mod tests {
             let on_sphere = Ray { origin: center + outward.unit() * (size * start), direction };
             let on_cylinder = Ray { origin: center + side * (size * start) + along, direction };
             let starts = [
-                ConservativeRay::new(on_sphere).starts_in_sphere(&Target::sphere(&sphere)),
+                starts_in_sphere(on_sphere, &sphere),
                 ConservativeRay::new(on_cylinder)
                     .starts_in_cylinder(&Target::cylinder(&cylinder, size_of_scene), size_of_scene),
             ];
@@ -125,16 +124,15 @@ mod tests {
 
     #[test]
     fn at_the_limits_nothing_is_certain() {
-        let sphere = Target::sphere(&SphereRecord::new(Vec3::ZERO, 1.0));
+        let sphere = SphereRecord::new(Vec3::ZERO, 1.0);
         let cylinder = Target::cylinder(&CylinderRecord::new(Vec3::ZERO, 1.0, Vec3::new(0.0, 2.0, 0.0)), 4.0);
-        let conservative = |origin: [f64; 3], direction: [f64; 3]| {
-            ConservativeRay::new(Ray { origin: origin.into(), direction: direction.into() })
-        };
+        let ray = |origin: [f64; 3], direction: [f64; 3]| Ray { origin: origin.into(), direction: direction.into() };
         // The rays go inward and outward from the surface. The third one is on the surface at the smallest lambda.
-        assert!(conservative([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
-        assert!(!conservative([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
-        assert!(!conservative([1.0 - LAMBDA_MIN, 0.0, 0.0], [1.0, 0.0, 0.0]).starts_in_sphere(&sphere));
-        let begins = |origin, direction| conservative(origin, direction).starts_in_cylinder(&cylinder, 4.0);
+        assert!(starts_in_sphere(ray([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]), &sphere));
+        assert!(!starts_in_sphere(ray([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), &sphere));
+        assert!(!starts_in_sphere(ray([1.0 - LAMBDA_MIN, 0.0, 0.0], [1.0, 0.0, 0.0]), &sphere));
+        let begins =
+            |origin, direction| ConservativeRay::new(ray(origin, direction)).starts_in_cylinder(&cylinder, 4.0);
         assert!(begins([1.0, 0.0, 0.0], [-1.0, 0.1, 0.0]) && begins([0.0, 1.0, 0.0], [0.1, -1.0, 0.0]));
         assert!(!begins([0.0, 1.0, 0.0], [0.1, 1.0, 0.0]) && !begins([0.0, 1.0 - LAMBDA_MIN, 0.0], [0.0, 1.0, 0.0]));
         // A ray that is parallel to the caps might hit only a cap, and such a hit does not count.

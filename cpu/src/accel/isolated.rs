@@ -8,12 +8,11 @@
 //! The boxes of the objects are compared once for each scene. This happens only in
 //! [moderate](crate::accel::extent::Extent::moderate) scenes, whose boxes have no NaN and no overflow.
 
-use crate::accel::{bounds::Bounds, extent::Extent, object::ObjectId};
-use crate::input::error::Error;
-use crate::layout::{Objects, with_room};
+use crate::accel::object::ObjectId;
+use crate::{input::error::Error, layout::with_room};
 
-/// The set of isolated objects, as one bit for each object.
-#[derive(Clone, Debug)]
+/// Which objects are isolated, a bit each. By default no object is known to be isolated.
+#[derive(Clone, Debug, Default)]
 pub struct Isolated(Vec<u64>);
 
 impl Isolated {
@@ -31,21 +30,11 @@ impl Isolated {
         Ok(Self(words))
     }
 
-    /// Returns the empty set, so that no object counts as isolated.
-    pub const fn none() -> Self {
-        Self(Vec::new())
-    }
-
     /// Whether the object with the number `id` is isolated.
     #[inline(always)]
     pub fn is(&self, id: ObjectId) -> bool {
         self.0.get(id as usize / 64).is_some_and(|word| word >> (id % 64) & 1 == 1)
     }
-}
-
-/// Returns the box of an object, enlarged by the distance by which rounding may move points of its surface.
-pub fn enlarged_bounds(objects: &impl Objects, id: ObjectId, extent: &Extent) -> Bounds {
-    Bounds::of_object(objects, id, extent).enlarged((1e-9 * extent.max_coordinate) as f32)
 }
 
 #[cfg(test)]
@@ -57,7 +46,7 @@ mod tests {
         let isolated = Isolated::new(3, |id| id == 1).expect("it fits");
         assert_eq!([0, 1, 2].map(|id| isolated.is(id)), [true, false, true]);
         assert!(!isolated.is(crate::accel::object::NO_OBJECT));
-        assert!(!Isolated::none().is(0));
+        assert!(!Isolated::default().is(0));
     }
 
     #[test]

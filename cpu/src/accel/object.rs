@@ -1,8 +1,6 @@
 //! Numbers for the objects of a scene.
 
-use crate::input::error::Error;
-use crate::layout::{Objects, with_room};
-use crate::math::vec3::Vec3;
+use crate::{input::error::Error, layout::Objects, layout::with_room, math::vec3::Vec3};
 
 /// The number of an object. Spheres come first: for a sphere it is the index among the spheres. For a cylinder it is
 /// the number of spheres plus the index among the cylinders. [`ObjectRef`] distinguishes the two kinds.

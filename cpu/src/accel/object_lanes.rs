@@ -4,42 +4,27 @@
 use crate::accel::{
     conservative::ConservativeRay, conservative::is_too_short, object::ObjectId, object::count, target::Target,
 };
-use crate::geometry::ray::Ray;
-use crate::layout::Objects;
-use crate::math::vec3::Vec3;
-use crate::simd::{LaneMask, SimdF64};
+use crate::{geometry::ray::Ray, layout::Objects, simd::LaneMask, simd::SimdF64, simd::columns::Columns};
 
 /// Maximum number of objects. It is a multiple of every instruction set's number of lanes of `f64`.
 pub const CAPACITY: usize = 8;
 
-/// One number for each object.
-type Row = [f64; CAPACITY];
-
-/// The objects in the order of their [numbers](ObjectId). The places after the last object repeat the first object.
+/// The objects by their [ids](ObjectId), a place each; places that are left over repeat them.
 #[derive(Clone, Debug)]
 pub struct ObjectLanes {
     sphere_count: usize,
     count: usize,
-    targets: Target<Row>,
+    targets: Columns<{ Target::NUMBERS }, CAPACITY>,
 }
 
 impl ObjectLanes {
     /// Returns the first [`CAPACITY`] objects of a scene with this largest coordinate.
     pub fn new(objects: &impl Objects, max_coordinate: f64) -> Self {
         let (sphere_count, count) = (objects.sphere_count().min(CAPACITY), count(objects).min(CAPACITY));
-        let row = |number: &dyn Fn(&Target) -> f64| -> Row {
-            std::array::from_fn(|place| match count {
-                0 => 0.0,
-                _ => number(&Target::of(objects, if place < count { place as ObjectId } else { 0 }, max_coordinate)),
-            })
-        };
-        let targets = Target {
-            center: Vec3::new(row(&|it| it.center.x), row(&|it| it.center.y), row(&|it| it.center.z)),
-            axis: Vec3::new(row(&|it| it.axis.x), row(&|it| it.axis.y), row(&|it| it.axis.z)),
-            radius_squared: row(&|it| it.radius_squared),
-            bounding_radius_squared: row(&|it| it.bounding_radius_squared),
-            half_height: row(&|it| it.half_height),
-        };
+        let mut targets = Columns::ZERO;
+        for (place, id) in (0..count as ObjectId).cycle().take(CAPACITY).enumerate() {
+            targets.set(place, Target::of(objects, id, max_coordinate).numbers());
+        }
         Self { sphere_count, count, targets }
     }
 
@@ -55,10 +40,10 @@ impl ObjectLanes {
         // The groups of lanes that hold only spheres are tested first, then the other groups.
         let spheres = if self.sphere_count == self.count { self.count } else { self.sphere_count & !(V::LANES - 1) };
         for at in (0..spheres).step_by(V::LANES) {
-            may_hit |= conservative.sphere(&self.targets.load::<V, false>(at)).bits() << at;
+            may_hit |= conservative.sphere(&Target::of_numbers(self.targets.load(at))).bits() << at;
         }
         for at in (spheres..self.count).step_by(V::LANES) {
-            may_hit |= conservative.cylinder(&self.targets.load::<V, false>(at)).bits() << at;
+            may_hit |= conservative.cylinder(&Target::of_numbers(self.targets.load(at))).bits() << at;
         }
         may_hit & all
     }
@@ -67,15 +52,16 @@ impl ObjectLanes {
     /// that are [too short](is_too_short).
     #[inline(always)]
     pub fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
+        // Only the numbers that a kind of object needs are broadcast.
         if at < self.sphere_count {
-            conservative.sphere(&self.targets.load::<V, true>(at))
+            conservative.sphere(&Target::of_numbers(self.targets.get(at)).lanes())
         } else {
-            conservative.cylinder(&self.targets.load::<V, true>(at))
+            conservative.cylinder(&Target::of_numbers(self.targets.get(at)).lanes())
         }
     }
 
-    /// For each lane, finds the objects that its ray may hit. `too_short` has a bit for each lane. If the bit is 1, all
-    /// objects count as ones that the ray may hit.
+    /// The objects that each of several rays may hit; all objects for the lanes of `too_short`, which are bits. These
+    /// hold at least the lanes whose directions are [too short](is_too_short).
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
@@ -92,8 +78,8 @@ impl ObjectLanes {
 pub struct MayHitLanes {
     /// Eight bits for each object, one of them for each ray.
     bits: u64,
-    /// A bit for each ray, which is 1 if the ray may hit at least one object.
-    any: u32,
+    /// Returns a bit for each ray, which is 1 if the ray may hit at least one object.
+    pub any: u32,
 }
 
 impl MayHitLanes {
@@ -107,12 +93,6 @@ impl MayHitLanes {
         self.any |= rays;
     }
 
-    /// Returns a bit for each ray, which is 1 if the ray may hit at least one object.
-    #[inline(always)]
-    pub const fn any(&self) -> u32 {
-        self.any
-    }
-
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray in `lane` may hit the object.
     #[inline(always)]
     pub const fn of_lane(&self, lane: usize) -> u32 {
@@ -121,31 +101,6 @@ impl MayHitLanes {
         const GATHER: u64 = 0x0102_0408_1020_4080;
         ((self.bits >> lane & FIRST_BIT_OF_EACH).wrapping_mul(GATHER) >> 56) as u32
     }
-}
-
-// These are functions, because closures would be compiled without the instruction set.
-impl Target<Row> {
-    /// Returns the objects from index `at` on, one in each lane. If `SAME` is set, every lane gets the object at `at`.
-    #[inline(always)]
-    fn load<V: SimdF64, const SAME: bool>(&self, at: usize) -> Target<V> {
-        Target {
-            center: vector::<V, SAME>(&self.center, at),
-            axis: vector::<V, SAME>(&self.axis, at),
-            radius_squared: number::<V, SAME>(&self.radius_squared, at),
-            bounding_radius_squared: number::<V, SAME>(&self.bounding_radius_squared, at),
-            half_height: number::<V, SAME>(&self.half_height, at),
-        }
-    }
-}
-
-#[inline(always)]
-fn number<V: SimdF64, const SAME: bool>(row: &Row, at: usize) -> V {
-    if SAME { V::of(row[at]) } else { V::load(&row[at..]) }
-}
-
-#[inline(always)]
-fn vector<V: SimdF64, const SAME: bool>(Vec3 { x, y, z }: &Vec3<Row>, at: usize) -> Vec3<V> {
-    Vec3::new(number::<V, SAME>(x, at), number::<V, SAME>(y, at), number::<V, SAME>(z, at))
 }
 
 #[cfg(test)]
@@ -163,7 +118,7 @@ mod tests {
             for lane in 0..8 {
                 let expected = (0..CAPACITY).map(|id| (rays[id] >> lane & 1) << id).sum::<u32>();
                 assert_eq!(may_hit.of_lane(lane), expected, "lane {lane} of {rays:?}");
-                assert_eq!(may_hit.any() >> lane & 1 == 1, expected != 0);
+                assert_eq!(may_hit.any >> lane & 1 == 1, expected != 0);
             }
         }
     }

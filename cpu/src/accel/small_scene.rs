@@ -6,13 +6,9 @@
 
 use crate::accel::{
     bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, conservative::is_too_short,
-    extent::Extent, find::Accelerator, find::Origin, object::ObjectId, object::in_order, object_lanes::MayHitLanes,
-    object_lanes::ObjectLanes,
+    extent::Extent, find::Accelerator, find::Origin, object::ObjectId, object::in_order, object_lanes::ObjectLanes,
 };
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Objects;
-use crate::simd::{Simd, SimdF64};
+use crate::{geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd, simd::SimdF64};
 
 /// If a scene has at least this many objects, lanes hold several objects for one ray. Fewer objects fill too few lanes.
 const FEWEST_IN_LANES: usize = 4;
@@ -20,8 +16,10 @@ const FEWEST_IN_LANES: usize = 4;
 /// The structure for up to eight objects.
 #[derive(Clone, Debug)]
 pub struct SmallScene {
-    in_order: Vec<ObjectId>,
-    object_lanes: ObjectLanes,
+    /// Returns the numbers of the objects, in the order of the scene file.
+    pub in_order: Vec<ObjectId>,
+    /// The objects in lanes, for one ray or several, which start within the scene's extent.
+    pub object_lanes: ObjectLanes,
     /// The largest coordinate of the scene; see [`Extent::max_coordinate`].
     pub(super) max_coordinate: f64,
 }
@@ -36,29 +34,10 @@ impl SmallScene {
         Ok(Self { in_order: in_order(objects)?, object_lanes, max_coordinate })
     }
 
-    /// Returns the numbers of the objects, in the order of the scene file.
-    pub fn in_order(&self) -> &[ObjectId] {
-        &self.in_order
-    }
-
     /// Whether lanes hold several objects for one ray. Otherwise lanes hold several rays for one object.
     #[inline(always)]
     pub fn uses_object_lanes(&self) -> bool {
         self.in_order.len() >= FEWEST_IN_LANES
-    }
-
-    /// Returns the closest hit of a ray, which must start inside the scene's extent.
-    #[inline(always)]
-    pub fn closest_hit<V: SimdF64, O: Objects>(&self, objects: &O, ray: &Ray) -> ClosestHit {
-        let (may_hit, mut closest) = (self.objects_may_hit::<V, O>(objects, ray), ClosestHit::NOTHING);
-        // Most rays can hit no object of a kind, so one branch for each kind skips the loop over its objects.
-        if may_hit & ((1 << objects.sphere_count()) - 1) != 0 {
-            intersect_spheres(&mut closest, objects, ray, may_hit);
-        }
-        if may_hit >> objects.sphere_count() != 0 {
-            intersect_cylinders(&mut closest, objects, ray, may_hit >> objects.sphere_count());
-        }
-        closest
     }
 
     /// Returns a bit for each object, by its [number](ObjectId). The bit is 1 if the ray may hit the object. The ray
@@ -77,21 +56,6 @@ impl SmallScene {
             may_hit |= u32::from(conservative.may_hit(objects, id, self.max_coordinate)) << id;
         }
         may_hit
-    }
-
-    /// For each lane, whether its ray may hit the object with the number `id`. The rays must start inside the scene's
-    /// extent. The result has no meaning for directions that are [too short](is_too_short).
-    #[inline(always)]
-    pub fn may_hit<V: SimdF64>(&self, id: ObjectId, conservative: &ConservativeRay<V>) -> V::Mask {
-        self.object_lanes.may_hit(id as usize, conservative)
-    }
-
-    /// For each lane, finds the objects that its ray may hit. The rays must start inside the scene's extent.
-    /// `too_short` has a bit for each lane, which must be 1 if the direction is [too short](is_too_short). Then all
-    /// objects count as ones that the ray may hit.
-    #[inline(always)]
-    pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
-        self.object_lanes.objects_may_hit_lanes(ray, too_short)
     }
 }
 
@@ -127,14 +91,23 @@ fn intersect_cylinders<O: Objects>(closest: &mut ClosestHit, objects: &O, ray: &
 
 impl Accelerator for SmallScene {
     #[inline(always)]
-    fn closest_hit_from<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
-        self.closest_hit::<S::F64, O>(objects, ray)
+    fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, _: Origin, _: &mut Stack) -> ClosestHit {
+        let (may_hit, mut closest) = (self.objects_may_hit::<S::F64, O>(objects, ray), ClosestHit::NOTHING);
+        // Most rays can hit no object of a kind, so one branch for each kind skips the loop over its objects.
+        if may_hit & ((1 << objects.sphere_count()) - 1) != 0 {
+            intersect_spheres(&mut closest, objects, ray, may_hit);
+        }
+        if may_hit >> objects.sphere_count() != 0 {
+            intersect_cylinders(&mut closest, objects, ray, may_hit >> objects.sphere_count());
+        }
+        closest
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accel::object::NO_OBJECT;
     use crate::input::scene::Scene;
     use crate::layout::aos::AosObjects;
     use crate::math::real::Real;
@@ -162,12 +135,13 @@ mod tests {
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> (u32, ClosestHit) {
             let ray = Ray { origin: self.ray.origin.map(S::F64::of), direction: self.ray.direction.map(S::F64::of) };
-            let each = self.small_scene.objects_may_hit_lanes(&ray, 0);
+            let each = self.small_scene.object_lanes.objects_may_hit_lanes(&ray, 0);
             let may_hit = each.of_lane(0);
-            assert_eq!(each.any(), if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
+            assert_eq!(each.any, if may_hit == 0 { 0 } else { (1 << S::F64::LANES) - 1 });
             assert!((1..S::F64::LANES).all(|lane| each.of_lane(lane) == may_hit), "{each:?}");
             assert_eq!(self.small_scene.objects_may_hit::<S::F64, _>(self.objects, &self.ray), may_hit);
-            (may_hit, self.small_scene.closest_hit::<S::F64, _>(self.objects, &self.ray))
+            let (from, mut stack) = (Origin { object: NO_OBJECT, enters: false }, Stack::EMPTY);
+            (may_hit, self.small_scene.closest_hit::<S, _>(self.objects, &self.ray, from, &mut stack))
         }
     }
 

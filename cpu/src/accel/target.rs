@@ -3,14 +3,13 @@
 use crate::accel::object::{ObjectId, ObjectRef};
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::layout::Objects;
-use crate::math::vec3::Vec3;
+use crate::math::{vec3::Vec3, vec3::broadcast};
 
 /// A bound of the distance by which rounding may move a point of the scene, relative to the scene's largest coordinate.
 /// It is some thousand roundings.
 pub const SLACK: f64 = 8192.0 * f64::EPSILON;
 
-/// A sphere or a cylinder. `T` is a number, lanes, or an array of numbers. A test of a sphere uses only centre and
-/// radius.
+/// A sphere or a cylinder; `T` is a number or lanes. A test of a sphere uses only centre and radius.
 #[derive(Clone, Copy, Debug)]
 pub struct Target<T = f64> {
     /// The object's centre.
@@ -26,7 +25,28 @@ pub struct Target<T = f64> {
     pub half_height: T,
 }
 
+broadcast!(Target: center, axis; radius_squared, bounding_radius_squared, half_height);
+
+impl<T: Copy> Target<T> {
+    /// The numbers, as [lanes of objects](crate::accel::object_lanes) keep them.
+    pub fn numbers(&self) -> [T; Target::NUMBERS] {
+        let Self { center: c, axis: a, radius_squared, bounding_radius_squared, half_height } = *self;
+        [c.x, c.y, c.z, a.x, a.y, a.z, radius_squared, bounding_radius_squared, half_height]
+    }
+
+    /// The target with these [numbers](Self::numbers).
+    #[inline(always)]
+    pub fn of_numbers(numbers: [T; Target::NUMBERS]) -> Self {
+        let [x, y, z, ax, ay, az, radius_squared, bounding_radius_squared, half_height] = numbers;
+        let (center, axis) = (Vec3::new(x, y, z), Vec3::new(ax, ay, az));
+        Self { center, axis, radius_squared, bounding_radius_squared, half_height }
+    }
+}
+
 impl Target {
+    /// How many numbers a target has.
+    pub const NUMBERS: usize = 9;
+
     /// Returns the object with the number `id`, in a scene with this
     /// [largest coordinate](crate::accel::extent::Extent::max_coordinate).
     #[inline(always)]

@@ -16,6 +16,9 @@ use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray
 use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
+/// Lambda, and the part that is hit; `None` if the ray hits nothing.
+type Hit<T> = Option<(T, CylinderPart)>;
+
 /// Returns lambda and part of the ray's hit with the cylinder, or `None` if it misses. [`CylinderRecord::intersect`]
 /// has the same rule, but here rounding never changes a decision. `axis` is that of the scene file, as long as the
 /// cylinder is high. `record` must be made from this axis.
@@ -47,10 +50,7 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
 /// nearer. The other cap counts only if nothing else is hit. For rays that start inside, or go inward from the surface,
 /// the exit through the side mostly decides alone.
 #[inline(always)]
-pub fn filtered<T: Rounding<Mask = bool>>(
-    record: &CylinderRecord<T>,
-    ray: &Ray<T>,
-) -> Decision<Option<(T, CylinderPart)>> {
+pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<T>) -> Decision<Hit<T>> {
     let side = Side::new(record, &record.seen_from(ray.origin), ray.direction);
     if !in_scale(side.length_squared) {
         return Decision::Uncertain;
@@ -97,10 +97,7 @@ pub fn filtered<T: Rounding<Mask = bool>>(
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {
     add(Counter::Fallbacks, 1);
-    let decision = run_fused!(|record: &CylinderRecord,
-                               axis: &Vec3,
-                               ray: &Ray|
-     -> Decision<Option<(DoubleDouble, CylinderPart)>> {
+    let decision = run_fused!(|record: &CylinderRecord, axis: &Vec3, ray: &Ray| -> Decision<Hit<DoubleDouble>> {
         let of = DoubleDouble::of;
         filtered(&CylinderRecord::new(record.center.map(of), of(record.radius), axis.map(of)), &ray.lanes())
     });

@@ -49,8 +49,8 @@ pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Opt
     let (radius_squared, least) = (exact(radius)?.squared(), exact(LAMBDA_MIN)?);
     let setting = Setting { direction, r_c, axis, radius_squared, half, slope, height, least };
     let side = setting.side();
-    let (top, bottom) = (setting.cap(false)?, setting.cap(true)?);
-    Ok(closest_part(side, top, bottom))
+    let caps = [setting.cap(false)?, setting.cap(true)?];
+    Ok(closest_part(side, caps))
 }
 
 impl Setting {
@@ -102,11 +102,7 @@ impl Setting {
 
 /// Returns lambda and name of the closest part, or `None` if no part is hit. Of equal lambdas the later parameter
 /// counts, by the rule of [`crate::geometry::tie`].
-fn closest_part(
-    side: Option<(Quadratic, bool)>,
-    top: Option<Fraction>,
-    bottom: Option<Fraction>,
-) -> Option<(f64, CylinderPart)> {
+fn closest_part(side: Option<(Quadratic, bool)>, [top, bottom]: [Option<Fraction>; 2]) -> Option<(f64, CylinderPart)> {
     let side_is_closer = |cap: &Fraction| {
         side.as_ref().is_some_and(|(quadratic, larger)| {
             // The side is closer if `lambda_side - lambda_cap` is not at least 0.

@@ -6,8 +6,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::exact::{double_double::DoubleDouble, limbs};
-use crate::math::{error_free::two_sum, real::Real};
+use crate::{exact::double_double::DoubleDouble, exact::limbs, math::error_free::two_sum, math::real::Real};
 
 /// The number `± magnitude * 2^exponent`, with the minus sign if `negative` is set.
 #[derive(Clone, Debug)]

@@ -15,8 +15,7 @@
 //! a wrong result certain, for two reasons: a tiny constant is added to `M`, and the direction must be [in
 //! scale](in_scale).
 
-use crate::geometry::ray::LAMBDA_MIN;
-use crate::math::{real::Real, rounding::Rounding};
+use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 
 /// The result of a formula if it is certain, or the statement that rounding may have changed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,8 @@
 //! The projection window, and the rays through its pixels (specification, sections 6.1 and 6.2).
 
-use crate::geometry::ray::{Ray, broadcast};
-use crate::input::{
-    config::Config,
-    error::{Error, Picture},
-    size::Size,
-};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::geometry::ray::Ray;
+use crate::input::{config::Config, error::Error, error::Picture, size::Size};
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// The constants from which every camera ray is computed, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]

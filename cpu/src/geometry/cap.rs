@@ -7,8 +7,7 @@
 //! reference has a literal copy in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of
 //! `cylinder.wgsl`.
 
-use crate::geometry::ray::{Ray, in_range};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{geometry::ray::Ray, geometry::ray::in_range, math::real::Real, math::vec3::Vec3};
 
 /// If the dot product of a cap's normal and the ray's direction has a smaller magnitude than this, the cap is not hit.
 pub const PARALLEL: f64 = 1e-8;

@@ -7,8 +7,8 @@
 //! counts if its point, measured along the axis, is at most half the height from the centre. The caps are discs in the
 //! planes at both ends ([`cap`]).
 
-use crate::geometry::{cap, ray::Ray, ray::broadcast, ray::in_range, tie::later_is_closer};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::geometry::{cap, ray::Ray, ray::in_range, tie::later_is_closer};
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// A cylinder in the form that the formulas use. What does not depend on the ray is computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]

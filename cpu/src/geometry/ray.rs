@@ -1,21 +1,6 @@
 //! Rays, and the point where a ray hits a surface.
 
-use crate::math::{real::Real, vec3::Vec3};
-
-/// Defines the method `lanes` for a structure of vectors and numbers.
-macro_rules! broadcast {
-    ($type:ident: $($vector:ident),*; $($number:ident),*) => {
-        impl $type {
-            /// Returns the structure with the same values in every lane.
-            #[inline(always)]
-            #[must_use]
-            pub fn lanes<V: Real>(&self) -> $type<V> {
-                $type { $($vector: self.$vector.map(V::of),)* $($number: V::of(self.$number),)* }
-            }
-        }
-    };
-}
-pub(super) use broadcast;
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// The smallest lambda of a hit that counts, in lengths of the ray's direction (specification, section 8.2).
 pub const LAMBDA_MIN: f64 = 1e-3;
@@ -35,7 +20,6 @@ broadcast!(Ray: origin, direction;);
 impl<T: Real> Ray<T> {
     /// Returns the point `origin + direction lambda`.
     #[inline(always)]
-    #[must_use]
     pub fn at(&self, lambda: T) -> Vec3<T> {
         self.origin + self.direction * lambda
     }

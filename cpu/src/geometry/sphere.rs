@@ -5,8 +5,7 @@
 //! of `(-b -+ sqrt(b^2 - 4 a c)) / (2 a)`, because a product with a power of two is exact short of overflow and
 //! underflow.
 
-use crate::geometry::ray::{Ray, broadcast, in_range};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{geometry::ray::Ray, geometry::ray::in_range, math::real::Real, math::vec3::Vec3, math::vec3::broadcast};
 
 /// A sphere in the form that the formulas use. The square of the radius is computed once, not for each ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

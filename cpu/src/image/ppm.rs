@@ -11,13 +11,7 @@ const DECIMAL: [([u8; 4], u8); 256] = {
     let mut value = 0;
     while value < 256 {
         let digits = [b'0' + (value / 100) as u8, b'0' + (value / 10 % 10) as u8, b'0' + (value % 10) as u8];
-        let skipped = if value >= 100 {
-            0
-        } else if value >= 10 {
-            1
-        } else {
-            2
-        };
+        let skipped = (value < 100) as usize + (value < 10) as usize;
         let mut at = skipped;
         while at < 3 {
             table[value].0[at - skipped] = digits[at];

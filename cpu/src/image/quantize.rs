@@ -59,20 +59,11 @@ impl Quantizer {
     /// Returns the byte of a channel with this mean: the byte of [`quantize`].
     #[inline]
     pub fn quantize(&self, mean: f64) -> u8 {
-        // Negative means and NaN land in cell 0.
-        let cell = ((mean * CELLS as f64) as usize).min(CELLS - 1);
-        let mut byte = usize::from(self.first_guess[cell]);
-        while byte < 255 {
-            let (below, from) = self.bounds[byte + 1];
-            if mean >= from {
-                byte += 1;
-            } else if mean > below {
-                return self.at_a_boundary(mean);
-            } else {
-                break;
-            }
+        let (byte, below) = self.last_reached(mean);
+        if mean > below {
+            return self.at_a_boundary(mean);
         }
-        if mean >= LOWEST { byte as u8 } else { quantize(mean, self.gamma) }
+        if mean >= LOWEST { byte } else { quantize(mean, self.gamma) }
     }
 
     /// Returns the byte that every mean from `low` to `high` certainly gives, or `None` if they may give different
@@ -82,12 +73,25 @@ impl Quantizer {
         if self.holds(guess, low, high) {
             return Some(guess);
         }
-        let cell = ((low * CELLS as f64) as usize).min(CELLS - 1);
+        let (byte, _) = self.last_reached(low);
+        self.holds(byte, low, high).then_some(byte)
+    }
+
+    /// The last byte whose certain means begin at `mean` or below, and `below` of the next byte. Negative means and NaN
+    /// give byte 0.
+    #[inline]
+    fn last_reached(&self, mean: f64) -> (u8, f64) {
+        // Negative means and NaN land in cell 0.
+        let cell = ((mean * CELLS as f64) as usize).min(CELLS - 1);
         let mut byte = usize::from(self.first_guess[cell]);
-        while byte < 255 && low >= self.bounds[byte + 1].1 {
-            byte += 1;
+        loop {
+            let (below, from) = self.bounds[byte + 1];
+            if byte < 255 && mean >= from {
+                byte += 1;
+            } else {
+                return (byte as u8, below);
+            }
         }
-        self.holds(byte as u8, low, high).then_some(byte as u8)
     }
 
     /// Whether every mean from `low` to `high` certainly gives this byte.

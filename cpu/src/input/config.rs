@@ -3,9 +3,7 @@
 use std::io::BufRead;
 use std::path::Path;
 
-use crate::input::error::{Error, Picture};
-use crate::input::text::{self, Tokens};
-use crate::input::{reader, size::Size};
+use crate::input::{error::Error, error::Picture, reader, size::Size, text, text::Tokens};
 use crate::math::vec3::Vec3;
 
 /// The configuration of a picture. [`Config::parse`] returns only configurations whose values are in their ranges.

@@ -215,6 +215,16 @@ pub fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, Error> {
     Ok(list)
 }
 
+/// Appends to a list.
+///
+/// # Errors
+/// [`Error::OutOfMemory`], with `what` there is no memory for.
+pub fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> {
+    list.try_reserve(1).map_err(|_| Error::OutOfMemory { what })?;
+    list.push(item);
+    Ok(())
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(&String::from_utf8_lossy(&self.message()))

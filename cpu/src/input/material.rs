@@ -29,7 +29,6 @@ pub enum Material {
 impl Material {
     /// Returns the factor that the surface applies to the colour of the scattered ray. It is one for a refractive
     /// surface.
-    #[must_use]
     pub const fn reflectance(&self) -> Vec3 {
         match *self {
             Self::Matte { reflectance } | Self::Metal { reflectance, .. } => reflectance,

@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::Path;
 
-use crate::input::{error::Error, text::MAX_FILE_BYTES};
+use crate::input::{error::Error, text::MAX_FILE_BYTES, text::too_large};
 
 /// An open file of which at most a limited number of bytes is read.
 #[derive(Debug)]
@@ -44,12 +44,6 @@ impl Read for Input {
         self.left -= length as u64;
         Ok(length)
     }
-}
-
-/// Returns the error for an input of more than `limit` bytes.
-#[must_use]
-pub fn too_large(limit: u64) -> io::Error {
-    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {limit} bytes"))
 }
 
 /// Opens the file at `path` and calls `parse` to read it.

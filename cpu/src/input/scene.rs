@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::io::BufRead;
 use std::path::Path;
 
-use crate::input::error::{Error, with_room};
+use crate::input::error::{Error, push, with_room};
 use crate::input::text::{self, Tokens};
 use crate::input::{config::color, material::Material, reader};
 use crate::math::vec3::Vec3;
@@ -164,12 +164,6 @@ impl Entity {
         let item = (self.read)(tokens)?;
         Some((first.or_else(|| tokens.next())?, item))
     }
-}
-
-fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> {
-    list.try_reserve(1).map_err(|_| Error::OutOfMemory { what })?;
-    list.push(item);
-    Ok(())
 }
 
 impl Scene {

@@ -40,20 +40,23 @@ pub fn for_each_line<E: From<io::Error>>(
             return Err(io::Error::new(io::ErrorKind::InvalidData, text).into());
         }
         if total > MAX_FILE_BYTES {
-            let text = format!("it is larger than {MAX_FILE_BYTES} bytes");
-            return Err(io::Error::new(io::ErrorKind::FileTooLarge, text).into());
+            return Err(too_large(MAX_FILE_BYTES).into());
         }
         visit(content)?;
     }
     Ok(())
 }
 
+/// The error for an input of more than `limit` bytes.
+#[must_use]
+pub fn too_large(limit: u64) -> io::Error {
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is larger than {limit} bytes"))
+}
+
 /// Returns the line without LF, CRLF or CR at its end.
 fn without_line_end(line: &[u8]) -> &[u8] {
-    match line.strip_suffix(b"\n") {
-        Some(line) => line.strip_suffix(b"\r").unwrap_or(line),
-        None => line.strip_suffix(b"\r").unwrap_or(line),
-    }
+    let line = line.strip_suffix(b"\n").unwrap_or(line);
+    line.strip_suffix(b"\r").unwrap_or(line)
 }
 
 const fn is_blank(byte: u8) -> bool {

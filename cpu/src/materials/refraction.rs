@@ -16,8 +16,7 @@
 //! The reference has a copy of this rule in `reference.rs` (`scatter`), and WGSL has one in `scatter.wgsl`
 //! (`scatter_refract`).
 
-use crate::materials::reflection::reflect;
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
 /// The ratios of indices of a refractive surface with index `rho`, for rays that enter and for rays that leave.
 #[derive(Clone, Copy, Debug, PartialEq)]

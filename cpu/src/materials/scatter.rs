@@ -1,7 +1,7 @@
 //! Adds a random vector to a direction (specification, sections 10.1 and 10.2). The reference has a copy of this rule
 //! in `reference.rs` (`scatter`), and WGSL has one in `scatter.wgsl`.
 
-use crate::math::{real::Real, vec3::Vec3};
+use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
 /// The constants with which a surface scatters light around a direction. With lanes, each lane may have its own
 /// surface.
@@ -14,6 +14,8 @@ pub struct ScatterParams<T = f64> {
     /// The limit below which [`scatter_around`] replaces a sum. It is above 0 for matte surfaces only.
     pub negligible: T,
 }
+
+broadcast!(ScatterParams:; scale, shift, negligible);
 
 impl<T: Real> ScatterParams<T> {
     /// Returns the random vector that `scatter_sample` gives.
@@ -29,12 +31,6 @@ impl ScatterParams {
     pub fn scatter_around(&self, unperturbed: Vec3, scatter_sample: Vec3) -> Vec3 {
         scatter_around(unperturbed, self.vector(scatter_sample), self.negligible)
     }
-
-    /// Returns the same constants in every lane.
-    #[inline(always)]
-    pub fn lanes<V: Real>(&self) -> ScatterParams<V> {
-        ScatterParams { scale: V::of(self.scale), shift: V::of(self.shift), negligible: V::of(self.negligible) }
-    }
 }
 
 /// Returns the sum of the direction `unperturbed` and a random vector. If every component of the sum is smaller than
@@ -48,9 +44,8 @@ pub fn scatter_around<T: Real<Mask = bool>>(unperturbed: Vec3<T>, vector: Vec3<T
     direction
 }
 
-/// The last two comparisons of [`Vec3::is_within`]. They are seldom needed, so they are in a separate function behind a
-/// branch. Otherwise LLVM turns all three comparisons into a selection, and the next steps of the ray wait for its
-/// result.
+/// The last two comparisons of [`Vec3::is_negligible`], which rays seldom need. They are out of line, behind a branch.
+/// LLVM otherwise turns all three into a selection, and the next steps of the ray depend on its result.
 #[cold]
 #[inline(never)]
 fn are_within<T: Real<Mask = bool>>(y: T, z: T, limit: T) -> bool {

@@ -12,6 +12,7 @@ use crate::math::real::Real;
 
 /// A point, a direction (both in scene units) or a linear colour (red, green, blue).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[must_use]
 #[repr(C)]
 pub struct Vec3<T = f64> {
     /// First component; red in a colour.
@@ -38,14 +39,12 @@ impl Vec3 {
 impl<T: Copy> Vec3<T> {
     /// Returns the vector with these components.
     #[inline(always)]
-    #[must_use]
     pub const fn new(x: T, y: T, z: T) -> Self {
         Self { x, y, z }
     }
 
     /// Returns the vector with three equal components.
     #[inline(always)]
-    #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new(value, value, value)
     }
@@ -59,7 +58,6 @@ impl<T: Copy> Vec3<T> {
 
     /// Returns the vector with `convert` applied to every component.
     #[inline(always)]
-    #[must_use]
     pub fn map<U: Copy>(self, convert: impl Fn(T) -> U) -> Vec3<U> {
         Vec3::new(convert(self.x), convert(self.y), convert(self.z))
     }
@@ -68,7 +66,6 @@ impl<T: Copy> Vec3<T> {
 impl<T: Real> Vec3<T> {
     /// Returns `yes` where `mask` holds, and `no` elsewhere.
     #[inline(always)]
-    #[must_use]
     pub fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self::new(T::select(mask, yes.x, no.x), T::select(mask, yes.y, no.y), T::select(mask, yes.z, no.z))
     }
@@ -82,7 +79,6 @@ impl<T: Real> Vec3<T> {
 
     /// Returns the cross product `self × other`.
     #[inline(always)]
-    #[must_use]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
             self.y * other.z - self.z * other.y,
@@ -100,7 +96,6 @@ impl<T: Real> Vec3<T> {
 
     /// Returns the vector of length one in the same direction. For a null vector every component is NaN.
     #[inline(always)]
-    #[must_use]
     pub fn unit(self) -> Self {
         self / self.length()
     }
@@ -113,7 +108,6 @@ impl<T: Real> Vec3<T> {
     /// exact. All other vectors give the bits of [`Self::unit`] and [`Self::length`]. `f32` cannot hold 2^600. So in
     /// `f32` no vector is scaled, and the squared length of a short vector underflows.
     #[inline(always)]
-    #[must_use]
     pub fn unit_and_length(self) -> (Self, T) {
         const SCALE: f64 = f64::from_bits((1023 + 600) << 52);
         const INVERSE: f64 = f64::from_bits((1023 - 600) << 52);
@@ -125,7 +119,6 @@ impl<T: Real> Vec3<T> {
 
     /// Returns the product component by component: a colour after reflection by a surface with this `reflectance`.
     #[inline(always)]
-    #[must_use]
     pub fn attenuate(self, reflectance: Self) -> Self {
         Self::new(self.x * reflectance.x, self.y * reflectance.y, self.z * reflectance.z)
     }
@@ -133,7 +126,6 @@ impl<T: Real> Vec3<T> {
     /// Returns the part of the vector `v` that is perpendicular to `axis`: `v - (v . axis) axis`. The axis has length
     /// one.
     #[inline(always)]
-    #[must_use]
     pub fn perpendicular_to(self, axis: Self) -> Self {
         self - axis * self.dot(axis)
     }
@@ -144,13 +136,7 @@ impl<T: Real<Mask = bool>> Vec3<T> {
     #[inline(always)]
     #[must_use]
     pub fn is_negligible(self) -> bool {
-        self.is_within(T::of(NEGLIGIBLE))
-    }
-
-    /// Whether every component is smaller than `limit` in magnitude.
-    #[inline(always)]
-    #[must_use]
-    pub fn is_within(self, limit: T) -> bool {
+        let limit = T::of(NEGLIGIBLE);
         self.x.abs().less(limit) && self.y.abs().less(limit) && self.z.abs().less(limit)
     }
 }
@@ -193,6 +179,21 @@ impl<T: Real> Neg for Vec3<T> {
         Self::new(-self.x, -self.y, -self.z)
     }
 }
+
+/// Gives a structure of vectors and numbers the method `lanes`.
+macro_rules! broadcast {
+    ($type:ident: $($vector:ident),*; $($number:ident),*) => {
+        impl $type {
+            /// The same values in every lane.
+            #[inline(always)]
+            #[must_use]
+            pub fn lanes<V: $crate::math::real::Real>(&self) -> $type<V> {
+                $type { $($vector: self.$vector.map(V::of),)* $($number: V::of(self.$number),)* }
+            }
+        }
+    };
+}
+pub(crate) use broadcast;
 
 #[cfg(test)]
 mod tests {

@@ -4,22 +4,11 @@ use crate::exact;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
 
-/// The intersections of the reference, as a value. [`Intersect`] is the same choice as a type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// The plain formulas, with their rounding errors.
-    Plain,
-    /// The exact intersections of the real renderer: the plain formulas with their error bounds, and more precise
-    /// formulas if these are uncertain.
-    Exact,
-}
-
 /// The intersections of a ray with one sphere or cylinder. Some tests implement it to count intersections, or to leave
 /// out a step of them.
 pub trait Intersect {
-    /// If this is [`Precision::Plain`], the reference uses its own literal formulas. Otherwise it calls the functions
-    /// of this type.
-    const PRECISION: Precision;
+    /// Whether the reference takes its own literal formulas instead of those of this type.
+    const IS_LITERAL: bool = false;
 
     /// Returns the lambda at which the ray hits the sphere, or `None`, as [`SphereRecord::intersect`] does.
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64>;
@@ -29,16 +18,17 @@ pub trait Intersect {
     fn cylinder(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)>;
 }
 
-/// The choice [`Precision::Plain`] as a type, which has no values.
+/// The plain formulas, with their rounding errors.
 #[derive(Clone, Copy, Debug)]
 pub enum Plain {}
 
-/// The choice [`Precision::Exact`] as a type, which has no values.
+/// The exact intersections of the real renderer: the plain formulas with their error bounds, and more precise
+/// formulas if these are uncertain.
 #[derive(Clone, Copy, Debug)]
 pub enum Exact {}
 
 impl Intersect for Plain {
-    const PRECISION: Precision = Precision::Plain;
+    const IS_LITERAL: bool = true;
 
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         record.intersect(ray)
@@ -50,8 +40,6 @@ impl Intersect for Plain {
 }
 
 impl Intersect for Exact {
-    const PRECISION: Precision = Precision::Exact;
-
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         exact::sphere::intersect(record, ray)
     }

@@ -1,7 +1,6 @@
 //! Computes the mean of a pixel's samples. They are summed in their order.
 
-use crate::math::vec3::Vec3;
-use crate::render::{samples::Batch, span::Span};
+use crate::{math::vec3::Vec3, render::samples::Batch, render::span::Span};
 
 /// The sum of the samples of the present pixel, which may continue in the next span.
 #[derive(Debug)]

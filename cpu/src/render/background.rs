@@ -1,7 +1,6 @@
 //! The background: the colour of a ray that hits no object. It is a gradient along y (specification, section 8.4).
 
-use crate::input::config::Config;
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{input::config::Config, math::real::Real, math::vec3::Vec3, math::vec3::broadcast};
 
 /// The two ends of the background's gradient: linear colours with channels in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,16 +12,12 @@ pub struct Background<T = f64> {
     pub light: Vec3<T>,
 }
 
+broadcast!(Background: dark, light;);
+
 impl Background {
     /// Returns the background of a configuration.
     pub const fn new(config: &Config) -> Self {
         Self { dark: config.background_dark_color, light: config.background_light_color }
-    }
-
-    /// Returns the same background in every lane.
-    #[inline(always)]
-    pub fn lanes<V: Real>(&self) -> Background<V> {
-        Background { dark: self.dark.map(V::of), light: self.light.map(V::of) }
     }
 }
 

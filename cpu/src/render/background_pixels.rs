@@ -21,11 +21,12 @@
 //! is negative this may be a tie, which rounds to the even number 1. Sums of ones are exact. The same holds for a
 //! channel that is 0 at both ends.
 
+use crate::image::quantize::Quantizer;
 use crate::layout::Layout;
 use crate::math::real::Real;
 use crate::render::background_slope::{DerivativeBound, pixel_radius};
 use crate::render::span::{Span, WIDEST};
-use crate::render::{prepared::Prepared, samples::Batch};
+use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
 use crate::simd::{SimdF64, columns::Columns};
 
@@ -89,7 +90,7 @@ impl BackgroundPixels {
         let (camera, row) = (prepared.camera.lanes(), V::of(row as f64));
         let radius = V::of(pixel_radius(&prepared.camera));
         for at in (0..span.width()).step_by(V::LANES) {
-            let column = V::of(span.first as f64) + V::load(&FROM_ZERO[at..]);
+            let column = V::of((span.first + at) as f64) + V::load(&LANES);
             let derivative = DerivativeBound::new(&camera, row, column, radius);
             self.derivatives.store(at, derivative.numbers());
             self.intervals.store(at, intervals(prepared, derivative.anywhere(), self.rounding));
@@ -107,29 +108,24 @@ impl BackgroundPixels {
         batch: &mut Batch,
     ) -> Option<[u8; 3]> {
         let derivative = DerivativeBound::of(self.derivatives.get(at));
-        if let Some(bytes) = self.bytes_within(prepared, self.intervals.get(at), &derivative) {
+        if let Some(bytes) = self.bytes_within(&prepared.quantizer, self.intervals.get(at), &derivative) {
             pixel_jitter.pass_over(prepared.samples);
             return Some(bytes);
         }
         batch.draw::<V, L>(prepared, &span.pixel(at, prepared.samples), pixel_jitter);
         let [right, down] = &batch.offset.0;
         let offset = [right, down].map(|offsets| sum(&offsets[..batch.count]) / batch.count as f64);
-        self.bytes_within(prepared, intervals(prepared, derivative.at(offset), self.rounding), &derivative)
+        self.bytes_within(&prepared.quantizer, intervals(prepared, derivative.at(offset), self.rounding), &derivative)
     }
 
     /// Returns the bytes of a pixel whose means lie in these intervals. The result is `None` if the means of an
     /// interval may give different bytes.
     #[inline(always)]
-    fn bytes_within<L: Layout>(
-        &mut self,
-        prepared: &Prepared<L>,
-        intervals: [f64; 6],
-        derivative: &DerivativeBound,
-    ) -> Option<[u8; 3]> {
-        for (channel, &[low, high]) in intervals.as_chunks().0.iter().enumerate() {
+    fn bytes_within(&mut self, table: &Quantizer, means: [f64; 6], derivative: &DerivativeBound) -> Option<[u8; 3]> {
+        for (channel, &[low, high]) in means.as_chunks().0.iter().enumerate() {
             self.last[channel] = match self.constant[channel] {
                 Some(byte) if derivative.weight_is_in_unit_interval() => byte,
-                _ => prepared.quantizer.quantize_interval(low, high, self.last[channel])?,
+                _ => table.quantize_interval(low, high, self.last[channel])?,
             };
         }
         Some(self.last)
@@ -150,16 +146,8 @@ fn sum(values: &[f64]) -> f64 {
     sums.iter().chain(remainder).sum()
 }
 
-/// The numbers 0, 1, 2 and so on: the columns of a span, relative to its first column.
-const FROM_ZERO: [f64; WIDEST] = {
-    let mut numbers = [0.0; WIDEST];
-    let mut at = 0;
-    while at < WIDEST {
-        numbers[at] = at as f64;
-        at += 1;
-    }
-    numbers
-};
+/// The distance of each lane from the first.
+const LANES: [f64; MOST_LANES] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
 #[cfg(test)]
 mod tests {

@@ -9,8 +9,7 @@
 //! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
 //! is at most `6 / |d|^2`.
 
-use crate::geometry::camera::Camera;
-use crate::math::{real::Real, vec3::Vec3};
+use crate::{geometry::camera::Camera, math::real::Real, math::vec3::Vec3};
 
 /// Returns an upper bound of `|e|`: the distance, in scene units, of a pixel's points from the pixel's centre.
 pub fn pixel_radius(camera: &Camera) -> f64 {

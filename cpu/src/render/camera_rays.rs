@@ -1,15 +1,13 @@
 //! Intersects several camera rays at once with the span's candidates, and shades them.
 
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::Layout;
-use crate::math::real::Real;
-use crate::render::frustum::{Candidate, Candidates};
-use crate::render::hit_lanes::{HitLanes, Rays};
 use crate::render::{
-    arrays::SAMPLES, max_depth::RaysLeft, path_vertex::PathVertex, shade::shade, span_state::SpanState,
+    arrays::SAMPLES, frustum::Candidate, frustum::Candidates, hit_lanes::HitLanes, hit_lanes::Rays,
+    max_depth::RaysLeft, path_vertex::PathVertex, shade::shade, span_state::SpanState,
 };
-use crate::simd::{Kernel, Simd, SimdF64, valid_lanes};
+use crate::{
+    counters::Counter, counters::add, geometry::ray::Ray, layout::Layout, math::real::Real, simd::Kernel, simd::Simd,
+    simd::SimdF64, simd::valid_lanes,
+};
 
 /// A kernel that traces the camera rays of the batch. If a ray hits no object, its sample gets the colour of the
 /// background. If it hits a refractive surface, its sample goes to the specular queue. If it hits a matte or metal

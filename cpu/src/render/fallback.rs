@@ -4,8 +4,7 @@
 //! into single rays before the loop over the objects. It does so for every group of rays, but few groups have an
 //! uncertain lane.
 
-use crate::geometry::{cylinder::CylinderPart, ray::Ray};
-use crate::simd::{SimdF64, columns::Columns};
+use crate::{geometry::cylinder::CylinderPart, geometry::ray::Ray, simd::SimdF64, simd::columns::Columns};
 
 /// Largest number of `f64` lanes of any instruction set.
 pub const MOST_LANES: usize = 8;

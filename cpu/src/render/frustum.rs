@@ -7,15 +7,13 @@
 //! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes
 //! ([`Candidates::are_culled`]).
 
-use crate::accel::object::{self, ObjectId, ObjectRef};
-use crate::accel::{bounds::Bounds, choice::Accel};
-use crate::counters::{Counter, add};
-use crate::geometry::cylinder::{CylinderRecord, CylinderView};
-use crate::geometry::sphere::{SphereRecord, SphereView};
-use crate::input::error::Error;
-use crate::layout::{Layout, Objects, with_room};
-use crate::math::vec3::Vec3;
 use crate::render::{prepared::Prepared, span::Span};
+use crate::{
+    accel::bounds::Bounds, accel::choice::Accel, accel::object, accel::object::ObjectId, accel::object::ObjectRef,
+    counters::Counter, counters::add, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
+    geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::Objects,
+    layout::with_room, math::vec3::Vec3,
+};
 
 /// An object that a span's rays may hit, with the terms of its formula that are constant for all camera rays.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +96,9 @@ pub struct Candidates {
     row: Vec<Outline>,
     /// The span's candidates with their numbers, in the order of the scene file.
     pub span: Vec<(ObjectId, Candidate)>,
-    are_culled: bool,
+    /// Whether objects are culled. They are not if the scene's magnitudes are not
+    /// [moderate](crate::accel::extent::Extent::moderate), because then no margin or bound is valid.
+    pub are_culled: bool,
 }
 
 impl Candidates {
@@ -110,12 +110,6 @@ impl Candidates {
         let all = object::in_order(&prepared.objects)?;
         let (boxed, row, span) = (with_room(all.len())?, with_room(all.len())?, with_room(all.len())?);
         Ok(Self { all, boxed, row, span, are_culled: !matches!(prepared.accel, Accel::EveryObject) })
-    }
-
-    /// Whether objects are culled. They are not if the scene's magnitudes are not
-    /// [moderate](crate::accel::extent::Extent::moderate), because then no margin or bound is valid.
-    pub const fn are_culled(&self) -> bool {
-        self.are_culled
     }
 
     /// Finds the objects that the camera rays of `row` may hit.

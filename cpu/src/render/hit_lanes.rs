@@ -1,17 +1,19 @@
 //! The closest hits of several rays, which are found at once.
 
-use crate::accel::object::ObjectId;
-use crate::counters::{Counter, add};
-use crate::exact::{self, error_bound::in_scale};
-use crate::geometry::cylinder::{CylinderPart, CylinderRecord, CylinderView};
-use crate::geometry::{ray::Ray, sphere::SphereRecord, sphere::SphereView, tie::later_is_closer};
-use crate::math::vec3::Vec3;
 use crate::render::fallback::precise;
-use crate::simd::{LaneMask, SimdF64};
+use crate::{
+    accel::object::ObjectId, counters::Counter, counters::add, exact, exact::error_bound::in_scale,
+    geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
+    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView, geometry::tie::later_is_closer,
+    math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+};
 
 /// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`. It is several times as large
 /// as the proven bound of the filter.
 const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
+
+/// A cylinder and its axis in the scene file.
+type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
 
 /// The closest hit of each of several rays, one ray in each lane. Object and part are whole numbers.
 #[derive(Clone, Copy)]
@@ -95,12 +97,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects rays with a sphere that at least one of them may hit, and updates the hits. Each ray has its own
     /// origin, which must lie inside the scene's extent.
     #[inline(always)]
-    pub fn intersect_candidate_sphere(&mut self, id: ObjectId, record: &SphereRecord, rays: &Rays<V>) {
-        self.filtered_sphere(id, record, &record.lanes().seen_from(rays.ray.origin), rays);
-    }
-
-    #[inline(always)]
-    fn filtered_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
+    pub fn filtered_sphere(&mut self, id: ObjectId, record: &SphereRecord, view: &SphereView<V>, rays: &Rays<V>) {
         let &Rays { ray, a, valid, .. } = rays;
         let lanes = exact::sphere::filtered_from(view, ray.direction, a);
         let mut certain = lanes.certain & in_scale(a);
@@ -123,13 +120,7 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects camera rays with a cylinder, and updates the hits. `cylinder` is the record and the axis of the scene
     /// file. `view` has the cylinder's terms for the camera's position.
     #[inline(always)]
-    pub fn intersect_cylinder(
-        &mut self,
-        id: ObjectId,
-        cylinder: (&CylinderRecord, &Vec3),
-        view: &CylinderView<V>,
-        rays: &Rays<V>,
-    ) {
+    pub fn intersect_cylinder(&mut self, id: ObjectId, cylinder: Cylinder, view: &CylinderView<V>, rays: &Rays<V>) {
         let (.., discriminant) = cylinder.0.lanes::<V>().quadratic(view, rays.ray.direction);
         if rays.may_hit(discriminant, view.squares) {
             self.filtered_cylinder(id, cylinder, view, rays);
@@ -139,18 +130,8 @@ impl<V: SimdF64> HitLanes<V> {
     /// Intersects rays with a cylinder that at least one of them may hit, and updates the hits. Each ray has its own
     /// origin, which must lie inside the scene's extent. `cylinder` is the record and the axis of the scene file.
     #[inline(always)]
-    pub fn intersect_candidate_cylinder(&mut self, id: ObjectId, cylinder: (&CylinderRecord, &Vec3), rays: &Rays<V>) {
-        self.filtered_cylinder(id, cylinder, &cylinder.0.lanes().seen_from(rays.ray.origin), rays);
-    }
-
-    #[inline(always)]
-    fn filtered_cylinder(
-        &mut self,
-        id: ObjectId,
-        (record, axis): (&CylinderRecord, &Vec3),
-        view: &CylinderView<V>,
-        rays: &Rays<V>,
-    ) {
+    pub fn filtered_cylinder(&mut self, id: ObjectId, cylinder: Cylinder, view: &CylinderView<V>, rays: &Rays<V>) {
+        let (record, axis) = cylinder;
         let &Rays { ray, a, valid, .. } = rays;
         let lanes_record = record.lanes::<V>();
         let side = exact::cylinder::SideLanes::new(&lanes_record, view, ray);

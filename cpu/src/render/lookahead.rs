@@ -14,14 +14,12 @@
 //! A path escapes only if the conservative test discards every object. The test discards no object if a number is NaN
 //! or if the direction is too short.
 
-use crate::accel::small_scene::{SmallScene, closest_hit_among};
-use crate::accel::{conservative::is_too_short, object_lanes::MayHitLanes};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::Layout;
-use crate::math::vec3::Vec3;
 use crate::render::{max_depth::RaysLeft, path::PathTracer, path_vertex::PathVertex, prepared::Prepared};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF64};
+use crate::{
+    accel::conservative::is_too_short, accel::object_lanes::MayHitLanes, accel::small_scene::SmallScene,
+    accel::small_scene::closest_hit_among, counters::Counter, counters::add, geometry::ray::Ray, layout::Layout,
+    math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
+};
 
 /// The first rays of consecutive paths of the queue, one in each lane, under the guess that each of them escapes.
 #[derive(Clone, Copy)]
@@ -38,13 +36,6 @@ struct Lookahead<V: SimdF64> {
 }
 
 impl<V: SimdF64> Lookahead<V> {
-    /// Returns a lookahead without paths.
-    #[inline(always)]
-    fn nothing() -> Self {
-        let direction = Vec3::splat(V::of(0.0));
-        Self { at: usize::MAX, position: 0, tested: 0, direction, may_hit: MayHitLanes::NOTHING }
-    }
-
     /// Tests the first rays of the paths from index `at` on, one in each lane. They use the next scatter samples, but
     /// do not take them.
     #[inline(always)]
@@ -62,14 +53,14 @@ impl<V: SimdF64> Lookahead<V> {
             let is_negligible = x.abs().less(limit) & y.abs().less(limit) & z.abs().less(limit);
             direction = Vec3::select(is_negligible, unperturbed, direction);
         }
-        let may_hit = small_scene.objects_may_hit_lanes(&Ray { origin: point, direction }, short);
+        let may_hit = small_scene.object_lanes.objects_may_hit_lanes(&Ray { origin: point, direction }, short);
         Self { at, position: scatter_samples.position(), tested, direction, may_hit }
     }
 
     /// Returns the number of paths before the first one that may hit an object. All these paths escape.
     #[inline(always)]
     fn escaping(&self) -> usize {
-        (self.may_hit.any() | u32::MAX << self.tested).trailing_zeros() as usize
+        (self.may_hit.any | u32::MAX << self.tested).trailing_zeros() as usize
     }
 }
 
@@ -85,7 +76,8 @@ impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
 
     #[inline(always)]
     fn call<S: Simd>(mut self, simd: S) {
-        let mut lookahead = Lookahead::<S::F64>::nothing();
+        self.tracer.scatter_samples.prepare(simd);
+        let mut lookahead = Lookahead::<S::F64>::new(self.small_scene, self.tracer, 0);
         let mut at = 0;
         while at < self.tracer.queue.count {
             let tracer = &mut *self.tracer;

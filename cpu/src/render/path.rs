@@ -1,19 +1,14 @@
 //! The data of the paths of a span ([`PathTracer`]), and the rule by which a path continues or ends at a hit
 //! ([`PathTracer::scatter`]).
 
-use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::error::Error;
-use crate::layout::Layout;
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
-use crate::render::boxed::Boxed;
-use crate::render::surface::{Surface, material_of};
-use crate::render::{max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex};
-use crate::render::{prepared::Prepared, queue::PathQueue};
-use crate::sampling::scatter_stream::ScatterSamples;
-use crate::simd::Simd;
+use crate::render::{
+    boxed::Boxed, max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex, prepared::Prepared,
+    queue::PathQueue, surface::Surface,
+};
+use crate::{
+    accel::bvh::stack::Stack, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error, layout::Layout,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, sampling::scatter_stream::ScatterSamples, simd::Simd,
+};
 
 /// The next ray of a path: scattered by a matte or metal surface, or refracted.
 pub struct Scattered<'a> {
@@ -70,9 +65,9 @@ impl PathTracer {
     ) -> Option<Scattered<'a>> {
         let Self { scatter_samples, queue, ends, .. } = self;
         if rays.is_none() {
-            add(Counter::Hits, 1);
-            let material = material_of(&prepared.objects, hit.object);
-            if prepared.materials[material as usize].takes_scatter_sample() {
+            // Only the material of the surface is used, so LLVM removes the rest.
+            let surface = Surface::new(&prepared.objects, ray, hit);
+            if prepared.materials[surface.material as usize].takes_scatter_sample() {
                 scatter_samples.prepare(simd);
                 scatter_samples.skip(1);
             }

@@ -29,6 +29,8 @@ pub struct PathVertex<T = f64> {
 impl PathVertex {
     /// Number of numbers in a vertex.
     pub const NUMBERS: usize = 15;
+    /// The indices of the direction, the scatter parameters and the reflectance in [`PathVertex::numbers`].
+    const SELECTED: Range<usize> = 3..12;
     /// The indices of `reflectance` in [`PathVertex::numbers`].
     pub const REFLECTANCE: Range<usize> = 9..12;
     /// The index of `sample` in [`PathVertex::numbers`].
@@ -58,19 +60,11 @@ impl<T: Real> PathVertex<T> {
     /// vertex.
     #[inline(always)]
     pub fn where_else(&self, mask: T::Mask, other: &Self) -> Self {
-        let (this, that) = (&self.scatter_params, &other.scatter_params);
-        let scatter_params = ScatterParams {
-            scale: T::select(mask, this.scale, that.scale),
-            shift: T::select(mask, this.shift, that.shift),
-            negligible: T::select(mask, this.negligible, that.negligible),
-        };
-        let reflectance = Vec3::select(mask, self.reflectance, other.reflectance);
-        Self {
-            unperturbed: Vec3::select(mask, self.unperturbed, other.unperturbed),
-            scatter_params,
-            reflectance,
-            ..*self
+        let (mut numbers, others) = (self.numbers(), other.numbers());
+        for index in PathVertex::SELECTED {
+            numbers[index] = T::select(mask, numbers[index], others[index]);
         }
+        Self::of(numbers)
     }
 
     /// Returns the numbers of the vertex, in the order of the [path queue](crate::render::queue::PathQueue).

@@ -1,14 +1,12 @@
 //! The prepared scene: all values that rendering needs, computed once from the checked texts.
 
-use crate::accel::{choice::Accel, extent::Extent};
-use crate::geometry::camera::Camera;
-use crate::image::quantize::Quantizer;
-use crate::input::error::{Error, with_room};
-use crate::input::{config::Config, material::Material, scene::Scene, size::Size};
-use crate::layout::{Layout, Objects};
-use crate::materials::prepared::PreparedMaterial;
 use crate::render::background::Background;
-use crate::sampling::scatter_vectors::Scatter;
+use crate::{
+    accel::choice::Accel, accel::extent::Extent, geometry::camera::Camera, image::quantize::Quantizer,
+    input::config::Config, input::error::Error, input::error::with_room, input::material::Material,
+    input::scene::Scene, input::size::Size, layout::Layout, layout::Objects, materials::prepared::PreparedMaterial,
+    sampling::scatter_vectors::Scatter,
+};
 
 /// The prepared scene: all values that do not depend on the ray.
 #[derive(Debug)]
@@ -55,6 +53,8 @@ impl<L: Layout> Prepared<L> {
         let objects = L::Objects::build(scene)?;
         let materials = scene.materials_in_use()?;
         let extent = Extent::new(&objects, &camera, &materials);
+        let mut prepared_materials = with_room(scene.materials.len(), "the materials")?;
+        prepared_materials.extend(scene.materials.iter().map(|material| PreparedMaterial::new(material, scatter)));
         let deterministic = scatter == Scatter::Deterministic;
         Ok(Self {
             size,
@@ -62,7 +62,7 @@ impl<L: Layout> Prepared<L> {
             background: Background::new(config),
             accel: Accel::new(&objects, &extent)?,
             objects,
-            materials: prepare_materials(scene, scatter)?,
+            materials: prepared_materials,
             quantizer: Quantizer::new(config.gamma),
             samples: if deterministic { 1 } else { config.samples_per_pixel },
             max_depth: config.max_depth,
@@ -73,12 +73,6 @@ impl<L: Layout> Prepared<L> {
             material_seed: config.material_rng_seed,
         })
     }
-}
-
-fn prepare_materials(scene: &Scene, scatter: Scatter) -> Result<Vec<PreparedMaterial>, Error> {
-    let mut prepared = with_room(scene.materials.len(), "the materials")?;
-    prepared.extend(scene.materials.iter().map(|material| PreparedMaterial::new(material, scatter)));
-    Ok(prepared)
 }
 
 /// Whether a scatter sample can change a pixel. It cannot with a maximum depth of one, because every path that hits a

@@ -4,9 +4,8 @@
 //! path queue if its hit is matte or metal. Specular chains take samples from the specular queue. They push the samples
 //! that reach a matte or metal surface to a third queue, which is merged into the path queue.
 
-use crate::render::arrays::{CAPACITY, ROOM};
-use crate::render::path_vertex::PathVertex;
-use crate::simd::{SimdF64, columns::Columns, valid_lanes};
+use crate::render::{arrays::CAPACITY, arrays::ROOM, path_vertex::PathVertex};
+use crate::{simd::SimdF64, simd::columns::Columns, simd::valid_lanes};
 
 /// The queue of samples whose last hit was refractive. The numbers of a sample are the origin and direction of its next
 /// ray, the object on which that ray starts, and the sample's index in the span.

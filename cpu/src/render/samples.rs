@@ -1,14 +1,13 @@
 //! The samples of a span. There is an array for each of their numbers, so that lanes handle several samples at once.
 
-use crate::accel::bvh::stack::Stack;
-use crate::input::error::Error;
-use crate::layout::Layout;
-use crate::render::arrays::{CAPACITY, ROOM, Values};
-use crate::render::boxed::Boxed;
-use crate::render::queue::{PathQueue, Queue, SpecularQueue};
-use crate::render::{prepared::Prepared, span::Span};
-use crate::sampling::{draw_order::PixelJitter, scatter_vectors::Scatter};
-use crate::simd::{SimdF64, columns::Columns};
+use crate::render::{
+    arrays::CAPACITY, arrays::ROOM, arrays::Values, boxed::Boxed, prepared::Prepared, queue::PathQueue, queue::Queue,
+    queue::SpecularQueue, span::Span,
+};
+use crate::{
+    accel::bvh::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::PixelJitter,
+    sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
+};
 
 /// The samples of a span.
 #[derive(Debug)]

@@ -1,13 +1,11 @@
 //! Shades several rays that have hit a surface: computes the vertices at their hits.
 
-use crate::accel::object::{ObjectId, ObjectRef};
-use crate::counters::{Counter, add};
-use crate::geometry::{cylinder::CylinderPart, ray::Ray};
-use crate::layout::{Layout, Objects};
-use crate::materials::prepared::PreparedMaterial;
-use crate::math::vec3::Vec3;
 use crate::render::{fallback::MOST_LANES, hit_lanes::HitLanes, path_vertex::PathVertex, prepared::Prepared};
-use crate::simd::{LaneMask, SimdF64};
+use crate::{
+    accel::object::ObjectId, accel::object::ObjectRef, counters::Counter, counters::add,
+    geometry::cylinder::CylinderPart, geometry::ray::Ray, layout::Layout, layout::Objects,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+};
 
 /// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the surface is refractive. The
 /// vertices of lanes without a hit have no meaning. The caller sets `sample` and `rays` of the vertices.
@@ -36,9 +34,7 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
                 let cylinder = objects.cylinder(index);
                 let record = cylinder.record.lanes::<V>();
                 let side = record.outward(CylinderPart::Side, point);
-                let (top, bottom) =
-                    (record.outward(CylinderPart::Top, point), record.outward(CylinderPart::Bottom, point));
-                let cap = Vec3::select(hits.part.less(V::of(1.5)), top, bottom);
+                let cap = Vec3::select(hits.part.less(V::of(1.5)), record.axis, -record.axis);
                 (Vec3::select(hits.part.less(V::of(0.5)), side, cap), cylinder.material)
             }
         };

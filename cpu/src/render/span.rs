@@ -56,45 +56,28 @@ impl Span {
     }
 }
 
-/// An iterator over the spans of a row, in order. Each span has at most [`CAPACITY`] samples in at most [`WIDEST`]
-/// pixels.
-#[derive(Clone, Debug)]
-pub struct Spans {
-    width: usize,
-    samples: u64,
-    column: usize,
-    sample: u64,
-}
-
-impl Spans {
-    /// Returns the spans of a row of `width` pixels with `samples` samples each.
-    pub const fn of_row(width: usize, samples: u64) -> Self {
-        Self { width, samples, column: 0, sample: 0 }
-    }
-}
-
-impl Iterator for Spans {
-    type Item = Span;
-
-    fn next(&mut self) -> Option<Span> {
-        if self.column == self.width {
+/// The spans of a row of `width` pixels with `samples` samples each, in order. Each has at most [`CAPACITY`] samples in
+/// at most [`WIDEST`] pixels.
+pub fn spans_of_row(width: usize, samples: u64) -> impl Iterator<Item = Span> {
+    let (mut column, mut sample) = (0, 0);
+    std::iter::from_fn(move || {
+        if column == width {
             return None;
         }
-        let (first, first_sample) = (self.column, self.sample);
+        let (first, first_sample) = (column, sample);
         let room = CAPACITY as u64;
-        let left_in_pixel = self.samples - first_sample;
+        let left_in_pixel = samples - first_sample;
         if left_in_pixel > room {
-            self.sample += room;
+            sample += room;
             return Some(Span { first, first_sample, count: CAPACITY, last: first });
         }
         // The span has the rest of the first pixel, then as many whole pixels as fit.
-        let whole = ((room - left_in_pixel) / self.samples).min(WIDEST as u64 - 1) as usize;
-        let whole = whole.min(self.width - first - 1);
-        self.column = first + 1 + whole;
-        self.sample = 0;
-        let count = (left_in_pixel + whole as u64 * self.samples) as usize;
+        let whole = ((room - left_in_pixel) / samples).min(WIDEST as u64 - 1) as usize;
+        let whole = whole.min(width - first - 1);
+        (column, sample) = (first + 1 + whole, 0);
+        let count = (left_in_pixel + whole as u64 * samples) as usize;
         Some(Span { first, first_sample, count, last: first + whole })
-    }
+    })
 }
 
 #[cfg(test)]
@@ -102,7 +85,7 @@ mod tests {
     use super::*;
 
     fn spans(width: usize, samples: u64) -> Vec<Span> {
-        Spans::of_row(width, samples).collect()
+        spans_of_row(width, samples).collect()
     }
 
     #[test]
@@ -139,7 +122,7 @@ mod tests {
 
     #[test]
     fn the_first_span_of_a_pixel_with_most_samples_is_full() {
-        let first = Spans::of_row(1, u64::MAX).next();
+        let first = spans_of_row(1, u64::MAX).next();
         assert_eq!(first, Some(Span { first: 0, first_sample: 0, count: CAPACITY, last: 0 }));
     }
 }

@@ -1,11 +1,10 @@
 //! The data that all stages of a span use, and that are reused for the next span. `render.rs` runs the stages.
 
-use crate::input::error::Error;
-use crate::layout::Layout;
-use crate::render::boxed::Boxed;
-use crate::render::{background_pixels::BackgroundPixels, frustum::Candidates, path::PathTracer};
-use crate::render::{prepared::Prepared, samples::Batch};
-use crate::sampling::draw_order::PixelJitter;
+use crate::render::{
+    background_pixels::BackgroundPixels, boxed::Boxed, frustum::Candidates, path::PathTracer, prepared::Prepared,
+    samples::Batch,
+};
+use crate::{input::error::Error, layout::Layout, sampling::draw_order::PixelJitter};
 
 /// The prepared scene, and all that the stages of a span read and write. It is reused for every span.
 pub struct SpanState<'a, L: Layout> {
@@ -40,11 +39,5 @@ impl<'a, L: Layout> SpanState<'a, L> {
             batch: Batch::new()?,
             tracer: PathTracer::new(prepared)?,
         })
-    }
-
-    /// Begins a row: finds the objects that the camera rays of this row may hit.
-    pub fn begin_row(&mut self, row: usize) {
-        self.row = row;
-        self.candidates.begin_row(self.prepared, row);
     }
 }

@@ -1,18 +1,16 @@
 //! Specular chains: rays through refractive surfaces. They need no random number, so they are traced before the paths,
 //! up to the first matte or metal surface.
 
-use crate::accel::conservative::{ConservativeRay, is_too_short};
-use crate::accel::object::{ObjectId, ObjectRef};
-use crate::accel::{choice::Accel, small_scene::SmallScene};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::layout::{Layout, Objects};
-use crate::math::vec3::Vec3;
-use crate::render::fallback::{MOST_LANES, for_each_lane};
-use crate::render::hit_lanes::{HitLanes, Rays};
-use crate::render::{max_depth::RaysLeft, path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade};
-use crate::render::{span_state::SpanState, surface::Surface};
-use crate::simd::{Kernel, LaneMask, Simd, SimdF64, columns::Columns, valid_lanes};
+use crate::render::{
+    fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, max_depth::RaysLeft,
+    path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade, span_state::SpanState, surface::Surface,
+};
+use crate::{
+    accel::choice::Accel, accel::conservative::ConservativeRay, accel::conservative::is_too_short,
+    accel::object::ObjectId, accel::object::ObjectRef, accel::small_scene::SmallScene, counters::Counter,
+    counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask,
+    simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+};
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
 /// the maximum depth. The samples on matte or metal surfaces are merged into the path queue. All other samples get
@@ -86,15 +84,18 @@ fn closest_hit<V: SimdF64, O: Objects>(objects: &O, small_scene: &SmallScene, ra
     let rays = Rays::new(ray, valid);
     let conservative = ConservativeRay::new(*ray);
     let too_short = is_too_short(conservative.length_squared).bits() & valid;
-    for &id in small_scene.in_order() {
-        if (small_scene.may_hit(id, &conservative).bits() & valid) | too_short == 0 {
+    for &id in &small_scene.in_order {
+        if (small_scene.object_lanes.may_hit(id as usize, &conservative).bits() & valid) | too_short == 0 {
             continue;
         }
         match ObjectRef::of(objects, id) {
-            ObjectRef::Sphere(index) => hits.intersect_candidate_sphere(id, &objects.sphere(index).record, &rays),
+            ObjectRef::Sphere(index) => {
+                let record = objects.sphere(index).record;
+                hits.filtered_sphere(id, &record, &record.lanes().seen_from(ray.origin), &rays);
+            }
             ObjectRef::Cylinder(index) => {
-                let record = objects.cylinder(index).record;
-                hits.intersect_candidate_cylinder(id, (&record, &objects.axis(index)), &rays);
+                let (record, axis) = (objects.cylinder(index).record, objects.axis(index));
+                hits.filtered_cylinder(id, (&record, &axis), &record.lanes().seen_from(ray.origin), &rays);
             }
         }
     }

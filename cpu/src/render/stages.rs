@@ -1,9 +1,8 @@
 //! The short stages of a span, as kernels. The long stages have files of their own: `camera_rays.rs`,
 //! `specular_chains.rs` and `trace_paths.rs`.
 
-use crate::layout::Layout;
 use crate::render::{path::PathTracer, span::Span, span_state::SpanState};
-use crate::simd::{Kernel, Simd};
+use crate::{layout::Layout, simd::Kernel, simd::Simd};
 
 /// A kernel that begins a span: it draws the offsets of the span's samples.
 pub struct DrawSamples<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>, pub &'s Span);

@@ -1,12 +1,9 @@
 //! The surface at a hit: point, normal and material.
 
-use crate::accel::closest_hit::ClosestHit;
-use crate::accel::object::{ObjectId, ObjectRef};
-use crate::counters::{Counter, add};
-use crate::geometry::ray::Ray;
-use crate::input::scene::MaterialId;
-use crate::layout::Objects;
-use crate::math::vec3::Vec3;
+use crate::{
+    accel::closest_hit::ClosestHit, accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray,
+    input::scene::MaterialId, layout::Objects, math::vec3::Vec3,
+};
 
 /// A point on the surface of an object, where a ray hits it.
 #[derive(Clone, Copy, Debug)]
@@ -36,14 +33,5 @@ impl Surface {
                 Self { point, outward: cylinder.record.outward(hit.part, point), material: cylinder.material }
             }
         }
-    }
-}
-
-/// Returns the material of an object, as an index.
-#[inline(always)]
-pub fn material_of<O: Objects>(objects: &O, object: ObjectId) -> MaterialId {
-    match ObjectRef::of(objects, object) {
-        ObjectRef::Sphere(index) => objects.sphere(index).material,
-        ObjectRef::Cylinder(index) => objects.cylinder(index).material,
     }
 }

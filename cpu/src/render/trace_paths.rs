@@ -25,38 +25,25 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
         // The loop is compiled once for each structure. With many objects, the width of the lanes matters more than the
         // latency of comparisons.
         match &prepared.accel {
-            Accel::EveryObject => {
-                simd.run_promptly(OneByOne::<(L, EveryObject)> { prepared, tracer, accel: &EveryObject });
-            }
+            Accel::EveryObject => simd.run_promptly(OneByOne { prepared, tracer, accel: &EveryObject }),
             Accel::SmallScene(accel) if !accel.uses_object_lanes() && tracer.all_may_send_rays() => {
                 simd.run_promptly(TraceWithLookahead { prepared, tracer, small_scene: accel });
             }
-            Accel::SmallScene(accel) => simd.run_promptly(OneByOne::<(L, _)> { prepared, tracer, accel }),
-            Accel::FlatFilter(accel) => simd.run(OneByOne::<(L, _)> { prepared, tracer, accel }),
-            Accel::Bvh(accel) => simd.run(OneByOne::<(L, _)> { prepared, tracer, accel }),
+            Accel::SmallScene(accel) => simd.run_promptly(OneByOne { prepared, tracer, accel }),
+            Accel::FlatFilter(accel) => simd.run(OneByOne { prepared, tracer, accel }),
+            Accel::Bvh(accel) => simd.run(OneByOne { prepared, tracer, accel }),
         }
     }
 }
 
-/// The types for which the loop is compiled, besides the instruction set: layout and acceleration structure.
-trait Compiled {
-    type Layout: Layout;
-    type Accel: Accelerator;
-}
-
-impl<L: Layout, A: Accelerator> Compiled for (L, A) {
-    type Layout = L;
-    type Accel = A;
-}
-
 /// A kernel that traces the paths one after the other, without lookahead.
-struct OneByOne<'a, C: Compiled> {
-    prepared: &'a Prepared<C::Layout>,
+struct OneByOne<'a, L: Layout, A> {
+    prepared: &'a Prepared<L>,
     tracer: &'a mut PathTracer,
-    accel: &'a C::Accel,
+    accel: &'a A,
 }
 
-impl<C: Compiled> Kernel for OneByOne<'_, C> {
+impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
     type Output = ();
 
     #[inline(always)]
@@ -75,7 +62,7 @@ impl<C: Compiled> Kernel for OneByOne<'_, C> {
     }
 }
 
-impl<C: Compiled> OneByOne<'_, C> {
+impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
     /// Traces the path at index `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives
     /// its first ray.
     #[inline(always)]
@@ -87,7 +74,7 @@ impl<C: Compiled> OneByOne<'_, C> {
         let mut origin = accel.origin(objects, &ray, vertex.object as ObjectId);
         loop {
             add(Counter::PathRays, 1);
-            let hit = accel.closest_hit_from::<S, _>(objects, &ray, origin, &mut tracer.stack);
+            let hit = accel.closest_hit::<S, _>(objects, &ray, origin, &mut tracer.stack);
             if !hit.is_hit() {
                 return tracer.ends.escape(at, ray.direction);
             }

@@ -13,10 +13,8 @@
 //! come from the CPU. `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this
 //! rule.
 
-use crate::counters::{Counter, add};
 use crate::sampling::block::BlockUniform;
-use crate::simd::SimdF64;
-use crate::simd::columns::Columns;
+use crate::{counters::Counter, counters::add, simd::SimdF64, simd::columns::Columns};
 
 /// Number of random numbers for the position of one sample in its pixel: one to the right, one down.
 pub const DRAWS_OF_OFFSET: usize = 2;

@@ -2,13 +2,12 @@
 //! The samples are made 512 at a time with the widest instruction set, even if the path tracing loop is compiled for
 //! another one.
 
-use crate::counters::{Counter, add};
-use crate::math::vec3::Vec3;
-use crate::sampling::block::BlockUniform;
-use crate::sampling::draw_order::DRAWS_OF_SCATTER_SAMPLE;
-use crate::sampling::scatter_vectors::{Scatter, is_in_ball};
-use crate::simd::columns::Columns;
-use crate::simd::{Kernel, Simd, SimdF64};
+use crate::sampling::{
+    block::BlockUniform, draw_order::DRAWS_OF_SCATTER_SAMPLE, scatter_vectors::Scatter, scatter_vectors::unit_vector,
+};
+use crate::{
+    counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
+};
 
 /// Places before the new samples. The old samples that have not been taken are moved there.
 const SLACK: usize = 16;
@@ -101,7 +100,7 @@ impl Kernel for Make<'_> {
             }
             Scatter::Published => {
                 for sample in draws.chunks_exact_mut(DRAWS_OF_SCATTER_SAMPLE) {
-                    sample.copy_from_slice(&unit_vector(generator).to_array());
+                    sample.copy_from_slice(&unit_vector(|| in_cube(generator)).to_array());
                 }
             }
             Scatter::Deterministic => {}
@@ -112,19 +111,13 @@ impl Kernel for Make<'_> {
     }
 }
 
-/// Draws a vector of length one by rejection, as [`crate::sampling::scatter_vectors::ScatterVectors`] does.
+/// A vector in the cube that [`unit_vector`] scales or rejects.
 #[inline(always)]
-fn unit_vector(generator: &mut BlockUniform) -> Vec3 {
-    loop {
-        let mut draws = [0.0; DRAWS_OF_SCATTER_SAMPLE];
-        add(Counter::MaterialDraws, draws.len() as u64);
-        generator.fill(&mut draws);
-        let vector = Vec3::from(draws).map(|u| u * 2.0 + -1.0);
-        let length_squared = vector.dot(vector);
-        if is_in_ball(length_squared) {
-            return vector / length_squared.sqrt();
-        }
-    }
+fn in_cube(generator: &mut BlockUniform) -> Vec3 {
+    let mut draws = [0.0; DRAWS_OF_SCATTER_SAMPLE];
+    add(Counter::MaterialDraws, draws.len() as u64);
+    generator.fill(&mut draws);
+    Vec3::from(draws).map(|u| u * 2.0 + -1.0)
 }
 
 #[cfg(test)]

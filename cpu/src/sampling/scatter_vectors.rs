@@ -1,7 +1,6 @@
 //! The random vectors with which surfaces scatter light, in three conventions (specification, section 11).
 
-use crate::math::vec3::Vec3;
-use crate::sampling::uniform::Uniform;
+use crate::{math::vec3::Vec3, sampling::uniform::Uniform};
 
 /// The convention by which random vectors are drawn (specification, section 11).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,11 +17,17 @@ pub enum Scatter {
     Deterministic,
 }
 
-/// Whether rejection keeps a vector with this squared length. The vector must lie in the unit ball, and not too close
-/// to its centre.
+/// A vector of length one by rejection: scales the first vector of the cube that lies in the unit ball, and not too
+/// close to its centre. `draw` gives the vectors of the cube.
 #[inline(always)]
-pub(crate) fn is_in_ball(length_squared: f64) -> bool {
-    length_squared > 1e-160 && length_squared <= 1.0
+pub(crate) fn unit_vector(mut draw: impl FnMut() -> Vec3) -> Vec3 {
+    loop {
+        let vector = draw();
+        let length_squared = vector.dot(vector);
+        if length_squared > 1e-160 && length_squared <= 1.0 {
+            return vector / length_squared.sqrt();
+        }
+    }
 }
 
 /// The stream of random vectors that all materials share, drawn one at a time.
@@ -42,22 +47,11 @@ impl ScatterVectors {
     /// side of the cube in the statement's convention, and the vector's length in the published one.
     #[inline]
     pub fn next(&mut self, extent: f64) -> Vec3 {
+        let mut in_cube = |half: f64| Vec3::from([(); 3].map(|()| self.draws.draw(-half, half)));
         match self.convention {
-            Scatter::Statement => Vec3::from([(); 3].map(|()| self.draws.draw(-extent, extent))),
-            Scatter::Published => self.unit_vector() * extent,
+            Scatter::Statement => in_cube(extent),
+            Scatter::Published => unit_vector(|| in_cube(1.0)) * extent,
             Scatter::Deterministic => Vec3::ZERO,
-        }
-    }
-
-    /// Returns a vector of length one. It draws vectors in the cube `[-1, 1)^3` until [`is_in_ball`] keeps one, and
-    /// divides that vector by its length.
-    fn unit_vector(&mut self) -> Vec3 {
-        loop {
-            let vector = Vec3::from([(); 3].map(|()| self.draws.draw(-1.0, 1.0)));
-            let length_squared = vector.dot(vector);
-            if is_in_ball(length_squared) {
-                return vector / length_squared.sqrt();
-            }
         }
     }
 }

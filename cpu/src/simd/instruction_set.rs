@@ -105,17 +105,13 @@ impl InstructionSet {
     }
 }
 
-/// Whether comparisons into mask registers are as fast as comparisons into vectors. This is true for processors of AMD,
-/// by measurement (docs/experiments.md). The processor is detected only once, because `cpuid` takes microseconds under
-/// a hypervisor.
+/// Whether comparisons into mask registers are as fast as those into vectors. On AMD's processors they are, by
+/// measurement (docs/experiments.md). Asked once a picture: under a hypervisor `cpuid` takes microseconds.
 fn has_fast_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
-        static IS_AMD: LazyLock<bool> = LazyLock::new(|| {
-            let std::arch::x86_64::CpuidResult { ebx, ecx, edx, .. } = std::arch::x86_64::__cpuid(0);
-            [ebx, edx, ecx].map(u32::to_le_bytes).concat() == b"AuthenticAMD"
-        });
-        *IS_AMD
+        let std::arch::x86_64::CpuidResult { ebx, ecx, edx, .. } = std::arch::x86_64::__cpuid(0);
+        [ebx, edx, ecx].map(u32::to_le_bytes).concat() == b"AuthenticAMD"
     }
     #[cfg(not(target_arch = "x86_64"))]
     false

@@ -6,7 +6,7 @@ use cpu::internals::exact;
 use cpu::internals::exact::error_bound::Decision;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
-use cpu::reference::intersect::{Exact, Intersect, Precision};
+use cpu::reference::intersect::{Exact, Intersect};
 use cpu::{Ray, Vec3};
 
 /// Counts of the intersections in one picture.
@@ -81,8 +81,6 @@ fn update(kind: usize, change: impl FnOnce(&mut Counts)) {
 pub enum Observed {}
 
 impl Intersect for Observed {
-    const PRECISION: Precision = Precision::Exact;
-
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         let truth = Exact::sphere(record, ray);
         let decision = exact::sphere::filtered(record, ray);

@@ -2,11 +2,10 @@
 //! construction of SAH-based bounding volume hierarchies", 2007). A node gathers up to 16 children.
 
 use crate::accel::{
-    bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push,
+    bounds::Bounds, bvh::collapsed_root, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH,
     object::ObjectId,
 };
-use crate::input::error::Error;
-use crate::layout::with_room;
+use crate::{input::error::Error, input::error::push, layout::with_room};
 
 /// Number of bins along the axis of a split.
 const BINS: usize = 16;
@@ -58,8 +57,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     let planned = collapsed_root::planned(items.len());
     // The nodes that are not filled yet: index, range of items and depth.
     let mut pending = Vec::new();
-    push(&mut pending, (0, Range::new(&items, 0, items.len()), 0))?;
-    push(&mut nodes, Node::EMPTY)?;
+    push(&mut pending, (0, Range::new(&items, 0, items.len()), 0), HIERARCHY)?;
+    push(&mut nodes, Node::EMPTY, HIERARCHY)?;
     while let Some((node, range, depth)) = pending.pop() {
         let most = match planned {
             Some(planned) if depth == 1 => {
@@ -82,8 +81,8 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
             let target = if child.count() == 1 {
                 Child::object(items[child.from].id)
             } else {
-                push(&mut pending, (nodes.len(), *child, depth + 1))?;
-                push(&mut nodes, Node::EMPTY)?;
+                push(&mut pending, (nodes.len(), *child, depth + 1), HIERARCHY)?;
+                push(&mut nodes, Node::EMPTY, HIERARCHY)?;
                 Child::node((nodes.len() - 1) as u32)
             };
             nodes[node].set(lane, &child.bounds, target);

@@ -5,13 +5,12 @@
 //! saves no time, by measurement (docs/experiments.md).
 
 use crate::accel::{
-    bounds::Bounds, bvh::node::Child, bvh::node::Node, bvh::node::WIDTH, bvh::node::push, bvh::slab_ray::SlabRay,
+    bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
 };
-use crate::counters::{Counter, add};
-use crate::input::error::Error;
-use crate::layout::with_room;
-use crate::math::vec3::Vec3;
-use crate::simd::SimdF32;
+use crate::{
+    counters::Counter, counters::add, input::error::Error, input::error::push, layout::with_room, math::vec3::Vec3,
+    simd::SimdF32,
+};
 
 /// Maximum number of boxes in the row. Each has a bit in a word of 64 bits.
 pub const MOST: usize = 64;
@@ -68,7 +67,7 @@ impl CollapsedRoot {
                 let mut single = Node::EMPTY;
                 single.set(0, &bounds, child);
                 child = Child::node(nodes.len() as u32);
-                push(nodes, single)?;
+                push(nodes, single, HIERARCHY)?;
             }
             below.push(child.index());
             row.rows[place / WIDTH].set(place % WIDTH, &bounds, Child::node((row.first_node + place) as u32));
@@ -93,12 +92,7 @@ impl CollapsedRoot {
     /// Whether a ray along `direction` passes the boxes from the last of the row to the first.
     #[inline(always)]
     pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
-        let along = match self.axis {
-            0 => direction.x,
-            1 => direction.y,
-            _ => direction.z,
-        };
-        along < 0.0
+        direction.to_array()[self.axis] < 0.0
     }
 
     /// Removes one box from `bits` and returns the index of the node to which it leads. This is the last box if
@@ -109,12 +103,6 @@ impl CollapsedRoot {
         let place = if backwards { last } else { first };
         *bits ^= 1 << place;
         self.first_node + place as usize
-    }
-
-    /// Returns the boxes of the row, and what they lead to.
-    #[cfg(test)]
-    fn children(&self) -> impl Iterator<Item = (Bounds, Child)> {
-        self.rows.iter().flat_map(Node::children)
     }
 }
 
@@ -146,6 +134,11 @@ mod tests {
     use crate::accel::bvh::build::build;
     use crate::sampling::uniform::Uniform;
 
+    /// The boxes of the row.
+    fn boxes_of(row: &CollapsedRoot) -> impl Iterator<Item = (Bounds, Child)> {
+        row.rows.iter().flat_map(Node::children)
+    }
+
     /// Returns the objects below a node.
     fn objects(nodes: &[Node], node: &Node) -> Vec<u32> {
         let of_child = |child: Child| match child.as_object() {
@@ -165,7 +158,7 @@ mod tests {
             });
             let mut nodes = build(count, bounds).expect("it fits");
             let row = CollapsedRoot::new(&mut nodes).expect("it fits");
-            let children = row.children().count();
+            let children = boxes_of(&row).count();
             if let Some(planned) = planned(count) {
                 assert!(
                     (planned / 2..=planned.max(2 * WIDTH)).contains(&children),
@@ -173,11 +166,11 @@ mod tests {
                 );
             }
             let in_row = |child: Child| objects(&nodes, &nodes[child.index() as usize]);
-            let mut actual: Vec<_> = row.children().flat_map(|(_, child)| in_row(child)).collect();
+            let mut actual: Vec<_> = boxes_of(&row).flat_map(|(_, child)| in_row(child)).collect();
             actual.sort_unstable();
             // If no number is planned, there may be too many boxes for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
-            let places = row.children().map(|(_, child)| child.index() as usize);
+            let places = boxes_of(&row).map(|(_, child)| child.index() as usize);
             assert!(places.eq(row.first_node..row.first_node + children));
             assert_eq!(row.first_node, usize::from(children > 0));
             assert!(actual.into_iter().eq(expected), "{count} objects");
@@ -185,7 +178,7 @@ mod tests {
             assert!(row.rows.iter().all(|row| row.objects == 0));
             let bytes = (nodes.len() + row.rows.len()) * size_of::<Node>();
             assert!(count <= 256 || bytes < 100 * count, "{bytes} bytes for {count} objects");
-            let middles = row.children().map(|(bounds, _)| bounds.twice_middle(row.axis));
+            let middles = boxes_of(&row).map(|(bounds, _)| bounds.twice_middle(row.axis));
             assert!(middles.is_sorted());
         }
     }

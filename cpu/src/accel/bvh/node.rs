@@ -1,21 +1,12 @@
 //! A node of the tree: the boxes of up to 16 children, each of which is an object or another node.
 
-use crate::accel::{bounds::Bounds, object::ObjectId};
-use crate::input::error::Error;
-use crate::simd::SimdF32;
+use crate::{accel::bounds::Bounds, accel::object::ObjectId, simd::SimdF32};
 
 /// Maximum number of children of a node. It is a multiple of every instruction set's number of lanes.
 pub const WIDTH: usize = 16;
 
-/// Appends `item` to a list.
-///
-/// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub fn push<T>(list: &mut Vec<T>, item: T) -> Result<(), Error> {
-    list.try_reserve(1).map_err(|_| Error::OutOfMemory { what: "the hierarchy over the objects" })?;
-    list.push(item);
-    Ok(())
-}
+/// What there is too little memory for if a node does not fit.
+pub const HIERARCHY: &str = "the hierarchy over the objects";
 
 /// A child of a node: an object, or another node of the tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,5 +111,29 @@ impl Node {
             };
             (bounds, self.child(lane))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_overlap_where_they_share_a_point() {
+        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        let overlap = |left: &Bounds, right: &Bounds| {
+            let mut node = Node::EMPTY;
+            node.set(3, left, Child::object(0));
+            node.overlaps(right)
+        };
+        for axis in 0..3 {
+            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
+                let mut right = left;
+                (right.low[axis], right.high[axis]) = (from, from + 1.0);
+                let expected = u32::from(overlaps) << 3;
+                assert_eq!((overlap(&left, &right), overlap(&right, &left)), (expected, expected), "{axis}: {from}");
+                assert_eq!(overlap(&left, &right.enlarged(0.2)), 1 << 3);
+            }
+        }
     }
 }

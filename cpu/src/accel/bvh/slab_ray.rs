@@ -15,8 +15,7 @@
 //! other operand, which keeps the box.
 
 use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
-use crate::geometry::ray::Ray;
-use crate::simd::SimdF32;
+use crate::{geometry::ray::Ray, simd::SimdF32};
 
 /// The distance by which a plane is moved, relative to the coordinates of plane and origin: `16 u`.
 const STEP: f32 = 8.0 * f32::EPSILON;
@@ -42,16 +41,10 @@ pub fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST
 }
 
-/// The part of the planes' moves that does not depend on the ray, for each axis, in scene units.
-#[derive(Clone, Copy, Debug)]
-pub struct Steps([f32; 3]);
-
-impl Steps {
-    /// Returns the moves for the planes of all boxes inside `bounds`.
-    pub fn new(bounds: &Bounds) -> Self {
-        let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
-        Self([0, 1, 2].map(|axis| farthest(axis) * STEP + LEAST_STEP))
-    }
+/// The part of the planes' moves that grows with the planes, by axis, for all boxes within these bounds.
+pub fn steps(bounds: &Bounds) -> [f32; 3] {
+    let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
+    [0, 1, 2].map(|axis| farthest(axis) * STEP + LEAST_STEP)
 }
 
 /// A ray prepared for slab tests, with the same numbers in all lanes.
@@ -68,18 +61,13 @@ pub struct SlabRay<F> {
 }
 
 impl<F: SimdF32> SlabRay<F> {
-    /// Prepares a ray for boxes whose planes are moved by these steps. There is no branch on the signs of the
-    /// direction, because it would be mispredicted half of the time.
+    /// The ray, for boxes whose planes are moved by these [steps]. There is no branch on the direction's signs, because
+    /// it would be mispredicted half of the time.
     #[inline(always)]
-    pub fn new(ray: &Ray, Steps(steps): &Steps) -> Self {
+    pub fn new(ray: &Ray, steps: &[f32; 3]) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-        let mut slab_ray = Self {
-            reciprocal: [F::splat(0.0); 3],
-            near_origin: [F::splat(0.0); 3],
-            far_origin: [F::splat(0.0); 3],
-            near: [0; 3],
-            far: [0; 3],
-        };
+        let zero = [F::splat(0.0); 3];
+        let mut slab_ray = Self { reciprocal: zero, near_origin: zero, far_origin: zero, near: [0; 3], far: [0; 3] };
         for axis in 0..3 {
             let (minus_origin, narrow) = (-origin[axis] as f32, direction[axis] as f32);
             let magnitude = (1.0 / narrow).abs();
@@ -133,7 +121,7 @@ mod tests {
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> u32 {
             let Self(ray, node, all, farthest) = self;
-            let slab_ray = SlabRay::new(ray, &Steps::new(&all));
+            let slab_ray = SlabRay::new(ray, &steps(&all));
             let lanes = (0..WIDTH).step_by(S::F32::LANES);
             lanes.map(|at| slab_ray.intersect(node, at, S::F32::splat(farthest)).1 << at).sum()
         }

@@ -6,7 +6,7 @@ use cpu::internals::exact;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::math::real::Real;
-use cpu::reference::intersect::{Intersect, Precision};
+use cpu::reference::intersect::Intersect;
 use cpu::{Ray, Vec3};
 
 use super::projected;
@@ -50,8 +50,6 @@ impl<P: Intersect> Formulas for InDouble<P> {
 pub enum Resolved {}
 
 impl Intersect for Resolved {
-    const PRECISION: Precision = Precision::Exact;
-
     fn sphere(record: &SphereRecord, ray: &Ray) -> Option<f64> {
         exact::sphere::precise(record, ray)
     }
