@@ -202,20 +202,14 @@ fn without_colon(name: &[u8]) -> &[u8] {
     name.strip_suffix(b":").unwrap_or(name)
 }
 
-/// An empty list with room for `count` items; `what` names them.
-///
-/// # Errors
-/// [`Error::OutOfMemory`].
+/// An empty list with room for `count` items, or [`Error::OutOfMemory`]; `what` names the items.
 pub fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, Error> {
     let mut list = Vec::new();
     list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { what })?;
     Ok(list)
 }
 
-/// Appends to a list.
-///
-/// # Errors
-/// [`Error::OutOfMemory`], with `what` there is no memory for.
+/// Appends to a list, or returns [`Error::OutOfMemory`]; `what` names the items.
 pub fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> {
     list.try_reserve(1).map_err(|_| Error::OutOfMemory { what })?;
     list.push(item);
