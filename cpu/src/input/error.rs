@@ -215,10 +215,7 @@ pub fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, Error> {
     Ok(list)
 }
 
-/// Appends to a list.
-///
-/// # Errors
-/// [`Error::OutOfMemory`], with `what` there is no memory for.
+/// Appends to a list, or returns [`Error::OutOfMemory`]; `what` names the items.
 pub fn push<T>(list: &mut Vec<T>, item: T, what: &'static str) -> Result<(), Error> {
     list.try_reserve(1).map_err(|_| Error::OutOfMemory { what })?;
     list.push(item);
