@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use output::{Options, Output};
 
-use super::check::{self, MAX_BYTES};
+use super::check::{MAX_BYTES, Total};
 use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
@@ -14,20 +14,20 @@ impl Results {
     /// Reads results from a JSON file; `-` is standard input.
     ///
     /// # Errors
-    /// The file cannot be read, does not hold valid results, or has more than [`check::MAX_VALUES`] values.
+    /// The file cannot be read, does not hold valid results, or is larger than [`Total`] allows.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        Self::read_part(path, &mut 0)
+        Self::read_part(path, &mut Total::default())
     }
 
-    /// Reads one of several files. `values` counts the values of the files read so far, this one included.
+    /// Reads one of several files, and adds its size to `total`.
     ///
     /// # Errors
-    /// As [`Results::read`]; [`check::MAX_VALUES`] holds for all files together.
-    pub fn read_part(path: &Path, values: &mut usize) -> Result<Self, Failure> {
+    /// As [`Results::read`]; the limits hold for all files together.
+    pub fn read_part(path: &Path, total: &mut Total) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
         let text =
             cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
-        let mut results: Self = check::parse(&text, values).map_err(|error| explain(&error))?;
+        let mut results: Self = total.parse(&text).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
         results.rename();
         Ok(results)
