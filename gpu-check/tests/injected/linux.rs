@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-use test_support::injection::{Disturbance, Job, most, unavailable};
+use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
 
 /// Calls of each kind that are disturbed.
 const MOST: usize = 2;
@@ -38,7 +38,21 @@ pub fn trials() -> Vec<Trial> {
         let trial = Trial::test(name, move || disturb(disturbance, old));
         trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
     };
-    CASES.into_iter().map(trial).collect()
+    let missing = unavailable(Disturbance::Errors);
+    let sync = Trial::test("both_pictures_and_their_folder_are_synced_except_with_no_sync", sync);
+    let sync = sync.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some());
+    CASES.into_iter().map(trial).chain([sync]).collect()
+}
+
+fn sync() -> Result<(), Failed> {
+    let folder = Folder::new();
+    fs::create_dir(folder.file("d"))?;
+    let Job { program, arguments, folder: d, gate, .. } = job(folder.path())?;
+    if let Some((path, content)) = gate {
+        fs::write(path, content)?;
+    }
+    // The second picture shows the difference.
+    Ok(check_syncs(&program, &arguments, &d, 2)?)
 }
 
 fn disturb(disturbance: Disturbance, old: Option<&str>) -> Result<(), Failed> {

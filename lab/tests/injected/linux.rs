@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-use test_support::injection::{Disturbance, Job, most, unavailable};
+use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
 
 /// Number of calls of each name that are disturbed.
 const MOST: usize = 3;
@@ -54,7 +54,20 @@ pub fn trials() -> Vec<Trial> {
             }
         }
     }
+    let missing = unavailable(Disturbance::Errors);
+    let trial = Trial::test("a_picture_and_its_folder_are_synced_except_with_no_sync", sync);
+    trials.push(trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some()));
     trials
+}
+
+fn sync() -> Result<(), Failed> {
+    let folder = Folder::new();
+    fs::create_dir(folder.file("d"))?;
+    let Job { program, arguments, folder: d, gate, .. } = render(folder.path());
+    if let Some((path, content)) = gate {
+        fs::write(path, content)?;
+    }
+    Ok(check_syncs(&program, &arguments, &d, 1)?)
 }
 
 fn disturb(job: Prepare, old: Option<&str>, disturbance: Disturbance) -> Result<(), Failed> {

@@ -11,6 +11,7 @@ mod calls;
 mod check;
 mod gate;
 mod runs;
+mod syncs;
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -23,6 +24,7 @@ use calls::Call;
 #[cfg(feature = "programs")]
 pub use runs::run;
 pub use runs::{Runs, most, total};
+pub use syncs::check_syncs;
 
 /// The errors with which each call fails, one after the other.
 const ERRORS: [&str; 4] = ["EIO", "ENOSPC", "EPERM", "EINTR"];
