@@ -109,6 +109,20 @@ fn an_input_as_output_is_refused_under_any_name() {
 }
 
 #[test]
+fn a_socket_as_output_is_refused_before_the_cpu_renders() {
+    let folder = Folder::new();
+    for name in ["o", "o-difference.png"] {
+        let listener = std::os::unix::net::UnixListener::bind(folder.file(name)).expect("the folder is writable");
+        let out = if name == "o" { "o" } else { "o.png" };
+        let output = bash(folder.path(), &format!("$lab my.wgsl --config config --scene scene --out {out}"));
+        let text = words(&output);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.contains(&format!("Cannot write file [{name}]: ")) && !text.contains("the CPU renders"), "{text}");
+        drop(listener);
+    }
+}
+
+#[test]
 fn a_picture_with_too_many_pixels_is_refused_before_it_is_rendered() {
     let folder = Folder::new();
     let line = "echo 'image_width: 9999' > config; $lab my.wgsl --config config --scene scene --out o.png";

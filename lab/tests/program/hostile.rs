@@ -2,6 +2,7 @@
 
 use std::fs::{self, File};
 use std::io::Write;
+use std::os::unix::net::UnixListener;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -9,7 +10,7 @@ use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use test_support::folder::Folder;
 
-use crate::{complaint, lab};
+use crate::{bash, complaint, lab};
 
 const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 
@@ -90,4 +91,17 @@ fn a_request_to_stop_at_any_moment_leaves_the_old_picture_or_the_new_one() {
     }
     println!("{stopped} stopped, {finished} finished");
     assert!(stopped > 0);
+}
+
+#[test]
+fn a_socket_as_output_is_refused_before_anything_is_rendered() {
+    let folder = Folder::new();
+    let socket = folder.name("out");
+    let _listener = UnixListener::bind(&socket).expect("the folder is writable");
+    // The picture would take hours.
+    let line = "timeout 60 $lab render $root/scenes/grid/config.txt $root/scenes/grid/scene.txt out \
+                --set samples_per_pixel=4000000000";
+    let output = bash(&folder, line);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("Cannot write file [out]: "), "{output:?}");
 }

@@ -49,8 +49,13 @@ fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
     }
     let output = bash(&folder, "$lab generate new new");
     assert!(String::from_utf8_lossy(&output.stderr).contains("need a file each"), "{output:?}");
-    let output = bash(&folder, "mkdir r; cp bench.json r/findings.json; $lab report r/findings.json --out r");
-    assert!(String::from_utf8_lossy(&output.stderr).contains("it is the same file as the input ["), "{output:?}");
+    for name in ["index.html", "findings.json", "charts/scale-width.svg"] {
+        let line = format!("mkdir -p r/charts; cp bench.json r/{name}; $lab report r/{name} --out r; s=$?");
+        let output = bash(&folder, &format!("{line}; cmp bench.json r/{name} && rm -r r && exit $s"));
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{name}: {message}");
+        assert!(message.contains("it is the same file as the input ["), "{name}: {message}");
+    }
 }
 
 #[test]
