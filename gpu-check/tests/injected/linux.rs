@@ -23,12 +23,13 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
 
 /// The disturbances, the old content of the output if there is any, and the names of the tests. Signals are tested with
 /// an old picture only, which then stays if the signal comes before the new picture is in place.
-const CASES: [(Disturbance, Option<&str>, &str); 5] = [
+const CASES: [(Disturbance, Option<&str>, &str); 6] = [
     (Disturbance::Errors, None, "calls_fail_and_no_picture_stands_or_the_new_ones"),
     (Disturbance::Errors, Some("old"), "calls_fail_and_the_old_pictures_stand_or_the_new_ones"),
     (Disturbance::Signal, Some("old"), "a_signal_in_a_call_leaves_the_old_pictures_or_the_new_ones"),
     (Disturbance::SignalAsProcessOne, Some("old"), "a_signal_in_a_call_ends_process_1"),
     (Disturbance::Named, Some("old"), "failures_and_signals_where_a_file_needs_a_name"),
+    (Disturbance::NamedAsProcessOne, Some("old"), "a_signal_ends_process_1_where_a_file_needs_a_name"),
 ];
 
 /// One trial for each disturbance of each job.

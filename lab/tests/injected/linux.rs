@@ -11,11 +11,12 @@ use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
 /// Number of calls of each name that are disturbed.
 const MOST: usize = 3;
 
-const DISTURBANCES: [(Disturbance, &str); 4] = [
+const DISTURBANCES: [(Disturbance, &str); 5] = [
     (Disturbance::Errors, "every_call_fails_and_the_old_files_stand_or_the_new_ones"),
     (Disturbance::Signal, "a_signal_in_every_call_leaves_the_old_files_or_the_new_ones"),
     (Disturbance::SignalAsProcessOne, "a_signal_in_every_call_ends_process_1"),
     (Disturbance::Named, "the_same_where_a_file_needs_a_name"),
+    (Disturbance::NamedAsProcessOne, "a_signal_in_every_call_ends_process_1_where_a_file_needs_a_name"),
 ];
 
 /// A function that prepares a folder for a command, and returns how the command is run there.
@@ -36,9 +37,10 @@ pub fn trials() -> Vec<Trial> {
     for (disturbance, name) in DISTURBANCES {
         let missing = unavailable(disturbance);
         for (command, job) in COMMANDS {
-            // `Named` cannot reach the call that creates the file of the heat map: the call comes before the gate, and
-            // in both threads a call of this name has this number.
-            if command.starts_with("compare") && disturbance == Disturbance::Named {
+            // These disturbances cannot reach the call that creates the file of the heat map: the call comes before the
+            // gate, and in both threads a call of this name has this number.
+            let is_named = matches!(disturbance, Disturbance::Named | Disturbance::NamedAsProcessOne);
+            if command.starts_with("compare") && is_named {
                 continue;
             }
             for (old, place) in [(None, "free"), (Some("old"), "taken")] {
