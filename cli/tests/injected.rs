@@ -12,6 +12,7 @@ fn trials() -> Vec<libtest_mimic::Trial> {
         (Disturbance::Signal, "a_signal_in_every_call_leaves_the_old_picture_or_the_new_one"),
         (Disturbance::SignalAsProcessOne, "a_signal_in_every_call_ends_process_1"),
         (Disturbance::Named, "failures_and_signals_where_a_file_needs_a_name"),
+        (Disturbance::NamedAsProcessOne, "a_signal_in_every_call_ends_process_1_where_a_file_needs_a_name"),
     ];
     let mut trials = Vec::new();
     for (disturbance, name) in disturbances {

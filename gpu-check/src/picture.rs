@@ -87,7 +87,7 @@ impl<T: Real> Picture<T> {
 
 /// Returns the maximum depth, or an error if it does not fit in 32 bits, because no device could hold the list of a
 /// path's surfaces.
-fn depth(config: &Config) -> Result<u32, Error> {
+pub(crate) fn depth(config: &Config) -> Result<u32, Error> {
     u32::try_from(config.max_depth).map_err(|_| Error::TooLarge {
         what: "the materials that attenuate each path",
         bytes: config.max_depth.saturating_mul(4),

@@ -140,14 +140,20 @@ impl<'a, T: Float> Renderer<'a, T> {
             return Ok(steps(depth, step));
         }
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        // Each surface needs a loop over the objects. The loop over a path's materials is counted for each surface too:
-        // the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
-        let iterations = objects + u64::from(depth) + 1;
-        let step = MAX_ITERATIONS / iterations;
-        if step == 0 {
-            return Err(Error::TooManyIterations { objects, depth: depth.into(), limit: MAX_ITERATIONS });
-        }
-        Ok(steps(depth, step as u32))
+        Ok(steps(depth, surfaces_of_a_run(objects, depth)?))
+    }
+}
+
+/// Returns how many surfaces of each path one run may loop over, at least one.
+///
+/// # Errors
+/// [`Error::TooManyIterations`] if one surface already takes more than [`MAX_ITERATIONS`].
+pub(crate) fn surfaces_of_a_run(objects: u64, depth: u32) -> Result<u32, Error> {
+    // For each surface there is a loop over the objects. In addition the loop over a path's materials is counted, since
+    // the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
+    match MAX_ITERATIONS / (objects + u64::from(depth) + 1) {
+        0 => Err(Error::TooManyIterations { objects, depth: depth.into(), limit: MAX_ITERATIONS }),
+        surfaces => Ok(surfaces as u32),
     }
 }
 
@@ -200,6 +206,15 @@ mod tests {
     fn a_depth_is_taken_in_steps() {
         assert_eq!(steps(5, 13_000), [Range { start: 0, end: 5 }]);
         assert_eq!(steps(7, 3), [0..3, 3..6, 6..7]);
+    }
+
+    #[test]
+    fn as_many_objects_and_surfaces_as_the_limit_are_taken_and_one_more_is_refused() {
+        assert!(matches!(surfaces_of_a_run(65_529, 5), Ok(1)));
+        assert!(matches!(surfaces_of_a_run(0, 65_534), Ok(1)));
+        assert!(matches!(surfaces_of_a_run(65_530, 5), Err(Error::TooManyIterations { .. })));
+        assert!(matches!(surfaces_of_a_run(0, 65_535), Err(Error::TooManyIterations { .. })));
+        assert!(matches!(surfaces_of_a_run(4, 5), Ok(6553)));
     }
 
     #[test]

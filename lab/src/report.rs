@@ -10,39 +10,74 @@ pub mod style;
 pub mod thumbnails;
 
 use std::collections::HashSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use output::{Options, Output};
 
 use crate::bench::results::Results;
 use crate::{Failure, terminal};
 use chart::Chart;
+use thumbnails::Thumbnail;
 
-/// Names of the files that [`write()`] writes in addition to the charts.
-pub const FILES: [&str; 2] = ["index.html", "findings.json"];
-
-/// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`.
+/// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`. `data` is the file of `results`, which no
+/// output may be.
 ///
 /// # Errors
-/// An error if a file cannot be written, or a chart cannot be drawn.
-pub fn write(results: &Results, folder: &Path, options: Options) -> Result<(), Failure> {
-    // All computations that can fail are done before the first file is written.
-    let pictures = thumbnails::of(results, &test_support::project_root().join("scenes"))?;
-    let charts = charts::all(results);
-    let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
-    let figures = folder.join("charts");
-    std::fs::create_dir_all(&figures).map_err(|error| format!("{}: {error}", terminal::name(&figures)))?;
-    let findings = findings::of(results);
-    for (name, (_, svg)) in file_names(&charts).into_iter().zip(&drawn) {
-        put(&figures.join(format!("{name}.svg")), svg, options)?;
-    }
-    let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())?;
-    put(&folder.join("findings.json"), &format!("{json}\n"), options)?;
-    put(&folder.join("index.html"), &html::page(results, &findings, &drawn, &pictures), options)
+/// A file cannot be written, or a chart cannot be drawn.
+pub fn write(results: &Results, data: &Path, folder: &Path, options: Options) -> Result<(), Failure> {
+    let scenes = test_support::project_root().join("scenes");
+    write_with(results, data, folder, options, || Ok(thumbnails::of(results, &scenes)?))
 }
 
-fn put(path: &Path, text: &str, options: Options) -> Result<(), Failure> {
-    Ok(Output::open(path, options)?.fill(|file| file.write_all(text.as_bytes()))?)
+/// Writes the report with the thumbnails of `pictures`, which is called when all outputs have been found writable.
+fn write_with(
+    results: &Results,
+    data: &Path,
+    folder: &Path,
+    options: Options,
+    pictures: impl FnOnce() -> Result<Vec<Thumbnail>, Failure>,
+) -> Result<(), Failure> {
+    let charts = charts::all(results);
+    let paths = paths(folder, &charts);
+    let outputs = open(&paths, data, options)?;
+    // Everything else that can fail is computed before the first file is written.
+    let pictures = pictures()?;
+    let drawn = charts.iter().map(|chart| Ok((chart, chart.draw()?))).collect::<Result<Vec<_>, String>>()?;
+    let findings = findings::of(results);
+    let json = serde_json::to_string_pretty(&findings).map_err(|error| error.to_string())? + "\n";
+    let page = html::page(results, &findings, &drawn, &pictures);
+    let texts = drawn.iter().map(|(_, svg)| svg).chain([&json, &page]);
+    for ((path, output), text) in paths.iter().zip(outputs).zip(texts) {
+        let output = output.map_or_else(|| Output::open(path, options), Ok)?;
+        output.fill(|file| file.write_all(text.as_bytes()))?;
+    }
+    Ok(())
+}
+
+/// Returns the files of a report in the order in which they are written: one for each chart, the findings, the page.
+fn paths(folder: &Path, charts: &[Chart]) -> Vec<PathBuf> {
+    let charts = file_names(charts).into_iter().map(|name| folder.join("charts").join(format!("{name}.svg")));
+    charts.chain(["findings.json", "index.html"].map(|name| folder.join(name))).collect()
+}
+
+/// Largest number of outputs that are open at the same time. Results may have so many scenes that there are more charts
+/// than a process may have open files.
+const MOST_OPEN: usize = 12;
+
+/// Makes the folders, and opens each file for writing. None of them may be `data`. Files after the first [`MOST_OPEN`]
+/// are closed again, and have to be opened once more.
+fn open(paths: &[PathBuf], data: &Path, options: Options) -> Result<Vec<Option<Output>>, Failure> {
+    for path in paths {
+        output::refuse_inputs(path, &[data])?;
+    }
+    for folder in paths.iter().filter_map(|path| path.parent()) {
+        std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", terminal::name(folder)))?;
+    }
+    let open = |(index, path): (usize, &PathBuf)| {
+        let output = Output::open(path, options)?;
+        Ok((index < MOST_OPEN).then_some(output))
+    };
+    paths.iter().enumerate().map(open).collect()
 }
 
 /// Returns a different file name for each chart, without an ending. A chart's name may contain the name of a scene,
@@ -82,5 +117,26 @@ mod tests {
         let found = file_names(&names.map(chart));
         assert_eq!(found[..4], ["error-time-grid", "------x", "------x-2", "a-----"].map(str::to_owned));
         assert_eq!(found[4].len(), 100);
+    }
+    #[cfg(unix)]
+    #[test]
+    fn a_file_that_cannot_be_written_is_refused_before_thumbnails_are_rendered() {
+        use crate::bench::results::tests::{results, timing};
+        use std::os::unix::net::UnixListener;
+        use test_support::folder::Folder;
+
+        let results = results(vec![timing("aos-avx2", 1, &[1.0]), timing("aos-avx2", 4, &[2.0])]);
+        for name in ["index.html", "findings.json", "charts/scale-samples.svg"] {
+            let folder = Folder::new();
+            std::fs::create_dir(folder.file("charts")).expect("the folder is writable");
+            let _socket = UnixListener::bind(folder.file(name)).expect("the folder is writable");
+            let result = write_with(&results, Path::new("data"), folder.path(), Options::default(), || {
+                panic!("thumbnails are rendered although {name} cannot be written")
+            });
+            let message = result.expect_err("a socket is no file").message().expect("an error has a message");
+            assert!(message.contains("Cannot write file [") && message.contains(name), "{message}");
+            // The folder of charts and the socket.
+            assert_eq!(folder.names().len() + folder.names_in("charts").len(), 2);
+        }
     }
 }

@@ -8,4 +8,5 @@ mod kills;
 mod loads;
 mod memory;
 mod places;
+mod together;
 mod workshop;

@@ -220,8 +220,10 @@ mod tests {
             for_each_line::<io::Error>(input, |_| Ok(()))
         };
         assert!(read(MAX_FILE_BYTES).is_ok());
-        let error = read(u64::MAX).unwrap_err();
-        assert_eq!(error.to_string(), "it is larger than 1073741824 bytes");
+        for bytes in [MAX_FILE_BYTES + 1, u64::MAX] {
+            let error = read(bytes).unwrap_err();
+            assert_eq!(error.to_string(), "it is larger than 1073741824 bytes");
+        }
     }
 
     #[test]

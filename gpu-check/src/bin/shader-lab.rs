@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use gpu_check::shader_lab::args::{self, Command, USAGE};
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
-use gpu_check::shader_lab::{TEMPLATE, guard, truth, watch::Lab};
+use gpu_check::shader_lab::{TEMPLATE, guard, sources, truth, watch::Lab};
 use gpu_check::web::{Server, data};
 use gpu_check::{Error, Gpu, terminal};
 use output::{Options, Output, stop};
@@ -106,8 +106,7 @@ fn template(path: &Path) -> ExitCode {
 
 fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
     let data = || {
-        let (config, scene) =
-            (cpu::internals::input::config::Config::read(config)?, cpu::internals::input::scene::Scene::read(scene)?);
+        let (config, scene) = sources::scene(config, scene)?;
         truth::check_size(&config)?;
         data::collect(&Gpu::open()?, &config, &scene)
     };

@@ -47,11 +47,25 @@ impl Sources {
     /// # Errors
     /// The reason why a file cannot be read, or the error in its text.
     pub fn parse(&self, options: &Options) -> Result<(Config, Scene), Error> {
-        let bytes = |text: &Text| text.clone().map_err(|message| Error::Request { message });
-        let [config, scene] = [bytes(&self.texts[0])?, bytes(&self.texts[1])?];
-        let config = Config::parse(&config[..]).map_err(|error| error.in_file(&options.config))?;
-        Ok((config, Scene::parse(&scene[..]).map_err(|error| error.in_file(&options.scene))?))
+        let [config, scene] = self.texts.clone();
+        parse((&options.config, config), (&options.scene, scene))
     }
+}
+
+/// Reads and parses a configuration and a scene of at most [`MAX_BYTES`] each.
+///
+/// # Errors
+/// Why a file cannot be read, or what is wrong in it.
+pub fn scene(config: &Path, scene: &Path) -> Result<(Config, Scene), Error> {
+    parse((config, text(config)), (scene, text(scene)))
+}
+
+/// Parses a configuration and a scene. The paths are for messages.
+fn parse(config: (&Path, Text), scene: (&Path, Text)) -> Result<(Config, Scene), Error> {
+    let bytes = |text: Text| text.map_err(|message| Error::Request { message });
+    let texts = [bytes(config.1)?, bytes(scene.1)?];
+    let parsed = Config::parse(&texts[0][..]).map_err(|error| error.in_file(config.0))?;
+    Ok((parsed, Scene::parse(&texts[1][..]).map_err(|error| error.in_file(scene.0))?))
 }
 
 /// Whether `path` is neither a file nor a folder. Then it is a pipe, a terminal or another device, which is read only

@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
+use crate::picture::depth;
+use crate::renderer::surfaces_of_a_run;
 use crate::{Error, Picture};
 
 /// Largest number of pixels of a picture, slightly more than 4K (3840 x 2160). About a dozen copies of a picture are in
@@ -25,6 +27,15 @@ pub fn check_size(config: &Config) -> Result<(), Error> {
     Err(Error::Request { message })
 }
 
+/// Refuses a depth with which no run on a device can trace the paths of `scene`. The reference could take any time and
+/// memory for such a depth, so this is checked before it renders.
+///
+/// # Errors
+/// [`Error::TooLarge`] or [`Error::TooManyIterations`].
+fn check_depth(config: &Config, scene: &Scene) -> Result<(), Error> {
+    surfaces_of_a_run(scene.objects.len() as u64, depth(config)?).map(drop)
+}
+
 /// A configuration, a scene, and their picture by the CPU in deterministic mode.
 #[derive(Clone, Debug)]
 pub struct Truth {
@@ -41,13 +52,14 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Renders the picture in f64 with the reference.
+    /// Renders the picture in f64 by the reference.
     ///
     /// # Errors
-    /// [`Error::Scene`] if the configuration makes no picture, [`Error::Request`] if the picture has more than
-    /// [`MAX_PIXELS`] pixels.
+    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than
+    /// [`MAX_PIXELS`], [`Error::TooLarge`] or [`Error::TooManyIterations`] when its depth is too large for a device.
     pub fn new(config: Config, scene: Scene) -> Result<Self, Error> {
         check_size(&config)?;
+        check_depth(&config, &scene)?;
         let mut wide = Vec::new();
         let start = Instant::now();
         reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| wide.push(color))?;
@@ -75,5 +87,23 @@ mod tests {
         assert!(check_size(&config(2048)).is_ok());
         let message = check_size(&config(2049)).expect_err("it is a row too many").to_string();
         assert_eq!(message, "the picture has 4096 x 2049 pixels, more than 8388608; lower image_width");
+    }
+
+    /// Inside a mirror no path ends before the maximum depth. Without the check this test would take hours.
+    #[test]
+    fn a_depth_that_no_device_takes_is_refused_before_the_reference_renders() {
+        let text = "metal: mirror 1 1 1 0\nsphere: 0 0 0 1000000 mirror\n";
+        let scene = || Scene::parse(text.as_bytes()).expect("it is valid");
+        let config = |max_depth| Config { image_width: 1, samples_per_pixel: 1, max_depth, ..Config::default() };
+        for (depth, message) in [
+            (u64::MAX, "the materials that attenuate each path takes 18446744073709551615 bytes"),
+            (u64::from(u32::MAX), "1 objects to a depth of 4294967295 are more than one run can loop over"),
+            (65_534, "1 objects to a depth of 65534 are more than one run can loop over (65535 in all)"),
+        ] {
+            let error = Truth::new(config(depth), scene()).expect_err("it is too deep").to_string();
+            assert!(error.starts_with(message), "{error}");
+        }
+        let deepest = Truth::new(config(65_533), scene()).expect("a run may loop over this");
+        assert_eq!(deepest.wide, [Vec3::new(0.0, 0.0, 0.0)], "no path ends before the maximum depth");
     }
 }

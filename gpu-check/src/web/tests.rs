@@ -22,7 +22,10 @@ fn answer_to(address: SocketAddr, request: &str) -> String {
 }
 
 fn asked(request: &str) -> (String, Option<Posted>) {
-    let server = server();
+    asked_of(&server(), request)
+}
+
+fn asked_of(server: &Server, request: &str) -> (String, Option<Posted>) {
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     client.write_all(request.as_bytes()).expect("it reads");
     let (stream, _) = server.listener.accept().expect("there is a connection");
@@ -86,6 +89,29 @@ fn bodies_share_one_limit_and_give_it_back() {
     assert!(Share::take(&counter, 2, 5).is_some(), "exactly the limit");
     drop(first);
     assert!(Share::take(&counter, 5, 5).is_some());
+}
+
+#[test]
+fn all_bodies_together_have_a_limit_until_one_of_them_has_been_received() {
+    let server = server();
+    let post = |length: usize, body: &str| {
+        format!("POST /results/x HTTP/1.1\r\nHost: localhost\r\nContent-Length: {length}\r\n\r\n{body}")
+    };
+    let mut first = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
+    // This client announces all bytes but one, and sends none of them.
+    first.write_all(post(request::MAX_BODY - 1, "").as_bytes()).expect("it reads");
+    let (stream, _) = server.listener.accept().expect("there is a connection");
+    std::thread::scope(|scope| {
+        let talk = scope.spawn(|| server.talk(&stream, drop));
+        while server.bodies.load(Ordering::SeqCst) == 0 {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        assert!(asked_of(&server, &post(2, "ab")).0.starts_with("HTTP/1.1 503"));
+        assert!(asked_of(&server, &post(1, "a")).0.starts_with("HTTP/1.1 200"), "exactly the limit");
+        drop(first);
+        assert!(talk.join().expect("it does not panic").is_err(), "the body has not come");
+        assert!(asked_of(&server, &post(2, "ab")).0.starts_with("HTTP/1.1 200"));
+    });
 }
 
 #[test]

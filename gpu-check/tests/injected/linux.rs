@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-use test_support::injection::{Disturbance, Job, most, unavailable};
+use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
 
 /// Number of calls with one name that are disturbed.
 const MOST: usize = 2;
@@ -23,12 +23,13 @@ fn image(@builtin(global_invocation_id) id: vec3<u32>) {
 
 /// The tests: the disturbance, the old content of the output (`None` if there is no file), and the name. Signals are
 /// tested only with an old picture, which stays if the signal comes before the new picture is in place.
-const CASES: [(Disturbance, Option<&str>, &str); 5] = [
+const CASES: [(Disturbance, Option<&str>, &str); 6] = [
     (Disturbance::Errors, None, "calls_fail_and_no_picture_stands_or_the_new_ones"),
     (Disturbance::Errors, Some("old"), "calls_fail_and_the_old_pictures_stand_or_the_new_ones"),
     (Disturbance::Signal, Some("old"), "a_signal_in_a_call_leaves_the_old_pictures_or_the_new_ones"),
     (Disturbance::SignalAsProcessOne, Some("old"), "a_signal_in_a_call_ends_process_1"),
     (Disturbance::Named, Some("old"), "failures_and_signals_where_a_file_needs_a_name"),
+    (Disturbance::NamedAsProcessOne, Some("old"), "a_signal_ends_process_1_where_a_file_needs_a_name"),
 ];
 
 /// Returns one trial for each entry of [`CASES`].
@@ -38,7 +39,21 @@ pub fn trials() -> Vec<Trial> {
         let trial = Trial::test(name, move || disturb(disturbance, old));
         trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some())
     };
-    CASES.into_iter().map(trial).collect()
+    let missing = unavailable(Disturbance::Errors);
+    let sync = Trial::test("both_pictures_and_their_folder_are_synced_except_with_no_sync", sync);
+    let sync = sync.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some());
+    CASES.into_iter().map(trial).chain([sync]).collect()
+}
+
+fn sync() -> Result<(), Failed> {
+    let folder = Folder::new();
+    fs::create_dir(folder.file("d"))?;
+    let Job { program, arguments, folder: d, gate, .. } = job(folder.path())?;
+    if let Some((path, content)) = gate {
+        fs::write(path, content)?;
+    }
+    // The second picture shows the difference.
+    Ok(check_syncs(&program, &arguments, &d, 2)?)
 }
 
 fn disturb(disturbance: Disturbance, old: Option<&str>) -> Result<(), Failed> {

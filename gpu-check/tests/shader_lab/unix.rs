@@ -35,11 +35,25 @@ fn a_pipe_as_configuration_is_read_once_and_its_values_count() {
 #[test]
 fn endless_files_are_refused() {
     let folder = Folder::new();
-    for (config, scene) in [("/dev/zero", "scene"), ("config", "/dev/zero")] {
-        let output = bash(folder.path(), &format!("$lab my.wgsl --config {config} --scene {scene} --out o.png"));
-        let expected = "Cannot read file [/dev/zero]: it is larger than 16777216 bytes";
-        assert!(!output.status.success() && words(&output).contains(expected), "{}", words(&output));
+    for files in ["--config /dev/zero --scene scene", "--config config --scene /dev/zero"] {
+        for command in [&format!("$lab my.wgsl {files} --out o.png"), &format!("timeout 60 $lab --serve 0 {files}")] {
+            let output = bash(folder.path(), command);
+            let expected = "Cannot read file [/dev/zero]: it is larger than 16777216 bytes";
+            assert_eq!(output.status.code(), Some(2), "{command}: {}", words(&output));
+            assert!(words(&output).contains(expected), "{command}: {}", words(&output));
+        }
     }
+}
+
+#[test]
+fn a_server_refuses_a_valid_scene_of_one_byte_more_than_the_limit() {
+    let folder = Folder::new();
+    // Blank lines are valid, so only the size is wrong.
+    let line = "head -c 16777217 < <(yes '') > blank; timeout 60 $lab --serve 0 --config config --scene blank";
+    let output = bash(folder.path(), line);
+    assert_eq!(output.status.code(), Some(2), "{}", words(&output));
+    let expected = "Error: Cannot read file [blank]: it is larger than 16777216 bytes";
+    assert!(words(&output).contains(expected), "{}", words(&output));
 }
 
 #[test]
@@ -92,6 +106,20 @@ fn an_input_as_output_is_refused_under_any_name() {
         let output = bash(folder.path(), &line);
         assert!(!output.status.success(), "{out}");
         assert!(words(&output).contains("it is the same file as the input ["), "{}", words(&output));
+    }
+}
+
+#[test]
+fn a_socket_as_output_is_refused_before_the_cpu_renders() {
+    let folder = Folder::new();
+    for name in ["o", "o-difference.png"] {
+        let listener = std::os::unix::net::UnixListener::bind(folder.file(name)).expect("the folder is writable");
+        let out = if name == "o" { "o" } else { "o.png" };
+        let output = bash(folder.path(), &format!("$lab my.wgsl --config config --scene scene --out {out}"));
+        let text = words(&output);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.contains(&format!("Cannot write file [{name}]: ")) && !text.contains("the CPU renders"), "{text}");
+        drop(listener);
     }
 }
 

@@ -43,7 +43,7 @@ impl Partial {
     pub fn read(path: &Path, request: &str) -> Result<Self, Failure> {
         let explain = |error: &dyn Display| format!("{}: {error}", terminal::name(path));
         let text = cpu::internals::input::reader::read(path, MAX_BYTES).map_err(|error| explain(&error))?;
-        let partial: Self = check::parse(&text, &mut 0).map_err(|error| explain(&error))?;
+        let partial: Self = check::Total::default().parse(&text).map_err(|error| explain(&error))?;
         partial.results.check().map_err(|error| explain(&error))?;
         if partial.request != request {
             let error = format!("it was measured with other options or another program: {}", partial.request);

@@ -10,6 +10,7 @@ use output::Options;
 use crate::Failure;
 use crate::bench::matrix::{PARAMETERS, Task, tasks};
 use crate::bench::results::Results;
+use crate::bench::results::check::Total;
 use crate::terminal;
 
 /// Options of `bench`.
@@ -143,9 +144,9 @@ fn merge(out: &Path, parts: &[PathBuf], options: Options) -> Result<(), Failure>
     for path in Results::files(out) {
         output::refuse_inputs(&path, &inputs)?;
     }
-    let (mut all, mut values) = (Results::default(), 0);
+    let (mut all, mut total) = (Results::default(), Total::default());
     for (index, path) in parts.iter().enumerate() {
-        let part = Results::read_part(path, &mut values)?;
+        let part = Results::read_part(path, &mut total)?;
         // The limits are checked after each file, so that all files together stay within them.
         all = if index == 0 { Results::merge(vec![part])? } else { Results::merge(vec![all, part])? };
         all.check().map_err(|reason| format!("the parts together: {reason}"))?;

@@ -155,6 +155,12 @@ mod tests {
     }
 
     #[test]
+    fn as_many_objects_as_the_limit_are_understood() {
+        let alone = Alone::try_parse_from(["generate", "c", "s", "--objects=10000000"]).expect("this is the limit");
+        assert_eq!(alone.arguments.objects, 10_000_000);
+    }
+
+    #[test]
     fn numbers_out_of_range_are_refused() {
         for option in [
             "--cylinders=1.5",

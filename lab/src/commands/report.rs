@@ -28,9 +28,6 @@ impl Arguments {
     /// # Errors
     /// An error of the data or the folder.
     pub fn run(&self, options: Options) -> Result<(), Failure> {
-        for name in crate::report::FILES {
-            output::refuse_inputs(&self.out.join(name), &[&self.data])?;
-        }
-        crate::report::write(&Results::read(&self.data)?, &self.out, options)
+        crate::report::write(&Results::read(&self.data)?, &self.data, &self.out, options)
     }
 }

@@ -6,16 +6,17 @@ use std::path::{Path, PathBuf};
 
 use libtest_mimic::{Failed, Trial};
 use test_support::folder::Folder;
-use test_support::injection::{Disturbance, Job, most, unavailable};
+use test_support::injection::{Disturbance, Job, check_syncs, most, unavailable};
 
 /// Number of calls with one name that are disturbed.
 const MOST: usize = 3;
 
-const DISTURBANCES: [(Disturbance, &str); 4] = [
+const DISTURBANCES: [(Disturbance, &str); 5] = [
     (Disturbance::Errors, "every_call_fails_and_the_old_files_stand_or_the_new_ones"),
     (Disturbance::Signal, "a_signal_in_every_call_leaves_the_old_files_or_the_new_ones"),
     (Disturbance::SignalAsProcessOne, "a_signal_in_every_call_ends_process_1"),
     (Disturbance::Named, "the_same_where_a_file_needs_a_name"),
+    (Disturbance::NamedAsProcessOne, "a_signal_in_every_call_ends_process_1_where_a_file_needs_a_name"),
 ];
 
 /// A function that prepares a folder for a command, and returns the job that runs the command there.
@@ -36,9 +37,10 @@ pub fn trials() -> Vec<Trial> {
     for (disturbance, name) in DISTURBANCES {
         let missing = unavailable(disturbance);
         for (command, job) in COMMANDS {
-            // `Named` cannot reach the call that creates the file of the heat map: that call comes before the gate, and
-            // in both threads a call of this name has this number.
-            if command.starts_with("compare") && disturbance == Disturbance::Named {
+            // These disturbances cannot reach the call that creates the file of the heat map: the call comes before the
+            // gate, and in both threads a call of this name has this number.
+            let is_named = matches!(disturbance, Disturbance::Named | Disturbance::NamedAsProcessOne);
+            if command.starts_with("compare") && is_named {
                 continue;
             }
             for (old, place) in [(None, "free"), (Some("old"), "taken")] {
@@ -54,7 +56,20 @@ pub fn trials() -> Vec<Trial> {
             }
         }
     }
+    let missing = unavailable(Disturbance::Errors);
+    let trial = Trial::test("a_picture_and_its_folder_are_synced_except_with_no_sync", sync);
+    trials.push(trial.with_kind(missing.unwrap_or_default()).with_ignored_flag(missing.is_some()));
     trials
+}
+
+fn sync() -> Result<(), Failed> {
+    let folder = Folder::new();
+    fs::create_dir(folder.file("d"))?;
+    let Job { program, arguments, folder: d, gate, .. } = render(folder.path());
+    if let Some((path, content)) = gate {
+        fs::write(path, content)?;
+    }
+    Ok(check_syncs(&program, &arguments, &d, 1)?)
 }
 
 fn disturb(job: Prepare, old: Option<&str>, disturbance: Disturbance) -> Result<(), Failed> {

@@ -5,7 +5,7 @@ use std::fs;
 
 use test_support::folder::Folder;
 
-use crate::{bash, lab};
+use crate::{bash, complaint, lab};
 
 const GRID: [&str; 2] = ["scenes/grid/config.txt", "scenes/grid/scene.txt"];
 
@@ -25,6 +25,22 @@ fn a_small_file_of_many_pixels_is_refused_in_little_memory() {
     let output = bash(&folder, "ulimit -v 200000; $lab compare black.png black.png");
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     assert!(String::from_utf8_lossy(&output.stderr).contains("black.png: it has more than 67108864 pixels"));
+}
+
+#[test]
+fn a_picture_file_of_exactly_the_limit_is_read_and_one_byte_more_is_refused() {
+    let folder = Folder::new();
+    let name = folder.name("holes.ppm");
+    fs::write(&name, "P6 1 1 255\n").expect("the folder is writable");
+    let header = fs::metadata(&name).expect("it exists").len();
+    let most = lab::picture::MAX_FILE_BYTES;
+    let pixels = format!("{} bytes of pixels where 1 x 1 are announced", most - header);
+    for (bytes, reason) in [(most, &pixels[..]), (most + 1, "it is larger than 1073741824 bytes")] {
+        let file = fs::OpenOptions::new().write(true).open(&name).expect("it is ours");
+        file.set_len(bytes).expect("holes take no place");
+        let message = complaint(&["compare", &name, &name]);
+        assert!(message.contains(&format!("holes.ppm: {reason}")), "{bytes}: {message}");
+    }
 }
 
 #[test]
@@ -50,8 +66,13 @@ fn an_output_that_is_an_input_is_refused_under_any_name_and_stays() {
     }
     let output = bash(&folder, "$lab generate new new");
     assert!(String::from_utf8_lossy(&output.stderr).contains("need a file each"), "{output:?}");
-    let output = bash(&folder, "mkdir r; cp bench.json r/findings.json; $lab report r/findings.json --out r");
-    assert!(String::from_utf8_lossy(&output.stderr).contains("it is the same file as the input ["), "{output:?}");
+    for name in ["index.html", "findings.json", "charts/scale-width.svg"] {
+        let line = format!("mkdir -p r/charts; cp bench.json r/{name}; $lab report r/{name} --out r; s=$?");
+        let output = bash(&folder, &format!("{line}; cmp bench.json r/{name} && rm -r r && exit $s"));
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{name}: {message}");
+        assert!(message.contains("it is the same file as the input ["), "{name}: {message}");
+    }
 }
 
 #[test]

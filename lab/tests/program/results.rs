@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use lab::bench::results::check::MAX_VALUES;
+use lab::bench::results::check::{MAX_BYTES, MAX_ENTRIES, MAX_VALUES};
 use test_support::folder::Folder;
 
 use crate::{bash, complaint, run};
@@ -67,6 +67,78 @@ fn as_many_repeats_as_the_limit_are_taken_and_one_more_is_refused_in_little_memo
         assert!(String::from_utf8_lossy(&output.stderr).contains(message), "{line}: {output:?}");
         assert!(!folder.file("o").exists(), "{line}");
     }
+}
+
+/// Returns the smallest results that are valid, with `entries` omitted pictures. The reason of the first one is
+/// `longer` bytes longer than those of the others.
+fn omitted(entries: usize, longer: usize) -> String {
+    let mut results: serde_json::Value = serde_json::from_str(&repeated(100)).expect("it is JSON");
+    let setting = serde_json::json!({
+        "suite": "scale", "scene": "grid", "parameter": "width", "value": 1, "engine": "aos-avx2", "reason": "r",
+    });
+    let mut list = vec![setting; entries];
+    list[0]["reason"] = "r".repeat(1 + longer).into();
+    results["omitted"] = list.into();
+    results["timings"] = serde_json::json!([]);
+    results.to_string()
+}
+
+#[test]
+fn all_files_together_have_a_limit_on_bytes() {
+    let folder = Folder::new();
+    let bytes = |length| omitted(1, length - omitted(1, 0).len());
+    let half = MAX_BYTES as usize / 2;
+    for (name, length) in [("half", half), ("more", half + 1), ("nine", 9_000_000)] {
+        fs::write(folder.file(name), bytes(length)).expect("the folder is writable");
+    }
+    let output = bash(&folder, "ulimit -v 200000; $lab bench merge --out all.json half half");
+    assert!(output.status.success(), "{output:?}");
+    for (parts, message) in [
+        ("half more", "more: with the files before it, it has 16777217 bytes, more than 16777216"),
+        ("nine nine", "nine: with the files before it, it has 18000000 bytes, more than 16777216"),
+    ] {
+        let output = bash(&folder, &format!("ulimit -v 100000; $lab bench merge --out o {parts}"));
+        assert_eq!(output.status.code(), Some(2), "{parts}: {output:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains(message), "{parts}: {output:?}");
+        assert!(!folder.file("o").exists());
+    }
+}
+
+#[test]
+fn a_file_of_exactly_the_limit_on_bytes_is_taken_and_one_byte_more_is_refused() {
+    let folder = Folder::new();
+    let text = omitted(1, 0);
+    for (name, length) in [("full", MAX_BYTES as usize), ("over", MAX_BYTES as usize + 1)] {
+        fs::write(folder.file(name), text.clone() + &" ".repeat(length - text.len())).expect("the folder is writable");
+    }
+    for line in ["bench merge --out all.json full", "report full --out report"] {
+        let output = bash(&folder, &format!("ulimit -v 200000; $lab {line}"));
+        assert!(output.status.success(), "{line}: {output:?}");
+    }
+    for line in ["bench merge --out o over", "report over --out o"] {
+        let output = bash(&folder, &format!("ulimit -v 200000; $lab {line}"));
+        assert_eq!(output.status.code(), Some(2), "{line}: {output:?}");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(message.contains("over: it is larger than 16777216 bytes"), "{line}: {message}");
+        assert!(!folder.file("o").exists(), "{line}");
+    }
+}
+
+#[test]
+fn the_limit_on_entries_holds_for_two_files_together() {
+    let folder = Folder::new();
+    let half = MAX_ENTRIES / 2;
+    for (name, entries) in [("half", half), ("more", half + 1)] {
+        fs::write(folder.file(name), omitted(entries, 0)).expect("the folder is writable");
+    }
+    let output =
+        run(&["bench", "merge", "--out", &folder.name("all.json"), &folder.name("half"), &folder.name("half")]);
+    assert!(output.status.success(), "{output:?}");
+    let message =
+        complaint(&["bench", "merge", "--out", &folder.name("o"), &folder.name("half"), &folder.name("more")]);
+    let expected = "the parts together: the list \"omitted\" has 4097 entries, more than 4096";
+    assert!(message.contains(expected), "{message}");
+    assert!(!folder.file("o").exists());
 }
 
 #[test]

@@ -52,6 +52,44 @@ fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
     assert!(!output.status.success());
 }
 
+/// Returns a folder of programs with a `cargo-deny` that ends with status `fetch` when it should download the list of
+/// faults, and with status `check` when it should compare the dependencies with it.
+fn programs_with_deny(fetch: i32, check: i32) -> Folder {
+    let folder = programs(&["cargo", "cargo-deny"]);
+    for name in ["awk", "mktemp", "rm", "timeout"] {
+        std::os::unix::fs::symlink(format!("/usr/bin/{name}"), folder.file(name)).expect("the folder is writable");
+    }
+    fs::write(folder.file("cargo"), "#!/bin/sh\nexec \"cargo-$1\" \"$@\"\n").expect("the folder is writable");
+    let deny = format!(
+        "#!/bin/sh\ncase \"$*\" in\n\"deny fetch db\") echo reason >&2; exit {fetch};;\n\
+         *\" check --disable-fetch advisories\") exit {check};;\n*) exit 99;;\nesac\n"
+    );
+    fs::write(folder.file("cargo-deny"), deny).expect("the folder is writable");
+    folder
+}
+
+#[test]
+fn known_faults_fail_and_a_missing_list_is_ignored_unless_it_is_required() {
+    let advisories = |folder: &Folder, required: &str| {
+        let mut env = Command::new("/usr/bin/env");
+        env.args(["bash", "tests/advisories.sh"]).current_dir(test_support::project_root());
+        let output =
+            env.env("PATH", folder.path()).env("ADVISORIES_REQUIRED", required).output().expect("bash is there");
+        (output.status.code(), String::from_utf8(output.stdout).expect("it is text"))
+    };
+    let ok = "advisories of Cargo.toml ... ok\nadvisories of tests/fuzz/targets/Cargo.toml ... ok\n".to_owned();
+    assert_eq!(advisories(&programs_with_deny(0, 0), "1"), (Some(0), ok));
+    let ignored = |reason: &str| format!("advisories ... ignored: {reason}\n");
+    let no_list = ignored("the list cannot be had: reason");
+    let no_program = ignored("cargo-deny is missing; cargo install cargo-deny --locked");
+    for (required, status) in [("", 0), ("1", 1)] {
+        assert_eq!(advisories(&programs_with_deny(1, 0), required), (Some(status), no_list.clone()));
+        assert_eq!(advisories(&programs(&["cargo"]), required), (Some(status), no_program.clone()));
+        // A fault is never ignored.
+        assert_eq!(advisories(&programs_with_deny(0, 7), required), (Some(7), String::new()));
+    }
+}
+
 #[test]
 fn scripts_have_help_and_refuse_what_they_do_not_know() {
     let folder = programs(&["cargo"]);

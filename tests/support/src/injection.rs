@@ -12,6 +12,7 @@ mod calls;
 mod check;
 mod gate;
 mod runs;
+mod syncs;
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -24,6 +25,7 @@ use calls::Call;
 #[cfg(feature = "programs")]
 pub use runs::run;
 pub use runs::{Runs, most, total};
+pub use syncs::check_syncs;
 
 /// The errors that each call returns, one error in each run.
 const ERRORS: [&str; 4] = ["EIO", "ENOSPC", "EPERM", "EINTR"];
@@ -68,6 +70,14 @@ pub enum Disturbance {
     /// Both [`Disturbance::Errors`] and [`Disturbance::Signal`], on a simulated file system without `O_TMPFILE`, where
     /// the temporary file has a name.
     Named,
+    /// [`Disturbance::SignalAsProcessOne`], on the same kind of file system.
+    NamedAsProcessOne,
+}
+
+impl Disturbance {
+    fn is_as_process_one(self) -> bool {
+        matches!(self, Self::SignalAsProcessOne | Self::NamedAsProcessOne)
+    }
 }
 
 /// Returns the reason why this machine cannot run `disturbance`, or `None` if it can.
@@ -81,7 +91,7 @@ pub fn unavailable(disturbance: Disturbance) -> Option<&'static str> {
     if !runs(&strace) || !runs(&attach) {
         return Some("needs strace and the right to trace");
     }
-    (disturbance == Disturbance::SignalAsProcessOne && !runs(&unshare)).then_some("needs the right to be process 1")
+    (disturbance.is_as_process_one() && !runs(&unshare)).then_some("needs the right to be process 1")
 }
 
 /// Files by their paths, with their contents.
@@ -104,7 +114,7 @@ impl Job {
             Disturbance::Errors => self.each(calls, |calls| self.fail(&new, calls, &[]))?,
             Disturbance::Signal => self.each(calls, |calls| self.signal(&new, calls, &[], false))?,
             Disturbance::SignalAsProcessOne => self.each(calls, |calls| self.signal(&new, calls, &[], true))?,
-            Disturbance::Named => {
+            Disturbance::Named | Disturbance::NamedAsProcessOne => {
                 let unnamed = calls.iter().find(|call| call.text.contains("O_TMPFILE"));
                 let unnamed = unnamed.ok_or("no file without a name was made")?;
                 let inject = format!("inject=openat:error=EOPNOTSUPP:when={}", unnamed.number);
@@ -116,10 +126,13 @@ impl Job {
                     return Err("no file with a name was made".to_owned());
                 }
                 calls.retain(|call| call.name != "openat");
-                self.each(
-                    calls,
-                    |calls| Ok(self.fail(&new, calls, &first)? + self.signal(&new, calls, &first, false)?),
-                )?
+                if disturbance.is_as_process_one() {
+                    self.each(calls, |calls| self.signal(&new, calls, &first, true))?
+                } else {
+                    self.each(calls, |calls| {
+                        Ok(self.fail(&new, calls, &first)? + self.signal(&new, calls, &first, false)?)
+                    })?
+                }
             }
         };
         runs::add(runs);

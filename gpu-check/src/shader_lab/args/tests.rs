@@ -51,6 +51,8 @@ fn options_are_read() {
     let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
     assert_eq!((read.precision, read.view, read.watch), (Precision::F32, Some(View::Normal), true));
     assert_eq!((read.pixel, read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
+    assert!(options("").sync);
+    assert!(!options("--no-sync").sync);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use serde::de::DeserializeOwned;
 
 use super::{Intersection, Results, Timing};
 
-/// Largest size of a file of results, in bytes. The file of the full matrix has 270,000.
+/// Most bytes of one file of results, and of all files together. The full matrix takes 270,000.
 pub const MAX_BYTES: u64 = 16 << 20;
 
 /// Largest number of entries of a list. The limit is needed because the time to join and compare lists grows with the
@@ -22,18 +22,34 @@ pub fn values(json: &[u8]) -> usize {
     json.iter().filter(|byte| b",[{".contains(byte)).count() + 1
 }
 
-/// Reads JSON. `values` is the number of values in the files read before; the number of values in `json` is added to
-/// it.
-///
-/// # Errors
-/// The error as text: `json` is invalid, or the sum is more than [`MAX_VALUES`].
-pub fn parse<T: DeserializeOwned>(json: &[u8], values: &mut usize) -> Result<T, String> {
-    let others = if *values == 0 { "" } else { "with the files before it, " };
-    *values += self::values(json);
-    if *values > MAX_VALUES {
-        return Err(format!("{others}it has {values} values, more than {MAX_VALUES}"));
+/// The size of the files that were read so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Total {
+    /// At most [`MAX_BYTES`].
+    bytes: u64,
+    /// At most [`MAX_VALUES`].
+    values: usize,
+}
+
+impl Total {
+    /// Adds the size of `json` and parses it. If all files together exceed [`MAX_BYTES`] or [`MAX_VALUES`], nothing is
+    /// parsed.
+    ///
+    /// # Errors
+    /// What is wrong, in words.
+    pub fn parse<T: DeserializeOwned>(&mut self, json: &[u8]) -> Result<T, String> {
+        let others = if *self == Self::default() { "" } else { "with the files before it, " };
+        self.bytes += json.len() as u64;
+        self.values += values(json);
+        let Self { bytes, values } = self;
+        if *bytes > MAX_BYTES {
+            return Err(format!("{others}it has {bytes} bytes, more than {MAX_BYTES}"));
+        }
+        if *values > MAX_VALUES {
+            return Err(format!("{others}it has {values} values, more than {MAX_VALUES}"));
+        }
+        serde_json::from_slice(json).map_err(|error| error.to_string())
     }
-    serde_json::from_slice(json).map_err(|error| error.to_string())
 }
 
 impl Results {

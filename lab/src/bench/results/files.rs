@@ -4,31 +4,30 @@ use std::path::{Path, PathBuf};
 
 use output::{Options, Output};
 
-use super::check::{self, MAX_BYTES};
+use super::check::{MAX_BYTES, Total};
 use super::{Intersection, Results, Setting, Timing, Trial};
 use crate::bench::error::ErrorPoint;
 use crate::bench::statistics::Median;
 use crate::{Failure, sources, terminal};
 
 impl Results {
-    /// Reads results from a JSON file. The path `-` stands for standard input.
+    /// Reads results from a JSON file; `-` is standard input.
     ///
     /// # Errors
-    /// An error if the file cannot be read, does not hold valid results, or has more than [`check::MAX_VALUES`] values.
+    /// The file cannot be read, does not hold valid results, or is larger than [`Total`] allows.
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        Self::read_part(path, &mut 0)
+        Self::read_part(path, &mut Total::default())
     }
 
-    /// Reads results from one of several JSON files. `values` counts the values of all files read so far; the values of
-    /// this file are added to it.
+    /// Reads one of several files, and adds its size to `total`.
     ///
     /// # Errors
-    /// The errors of [`Results::read`], but [`check::MAX_VALUES`] limits the values of all files together.
-    pub fn read_part(path: &Path, values: &mut usize) -> Result<Self, Failure> {
+    /// As [`Results::read`]; the limits hold for all files together.
+    pub fn read_part(path: &Path, total: &mut Total) -> Result<Self, Failure> {
         let explain = |error: &dyn std::fmt::Display| format!("{}: {error}", terminal::name(path));
         let text =
             cpu::internals::input::reader::read(&sources::input(path), MAX_BYTES).map_err(|error| explain(&error))?;
-        let mut results: Self = check::parse(&text, values).map_err(|error| explain(&error))?;
+        let mut results: Self = total.parse(&text).map_err(|error| explain(&error))?;
         results.check().map_err(|error| explain(&error))?;
         results.rename();
         Ok(results)
