@@ -84,7 +84,7 @@ fn board(what: &str, objects: usize, width: u64) {
     let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
     let new = || Prepared::<Aos>::new(&config, &generator::scene(&options), Scatter::Statement).expect("it is small");
     let (skipping, mut doing) = (new(), new());
-    doing.accel = Accel::EveryObject;
+    (doing.accel, doing.moderate) = (Accel::EveryObject, false);
     pictures(what, || render(&skipping), || render(&doing));
 }
 
@@ -153,7 +153,7 @@ fn main() {
         prepared.scatters_everywhere = false;
     });
     without("an unused material that no filter bears, 40 spheres", COLORS, &format!("{MATTE}{forty}"), |prepared| {
-        prepared.accel = Accel::EveryObject;
+        (prepared.accel, prepared.moderate) = (Accel::EveryObject, false);
     });
     gamma();
 }

@@ -115,7 +115,8 @@ impl Engine {
             Self::Real(LayoutName::Aos, set) => rendered(&prepared::<Aos>(config, scene)?, set),
             Self::Real(LayoutName::Soa, set) => rendered(&prepared::<Soa>(config, scene)?, set),
             Self::PlainSearch => {
-                let prepared = Prepared { accel: Accel::EveryObject, ..prepared::<Aos>(config, scene)? };
+                let prepared =
+                    Prepared { accel: Accel::EveryObject, moderate: false, ..prepared::<Aos>(config, scene)? };
                 rendered(&prepared, InstructionSet::best())
             }
         }

@@ -1,10 +1,11 @@
 //! The rule for two hits at the same lambda: the later one counts (specification, section 8.2).
 //!
 //! "Later" means later in the order of the scene file, with spheres and cylinders together. Within a cylinder the order
-//! is side, top cap, bottom cap. All comparisons of objects call this file. Two parts of a cylinder have the same
-//! lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no tie,
-//! so `exact/cylinder.rs` finds the part without this rule. The reference has a literal copy of this rule in `update`
-//! of `reference/nearest.rs`, and WGSL has one in `closest_hit.wgsl`.
+//! is side, top cap, bottom cap. All comparisons of objects call this file. In lanes the objects are intersected in the
+//! order of the scene file (`object::in_order` and `render/frustum.rs` sort them). Two parts of a cylinder have the
+//! same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no
+//! tie, so `exact/cylinder.rs` finds the part without this rule. The reference has a literal copy of this rule in
+//! `update` of `reference/nearest.rs`, and WGSL has one in `closest_hit.wgsl`.
 
 use crate::math::real::Real;
 

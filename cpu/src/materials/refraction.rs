@@ -6,12 +6,12 @@
 //! 1. A ray enters if the dot product of its direction and the outward normal is negative. The ratio is then `1 / rho`,
 //!    and otherwise `rho`. `facing` in `geometry/ray.rs` decides whether a ray enters.
 //! 2. If the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
-//! 3. No random number is drawn, and the reflectance is 1 in every channel ([`Material::reflectance`]).
+//! 3. No random number is drawn, and the reflectance is 1 in every channel. So the renderer records no attenuation for
+//!    a refractive surface (`scatter` in `render/path.rs`, and `render/specular_chains.rs`). Only the reference
+//!    multiplies by the 1 of `Material::reflectance`.
 //!
 //! On the side of a cylinder the normal is as long as the radius (section 9.2), and the same formula is used. So the
 //! cosine must be limited to 1, and the square root is that of a magnitude.
-//!
-//! [`Material::reflectance`]: crate::input::material::Material::reflectance
 //!
 //! The reference has a copy of this rule in `reference.rs` (`scatter`), and WGSL has one in `scatter.wgsl`
 //! (`scatter_refract`).

@@ -3,7 +3,7 @@
 //!
 //! 1. A span is a part of a row, of up to 32 pixels. Its candidates are the objects that frustum culling leaves. If a
 //!    span has no candidates and only whole pixels, and bytes are wanted and not means, it is rendered here.
-//!    `render.rs` decides this.
+//!    `render.rs` decides this, and `FindBytes` in `render/stages.rs` asks for one pixel after the other.
 //! 2. The mean of a channel lies in an interval, by the [slope](crate::render::background_slope) of the background. If
 //!    all means in the interval give the same byte, that is the pixel's byte, and no number is drawn.
 //! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.

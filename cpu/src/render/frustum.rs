@@ -109,7 +109,7 @@ impl Candidates {
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let all = object::in_order(&prepared.objects)?;
         let (boxed, row, span) = (with_room(all.len())?, with_room(all.len())?, with_room(all.len())?);
-        Ok(Self { all, boxed, row, span, are_culled: !matches!(prepared.accel, Accel::EveryObject) })
+        Ok(Self { all, boxed, row, span, are_culled: prepared.moderate })
     }
 
     /// Finds the objects that the camera rays of `row` may hit.

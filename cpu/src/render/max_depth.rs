@@ -5,8 +5,9 @@
 //! 3. That surface still takes its scatter sample (`sampling/draw_order.rs`).
 //!
 //! The whole renderer counts with [`RaysLeft`], from the camera rays through specular chains to the paths. At a hit
-//! with [`RaysLeft::is_none`] a path ends in black (`terminate` in `render/path_ends.rs`). The reference has a copy of
-//! this rule in the loop of `color` in `reference.rs`, and WGSL has one in the loop of `trace.wgsl`.
+//! with [`RaysLeft::is_none`] the sample becomes black: a path by `terminate` in `render/path_ends.rs`, and a specular
+//! chain by `terminate` in `render/samples.rs`. The reference has a copy of this rule in the loop of `color` in
+//! `reference.rs`, and WGSL has one in the loop of `trace.wgsl`.
 
 use crate::math::real::Real;
 

@@ -21,6 +21,8 @@ pub struct Prepared<L: Layout> {
     pub objects: L::Objects,
     /// The scene's materials, with constants that are computed once.
     pub materials: Vec<PreparedMaterial>,
+    /// Whether all magnitudes are [moderate](Extent::moderate), so that culling and background pixels are allowed.
+    pub moderate: bool,
     /// The acceleration structure over the objects.
     pub accel: Accel,
     /// The table that turns means into bytes.
@@ -60,6 +62,7 @@ impl<L: Layout> Prepared<L> {
             size,
             camera,
             background: Background::new(config),
+            moderate: extent.moderate,
             accel: Accel::new(&objects, &extent)?,
             objects,
             materials: prepared_materials,

@@ -5,8 +5,8 @@ use crate::render::{
     queue::SpecularQueue, span::Span,
 };
 use crate::{
-    accel::bvh::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::PixelJitter,
-    sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
+    accel::bvh::stack::Stack, input::error::Error, layout::Layout, sampling::draw_order::DRAWS_OF_OFFSET,
+    sampling::draw_order::PixelJitter, sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
 };
 
 /// The samples of a span.
@@ -26,7 +26,7 @@ pub struct Batch {
     pub color: Columns<3, ROOM>,
     /// The traversal stack of the acceleration structure, for specular chains.
     pub stack: Stack,
-    draws: [f64; 2 * CAPACITY],
+    draws: [f64; DRAWS_OF_OFFSET * CAPACITY],
 }
 
 impl Batch {
@@ -43,8 +43,15 @@ impl Batch {
             chained: Queue::EMPTY,
             color: Columns::ZERO,
             stack: Stack::EMPTY,
-            draws: [0.0; 2 * CAPACITY],
+            draws: [0.0; DRAWS_OF_OFFSET * CAPACITY],
         })
+    }
+
+    /// Makes the sample with the number `sample` black, because it is at the maximum depth. `sample` has the bits of an
+    /// integer.
+    #[inline(always)]
+    pub fn terminate(&mut self, sample: f64) {
+        self.color.set(sample.to_bits() as usize, [0.0; 3]);
     }
 
     /// Replaces the samples by those of `span`, and draws their offsets. In deterministic mode all offsets stay 0.

@@ -31,7 +31,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
             }
             for at in 0..batch.specular.count {
                 let [.., sample] = batch.specular.entries.get(at);
-                batch.color.set(sample.to_bits() as usize, [0.0; 3]);
+                batch.terminate(sample);
             }
         } else {
             // This is a loop, because a closure would be compiled without the instruction set.
@@ -109,13 +109,12 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, at: usiz
     let mut ray = Ray { origin: Vec3::new(x, y, z), direction: Vec3::new(dx, dy, dz) };
     let mut origin = object as ObjectId;
     let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
-    let mut color = [0.0; 3];
     while !rays.is_none() {
         rays = rays.minus_one();
         let hit = prepared.accel.closest_hit::<S, L::Objects>(&prepared.objects, &ray, origin, &mut batch.stack);
         if !hit.is_hit() {
-            color = prepared.background.color(ray.direction).to_array();
-            break;
+            let color = prepared.background.color(ray.direction).to_array();
+            return batch.color.set(sample.to_bits() as usize, color);
         }
         let surface = Surface::new(&prepared.objects, &ray, &hit);
         let material = &prepared.materials[surface.material as usize];
@@ -127,5 +126,5 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, at: usiz
         origin = hit.object;
         ray = Ray { origin: surface.point, direction };
     }
-    batch.color.set(sample.to_bits() as usize, color);
+    batch.terminate(sample);
 }
