@@ -5,7 +5,11 @@ use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
+use super::progress::Progress;
 use crate::{Error, Picture};
+
+/// What the reports of progress call the rendering by the CPU.
+const WORDS: &str = "the CPU renders";
 
 /// Most pixels of a picture, a little more than 4K has. About a dozen copies of a picture are in memory at once.
 pub const MAX_PIXELS: usize = 1 << 23;
@@ -49,7 +53,12 @@ impl Truth {
         check_size(&config)?;
         let mut wide = Vec::new();
         let start = Instant::now();
-        reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| wide.push(color))?;
+        let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
+        let mut progress = Progress::start(WORDS);
+        reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| {
+            wide.push(color);
+            progress.note_row(wide.len(), size);
+        })?;
         let time = start.elapsed();
         let single = (Picture::<f32>::new(&config, &scene)?, OnceCell::new());
         Ok(Self { config, scene, wide, single, time })
@@ -60,7 +69,15 @@ impl Truth {
     #[must_use]
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;
-        colors.get_or_init(|| (0..picture.size.pixels()).map(|index| picture.color(index)).collect())
+        colors.get_or_init(|| {
+            let mut progress = Progress::start(WORDS);
+            let mut colors = Vec::with_capacity(picture.size.pixels());
+            for index in 0..picture.size.pixels() {
+                colors.push(picture.color(index));
+                progress.note_row(colors.len(), picture.size);
+            }
+            colors
+        })
     }
 }
 
