@@ -114,8 +114,8 @@ fn plain(message: &str) -> String {
     without_handles(&text)
 }
 
-/// The text without indices into naga's own lists, such as ` [12]`. Where the index is a noun, as in `the type of [12]`,
-/// words replace it. After a noun, as in `Function [12]`, nothing does.
+/// The text without indices into naga's own lists, such as ` [12]`. Where the index is a noun, as in
+/// `the type of [12]`, words replace it. After a noun, as in `Function [12]`, nothing does.
 fn without_handles(text: &str) -> String {
     /// Words that need a noun after them, and the noun.
     const NOUNS: [(&str, &str); 7] = [

@@ -1,5 +1,5 @@
-//! `record --out FOLDER [--rounds N]`: measures the renderer, adds the times to the records of a folder and compares them
-//! with the last record there. `bench/record` is the folder of the committed records.
+//! `record --out FOLDER [--rounds N]`: measures the renderer, adds the times to the records of a folder, and compares
+//! them with the last record there. `bench/record` is the folder of the committed records.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
