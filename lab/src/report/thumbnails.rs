@@ -8,6 +8,7 @@ use base64::prelude::BASE64_STANDARD as STANDARD;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Error, Scatter, Scene};
 
+use crate::bench::matrix;
 use crate::bench::results::Results;
 use crate::picture::Picture;
 
@@ -24,7 +25,8 @@ pub struct Thumbnail {
 const WIDTH: u64 = 448;
 const SAMPLES: u64 = 24;
 
-/// Renders thumbnails of those scenes in `results` that `folder` has. Other scenes, such as generated ones, get none.
+/// Renders thumbnails of those scenes in `results` that `folder` has, and of the generated scene `board`. Other scenes,
+/// such as the course's cases, get none.
 ///
 /// # Errors
 /// [`Error::Read`] when a scene is there but cannot be read.
@@ -36,7 +38,12 @@ pub fn of(results: &Results, folder: &Path) -> Result<Vec<Thumbnail>, Error> {
     // The name comes from the data. Only letters, digits and `-` are allowed, so that it is no path to another folder.
     let is_plain = |name: &&str| name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
     let thumbnail = |scene: &str| {
-        let address = address(&folder.join(scene)).transpose()?;
+        let address = if scene == matrix::BOARD {
+            let (config, scene) = matrix::board(matrix::BOARD_OBJECTS, WIDTH);
+            drawn(config, &scene).map(Ok)
+        } else {
+            address(&folder.join(scene)).transpose()
+        }?;
         Some(address.map(|address| Thumbnail { scene: scene.to_owned(), address }))
     };
     names.into_iter().filter(is_plain).filter_map(thumbnail).collect()
