@@ -14,6 +14,9 @@ use test_support::folder::Folder;
 /// Names of the evaluated programs, whose messages the statement prescribes.
 const EVALUATED: [&str; 2] = ["render-aos", "render-soa"];
 
+/// Programs that do nothing without the name of a file or folder.
+const NEED_FILES: [&str; 6] = ["counted", "read_scene", "record", "reference", "shader-lab", "stress"];
+
 /// A binary or an example of the workspace.
 #[derive(Debug)]
 struct Program {
@@ -142,6 +145,45 @@ fn every_program_answers_help_and_writes_nothing() {
     assert_eq!(files(&root), before, "a program wrote into the project");
     assert!(files(folder.path()).is_empty(), "a program wrote into its folder");
     assert!(built.len() >= 10, "only {} programs were found", built.len());
+}
+
+#[test]
+fn a_wrong_command_line_ends_with_2() {
+    let programs: Vec<_> = programs().into_iter().filter(|it| !EVALUATED.contains(&it.name.as_str())).collect();
+    let messages = build(&programs);
+    let folder = Folder::new();
+    let mut faults = Vec::new();
+    let mut without = 0;
+    for program in &programs {
+        let needs_files = NEED_FILES.contains(&program.name.as_str());
+        without += usize::from(needs_files);
+        // The programs that read or write files refuse to run without a name, too.
+        for arguments in [&["--bogus"][..], &[]].into_iter().take(1 + usize::from(needs_files)) {
+            let mut command = Command::new(path(program, &messages));
+            let output = command.args(arguments).current_dir(folder.path()).output().expect("it starts");
+            faults.extend(fault_of_refusal(&output).map(|fault| format!("{} {arguments:?}: {fault}", program.name)));
+        }
+    }
+    assert_eq!(without, NEED_FILES.len(), "every program of the list exists");
+    assert_eq!(faults, [""; 0]);
+    assert!(files(folder.path()).is_empty(), "a program wrote into its folder");
+    assert!(programs.len() >= 10, "only {} programs were found", programs.len());
+}
+
+/// What is wrong with a program's answer to a wrong command line, if anything is.
+fn fault_of_refusal(output: &Output) -> Option<String> {
+    let said = String::from_utf8_lossy(&output.stderr);
+    // A main function that returns an `Err` prints its `Debug` form, which for a text has quotes.
+    let is_message = said.to_lowercase().starts_with("error: ") && !said.starts_with("Error: \"usage");
+    if output.status.code() != Some(2) {
+        Some(format!("the status is {:?}, not 2", output.status.code()))
+    } else if !output.stdout.is_empty() {
+        Some("it writes to standard output".to_owned())
+    } else if !is_message || said.contains("\\n") || said.contains("Custom {") {
+        Some(format!("its message is [{said}]"))
+    } else {
+        None
+    }
 }
 
 #[cfg(unix)]

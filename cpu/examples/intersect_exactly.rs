@@ -2,6 +2,8 @@
 //!
 //! `cargo run -p cpu --example intersect_exactly`
 
+use std::process::ExitCode;
+
 use cpu::intersect::{SphereRecord, sphere};
 use cpu::{Ray, Vec3};
 
@@ -12,10 +14,17 @@ Prints, for rays that nearly touch a sphere, what the plain formula and the exac
 Example:
   cargo run -p cpu --example intersect_exactly";
 
-fn main() {
-    if std::env::args().any(|argument| argument == "--help") {
-        println!("{USAGE}");
-        return;
+fn main() -> ExitCode {
+    match std::env::args_os().nth(1) {
+        None => {}
+        Some(argument) if argument == "--help" => {
+            println!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        Some(argument) => {
+            eprintln!("Error: {argument:?} is not an option; see --help");
+            return ExitCode::from(2);
+        }
     }
     // The ray runs parallel to the z axis, at a distance from the centre of almost exactly the radius.
     let radius = 1e8_f64;
@@ -32,6 +41,7 @@ fn main() {
         let exact = sphere(&target, &ray);
         println!("{:<24e}{:28}{}", x - radius, text(plain), text(exact));
     }
+    ExitCode::SUCCESS
 }
 
 fn text(lambda: Option<f64>) -> String {

@@ -25,15 +25,18 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("Error: {error}");
-            ExitCode::FAILURE
+            ExitCode::from(2)
         }
     }
 }
 
 fn list() -> Result<(), Error> {
-    let path = env::args_os().nth(1).map(PathBuf::from).ok_or(Error::other("usage: read_scene SCENE"))?;
+    let arguments: Vec<_> = env::args_os().skip(1).map(PathBuf::from).collect();
+    let [path] = &arguments[..] else {
+        return Err(Error::other("one argument is needed, the scene's file; see --help"));
+    };
     // An error names the file, and what is wrong with which line.
-    let scene = Scene::read(&path).map_err(Error::other)?;
+    let scene = Scene::read(path).map_err(Error::other)?;
     let mut out = stdout().lock();
     writeln!(out, "{} materials, {} objects", scene.materials.len(), scene.objects.len())?;
     for object in &scene.objects {

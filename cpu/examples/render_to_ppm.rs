@@ -3,6 +3,7 @@
 //! `cargo run --release -p cpu --example render_to_ppm > picture.ppm`
 
 use std::io::{Error, Write, stdout};
+use std::process::ExitCode;
 
 use cpu::{Aos, Config, Scatter, Scene, write_ppm};
 
@@ -30,10 +31,22 @@ Renders a scene from code and writes the picture as PPM to standard output.
 Example:
   cargo run --release -p cpu --example render_to_ppm > picture.ppm";
 
-fn main() -> Result<(), Error> {
-    if std::env::args().any(|argument| argument == "--help") {
-        return writeln!(stdout(), "{USAGE}");
+fn main() -> ExitCode {
+    let result = match std::env::args_os().nth(1) {
+        None => render(),
+        Some(argument) if argument == "--help" => writeln!(stdout(), "{USAGE}"),
+        Some(argument) => Err(Error::other(format!("{argument:?} is not an option; see --help"))),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("Error: {error}");
+            ExitCode::from(2)
+        }
     }
+}
+
+fn render() -> Result<(), Error> {
     // Both texts are checked here: an error names the line and what is wrong with it.
     let config = Config::parse(CONFIG.as_bytes()).map_err(Error::other)?;
     let scene = Scene::parse(SCENE.as_bytes()).map_err(Error::other)?;

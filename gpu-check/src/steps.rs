@@ -123,6 +123,19 @@ fn store<T: Copy>(vector: Vec3<T>, place: &mut [T]) {
     place[..3].copy_from_slice(&vector.to_array());
 }
 
+/// Returns an error when the paths through a scene of `objects` objects, to the maximum depth `depth`, take more
+/// iterations than one run may have.
+///
+/// # Errors
+/// [`Error::TooManyIterations`].
+pub fn check_iterations(objects: usize, depth: u32) -> Result<(), Error> {
+    let (objects, depth) = (objects as u64, u64::from(depth));
+    if (objects + 1) * depth > MAX_ITERATIONS {
+        return Err(Error::TooManyIterations { objects, depth, limit: MAX_ITERATIONS });
+    }
+    Ok(())
+}
+
 /// A pipeline that records the steps of pixels on a device.
 #[derive(Debug)]
 pub struct Follower<'a, T> {
@@ -157,11 +170,8 @@ impl<'a, T: Float> Follower<'a, T> {
         count: usize,
         mut each: impl FnMut(usize, &[Step<T>]),
     ) -> Result<(), Error> {
-        let objects = (picture.spheres.len() + picture.cylinders.len()) as u64;
+        check_iterations(picture.spheres.len() + picture.cylinders.len(), self.depth)?;
         let depth = u64::from(self.depth);
-        if (objects + 1) * depth > MAX_ITERATIONS {
-            return Err(Error::TooManyIterations { objects, depth, limit: MAX_ITERATIONS });
-        }
         if depth == 0 {
             (first..first + count).for_each(|pixel| each(pixel, &[]));
             return Ok(());

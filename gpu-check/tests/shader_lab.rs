@@ -120,6 +120,17 @@ fn a_name_that_another_module_lacks_still_gives_the_users_file() {
 }
 
 #[test]
+fn a_binding_that_is_taken_gives_the_users_file_without_a_wrong_hint() {
+    common::gpu();
+    let folder = Folder::new();
+    let own = "@group(0) @binding(0) var<storage, read> mine: array<u32>;\n".to_owned()
+        + &TEMPLATE.replace("return n * real(0.5)", "return n * real(mine[0])");
+    fs::write(folder.file("my.wgsl"), own).expect("the folder is writable");
+    let message = fault(folder.path(), "my.wgsl");
+    assert!(message.contains("my.wgsl:") && !message.contains("may lack a name"), "{message}");
+}
+
+#[test]
 fn constants_of_the_crate_and_of_the_user_are_set_and_unknown_ones_refused() {
     let folder = Folder::new();
     let own = TEMPLATE.replace("return n * real(0.5)", "return n * real(gain)");
@@ -232,6 +243,22 @@ fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{text}");
     assert!(text.contains(": 0 of 2304 pixels differ"), "{text}");
+}
+
+#[test]
+fn a_path_that_is_too_long_is_refused_before_the_picture_is_rendered() {
+    let folder = Folder::new();
+    fs::write(folder.file("background.wgsl"), standard("background")).expect("the folder is writable");
+    for option in ["--pixel 0 0", "--show steps"] {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
+        command.current_dir(&folder).arg("background.wgsl").args(option.split(' ')).args(["--out", "out.png"]);
+        command.arg("--config").arg(repository("scenes/ten-thousand/config.txt"));
+        let output = command.arg("--scene").arg(repository("scenes/ten-thousand/scene.txt")).output();
+        let output = output.expect("the program starts");
+        let message = String::from_utf8(output.stderr).expect("it is text");
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.starts_with("Error: 10000 objects to a depth of "), "{option}: {message}");
+    }
 }
 
 #[test]

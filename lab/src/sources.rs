@@ -26,6 +26,12 @@ pub fn config(path: &Path, settings: &[String]) -> Result<Config, Failure> {
     let mut config = read(path, Kind::Config, |input| Config::parse(input))?;
     for setting in settings {
         let Some((key, value)) = setting.split_once('=') else {
+            // A line of the file was given, as in `image_width: 10`.
+            if let Some((key, value)) = setting.split_once(':').filter(|(_, value)| !value.trim().is_empty()) {
+                let line = format!("{}={}", key.trim(), value.trim());
+                let line = if line.contains(' ') { format!("\"{line}\"") } else { line };
+                return Err(format!("--set {setting}: KEY=VALUE is needed, as in --set {line}").into());
+            }
             return Err(
                 format!("--set {setting}: a value is missing, as in --set {setting}={}", example(setting)).into()
             );
@@ -176,6 +182,11 @@ mod tests {
             complaint("samples_per_pixel"),
             "--set samples_per_pixel: a value is missing, as in --set samples_per_pixel=20"
         );
+        assert_eq!(
+            complaint("image_width: 10"),
+            "--set image_width: 10: KEY=VALUE is needed, as in --set image_width=10"
+        );
+        assert!(complaint("camera_north: 1 0 0").ends_with("as in --set \"camera_north=1 0 0\""));
         assert!(complaint("gamma=").ends_with("a value is missing, as in --set gamma=2.2"));
     }
 

@@ -114,8 +114,19 @@ fn plain(message: &str) -> String {
     without_handles(&text)
 }
 
-/// Returns `text` without indices into naga's own lists, such as ` [12]`.
+/// The text without indices into naga's own lists, such as ` [12]`. Where the index is a noun, as in
+/// `the type of [12]`, words replace it. After a noun, as in `Function [12]`, nothing does.
 fn without_handles(text: &str) -> String {
+    /// Words that need a noun after them, and the noun.
+    const NOUNS: [(&str, &str); 7] = [
+        (" in", " the target"),
+        (" to", " the function"),
+        (" match the type", " of the parameter"),
+        (" of", " the value"),
+        (" for", " the value"),
+        (" with", " the operand"),
+        (" and", " the operand"),
+    ];
     let mut result = String::new();
     let mut rest = text;
     while let Some(start) = rest.find(" [") {
@@ -123,14 +134,20 @@ fn without_handles(text: &str) -> String {
         result.push_str(before);
         let digits = bracket[2..].bytes().take_while(u8::is_ascii_digit).count();
         rest = match bracket[2 + digits..].strip_prefix(']') {
-            Some(after) if digits > 0 => after,
+            Some(after) if digits > 0 => {
+                let noun = NOUNS.iter().find(|(words, _)| before.ends_with(words));
+                result.push_str(noun.map_or("", |(_, noun)| noun));
+                after
+            }
             _ => {
                 result.push_str(" [");
                 &bracket[2..]
             }
         };
     }
-    result + rest
+    result.push_str(rest);
+    // naga ends a message so, of which only an index would say more.
+    result.strip_suffix(", has type").map_or(result.clone(), str::to_owned)
 }
 
 impl Place {

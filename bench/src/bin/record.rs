@@ -1,8 +1,8 @@
-//! `record [--rounds N]`: measures the renderer, writes the times into a new file in `bench/record`, and compares them
-//! with the last record.
+//! `record --out FOLDER [--rounds N]`: measures the renderer, adds the times to the records of a folder, and compares
+//! them with the last record there. `bench/record` is the folder of the committed records.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::{fs, io};
 
@@ -14,13 +14,14 @@ use test_support::generator::{self, Arrangement, Options};
 use test_support::{golden, project_root};
 
 const USAGE: &str = "\
-record [--rounds N] [--out FOLDER]
+record --out FOLDER [--rounds N]
 Measures the renderer on the course's cases, if the reference folder is there, and on generated scenes, with every
-instruction set of this machine. Writes FOLDER/DATE-MACHINE.json, by default into bench/record, and prints the quotients
-new / old with the last record of this machine, or of another machine where there is none.
+instruction set of this machine. Writes FOLDER/DATE-MACHINE.json, and prints the quotients new / old with the last
+record in FOLDER of this machine, or of another machine where there is none.
 
-Example:
-  cargo run --release -p bench --bin record -- --rounds 9";
+Examples:
+  cargo run --release -p bench --bin record -- --out /tmp/record
+  cargo run --release -p bench --bin record -- --out bench/record --rounds 9   adds to the committed records";
 
 /// The name of a scene, and the scene prepared for rendering.
 type Measured = (String, Prepared<Aos>);
@@ -36,7 +37,7 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &[String]) -> io::Result<()> {
-    let (mut rounds, mut folder) = (9, project_root().join("bench/record"));
+    let (mut rounds, mut folder) = (9, None);
     let mut rest = arguments.iter();
     while let Some(option) = rest.next() {
         let value = rest.next();
@@ -52,10 +53,12 @@ fn run(arguments: &[String]) -> io::Result<()> {
                     .filter(|&rounds| rounds > 0)
                     .ok_or(io::Error::other("--rounds must be a whole number above 0; see --help"))?;
             }
-            ("--out", Some(path)) => folder = path.into(),
+            ("--out", Some(path)) => folder = Some(PathBuf::from(path)),
             _ => return Err(io::Error::other(format!("[{option}] is not an option with a value; see --help"))),
         }
     }
+    // Nothing is written into the project unless its folder is named.
+    let folder = folder.ok_or(io::Error::other("--out FOLDER is missing; see --help"))?;
     let record = Record {
         date: output_of("date", &["-u", "+%F"])?,
         processor: processor()?,

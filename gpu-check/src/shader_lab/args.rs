@@ -28,7 +28,8 @@ its first line names, as in: // module: kernels/image
   --template FILE         write a module to start from
   --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted
 
-OUT ends in .png or .ppm. A name of - is standard input or, as OUT, a PPM on standard output.
+OUT ends in .png or .ppm; a name without an ending gives a PPM. A name of - is standard input or, as OUT, a PPM on
+standard output.
 
 Examples:
   shader-lab --template my.wgsl

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use cpu::Vec3;
+use cpu::{Config, Scene, Vec3};
 use shaders::Features;
 
 use super::args::Options;
@@ -11,11 +11,11 @@ use super::differences::differences;
 use super::files::{self, UserModule};
 use super::png::{Place, Places};
 use super::progress::Progress;
-use super::truth::Truth;
+use super::truth::{Truth, check_size};
 use super::view::{View, mark};
 use super::{guard, pixel, png};
 use crate::difference::difference;
-use crate::steps::Follower;
+use crate::steps::{Follower, check_iterations};
 use crate::terminal;
 use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
 
@@ -59,6 +59,36 @@ impl Held for f32 {
     }
 }
 
+/// Returns the errors of the options `--pixel` and `--show` that the configuration and the scene decide, so that they
+/// come before the picture is rendered.
+///
+/// # Errors
+/// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] when
+/// the paths are too long for one run.
+pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Error> {
+    check_size(config)?;
+    let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
+    if let Some([x, y]) = options.pixel
+        && (x >= size.width() || y >= size.height())
+    {
+        let message = format!("--pixel: the picture has {} x {} pixels", size.width(), size.height());
+        return Err(Error::Request { message });
+    }
+    let (features, _) = options.apply(features_of(config, scene)?).map_err(|message| Error::Request { message })?;
+    if options.pixel.is_some() {
+        check_iterations(scene.objects.len(), features.max_depth)?;
+    }
+    match options.view {
+        Some(view) if view != View::Difference => check_iterations(scene.objects.len(), depth_of(view, features)),
+        _ => Ok(()),
+    }
+}
+
+/// How many surfaces of a path a view needs.
+fn depth_of(view: View, features: Features) -> u32 {
+    if view.is_deep() { features.max_depth } else { features.max_depth.min(1) }
+}
+
 impl Trial<'_> {
     /// Renders with the user's modules, writes the pictures and returns the report.
     ///
@@ -78,7 +108,7 @@ impl Trial<'_> {
         let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
         let compiled = start.elapsed();
         let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
-        let mut progress = Progress::start();
+        let mut progress = Progress::start("WGSL renders");
         let rendering = renderer.render_telling(&picture, |done, of| {
             if let Some(text) = progress.tell(done, of) {
                 terminal::note(&text);
@@ -125,10 +155,6 @@ impl Trial<'_> {
             Some(view) => report.push_str(&self.show::<T>(view, &features, &own, &picture, (out, both))?),
         }
         if let Some([x, y]) = options.pixel {
-            if x >= size.width() || y >= size.height() {
-                let message = format!("--pixel: the picture has {} x {} pixels", size.width(), size.height());
-                return Err(Error::Request { message });
-            }
             let index = y * size.width() + x;
             report.push_str(&self.follow(index, &features, &own, &picture)?);
             report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));
@@ -146,12 +172,14 @@ impl Trial<'_> {
         picture: &Picture<T>,
         (out, both): (Place, Option<Place>),
     ) -> Result<String, Error> {
-        let depth = if view.is_deep() { features.max_depth } else { features.max_depth.min(1) };
+        let depth = depth_of(view, *features);
         let features = Features { max_depth: depth, ..*features };
         let follower = self.follower::<T>(&features, own)?;
         let by_cpu = Picture { max_depth: depth, ..picture.clone() };
         let (mut wgsl, mut cpu, mut marks) = (Vec::new(), Vec::new(), Vec::new());
+        let mut progress = Progress::start("WGSL and the CPU trace rays");
         follower.follow(picture, 0, picture.size.pixels(), |index, steps| {
+            progress.note_row(index, picture.size);
             let expected = by_cpu.steps(index);
             wgsl.push(view.color(steps, depth));
             cpu.push(view.color(&expected, depth));

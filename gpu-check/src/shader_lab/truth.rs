@@ -5,9 +5,13 @@ use std::time::{Duration, Instant};
 
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
+use super::progress::Progress;
 use crate::picture::depth;
 use crate::renderer::surfaces_of_a_run;
 use crate::{Error, Picture};
+
+/// The words before the progress of the CPU.
+const WORDS: &str = "the CPU renders";
 
 /// Largest number of pixels of a picture, slightly more than 4K (3840 x 2160). About a dozen copies of a picture are in
 /// memory at once.
@@ -62,7 +66,12 @@ impl Truth {
         check_depth(&config, &scene)?;
         let mut wide = Vec::new();
         let start = Instant::now();
-        reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| wide.push(color))?;
+        let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
+        let mut progress = Progress::start(WORDS);
+        reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| {
+            wide.push(color);
+            progress.note_row(wide.len(), size);
+        })?;
         let time = start.elapsed();
         let single = (Picture::<f32>::new(&config, &scene)?, OnceCell::new());
         Ok(Self { config, scene, wide, single, time })
@@ -73,7 +82,15 @@ impl Truth {
     #[must_use]
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;
-        colors.get_or_init(|| (0..picture.size.pixels()).map(|index| picture.color(index)).collect())
+        colors.get_or_init(|| {
+            let mut progress = Progress::start(WORDS);
+            let mut colors = Vec::with_capacity(picture.size.pixels());
+            for index in 0..picture.size.pixels() {
+                colors.push(picture.color(index));
+                progress.note_row(colors.len(), picture.size);
+            }
+            colors
+        })
     }
 }
 

@@ -12,7 +12,7 @@ use super::args::Options;
 use super::files::{UserModule, shown};
 use super::png::Places;
 use super::sources::{Sources, Text};
-use super::trial::{Outcome, Trial};
+use super::trial::{self, Outcome, Trial};
 use super::truth::Truth;
 use crate::{Error, Gpu, terminal};
 
@@ -59,6 +59,8 @@ impl Lab {
         if self.truth.is_none() || self.texts.as_ref() != Some(&sources.texts) {
             self.truth = None;
             let (config, scene) = sources.parse(&self.options)?;
+            // Checked before the CPU renders, which with many objects takes half a minute.
+            trial::check(&self.options, &config, &scene)?;
             terminal::note("the CPU renders by the definition ...");
             self.truth = Some(Truth::new(config, scene)?);
             self.texts = Some(sources.texts.clone());
@@ -107,9 +109,10 @@ fn explain(error: &Error, modules: &[UserModule]) -> String {
     if names.iter().any(|(path, _)| is_named(path)) {
         return message;
     }
+    // The driver refuses only what naga accepts, so then no name is missing.
+    let hint = if matches!(error, Error::Shader(_)) { ", and may lack a name that others need of it" } else { "" };
     for (path, name) in names {
-        let path = shown(&path);
-        message.push_str(&format!("\n{path}:1: stands in for [{name}], and may lack a name that others need of it"));
+        message.push_str(&format!("\n{}:1: stands in for [{name}]{hint}", shown(&path)));
     }
     message
 }

@@ -5,7 +5,7 @@
 //! the idle machine. If the files cannot be read, the module `perf` tries `perf stat`, which may read the counters on
 //! some machines.
 
-mod perf;
+pub mod perf;
 
 use std::fs;
 use std::path::{Path, PathBuf};

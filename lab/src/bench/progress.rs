@@ -89,9 +89,10 @@ fn rough(time: Duration) -> String {
 /// Returns a warning if other programs use the processors of this machine, and otherwise `None`.
 #[must_use]
 pub fn load_warning(machine: &Machine) -> Option<String> {
-    /// The largest load without a warning. The load is the average number of runnable processes in the last minute.
-    const MOST_LOAD: f64 = 0.5;
-    let load = machine.load.filter(|&load| load > MOST_LOAD)?;
+    /// The smallest load with a warning. The load is the average number of runnable processes in the last minute. A
+    /// measurement uses one core, so this is one process for that core.
+    const BUSY_LOAD: f64 = 1.0;
+    let load = machine.load.filter(|&load| load >= BUSY_LOAD)?;
     Some(format!(
         "warning: this machine is busy: {load:.1} processes wanted to run on {} processors in the last minute. Times will \
          spread; stop other programs and start again for figures to keep.",
@@ -133,8 +134,9 @@ mod tests {
 
     #[test]
     fn a_busy_machine_is_warned_about() {
-        let quiet = Machine { load: Some(0.2), ..Machine::here() };
+        let quiet = Machine { load: Some(0.99), ..Machine::here() };
         assert_eq!(load_warning(&quiet), None);
+        assert!(load_warning(&Machine { load: Some(1.0), ..quiet.clone() }).is_some());
         assert_eq!(load_warning(&Machine { load: None, ..quiet.clone() }), None);
         let warning = load_warning(&Machine { load: Some(3.0), ..quiet }).expect("it is busy");
         assert!(warning.starts_with("warning: this machine is busy: 3.0 processes"), "{warning}");

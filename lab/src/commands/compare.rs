@@ -109,7 +109,10 @@ impl std::fmt::Display for Words<'_> {
         }
         match flip {
             Some(flip) => writeln!(out, "FLIP       {flip:.4}")?,
-            None => writeln!(out, "FLIP       not built in (cargo build --features flip needs a C++ compiler)")?,
+            None => writeln!(
+                out,
+                "FLIP       not built in (cargo install --path lab --features flip needs a C++ compiler)"
+            )?,
         }
         writeln!(out, "differing  {differing} of {pixels} pixels")?;
         if let Some([x, y, width, height]) = bounding_box {

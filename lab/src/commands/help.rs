@@ -13,8 +13,38 @@ Examples:
   render-lab help bench scale  the options of a command")]
 pub struct Arguments {
     /// A command, or config or scene
+    #[arg(value_parser = topics())]
     topic: Vec<String>,
 }
+
+/// Reads any word, since a command may have commands below it. Completion scripts offer the commands and both files.
+fn topics() -> impl clap::builder::TypedValueParser<Value = String> {
+    Topics
+}
+
+#[derive(Clone)]
+struct Topics;
+
+impl clap::builder::TypedValueParser for Topics {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&clap::Arg>,
+        value: &std::ffi::OsStr,
+    ) -> Result<String, clap::Error> {
+        clap::builder::StringValueParser::new().parse_ref(command, argument, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = clap::builder::PossibleValue> + '_>> {
+        Some(Box::new(TOPICS.iter().map(clap::builder::PossibleValue::new)))
+    }
+}
+
+/// The words that completion scripts offer as a topic: every command, and both input files.
+pub const TOPICS: [&str; 10] =
+    ["bench", "compare", "completions", "config", "generate", "inspect", "man", "render", "report", "scene"];
 
 impl Arguments {
     /// Prints the help of the topic.
@@ -44,5 +74,22 @@ impl Arguments {
             }
         };
         terminal::write(text.as_bytes())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::TOPICS;
+    use crate::cli::Cli;
+
+    #[test]
+    fn every_command_and_file_is_a_topic() {
+        let command = Cli::command();
+        let commands = command.get_subcommands().map(clap::Command::get_name).filter(|&name| name != "help");
+        let mut expected: Vec<_> = commands.chain(["config", "scene"]).collect();
+        expected.sort_unstable();
+        assert_eq!(TOPICS.to_vec(), expected);
     }
 }

@@ -40,8 +40,8 @@ pub struct Arguments {
     config: PathBuf,
     /// Scene file; - is standard input
     scene: PathBuf,
-    /// Picture to write, PNG or PPM by its name's ending; - is PPM on standard output. An old file is replaced when the
-    /// new one is complete and not before
+    /// Picture to write, PNG or PPM by its name's ending; a name without an ending gives PPM, and - is PPM on standard
+    /// output. An old file is replaced when the new one is complete and not before
     out: PathBuf,
     /// How objects and pixels lie in memory; changes no byte
     #[arg(long, value_enum, default_value_t)]
@@ -55,7 +55,7 @@ pub struct Arguments {
     /// Write this part of the picture only. What comes before it is rendered all the same, for its random numbers
     #[arg(long, value_name = "COLUMN,ROW,WIDTH,HEIGHT", value_parser = parse_crop)]
     crop: Option<[usize; 4]>,
-    /// Count rays and hits too: renders again, by the literal renderer, which may take far longer
+    /// Count rays and hits too: renders again, by the reference, which may take far longer
     #[arg(long)]
     count: bool,
     /// Print what it took as JSON on standard output
@@ -204,23 +204,50 @@ fn progress(rows: usize) -> ProgressBar {
     ))
 }
 
+/// The least nanoseconds that are shown; with one decimal, less would be 0.0.
+const SHOWN: f64 = 0.05;
+
 impl std::fmt::Display for Taken {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (seconds, memory) = (self.user_seconds, self.peak_memory_bytes as f64 / 1e6);
         write!(out, "{} x {} pixels, {} samples each: ", self.width, self.height, self.samples_per_pixel)?;
         write!(out, "{:.3} s, {seconds:.3} s of user time, ", self.seconds)?;
-        write!(out, "{:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
+        // The system's clock of user time may be too coarse for a tiny picture, and then counts nothing.
+        if self.nanoseconds_per_primary_ray >= SHOWN {
+            write!(out, "{:.1} ns a primary ray, ", self.nanoseconds_per_primary_ray)?;
+        }
         write!(out, "peak memory {memory:.1} MB")?;
         if let (Some(rays), Some(hits)) = (self.rays, self.hits) {
             write!(out, "; {rays} rays, {hits} hits")?;
         }
-        self.nanoseconds_per_ray.map_or(Ok(()), |time| write!(out, ", {time:.1} ns a ray"))
+        let time = self.nanoseconds_per_ray.filter(|&time| time >= SHOWN);
+        time.map_or(Ok(()), |time| write!(out, ", {time:.1} ns a ray"))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_time_that_was_not_counted_is_not_shown() {
+        let taken = |nanoseconds| Taken {
+            width: 1,
+            height: 1,
+            samples_per_pixel: 1,
+            primary_rays: 1,
+            seconds: 1.0,
+            user_seconds: 0.0,
+            nanoseconds_per_primary_ray: nanoseconds,
+            peak_memory_bytes: 1,
+            rays: Some(1),
+            hits: Some(1),
+            nanoseconds_per_ray: Some(nanoseconds),
+        };
+        let [none, some] = [0.0, 2.0].map(|nanoseconds| taken(nanoseconds).to_string());
+        assert!(!none.contains(" ns "), "{none}");
+        assert!(some.contains("2.0 ns a primary ray") && some.ends_with("2.0 ns a ray"), "{some}");
+    }
 
     #[test]
     fn a_part_is_four_numbers() {

@@ -1,7 +1,7 @@
 //! Chooses which charts the report has, and which points each chart has.
 
 use super::chart::{Axis, Bounds, Chart, Point, Series};
-use super::style::{engine_name, power_of_ten, seconds, short};
+use super::style::{power_of_ten, seconds, short};
 use crate::bench::energy::Energy;
 use crate::bench::results::{Results, Timing};
 use crate::bench::statistics::Median;
@@ -39,7 +39,7 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for timing in results.timings.iter().filter(|t| t.setting.suite == "scale" && t.setting.parameter == parameter) {
         let point = timed(timing, timing.setting.value as f64);
-        push(&mut series, &engine_name(&timing.setting.engine), color(&timing.setting.engine), point);
+        push(&mut series, &timing.setting.engine, color(&timing.setting.engine), point);
     }
     order(&mut series);
     let x = Axis { label, format: short };
@@ -79,12 +79,7 @@ fn error_by_time(results: &Results, scene: &str) -> Option<Chart> {
         let error = curve.points.iter().find(|point| point.samples == timing.setting.value);
         if let (true, Some(error)) = (is_shown, error) {
             let bounds = Some(Bounds::Vertical(error.linear.low, error.linear.high));
-            push(
-                &mut series,
-                &engine_name(engine),
-                color(engine),
-                Point { x: timing.median.median, y: error.linear.median, bounds },
-            );
+            push(&mut series, engine, color(engine), Point { x: timing.median.median, y: error.linear.median, bounds });
         }
     }
     order(&mut series);
@@ -136,7 +131,7 @@ fn energy(results: &Results) -> Vec<Chart> {
         let (mut rows, mut series) = (Vec::new(), Vec::new());
         for energy in &results.energy {
             let Some(value) = figure(energy).filter(|&value| value > 0.0) else { continue };
-            push_dot(&mut rows, &mut series, [&engine_name(&energy.engine), &energy.scene], (value, None));
+            push_dot(&mut rows, &mut series, [&energy.engine, &energy.scene], (value, None));
         }
         let x = Axis { label, format: short };
         chart(Chart { name: name.to_owned(), title: title.to_owned(), x, y: ROWS, series, rows })
@@ -144,8 +139,8 @@ fn energy(results: &Results) -> Vec<Chart> {
     charts.collect()
 }
 
-/// Returns the chart of speeds: the speed of each engine, divided by the speed of the literal renderer. The times are
-/// those at the largest number of samples for which the literal renderer was measured.
+/// Speed of each engine divided by that of the reference, at the largest number of samples for which the
+/// reference was measured.
 fn speed_ups(results: &Results) -> Option<Chart> {
     // The slowest instruction set comes first. The two layouts of each instruction set have neighbouring rows.
     let engines = MEASURED_SETS.iter().flat_map(|set| ["aos", "soa"].map(|layout| format!("{layout}-{set}")));
@@ -154,18 +149,18 @@ fn speed_ups(results: &Results) -> Option<Chart> {
     let mut series: Vec<Series> = Vec::new();
     for (index, curve) in results.curves.iter().enumerate() {
         let timings: Vec<_> = error_timings(results, &curve.scene).collect();
-        let Some(literal) = timings.iter().rfind(|timing| timing.setting.engine == "reference") else { continue };
-        let same = timings.iter().filter(|timing| timing.setting.value == literal.setting.value);
+        let Some(slow) = timings.iter().rfind(|timing| timing.setting.engine == "reference") else { continue };
+        let same = timings.iter().filter(|timing| timing.setting.value == slow.setting.value);
         for timing in same {
             let Some(row) = rows.iter().position(|row| *row == timing.setting.engine) else { continue };
-            let ratio = |seconds: f64| literal.median.median / seconds;
+            let ratio = |seconds: f64| slow.median.median / seconds;
             let bounds = Some(Bounds::Horizontal(ratio(timing.median.high), ratio(timing.median.low)));
             let point = Point { x: ratio(timing.median.median), y: row as f64 + 1.0, bounds };
             push(&mut series, &curve.scene, index + 1, point);
         }
     }
-    let x = Axis { label: "times as fast as the literal renderer", format: short };
-    let title = "Implementations against the literal renderer".to_owned();
+    let x = Axis { label: "times as fast as the reference", format: short };
+    let title = "Implementations against the reference".to_owned();
     chart(Chart { name: "speed-up".to_owned(), title, x, y: ROWS, series, rows })
 }
 
@@ -215,8 +210,7 @@ fn color(engine: &str) -> usize {
     }
 }
 
-/// Sorts the series: first the literal renderer, then the others by the larger coordinate of their last points, the
-/// largest first.
+/// Sorts the series: the reference first, then by the larger coordinate of the last point, the largest first.
 fn order(series: &mut [Series]) {
     let last = |series: &Series| series.points.last().map_or(0.0, |point| point.y.max(point.x));
     series.sort_by(|a, b| a.color.min(1).cmp(&b.color.min(1)).then(last(b).total_cmp(&last(a))));

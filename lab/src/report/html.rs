@@ -4,9 +4,7 @@ use std::fmt::Write;
 
 use super::chart::Chart;
 use super::findings::Finding;
-use super::style::{
-    engine_meaning, engine_name, for_screen, power_of_ten, printable, seconds, short, variables, with_error,
-};
+use super::style::{self, engine_meaning, for_screen, power_of_ten, printable, seconds, short, variables, with_error};
 use super::thumbnails::Thumbnail;
 use crate::bench::results::Results;
 
@@ -32,6 +30,7 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
         variables(false),
         variables(true)
     );
+    versions(&mut page, results);
     let mut body = String::new();
     heading(&mut body, "What they say");
     body.push_str("<dl>\n");
@@ -39,7 +38,7 @@ pub fn page(results: &Results, findings: &[Finding], charts: &[(&Chart, String)]
         put(&mut body, format_args!("<dt>{}</dt><dd>{}</dd>\n", escape(topic), escape(text)));
     }
     body.push_str("</dl>\n");
-    scenes(&mut body, pictures);
+    scenes(&mut body, results, pictures);
     implementations(&mut body, results);
     heading(&mut body, "Charts");
     for (chart, svg) in charts {
@@ -81,12 +80,32 @@ fn contents(page: &mut String, body: &str) {
     page.push_str("</ol></nav>\n");
 }
 
+/// Adds the dates of the data and the versions of the program that was measured.
+fn versions(page: &mut String, results: &Results) {
+    let mut runs: Vec<_> = results
+        .machines
+        .iter()
+        .map(|machine| format!("on {} with the program of commit {}", machine.date, machine.commit))
+        .collect();
+    runs.dedup();
+    if !runs.is_empty() {
+        put(page, format_args!("<p>Measured {}.</p>\n", escape(&runs.join(", "))));
+    }
+}
+
 /// Appends small pictures of the scenes that were measured.
-fn scenes(page: &mut String, pictures: &[Thumbnail]) {
-    if pictures.is_empty() {
+fn scenes(page: &mut String, results: &Results, pictures: &[Thumbnail]) {
+    let has_cases = results.timings.iter().any(|timing| timing.setting.scene.starts_with("case-"));
+    if pictures.is_empty() && !has_cases {
         return;
     }
     heading(page, "Scenes");
+    if has_cases {
+        page.push_str(
+            "<p>case-1 to case-4 are the four scenes that the course published with their pictures; they are not part \
+             of this project, so they are not shown here.</p>\n",
+        );
+    }
     page.push_str("<div class=\"scenes\">\n");
     for Thumbnail { scene, address } in pictures {
         let scene = escape(scene);
@@ -101,7 +120,7 @@ fn implementations(page: &mut String, results: &Results) {
     let timed = results.timings.iter().map(|timing| timing.setting.engine.as_str());
     let engines: std::collections::BTreeSet<_> =
         timed.chain(results.energy.iter().map(|e| e.engine.as_str())).collect();
-    let rows = engines.into_iter().map(|engine| vec![engine_name(engine), engine_meaning(engine)]);
+    let rows = engines.into_iter().map(|engine| vec![engine.to_owned(), engine_meaning(engine)]);
     table(page, "Implementations", &["name", "what it is"], rows);
 }
 
@@ -127,7 +146,7 @@ fn growth(page: &mut String, results: &Results) {
     let rows = results.growth.iter().map(|growth| {
         let (points, exponent) =
             (growth.law.points.to_string(), with_error(growth.law.exponent, growth.law.exponent_error));
-        vec![growth.scene.clone(), growth.parameter.clone(), engine_name(&growth.engine), points, exponent]
+        vec![growth.scene.clone(), growth.parameter.clone(), growth.engine.clone(), points, exponent]
     });
     let head = ["scene", "parameter", "implementation", "points", "exponent"];
     table(page, "Time as a power of a parameter", &head, rows);
@@ -136,7 +155,7 @@ fn growth(page: &mut String, results: &Results) {
 fn times_to_error(page: &mut String, results: &Results) {
     let rows = results.times_to_error.iter().map(|time| {
         let reached = time.seconds.map_or_else(|| "not reached".to_owned(), seconds);
-        vec![time.scene.clone(), engine_name(&time.engine), short(time.error), reached]
+        vec![time.scene.clone(), time.engine.clone(), short(time.error), reached]
     });
     table(page, "Time to an error (RMSE in linear light)", &["scene", "implementation", "error", "user time"], rows);
 }
@@ -166,8 +185,8 @@ fn intersections(page: &mut String, results: &Results) {
 fn omitted(page: &mut String, results: &Results) {
     let rows = results.omitted.iter().map(|omitted| {
         let setting = &omitted.setting;
-        let value = format!("{} {}", setting.value, setting.parameter);
-        vec![setting.scene.clone(), value, engine_name(&setting.engine), omitted.reason.clone()]
+        let value = style::setting(&setting.parameter, setting.value);
+        vec![setting.scene.clone(), value, setting.engine.clone(), omitted.reason.clone()]
     });
     table(page, "Left out", &["scene", "setting", "implementation", "because"], rows);
 }
@@ -214,11 +233,13 @@ fn escape(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::bench::gain::Gain;
+    use crate::bench::machine::Machine;
 
     #[test]
     fn a_page_has_contents_that_lead_to_its_headings() {
         let gain = Gain { scene: "grid".to_owned(), without: "no search".to_owned(), ratio: 2.0, low: 1.5, high: 2.5 };
-        let results = Results { gains: vec![gain], ..Results::default() };
+        let machine = Machine { date: "2026-01-31".to_owned(), commit: "0123abcd".to_owned(), ..Machine::here() };
+        let results = Results { gains: vec![gain], machines: vec![machine], ..Results::default() };
         let picture = Thumbnail { scene: "grid".to_owned(), address: "data:image/png;base64,AAAA".to_owned() };
         let page = page(&results, &[], &[], &[picture]);
         for id in ["what-they-say", "scenes", "charts", "time-with-one-thing-switched-off"] {
@@ -226,6 +247,8 @@ mod tests {
             assert!(both.iter().all(|text| page.contains(text)), "{id}: {page}");
         }
         assert!(page.contains("<img src=\"data:image/png;base64,AAAA\" alt=\"The scene grid\">"), "{page}");
+        assert!(page.contains("<p>Measured on 2026-01-31 with the program of commit 0123abcd.</p>"), "{page}");
+        assert!(!page.contains("case-1"), "{page}");
         assert!(page.contains("<td class=\"t\">grid</td>") && page.contains("<td>2</td>"), "{page}");
     }
 }

@@ -55,13 +55,6 @@ pub fn variables(dark: bool) -> String {
     format!("--grid:{grid};{}", series.collect::<String>())
 }
 
-/// Returns the name of an implementation that charts and pages show: "literal renderer" for `reference`, and `engine`
-/// itself for all others.
-#[must_use]
-pub fn engine_name(engine: &str) -> String {
-    if engine == "reference" { "literal renderer".to_owned() } else { engine.to_owned() }
-}
-
 /// Returns a text that explains the implementation with this name.
 #[must_use]
 pub fn engine_meaning(engine: &str) -> String {
@@ -80,6 +73,16 @@ pub fn engine_meaning(engine: &str) -> String {
         _ => (rest, ""),
     };
     format!("{layout}, {set} instructions{without}")
+}
+
+/// Returns the value of a parameter in words, as in `1 sample`, `10 objects` or `width 64`.
+#[must_use]
+pub fn setting(parameter: &str, value: u64) -> String {
+    match (parameter, value) {
+        ("samples" | "objects", 1) => format!("1 {}", parameter.trim_end_matches('s')),
+        ("samples" | "objects", _) => format!("{value} {parameter}"),
+        _ => format!("{parameter} {value}"),
+    }
 }
 
 /// Formats a time in seconds with a suitable unit and three significant digits.
@@ -131,14 +134,17 @@ mod tests {
     }
 
     #[test]
-    fn implementations_are_named_and_explained() {
-        assert_eq!(
-            (engine_name("reference").as_str(), engine_name("soa-avx2").as_str()),
-            ("literal renderer", "soa-avx2")
-        );
+    fn implementations_are_explained() {
         assert_eq!(engine_meaning("soa-sse2"), "structures of arrays, sse2 instructions");
         assert!(engine_meaning("aos-avx2-plain").starts_with("arrays of structures, avx2 instructions, inter"));
         assert!(engine_meaning("reference").contains("yardstick"));
+    }
+
+    #[test]
+    fn one_is_singular() {
+        let texts =
+            [("samples", 1), ("samples", 2), ("objects", 1), ("width", 64)].map(|(of, value)| setting(of, value));
+        assert_eq!(texts, ["1 sample", "2 samples", "1 object", "width 64"]);
     }
 
     #[test]

@@ -8,6 +8,7 @@ use base64::prelude::BASE64_STANDARD as STANDARD;
 use cpu::internals::{InstructionSet, Prepared};
 use cpu::{Aos, Config, Error, Scatter, Scene};
 
+use crate::bench::matrix;
 use crate::bench::results::Results;
 use crate::picture::Picture;
 
@@ -24,11 +25,11 @@ pub struct Thumbnail {
 const WIDTH: u64 = 448;
 const SAMPLES: u64 = 24;
 
-/// Renders a thumbnail of each scene in `results` whose files are in `folder`. Other scenes, such as generated ones,
-/// get no thumbnail.
+/// Renders thumbnails of those scenes in `results` that `folder` has, and of the generated scene `board`. Other scenes,
+/// such as the course's cases, get none.
 ///
 /// # Errors
-/// [`Error::Read`] if the files of a scene exist but cannot be read.
+/// [`Error::Read`] when a scene is there but cannot be read.
 pub fn of(results: &Results, folder: &Path) -> Result<Vec<Thumbnail>, Error> {
     let mut names: Vec<&str> = results.timings.iter().map(|timing| timing.setting.scene.as_str()).collect();
     names.extend(results.curves.iter().map(|curve| curve.scene.as_str()));
@@ -38,7 +39,12 @@ pub fn of(results: &Results, folder: &Path) -> Result<Vec<Thumbnail>, Error> {
     // another folder.
     let is_plain = |name: &&str| name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '-');
     let thumbnail = |scene: &str| {
-        let address = address(&folder.join(scene)).transpose()?;
+        let address = if scene == matrix::BOARD {
+            let (config, scene) = matrix::board(matrix::BOARD_OBJECTS, WIDTH);
+            drawn(config, &scene).map(Ok)
+        } else {
+            address(&folder.join(scene)).transpose()
+        }?;
         Some(address.map(|address| Thumbnail { scene: scene.to_owned(), address }))
     };
     names.into_iter().filter(is_plain).filter_map(thumbnail).collect()

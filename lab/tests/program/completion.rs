@@ -1,4 +1,4 @@
-//! Tests of the scripts of `render-lab completions`. Each script is run by its own shell.
+//! The script of `render-lab completions` for bash, run by bash. `lab/tests/shells.rs` has the other shells.
 
 use std::fs;
 use std::process::Command;
@@ -7,23 +7,12 @@ use test_support::folder::Folder;
 
 use crate::printed;
 
-/// Whether the shell is installed. If it is not, this function prints a line, and the test that needs the shell checks
-/// nothing.
-fn is_there(shell: &str) -> bool {
-    let found = Command::new(shell).arg("--version").output().is_ok();
-    if !found {
-        println!("there is no {shell}, so its script was not run");
-    }
-    found
-}
-
-/// Runs the commands `text` in a shell, and returns what it prints. `$SCRIPT` is the path of the completion script.
-fn said(shell: &str, arguments: &[&str], text: &str) -> String {
+/// Runs `text` in bash and returns what it prints. `$SCRIPT` is the completion script.
+fn said(text: &str) -> String {
     let folder = Folder::new();
     let script = folder.file("_render-lab");
-    fs::write(&script, printed(&["completions", shell])).expect("the folder is writable");
-    let output =
-        Command::new(shell).args(arguments).args(["-c", text]).env("SCRIPT", &script).output().expect("the shell runs");
+    fs::write(&script, printed(&["completions", "bash"])).expect("the folder is writable");
+    let output = Command::new("bash").args(["-c", text]).env("SCRIPT", &script).output().expect("bash runs");
     assert!(output.status.success(), "{output:?}");
     String::from_utf8(output.stdout).expect("it is text")
 }
@@ -38,34 +27,14 @@ fn bash_completes_commands_options_and_values_at_every_level() {
             words.join(" "),
             words.len() - 1
         );
-        said("bash", &[], &text).lines().map(str::to_owned).collect::<Vec<_>>()
+        said(&text).lines().map(str::to_owned).collect::<Vec<_>>()
     };
     assert_eq!(complete(&["render-lab", "rend"]), ["render"]);
     assert_eq!(complete(&["render-lab", "render", "--sc"]), ["--scatter"]);
     assert_eq!(complete(&["render-lab", "render", "--layout", "s"]), ["soa"]);
     assert_eq!(complete(&["render-lab", "bench", "sc"]), ["scale"]);
     assert_eq!(complete(&["render-lab", "bench", "scale", "--rep"]), ["--repeats"]);
-}
-
-#[test]
-fn zsh_takes_its_script_and_knows_the_options_of_a_command() {
-    if !is_there("zsh") {
-        return;
-    }
-    // zsh's function `_arguments` needs a terminal. The test defines another `_arguments`, which prints its arguments,
-    // and sets the first word to `render`.
-    let text = "compdef() { :; }; _arguments() { print -l -- \"$@\"; state=render-lab; line=(render); }; \
-                words=(render-lab render --sc); CURRENT=3; source \"$SCRIPT\"; _render-lab";
-    let said = said("zsh", &["-f"], text);
-    assert!(said.contains("--scatter=[How surfaces scatter light]"), "{said}");
-}
-
-#[test]
-fn fish_completes_options_of_a_command() {
-    if !is_there("fish") {
-        return;
-    }
-    let text = "source $SCRIPT; complete -C 'render-lab render --sc'; complete -C 'render-lab bench sc'";
-    let said = said("fish", &["--no-config"], text);
-    assert!(said.contains("--scatter\t") && said.contains("scale\t"), "{said}");
+    let topics = complete(&["render-lab", "help", "''"]);
+    assert!(["render", "config", "scene"].iter().all(|topic| topics.iter().any(|own| own == topic)), "{topics:?}");
+    assert_eq!(complete(&["render-lab", "help", "con"]), ["config"]);
 }

@@ -98,6 +98,7 @@ fn scripts_have_help_and_refuse_what_they_do_not_know() {
         "tests/slurm.sh",
         "lab/slurm/submit",
         "docs/build-report",
+        "docs/measure-perf",
         "bench/instructions",
         "tests/ratio.sh",
         "tests/measure-limits",
@@ -106,6 +107,16 @@ fn scripts_have_help_and_refuse_what_they_do_not_know() {
         let said = String::from_utf8(output.stdout).expect("it is text");
         assert!(output.status.success() && said.contains(name), "{name}: {said} {:?}", output.stderr);
     }
-    let output = script("tests/run", &["--bogus"], &folder);
-    assert_eq!(output.status.code(), Some(2));
+    // Nothing is measured unless the file to write is named.
+    for (name, arguments) in [
+        ("tests/run", &["--bogus"][..]),
+        ("docs/measure-perf", &[]),
+        ("docs/measure-perf", &["perf.csv", "many"]),
+        ("docs/measure-perf", &["9", "perf.csv"]),
+    ] {
+        let output = script(name, arguments, &folder);
+        assert_eq!(output.status.code(), Some(2), "{name} {arguments:?}");
+        let message = String::from_utf8(output.stderr).expect("it is text");
+        assert!(message.contains(name) && output.stdout.is_empty(), "{message}");
+    }
 }

@@ -45,6 +45,11 @@ fn every_fault_in_a_replaced_module_is_shown_with_its_file_and_the_types_of_wgsl
         "fn f() -> real {",
         "fn f(x: nothing) {}",
         "fn f() -> real { return f(); }",
+        "fn f(v: vec3<real>) -> vec3<real> {\n    return v * 1u;\n}\n",
+        "fn f(v: vec3<real>) -> bool {\n    return v == 1u;\n}\n",
+        "fn f(v: vec3<real>) -> vec3<real> {\n    return !v;\n}\n",
+        "fn f(v: real) {\n    var x = vec2<real>();\n    x = v;\n}\n",
+        "fn f(v: vec3<real>) -> real {\n    return v.w;\n}\n",
     ];
     for precision in Precision::ALL {
         for fault in faults {
@@ -62,6 +67,13 @@ fn every_fault_in_a_replaced_module_is_shown_with_its_file_and_the_types_of_wgsl
                     && !first.contains(" ["),
                 "{message}"
             );
+            // An index that was left out leaves no hole after a word that needs a noun.
+            for word in [" of", " in", " to", " with", " and", " for", " type"] {
+                for hole in [" (", " doesn't", " can't", " is"] {
+                    assert!(!first.contains(&format!("{word}{hole}")), "{message}");
+                }
+                assert!(!first.ends_with(word), "{message}");
+            }
             if first.contains("real_") || precision == Precision::F32 {
                 assert!(!first.contains("f64"), "{message}");
             }
@@ -74,6 +86,14 @@ fn a_type_is_named_as_wgsl_names_it() {
     let naga = "Vector { size: Tri, scalar: Scalar { kind: Float, width: 8 } } for Function [7] 'f' of [x]";
     assert_eq!(super::plain(naga), "vec3<f64> for Function 'f' of [x]");
     assert_eq!(super::plain("Scalar(Scalar { kind: Uint, width: 4 })"), "u32");
+    assert_eq!(
+        super::plain("The type of [3] doesn't match the type stored in [12]"),
+        "The type of the value doesn't match the type stored in the target"
+    );
+    assert_eq!(
+        super::plain("Operation Multiply can't work with [3] (of type u32) and [4] (of type f64)"),
+        "Operation Multiply can't work with the operand (of type u32) and the operand (of type f64)"
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@
 mod document;
 
 use std::error::Error;
+use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -30,7 +31,9 @@ Examples:
   stress --out docs/accuracy --case case-1 ../shared/reference/config1.txt ../shared/reference/scene1.txt ...
                                              rewrites docs/accuracy/tables.md; name every case that it has
 
-Exit status: 0 all decisions are as they should be, 2 an error or a wrong decision"
+Exit status: 0 no decision of the exact intersection is wrong, and its errors are within the proven bounds
+             1 a decision is wrong, or an error is beyond its bound; the tables are written all the same
+             2 an error, such as a file that cannot be written"
 )]
 struct Arguments {
     /// Folder for the results: tables.md, a CSV file and plots. In an existing tables.md only the tables are replaced
@@ -55,6 +58,23 @@ fn count(text: &str) -> Result<usize, String> {
     number.ok_or_else(|| format!("a whole number from {FEWEST_RAYS} on is needed"))
 }
 
+/// What the program looks for: a decision that is wrong, or an error of lambda that is not within its bound.
+#[derive(Debug)]
+struct Wrong(String);
+
+impl fmt::Display for Wrong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl Error for Wrong {}
+
+/// The exit status for an error of [`run`].
+fn status(error: &(dyn Error + 'static)) -> u8 {
+    if error.is::<Wrong>() { 1 } else { 2 }
+}
+
 fn main() -> ExitCode {
     gpu_check::runtime::ensure_folder();
     // From here on, a signal that ends the process first removes the temporary files.
@@ -72,7 +92,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             terminal::note(&format!("Error: {error}"));
-            ExitCode::from(2)
+            ExitCode::from(status(&*error))
         }
     }
 }
@@ -163,12 +183,13 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         ("spheres", &regimes::SPHERES[..], run::PROVEN_ERRORS[0]),
         ("cylinders", &regimes::CYLINDERS[..], run::PROVEN_ERRORS[1]),
     ] {
-        let largest = run::climb(regimes, proven, seed, rays.div_ceil(1000), 1000)?;
+        let largest = run::climb(regimes, proven, seed, rays.div_ceil(1000), 1000).map_err(Wrong)?;
         terminal::print(&format!(
             "{kind}: climbing reached an error of lambda of {largest:.2e}; {proven:.1e} is proven\n"
         ))?;
     }
-    let wrong = [run::check(&spheres, [run::PROVEN_ERRORS[0]; 2])?, run::check(&cylinders, [1e-11, 1e-9])?];
+    let check = |sections: &[Section], bounds| run::check(sections, bounds).map_err(Wrong);
+    let wrong = [check(&spheres, [run::PROVEN_ERRORS[0]; 2])?, check(&cylinders, [1e-11, 1e-9])?];
     for row in [&spheres, &cylinders].into_iter().flat_map(|sections| run::parted_from_their_twins(sections)) {
         let (regime, method) = (row.regime, row.method);
         terminal::print(&format!("{regime}, {method}: not the figures of the same formulas in Rust\n"))?;
@@ -206,4 +227,15 @@ fn pictures(others: &[String]) -> Result<Vec<Picture>, Box<dyn Error>> {
 
 fn render(name: &str, config: &Path, scene: &Path) -> Result<Picture, cpu::Error> {
     run::picture(name, &Config::read(config)?, &Scene::read(scene)?, Scatter::Statement)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_decision_has_status_1_and_an_error_has_2() {
+        assert_eq!(status(&Wrong("ordinary: 1 wrong".to_owned())), 1);
+        assert_eq!(status(&std::io::Error::other("no space")), 2);
+    }
 }

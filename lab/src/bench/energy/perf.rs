@@ -7,6 +7,9 @@ use std::process::{Child, Command, Stdio};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 
+/// Why `perf` counts no energy on a machine without the counter.
+pub const NO_COUNTER: &str = "no counter power/energy-pkg/";
+
 /// The path of a `perf` program that has been tried and can read the energy counters of the processors.
 #[derive(Debug)]
 pub struct Perf(PathBuf);
@@ -69,6 +72,8 @@ fn joules(text: &str) -> Result<f64, String> {
     let values: Option<Vec<f64>> = lines.iter().map(value).collect();
     match values {
         Some(values) if !values.is_empty() => Ok(values.iter().sum()),
+        // The message of `perf` for a counter that the machine lacks quotes the event and points into it.
+        _ if text.contains("event syntax error") => Err(format!("no perf: {NO_COUNTER}")),
         _ => Err(format!(
             "no perf: {}",
             lines.first().copied().or(text.lines().next()).unwrap_or("it says nothing").trim()
@@ -92,6 +97,8 @@ mod tests {
         {
             assert!(joules(text).is_err_and(|reason| reason.starts_with("no perf: ")), "{text}");
         }
+        let without = "event syntax error: 'power/energy-pkg/'\n                     \\___ Cannot find PMU `power'.";
+        assert_eq!(joules(without), Err("no perf: no counter power/energy-pkg/".to_owned()));
     }
 
     #[test]

@@ -63,8 +63,8 @@ mod tests {
     fn what_would_take_too_long_is_left_out_with_its_reason() {
         let plan = Plan { quick: true, repeats: 1, idle: false, scenes: PathBuf::new(), reference: None };
         let (config, scene) = board(300, 48);
-        // The second value is a million times the first. So the predicted time of the literal renderer exceeds the
-        // limit of 0.7 s if its first picture takes more than 0.7 µs.
+        // The second value is a million times the first. So the reference is expected to take too long if its
+        // first picture takes more than a millionth of the patience, 0.7 µs.
         let pictures = [1, 1_000_000].map(|value| (value, config.clone(), scene.clone()));
         let mut results = Results::default();
         let engines = [Engine::Reference, Engine::main()[1]];

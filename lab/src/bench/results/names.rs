@@ -11,7 +11,7 @@ const IMPLEMENTATIONS: [(&str, &str); 3] =
 const ENGINES: [(&str, &str); 1] = [("-textbook", "-plain")];
 
 /// Old and new names of what is switched off in a [`super::Gain`].
-const GAINS: [(&str, &str); 1] = [("no certificate", "plain formulas")];
+const GAINS: [(&str, &str); 2] = [("no certificate", "plain formulas"), ("literal renderer", "reference")];
 
 /// If `text` ends with an old name of `names`, replaces that ending by the new name.
 fn replace(text: &mut String, names: &[(&str, &str)]) {
@@ -45,6 +45,7 @@ mod tests {
 
     use super::super::tests::{results, timing};
     use super::super::{Intersection, Trial};
+    use crate::bench::gain::Gain;
     use crate::bench::statistics::Median;
 
     #[test]
@@ -58,6 +59,8 @@ mod tests {
         };
         let names = ["textbook f64", "certified f64", "textbook f32", "projected f32"];
         old.intersections = names.map(intersection).to_vec();
+        let (scene, without) = ("grid".to_owned(), "literal renderer".to_owned());
+        old.gains = vec![Gain { scene, without, ratio: 2.0, low: 1.0, high: 3.0 }];
         let folder = Folder::new();
         let path = folder.file("old.json");
         old.write(&path, output::Options::default()).expect("the folder is writable");
@@ -66,6 +69,7 @@ mod tests {
         assert_eq!(engines, ["aos-avx2-plain", "aos-avx2"]);
         let methods: Vec<_> = read.intersections.iter().map(|one| one.trial.implementation.as_str()).collect();
         assert_eq!(methods, ["plain f64", "exact f64", "plain f32", "projected f32"]);
+        assert_eq!(read.gains[0].without, "reference");
         let today = crate::bench::intersections::METHODS;
         assert!(methods.iter().all(|name| today.contains(name)), "{today:?}");
     }

@@ -32,10 +32,17 @@ impl How {
         let machine = Machine::here();
         let say = |text: String| (!self.quiet).then(|| terminal::note(&text));
         progress::load_warning(&machine).map(say);
-        let tasks: Vec<_> = tasks.collect();
+        let (empty, tasks): (Vec<_>, Vec<_>) = tasks.partition(|task| plan.is_empty(task));
         let mut partial = self.begin(&format!("{plan:?}, commit {}", machine.commit))?;
         if partial.done.is_empty() {
             partial.results = Results { quick: self.quick, machines: vec![machine], ..Results::default() };
+            // They measure nothing, and add the reason to the results.
+            for task in empty {
+                plan.run(task, &mut partial.results, &interrupt)?;
+            }
+            if self.resume {
+                say("there is no interrupted measurement to go on with, so all tasks are measured".to_owned());
+            }
         } else {
             say(format!("going on after {} of {} tasks", partial.done.len(), tasks.len()));
         }

@@ -10,6 +10,8 @@ use crate::report::axis::{Logarithmic, range};
 use crate::report::style::{GRID, INK, SERIES};
 
 const FONT: i32 = 17;
+/// Distance in pixels, horizontal and vertical, below which a marker covers another.
+const COVERS: u32 = 5;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
@@ -25,7 +27,7 @@ impl Chart {
                 area.draw(&PathElement::new([(x, y), (x + 24, y)], stroke))?;
             }
             if !series.is_guide {
-                draw_marker(area, series.color, (x + 12, y))?;
+                draw_marker(area, series.color, (x + 12, y), 0)?;
             }
             let left = Pos::new(HPos::Left, VPos::Center);
             area.draw(&Text::new(series.name.clone(), (x + 29, y), text(FONT).pos(left)))?;
@@ -45,6 +47,7 @@ impl Chart {
             .y_label_area_size(78)
             .build_cartesian_2d(Logarithmic(x), Logarithmic(y))?;
         self.draw_mesh(&mut chart)?;
+        let mut placed: Vec<(i32, i32)> = Vec::new();
         for series in &self.series {
             let style = color(series);
             let path: Vec<_> = series.points.iter().map(|point| (point.x, point.y)).collect();
@@ -57,7 +60,10 @@ impl Chart {
                 if point.bounds.is_some() {
                     chart.draw_series([PathElement::new(point.ends(), style.stroke_width(1))])?;
                 }
-                draw_marker(area, series.color, chart.backend_coord(&(point.x, point.y)).relative_to(area))?;
+                let place = chart.backend_coord(&(point.x, point.y)).relative_to(area);
+                let is_covered = |(x, y): &&(i32, i32)| x.abs_diff(place.0).max(y.abs_diff(place.1)) < COVERS;
+                draw_marker(area, series.color, place, placed.iter().filter(is_covered).count())?;
+                placed.push(place);
             }
         }
         Ok(())
@@ -88,7 +94,7 @@ impl Chart {
                 if shifted.bounds.is_some() {
                     chart.draw_series([PathElement::new(shifted.ends(), color(series).stroke_width(1))])?;
                 }
-                draw_marker(area, series.color, chart.backend_coord(&(shifted.x, shifted.y)).relative_to(area))?;
+                draw_marker(area, series.color, chart.backend_coord(&(shifted.x, shifted.y)).relative_to(area), 0)?;
             }
         }
         Ok(())
@@ -140,21 +146,41 @@ fn color(series: &Series) -> RGBColor {
     if series.is_guide { INK } else { SERIES[series.color % SERIES.len()].0 }
 }
 
-/// Draws the marker of a series. Each colour has its own shape, because some readers cannot distinguish the colours.
-fn draw_marker(area: &Area<'_>, color: usize, (x, y): (i32, i32)) -> Result<(), Box<dyn std::error::Error>> {
+/// Draws the marker of a series. Each colour has its shape, because some readers cannot tell the colours apart.
+///
+/// `below` is the number of markers that lie at the same place already. So that all of them are seen, the second marker
+/// is hollow and larger, the third is filled and smaller, the fourth is hollow and larger again, and so on.
+fn draw_marker(
+    area: &Area<'_>,
+    color: usize,
+    (x, y): (i32, i32),
+    below: usize,
+) -> Result<(), Box<dyn std::error::Error>> {
     let solid = SERIES[color % SERIES.len()].0;
-    let hollow = solid.stroke_width(2);
-    // Markers are 60 % opaque, so that points below them are seen.
-    let style = solid.mix(0.6);
-    match color % SERIES.len() {
-        0 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], style.filled()))?,
-        1 => area.draw(&Circle::new((x, y), 5, style.filled()))?,
-        2 => area.draw(&Polygon::new([(x, y - 6), (x + 6, y + 5), (x - 6, y + 5)], style.filled()))?,
-        3 => area.draw(&Polygon::new([(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)], style.filled()))?,
-        4 => area.draw(&Circle::new((x, y), 5, hollow))?,
-        5 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], hollow))?,
-        6 => area.draw(&Polygon::new([(x, y + 6), (x + 6, y - 5), (x - 6, y - 5)], style.filled()))?,
-        _ => area.draw(&PathElement::new([(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y), (x, y - 6)], hollow))?,
+    let shape = color % SERIES.len();
+    let steps = below.div_ceil(2) as i32;
+    // Half the width in pixels.
+    let size = if below % 2 == 1 { 6 + 4 * steps } else { (6 - 3 * steps).max(1) };
+    // Markers are 60 % opaque, so that points below them are seen; those on other markers are opaque.
+    let style = match (below, shape) {
+        (0, 4 | 5 | 7) => solid.stroke_width(2),
+        (0, _) => solid.mix(0.6).filled(),
+        (_, _) if below % 2 == 1 => solid.stroke_width(2),
+        _ => solid.filled(),
+    };
+    let (up, small) = (size - 1, (size - 2).max(1));
+    let corners = match shape {
+        1 | 4 => return Ok(area.draw(&Circle::new((x, y), up.max(1), style))?),
+        0 | 5 => return Ok(area.draw(&Rectangle::new([(x - small, y - small), (x + small, y + small)], style))?),
+        2 => vec![(x, y - size), (x + size, y + up), (x - size, y + up)],
+        6 => vec![(x, y + size), (x + size, y - up), (x - size, y - up)],
+        _ => vec![(x, y - size), (x + size, y), (x, y + size), (x - size, y)],
+    };
+    if style.filled {
+        area.draw(&Polygon::new(corners, style))?;
+    } else {
+        let closed = [&corners[..], &corners[..1]].concat();
+        area.draw(&PathElement::new(closed, style))?;
     }
     Ok(())
 }

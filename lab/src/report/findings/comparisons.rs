@@ -3,7 +3,7 @@
 use crate::bench::gain::Gain;
 use crate::bench::results::{Results, Timing};
 use crate::engine::MEASURED_SETS;
-use crate::report::style::short;
+use crate::report::style::{setting, short};
 
 /// Returns pairs of times whose settings differ only in the engine. `other` returns the name of the second engine for
 /// the name of the first, or `None` to leave the time out.
@@ -44,19 +44,20 @@ pub fn layouts(results: &Results) -> Option<String> {
     ))
 }
 
-pub fn literal(results: &Results) -> Option<String> {
+/// Says how many times as fast as the reference the renderer is.
+pub fn reference(results: &Results) -> Option<String> {
     let best = results.machines.first()?.instruction_set.clone();
     let faster = pairs(results, move |engine| (engine == format!("aos-{best}")).then(|| "reference".to_owned()));
     let pairs: Vec<_> = faster.collect();
-    let ratio = |(real, literal): &(&Timing, &Timing)| literal.median.median / real.median.median;
+    let ratio = |(real, slow): &(&Timing, &Timing)| slow.median.median / real.median.median;
     let [mean, ..] = ratios(pairs.iter().map(ratio))?;
     let most = pairs.iter().max_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
     let least = pairs.iter().min_by(|a, b| ratio(a).total_cmp(&ratio(b)))?;
     let place = |(real, _): &(&Timing, &Timing)| {
-        format!("{}, {} {}", real.setting.scene, real.setting.value, real.setting.parameter)
+        format!("{}, {}", real.setting.scene, setting(&real.setting.parameter, real.setting.value))
     };
     Some(format!(
-        "The renderer is {} times as fast as the literal one (geometric mean over {} settings): least {} times ({}), most \
+        "The renderer is {} times as fast as the reference (geometric mean over {} settings): least {} times ({}), most \
          {} times ({}).",
         short(mean),
         pairs.len(),
@@ -101,7 +102,7 @@ pub fn gains(results: &Results) -> Option<String> {
             let least = its.iter().min_by(|a, b| a.ratio.total_cmp(&b.ratio))?;
             let most = its.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio))?;
             let place = |gain: &Gain| format!("{} in {}", short(gain.ratio), gain.scene);
-            let name = name.replace("literal renderer", "the literal renderer");
+            let name = if name == "reference" { "the reference" } else { name };
             Some(format!("{} times as long with {name} ({} to {})", short(mean), place(least), place(most)))
         })
         .collect();

@@ -14,9 +14,9 @@ pub fn scaling(results: &Results) -> Option<String> {
                 results.growth.iter().find(|growth| growth.parameter == *parameter && growth.engine == engine)
             };
             let real = find(&format!("aos-{best}"))?;
-            let literal =
-                find("reference").map_or_else(String::new, |growth| format!(" (literal: {})", of(&growth.law)));
-            Some(format!("{parameter} to the power {}{literal}", of(&real.law)))
+            let slow =
+                find("reference").map_or_else(String::new, |growth| format!(" (reference: {})", of(&growth.law)));
+            Some(format!("{parameter} to the power {}{slow}", of(&real.law)))
         })
         .collect();
     (!parts.is_empty()).then(|| format!("Time grows with {}.", parts.join(", ")))
@@ -56,8 +56,8 @@ pub fn time_to_error(results: &Results) -> Option<String> {
         .filter_map(|curve| {
             let scene = &curve.scene;
             crate::bench::results::TARGETS.iter().rev().find_map(|&error| {
-                let (real, literal) = (find(scene, &best, error)?, find(scene, "reference", error)?);
-                Some(format!("{error} takes {} instead of {} ({scene})", seconds(real), seconds(literal)))
+                let (real, slow) = (find(scene, &best, error)?, find(scene, "reference", error)?);
+                Some(format!("{error} takes {} instead of {} ({scene})", seconds(real), seconds(slow)))
             })
         })
         .collect();

@@ -1,0 +1,45 @@
+//! The scripts of `render-lab completions` for zsh and fish, each run by its shell. Shown as ignored where the shell is
+//! missing; the tests of the program have the script for bash.
+
+use std::fs;
+use std::process::Command;
+
+use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::folder::Folder;
+
+/// `_arguments` of zsh needs a terminal. A function in its place prints its arguments, and sets the first word to
+/// render.
+const ZSH: &str = "compdef() { :; }; _arguments() { print -l -- \"$@\"; state=render-lab; line=(render); }; \
+                   words=(render-lab render --sc); CURRENT=3; source \"$SCRIPT\"; _render-lab";
+
+const FISH: &str = "source $SCRIPT; complete -C 'render-lab render --sc'; complete -C 'render-lab bench sc'";
+
+fn main() {
+    let trials = [
+        ("zsh", "-f", ZSH, &["--scatter=[How surfaces scatter light]"][..]),
+        ("fish", "--no-config", FISH, &["--scatter\t", "scale\t"]),
+    ];
+    let trials = trials.map(|(shell, option, text, expected)| {
+        let trial = Trial::test(format!("{shell} completes options of a command"), move || {
+            completes(shell, option, text, expected)
+        });
+        let is_there = Command::new(shell).arg("--version").output().is_ok();
+        if is_there { trial } else { trial.with_kind(format!("needs {shell}")).with_ignored_flag(true) }
+    });
+    libtest_mimic::run(&Arguments::from_args(), trials.into()).exit();
+}
+
+/// Runs `text` in a shell, with `$SCRIPT` as the completion script for this shell, and looks for `expected`.
+fn completes(shell: &str, option: &str, text: &str, expected: &[&str]) -> Result<(), Failed> {
+    let folder = Folder::new();
+    let script = folder.file("_render-lab");
+    let written = Command::new(env!("CARGO_BIN_EXE_render-lab")).args(["completions", shell]).output()?;
+    fs::write(&script, written.stdout)?;
+    let output = Command::new(shell).args([option, "-c", text]).env("SCRIPT", &script).output()?;
+    let said = String::from_utf8(output.stdout)?;
+    match expected.iter().find(|words| !said.contains(**words)) {
+        Some(missing) => Err(format!("no {missing:?} in {said}").into()),
+        None if output.status.success() => Ok(()),
+        None => Err(format!("{}", output.status).into()),
+    }
+}
