@@ -66,6 +66,8 @@ impl<T: Real<Mask = bool>> Picture<T> {
             Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
             Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
             Kind::Refractive => {
+                // The twin of `scatter_index_ratio`, which divides in the precision T. `IndexRatio` in `cpu` divides in
+                // f64. If T is f32, that ratio may have other bits.
                 let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
                 refraction::refract(ray.direction, hit.normal, ratio)
             }

@@ -231,11 +231,11 @@ Root root_none() {
 
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
-    bool front = (_e3 < 0.0);
-    if (front) {
-        return Hit(point, outward, front);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        return Hit(point, outward, front_1);
     }
-    return Hit(point, -(outward), front);
+    return Hit(point, -(outward), front_1);
 }
 
 SphereView sphere_seen_from(SphereRecord sphere, vec3 origin) {
@@ -457,6 +457,10 @@ vec3 scatter_metal(vec3 direction_5, vec3 normal_3, vec3 vector_1) {
     return (_e3 + vector_1);
 }
 
+float scatter_index_ratio(float index, bool front) {
+    return (front ? (1.0 / index) : index);
+}
+
 vec3 scatter_refract(vec3 direction_6, vec3 normal_4, float ratio) {
     vec3 _e4 = vec3_unit(direction_6);
     float _e5 = vec3_dot(_e4, normal_4);
@@ -556,9 +560,9 @@ bool is_closer(ClosestHit closest_1, float lambda_3, uint order) {
 
 SurfaceHit closest_hit(Ray ray_8) {
     ClosestHit closest_2 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
-    uint index = 0u;
-    bool local_14 = false;
     uint index_1 = 0u;
+    bool local_14 = false;
+    uint index_2 = 0u;
     bool local_15 = false;
     SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
     bool local_16 = false;
@@ -567,22 +571,22 @@ SurfaceHit closest_hit(Ray ray_8) {
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
-                uint _e36 = index;
-                index = (_e36 + 1u);
+                uint _e36 = index_1;
+                index_1 = (_e36 + 1u);
             }
             loop_init = false;
-            uint _e5 = index;
+            uint _e5 = index_1;
             uint _e8 = _group_0_binding_0_cs.sphere_count;
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index;
+                uint _e11 = index_1;
                 PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
                 Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index;
+                uint _e17 = index_1;
                 uint order_1 = _group_0_binding_1_cs[_e17].order;
                 if (_e15.some) {
                     ClosestHit _e24 = closest_2;
@@ -593,7 +597,7 @@ SurfaceHit closest_hit(Ray ray_8) {
                 }
                 bool _e28 = local_14;
                 if (_e28) {
-                    uint _e32 = index;
+                    uint _e32 = index_1;
                     closest_2 = ClosestHit(true, _e15.lambda, order_1, false, _e32, SIDE);
                 }
             }
@@ -603,22 +607,22 @@ SurfaceHit closest_hit(Ray ray_8) {
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                uint _e72 = index_1;
-                index_1 = (_e72 + 1u);
+                uint _e72 = index_2;
+                index_2 = (_e72 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_1;
+            uint _e41 = index_2;
             uint _e44 = _group_0_binding_0_cs.cylinder_count;
             if ((_e41 < _e44)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_1;
+                uint _e47 = index_2;
                 PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
                 CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_1;
+                uint _e53 = index_2;
                 uint order_2 = _group_0_binding_2_cs[_e53].order;
                 if (_e51.some) {
                     ClosestHit _e60 = closest_2;
@@ -629,7 +633,7 @@ SurfaceHit closest_hit(Ray ray_8) {
                 }
                 bool _e64 = local_15;
                 if (_e64) {
-                    uint _e68 = index_1;
+                    uint _e68 = index_2;
                     closest_2 = ClosestHit(true, _e51.lambda, order_2, true, _e68, _e51.part);
                 }
             }
@@ -722,7 +726,6 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     bool local_18 = false;
     bool local_19 = false;
     bool local_20 = false;
-    float ratio_1 = 0.0;
     if (has_matte) {
         local_18 = (material_1.kind == MATTE);
     } else {
@@ -750,16 +753,12 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     }
     bool _e33 = local_20;
     if (_e33) {
-        ratio_1 = material_1.index;
-        if (hit.front) {
-            ratio_1 = (1.0 / material_1.index);
-        }
-        float _e42 = ratio_1;
-        vec3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
-        direction_7 = _e43;
+        float _e36 = scatter_index_ratio(material_1.index, hit.front);
+        vec3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        direction_7 = _e39;
     }
-    vec3 _e45 = direction_7;
-    return Ray(hit.point, _e45);
+    vec3 _e41 = direction_7;
+    return Ray(hit.point, _e41);
 }
 
 void trace_path(Ray primary, uint slot) {

@@ -292,12 +292,12 @@ Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
 Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
-    bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit_1 = ConstructHit(point_, outward, front);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        const Hit hit_1 = ConstructHit(point_, outward, front_1);
         return hit_1;
     }
-    const Hit hit_2 = ConstructHit(point_, -(outward), front);
+    const Hit hit_2 = ConstructHit(point_, -(outward), front_1);
     return hit_2;
 }
 
@@ -598,6 +598,11 @@ float3 scatter_metal(float3 direction_5, float3 normal_3, float3 vector_1)
     return (_e3 + vector_1);
 }
 
+float scatter_index_ratio(float index, bool front)
+{
+    return (front ? (1.0 / index) : index);
+}
+
 float3 scatter_refract(float3 direction_6, float3 normal_4, float ratio)
 {
     const float3 _e4 = vec3_unit(direction_6);
@@ -823,9 +828,9 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
 SurfaceHit closest_hit(Ray ray_8)
 {
     ClosestHit closest_2 = (ClosestHit)0;
-    uint index = 0u;
-    bool local_14 = (bool)0;
     uint index_1 = 0u;
+    bool local_14 = (bool)0;
+    uint index_2 = 0u;
     bool local_15 = (bool)0;
     SurfaceHit surface = (SurfaceHit)0;
     bool local_16 = (bool)0;
@@ -838,22 +843,22 @@ SurfaceHit closest_hit(Ray ray_8)
             if (all(loop_bound == uint2(0u, 0u))) { break; }
             loop_bound -= uint2(loop_bound.y == 0u, 1u);
             if (!loop_init) {
-                uint _e36 = index;
-                index = (_e36 + 1u);
+                uint _e36 = index_1;
+                index_1 = (_e36 + 1u);
             }
             loop_init = false;
-            uint _e5 = index;
+            uint _e5 = index_1;
             uint _e8 = asuint(picture.Load(104));
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index;
+                uint _e11 = index_1;
                 PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
                 const SphereRecord _e14 = sphere_load(_e13);
                 const Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index;
+                uint _e17 = index_1;
                 uint order_1 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
                     ClosestHit _e24 = closest_2;
@@ -864,7 +869,7 @@ SurfaceHit closest_hit(Ray ray_8)
                 }
                 bool _e28 = local_14;
                 if (_e28) {
-                    uint _e32 = index;
+                    uint _e32 = index_1;
                     closest_2 = ConstructClosestHit(true, _e15.lambda, order_1, false, _e32, SIDE);
                 }
             }
@@ -877,22 +882,22 @@ SurfaceHit closest_hit(Ray ray_8)
             if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
             loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
             if (!loop_init_1) {
-                uint _e72 = index_1;
-                index_1 = (_e72 + 1u);
+                uint _e72 = index_2;
+                index_2 = (_e72 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_1;
+            uint _e41 = index_2;
             uint _e44 = asuint(picture.Load(108));
             if ((_e41 < _e44)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_1;
+                uint _e47 = index_2;
                 PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
                 const CylinderRecord _e50 = cylinder_load(_e49);
                 const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_1;
+                uint _e53 = index_2;
                 uint order_2 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
                     ClosestHit _e60 = closest_2;
@@ -903,7 +908,7 @@ SurfaceHit closest_hit(Ray ray_8)
                 }
                 bool _e64 = local_15;
                 if (_e64) {
-                    uint _e68 = index_1;
+                    uint _e68 = index_2;
                     closest_2 = ConstructClosestHit(true, _e51.lambda, order_2, true, _e68, _e51.part);
                 }
             }
@@ -1004,7 +1009,6 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     bool local_18 = (bool)0;
     bool local_19 = (bool)0;
     bool local_20 = (bool)0;
-    float ratio_1 = (float)0;
 
     if (has_matte) {
         local_18 = (material_1.kind == MATTE);
@@ -1033,16 +1037,12 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     }
     bool _e33 = local_20;
     if (_e33) {
-        ratio_1 = material_1.index;
-        if (hit.front) {
-            ratio_1 = (1.0 / material_1.index);
-        }
-        float _e42 = ratio_1;
-        const float3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
-        direction_7 = _e43;
+        const float _e36 = scatter_index_ratio(material_1.index, hit.front);
+        const float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        direction_7 = _e39;
     }
-    float3 _e45 = direction_7;
-    const Ray ray_13 = ConstructRay(hit.point_, _e45);
+    float3 _e41 = direction_7;
+    const Ray ray_13 = ConstructRay(hit.point_, _e41);
     return ray_13;
 }
 

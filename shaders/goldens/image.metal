@@ -263,11 +263,11 @@ Hit hit_facing(
     metal::float3 outward
 ) {
     real _e3 = vec3_dot(direction, outward);
-    bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
+    bool front_1 = _e3 < 0.0;
+    if (front_1) {
+        return Hit {point, outward, front_1};
     }
-    return Hit {point, -(outward), front};
+    return Hit {point, -(outward), front_1};
 }
 
 SphereView sphere_seen_from(
@@ -554,6 +554,13 @@ metal::float3 scatter_metal(
     return _e3 + vector_1;
 }
 
+real scatter_index_ratio(
+    real index,
+    bool front
+) {
+    return front ? (1.0 / index) : index;
+}
+
 metal::float3 scatter_refract(
     metal::float3 direction_6,
     metal::float3 normal_4,
@@ -685,9 +692,9 @@ SurfaceHit closest_hit(
     constant _mslBufferSizes& _buffer_sizes
 ) {
     ClosestHit closest_2 = {};
-    uint index = 0u;
-    bool local_14 = {};
     uint index_1 = 0u;
+    bool local_14 = {};
+    uint index_2 = 0u;
     bool local_15 = {};
     SurfaceHit surface = {};
     bool local_16 = {};
@@ -699,22 +706,22 @@ SurfaceHit closest_hit(
             if (metal::all(loop_bound == uint2(0u))) { break; }
             loop_bound -= uint2(loop_bound.y == 0u, 1u);
             if (!loop_init) {
-                uint _e36 = index;
-                index = _e36 + 1u;
+                uint _e36 = index_1;
+                index_1 = _e36 + 1u;
             }
             loop_init = false;
-            uint _e5 = index;
+            uint _e5 = index_1;
             uint _e8 = picture.sphere_count;
             if (_e5 < _e8) {
             } else {
                 break;
             }
             {
-                uint _e11 = index;
+                uint _e11 = index_1;
                 PlacedSphere _e13 = spheres[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
                 Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index;
+                uint _e17 = index_1;
                 uint order_1 = spheres[_e17].order;
                 if (_e15.some) {
                     ClosestHit _e24 = closest_2;
@@ -725,7 +732,7 @@ SurfaceHit closest_hit(
                 }
                 bool _e28 = local_14;
                 if (_e28) {
-                    uint _e32 = index;
+                    uint _e32 = index_1;
                     closest_2 = ClosestHit {true, {}, _e15.lambda, order_1, false, {}, _e32, SIDE};
                 }
             }
@@ -738,22 +745,22 @@ SurfaceHit closest_hit(
             if (metal::all(loop_bound_1 == uint2(0u))) { break; }
             loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
             if (!loop_init_1) {
-                uint _e72 = index_1;
-                index_1 = _e72 + 1u;
+                uint _e72 = index_2;
+                index_2 = _e72 + 1u;
             }
             loop_init_1 = false;
-            uint _e41 = index_1;
+            uint _e41 = index_2;
             uint _e44 = picture.cylinder_count;
             if (_e41 < _e44) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_1;
+                uint _e47 = index_2;
                 PlacedCylinder _e49 = cylinders[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
                 CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_1;
+                uint _e53 = index_2;
                 uint order_2 = cylinders[_e53].order;
                 if (_e51.some) {
                     ClosestHit _e60 = closest_2;
@@ -764,7 +771,7 @@ SurfaceHit closest_hit(
                 }
                 bool _e64 = local_15;
                 if (_e64) {
-                    uint _e68 = index_1;
+                    uint _e68 = index_2;
                     closest_2 = ClosestHit {true, {}, _e51.lambda, order_2, true, {}, _e68, _e51.part};
                 }
             }
@@ -872,7 +879,6 @@ Ray scatter_ray(
     bool local_18 = {};
     bool local_19 = {};
     bool local_20 = {};
-    real ratio_1 = {};
     if (has_matte) {
         local_18 = material_1.kind == MATTE;
     } else {
@@ -900,16 +906,12 @@ Ray scatter_ray(
     }
     bool _e33 = local_20;
     if (_e33) {
-        ratio_1 = material_1.index;
-        if (hit.front) {
-            ratio_1 = 1.0 / material_1.index;
-        }
-        real _e42 = ratio_1;
-        metal::float3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
-        direction_7 = _e43;
+        real _e36 = scatter_index_ratio(material_1.index, hit.front);
+        metal::float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        direction_7 = _e39;
     }
-    metal::float3 _e45 = direction_7;
-    return Ray {hit.point, _e45};
+    metal::float3 _e41 = direction_7;
+    return Ray {hit.point, _e41};
 }
 
 void trace_path(

@@ -95,6 +95,8 @@ mutants! {
         "* real(2.0)" => "* real(1.0)",
         "vec3_unit(scatter_reflect(direction, normal))" => "scatter_reflect(direction, normal)",
         "scatter_mirror(direction, normal) + vector" => "scatter_mirror(direction, normal) - vector",
+        "select(index, real(1.0) / index, front)" => "select(real(1.0) / index, index, front)",
+        "real(1.0) / index" => "index",
         "let product = -vec3_dot" => "let product = vec3_dot",
         "product < one" => "product > one",
         "one - cos * cos" => "one + cos * cos",
@@ -125,8 +127,7 @@ mutants! {
     "trace":
         "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
         "left - 1u" => "left",
-        "if hit.front" => "if !hit.front",
-        "real(1.0) / material.index" => "material.index",
+        "material.index, hit.front" => "material.index, !hit.front",
         "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
         "attenuation_count = paths[slot].attenuation_count" => "attenuation_count = 0u",
         "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
