@@ -123,11 +123,11 @@ fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
         closest = CylinderRoot(side.some, side.lambda, SIDE);
     }
     let top = cylinder_cap(cylinder, ray, cylinder.top, view.to_top);
-    if top.some && (!closest.some || top.lambda <= closest.lambda) {
+    if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
         closest = CylinderRoot(true, top.lambda, TOP);
     }
     let bottom = cylinder_cap(cylinder, ray, cylinder.bottom, view.to_bottom);
-    if bottom.some && (!closest.some || bottom.lambda <= closest.lambda) {
+    if bottom.some && (!closest.some || tie_later_is_closer(bottom.lambda, closest.lambda)) {
         closest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
     return closest;

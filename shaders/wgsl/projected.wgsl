@@ -53,11 +53,11 @@ fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderR
         closest = CylinderRoot(near_counts || far_counts, lambda, SIDE);
     }
     let top = projected_cap(cylinder, ray, cylinder.top);
-    if top.some && (!closest.some || top.lambda <= closest.lambda) {
+    if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
         closest = CylinderRoot(true, top.lambda, TOP);
     }
     let bottom = projected_cap(cylinder, ray, cylinder.bottom);
-    if bottom.some && (!closest.some || bottom.lambda <= closest.lambda) {
+    if bottom.some && (!closest.some || tie_later_is_closer(bottom.lambda, closest.lambda)) {
         closest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
     return closest;

@@ -47,6 +47,11 @@ mutants! {
         "vec3_dot(v, v) < SHORT_SQUARED" => "vec3_dot(v, v) < real(0.0)",
         "length * SHORT_SQUARED" => "length * SHORT_SCALE",
     ;
+    "tie":
+        "return lambda <= closest" => "return lambda < closest",
+        "lambda < closest ||" => "lambda > closest ||",
+        "order >= closest_order" => "order < closest_order",
+    ;
     "cylinder":
         "unit.length / real(2.0)" => "unit.length / real(4.0)",
         "center - half_axis" => "center + half_axis",
@@ -61,8 +66,8 @@ mutants! {
         "distance / slope" => "distance * slope",
         "return -cylinder.axis" => "return cylinder.axis",
         "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
-        "top.lambda <= closest.lambda" => "top.lambda < closest.lambda",
-        "bottom.lambda <= closest.lambda" => "bottom.lambda < closest.lambda",
+        "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
+        "tie_later_is_closer(bottom.lambda, closest.lambda)" => "bottom.lambda < closest.lambda",
     ;
     "projected":
         "direction * middle" => "direction + middle",
@@ -75,8 +80,8 @@ mutants! {
         "near_counts || far_counts" => "near_counts && far_counts",
         "crossings.near, near_counts)" => "crossings.near, far_counts)",
         "cap - ray.origin" => "cap + ray.origin",
-        "top.lambda <= closest.lambda" => "top.lambda < closest.lambda",
-        "bottom.lambda <= closest.lambda" => "bottom.lambda < closest.lambda",
+        "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
+        "tie_later_is_closer(bottom.lambda, closest.lambda)" => "bottom.lambda < closest.lambda",
     ;
     "camera":
         "(column + x)" => "(column - x)",
@@ -119,8 +124,7 @@ mutants! {
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
     "closest_hit":
-        "lambda < closest.lambda" => "lambda > closest.lambda",
-        "order > closest.order" => "order < closest.order",
+        "lambda, order, closest.lambda, closest.order" => "closest.lambda, closest.order, lambda, order",
         "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
         "closest.part, point" => "TOP, point",
     ;
