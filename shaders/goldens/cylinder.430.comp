@@ -32,8 +32,6 @@ struct CylinderRecord {
 struct CylinderView {
     vec3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
 };
 struct CylinderQuadratic {
     float a;
@@ -183,9 +181,7 @@ CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
 CylinderView cylinder_seen_from(CylinderRecord cylinder_1, vec3 origin) {
     vec3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center), cylinder_1.axis);
     float _e6 = vec3_dot(_e5, _e5);
-    float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
-    float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
-    return CylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
+    return CylinderView(_e5, (_e6 - cylinder_1.radius_squared));
 }
 
 CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView view, vec3 along) {
@@ -233,28 +229,29 @@ Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadr
     return Root(_e31, (near_counts ? near : far));
 }
 
-Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, vec3 center_1, float distance_) {
+Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, vec3 center_1) {
     bool local_7 = false;
     bool local_8 = false;
-    float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
-    float lambda_6 = (distance_ / _e6);
-    vec3 _e8 = ray_at(ray_3, lambda_6);
-    float _e10 = vec3_length((_e8 - center_1));
-    bool on_disc = (_e10 <= cylinder_5.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        bool _e19 = in_range(lambda_6);
-        local_7 = _e19;
+    float _e5 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    float _e9 = vec3_dot((center_1 - ray_3.origin), cylinder_5.axis);
+    float lambda_6 = (_e9 / _e5);
+    vec3 _e11 = ray_at(ray_3, lambda_6);
+    float _e13 = vec3_length((_e11 - center_1));
+    bool on_disc = (_e13 <= cylinder_5.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        bool _e22 = in_range(lambda_6);
+        local_7 = _e22;
     } else {
         local_7 = false;
     }
-    bool _e21 = local_7;
-    if (_e21) {
+    bool _e24 = local_7;
+    if (_e24) {
         local_8 = on_disc;
     } else {
         local_8 = false;
     }
-    bool _e25 = local_8;
-    return Root(_e25, lambda_6);
+    bool _e28 = local_8;
+    return Root(_e28, lambda_6);
 }
 
 vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
@@ -284,46 +281,46 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
         Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
         closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    Root _e18 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest_2.some;
-        if (!(!(_e23))) {
-            float _e30 = closest_2.lambda;
-            bool _e31 = tie_later_is_closer(_e18.lambda, _e30);
-            local_10 = _e31;
+    Root _e17 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e33 = local_10;
-        local_9 = _e33;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e35 = local_9;
-    if (_e35) {
-        closest_2 = CylinderRoot(true, _e18.lambda, TOP);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
     }
-    Root _e42 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest_2.some;
-        if (!(!(_e47))) {
-            float _e54 = closest_2.lambda;
-            bool _e55 = tie_later_is_closer(_e42.lambda, _e54);
-            local_12 = _e55;
+    Root _e40 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
         } else {
             local_12 = true;
         }
-        bool _e57 = local_12;
-        local_11 = _e57;
+        bool _e55 = local_12;
+        local_11 = _e55;
     } else {
         local_11 = false;
     }
-    bool _e59 = local_11;
-    if (_e59) {
-        closest_2 = CylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
     }
-    CylinderRoot _e64 = closest_2;
-    return _e64;
+    CylinderRoot _e62 = closest_2;
+    return _e62;
 }
 
 vec3 vec3_load(PackedVec3_ v_5) {
