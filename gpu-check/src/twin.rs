@@ -4,6 +4,7 @@
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
+use cpu::internals::geometry::tie::later_is_closer;
 use cpu::internals::layout::Placed;
 use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
@@ -13,7 +14,7 @@ use cpu::{Ray, Vec3};
 use crate::Picture;
 use crate::picture::Kind;
 
-/// The closest hit found so far. Of two hits at equal lambdas, the hit on the later object of the file counts.
+/// The closest hit found so far.
 struct ClosestHit<T> {
     lambda: T,
     order: u32,
@@ -66,6 +67,8 @@ impl<T: Real<Mask = bool>> Picture<T> {
             Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
             Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
             Kind::Refractive => {
+                // The twin of `scatter_index_ratio`, which divides in the precision T. `IndexRatio` in `cpu` divides in
+                // f64. If T is f32, that ratio may have other bits.
                 let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
                 refraction::refract(ray.direction, hit.normal, ratio)
             }
@@ -98,10 +101,12 @@ impl<T: Real<Mask = bool>> Picture<T> {
     }
 }
 
+/// Replaces the closest hit by the one that the parameters describe, if that one is closer. The objects may come in any
+/// order.
 fn update<T: Real<Mask = bool>>(closest: &mut Option<ClosestHit<T>>, lambda: T, order: u32, surface: Surface) {
-    let closer = closest
-        .as_ref()
-        .is_none_or(|best| lambda.less(best.lambda) || (!best.lambda.less(lambda) && order > best.order));
+    let closer = closest.as_ref().is_none_or(|best| {
+        if order >= best.order { later_is_closer(lambda, best.lambda) } else { !later_is_closer(best.lambda, lambda) }
+    });
     if closer {
         *closest = Some(ClosestHit { lambda, order, surface });
     }

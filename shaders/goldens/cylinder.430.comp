@@ -32,8 +32,6 @@ struct CylinderRecord {
 struct CylinderView {
     vec3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
 };
 struct CylinderQuadratic {
     float a;
@@ -148,6 +146,29 @@ UnitAndLength vec3_unit_and_length(vec3 v_4) {
     return UnitAndLength((v_4 / vec3(_e12)), _e12);
 }
 
+bool tie_later_is_closer(float lambda_2, float closest) {
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
 CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
     UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     float half_height = (_e3.length_ / 2.0);
@@ -160,9 +181,7 @@ CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
 CylinderView cylinder_seen_from(CylinderRecord cylinder_1, vec3 origin) {
     vec3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center), cylinder_1.axis);
     float _e6 = vec3_dot(_e5, _e5);
-    float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
-    float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
-    return CylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
+    return CylinderView(_e5, (_e6 - cylinder_1.radius_squared));
 }
 
 CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView view, vec3 along) {
@@ -172,66 +191,67 @@ CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView vie
     return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view.c)));
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_2) {
-    vec3 _e3 = ray_at(ray_1, lambda_2);
+bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_4) {
+    vec3 _e3 = ray_at(ray_1, lambda_4);
     float _e7 = vec3_dot((_e3 - cylinder_3.center), cylinder_3.axis);
     return (abs(_e7) <= cylinder_3.half_height);
 }
 
 Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic) {
-    bool local_2 = false;
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
+    bool local_6 = false;
     float root = sqrt(quadratic.discriminant);
     float near = ((-(quadratic.h) - root) / quadratic.a);
     float far = ((-(quadratic.h) + root) / quadratic.a);
     bool _e15 = in_range(near);
     if (_e15) {
         bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     bool _e21 = in_range(far);
     if (_e21) {
         bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
-        local_3 = _e24;
-    } else {
-        local_3 = false;
-    }
-    bool far_counts = local_3;
-    if (!(near_counts)) {
-        local_4 = far_counts;
-    } else {
-        local_4 = true;
-    }
-    bool _e31 = local_4;
-    return Root(_e31, (near_counts ? near : far));
-}
-
-Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, vec3 center_1, float distance_) {
-    bool local_5 = false;
-    bool local_6 = false;
-    float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
-    float lambda_4 = (distance_ / _e6);
-    vec3 _e8 = ray_at(ray_3, lambda_4);
-    float _e10 = vec3_length((_e8 - center_1));
-    bool on_disc = (_e10 <= cylinder_5.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        bool _e19 = in_range(lambda_4);
-        local_5 = _e19;
+        local_5 = _e24;
     } else {
         local_5 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool far_counts = local_5;
+    if (!(near_counts)) {
+        local_6 = far_counts;
     } else {
-        local_6 = false;
+        local_6 = true;
     }
-    bool _e25 = local_6;
-    return Root(_e25, lambda_4);
+    bool _e31 = local_6;
+    return Root(_e31, (near_counts ? near : far));
+}
+
+Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, vec3 center_1) {
+    bool local_7 = false;
+    bool local_8 = false;
+    float _e5 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    float _e9 = vec3_dot((center_1 - ray_3.origin), cylinder_5.axis);
+    float lambda_6 = (_e9 / _e5);
+    vec3 _e11 = ray_at(ray_3, lambda_6);
+    float _e13 = vec3_length((_e11 - center_1));
+    bool on_disc = (_e13 <= cylinder_5.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        bool _e22 = in_range(lambda_6);
+        local_7 = _e22;
+    } else {
+        local_7 = false;
+    }
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
+    } else {
+        local_8 = false;
+    }
+    bool _e28 = local_8;
+    return Root(_e28, lambda_6);
 }
 
 vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
@@ -250,55 +270,57 @@ vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
-    CylinderRoot closest = CylinderRoot(false, 0.0, 0u);
-    bool local_7 = false;
-    bool local_8 = false;
+    CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
     bool local_9 = false;
     bool local_10 = false;
+    bool local_11 = false;
+    bool local_12 = false;
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
-        closest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    Root _e18 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            float _e30 = closest.lambda;
-            local_8 = (_e18.lambda <= _e30);
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = CylinderRoot(true, _e18.lambda, TOP);
-    }
-    Root _e42 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            float _e54 = closest.lambda;
-            local_10 = (_e42.lambda <= _e54);
+    Root _e17 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
     }
-    CylinderRoot _e64 = closest;
-    return _e64;
+    Root _e40 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
+    }
+    CylinderRoot _e62 = closest_2;
+    return _e62;
 }
 
 vec3 vec3_load(PackedVec3_ v_5) {
@@ -326,11 +348,11 @@ HitReport hit_report_none() {
     return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
 }
 
-HitReport hit_report(float lambda_3, uint part_1, Hit hit) {
+HitReport hit_report(float lambda_5, uint part_1, Hit hit) {
     float front_1 = (hit.front ? 1.0 : 0.0);
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+    return HitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
 }
 
 void main() {

@@ -40,10 +40,6 @@ struct CylinderRecord {
 struct CylinderView {
     float3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct CylinderQuadratic {
@@ -201,6 +197,32 @@ UnitAndLength vec3_unit_and_length(float3 v_4)
     return unitandlength_1;
 }
 
+bool tie_later_is_closer(float lambda_2, float closest)
+{
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+
+    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
     CylinderRecord ret = (CylinderRecord)0;
     ret.center_ = arg0;
@@ -224,12 +246,10 @@ CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
     return cylinderrecord;
 }
 
-CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+CylinderView ConstructCylinderView(float3 arg0, float arg1) {
     CylinderView ret = (CylinderView)0;
     ret.r_c = arg0;
     ret.c = arg1;
-    ret.to_top = arg2;
-    ret.to_bottom = arg3;
     return ret;
 }
 
@@ -237,9 +257,7 @@ CylinderView cylinder_seen_from(CylinderRecord cylinder_1, float3 origin)
 {
     const float3 _e5 = vec3_perpendicular_to((origin - cylinder_1.center_), cylinder_1.axis);
     const float _e6 = vec3_dot(_e5, _e5);
-    const float _e12 = vec3_dot((cylinder_1.top - origin), cylinder_1.axis);
-    const float _e16 = vec3_dot((cylinder_1.bottom - origin), cylinder_1.axis);
-    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder_1.radius_squared), _e12, _e16);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder_1.radius_squared));
     return cylinderview;
 }
 
@@ -260,18 +278,18 @@ CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_2, CylinderView vie
     return cylinderquadratic;
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_2)
+bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_4)
 {
-    const float3 _e3 = ray_at(ray_1, lambda_2);
+    const float3 _e3 = ray_at(ray_1, lambda_4);
     const float _e7 = vec3_dot((_e3 - cylinder_3.center_), cylinder_3.axis);
     return (abs(_e7) <= cylinder_3.half_height);
 }
 
 Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
     bool local_4 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
 
     float root_1 = sqrt(quadratic.discriminant);
     float near = ((-(quadratic.h) - root_1) / quadratic.a);
@@ -279,53 +297,54 @@ Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadr
     const bool _e15 = in_range(near);
     if (_e15) {
         const bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     const bool _e21 = in_range(far);
     if (_e21) {
         const bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
-        local_3 = _e24;
+        local_5 = _e24;
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool far_counts = local_3;
+    bool far_counts = local_5;
     if (!(near_counts)) {
-        local_4 = far_counts;
+        local_6 = far_counts;
     } else {
-        local_4 = true;
+        local_6 = true;
     }
-    bool _e31 = local_4;
+    bool _e31 = local_6;
     const Root root_2 = ConstructRoot(_e31, (near_counts ? near : far));
     return root_2;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, float3 center_1, float distance_)
+Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, float3 center_1)
 {
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
 
-    const float _e6 = vec3_dot(ray_3.direction, cylinder_5.axis);
-    float lambda_4 = (distance_ / _e6);
-    const float3 _e8 = ray_at(ray_3, lambda_4);
-    const float _e10 = vec3_length((_e8 - center_1));
-    bool on_disc = (_e10 <= cylinder_5.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        const bool _e19 = in_range(lambda_4);
-        local_5 = _e19;
+    const float _e5 = vec3_dot(ray_3.direction, cylinder_5.axis);
+    const float _e9 = vec3_dot((center_1 - ray_3.origin), cylinder_5.axis);
+    float lambda_6 = (_e9 / _e5);
+    const float3 _e11 = ray_at(ray_3, lambda_6);
+    const float _e13 = vec3_length((_e11 - center_1));
+    bool on_disc = (_e13 <= cylinder_5.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        const bool _e22 = in_range(lambda_6);
+        local_7 = _e22;
     } else {
-        local_5 = false;
+        local_7 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
     } else {
-        local_6 = false;
+        local_8 = false;
     }
-    bool _e25 = local_6;
-    const Root root_3 = ConstructRoot(_e25, lambda_4);
+    bool _e28 = local_8;
+    const Root root_3 = ConstructRoot(_e28, lambda_6);
     return root_3;
 }
 
@@ -355,56 +374,58 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4)
 {
-    CylinderRoot closest = (CylinderRoot)0;
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
+    CylinderRoot closest_2 = (CylinderRoot)0;
     bool local_9 = (bool)0;
     bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
 
     const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
     if (!((_e5.discriminant < 0.0))) {
         const Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
-        closest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest_2 = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    const Root _e18 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            float _e30 = closest.lambda;
-            local_8 = (_e18.lambda <= _e30);
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = ConstructCylinderRoot(true, _e18.lambda, TOP);
-    }
-    const Root _e42 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            float _e54 = closest.lambda;
-            local_10 = (_e42.lambda <= _e54);
+    const Root _e17 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            const bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = ConstructCylinderRoot(true, _e17.lambda, TOP);
     }
-    CylinderRoot _e64 = closest;
-    const CylinderRoot cylinderroot = _e64;
+    const Root _e40 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            const bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = ConstructCylinderRoot(true, _e40.lambda, BOTTOM);
+    }
+    CylinderRoot _e62 = closest_2;
+    const CylinderRoot cylinderroot = _e62;
     return cylinderroot;
 }
 
@@ -479,12 +500,12 @@ HitReport hit_report_none()
     return hitreport;
 }
 
-HitReport hit_report(float lambda_3, uint part_1, Hit hit)
+HitReport hit_report(float lambda_5, uint part_1, Hit hit)
 {
     float front_1 = (hit.front ? 1.0 : 0.0);
     const PackedVec3_ _e10 = vec3_store(hit.point_);
     const PackedVec3_ _e12 = vec3_store(hit.normal);
-    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
     return hitreport_1;
 }
 

@@ -54,10 +54,6 @@ struct CylinderRecord {
 struct CylinderView {
     float3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct CylinderQuadratic {
@@ -292,12 +288,12 @@ Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
 Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
-    bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit_1 = ConstructHit(point_, outward, front);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        const Hit hit_1 = ConstructHit(point_, outward, front_1);
         return hit_1;
     }
-    const Hit hit_2 = ConstructHit(point_, -(outward), front);
+    const Hit hit_2 = ConstructHit(point_, -(outward), front_1);
     return hit_2;
 }
 
@@ -336,9 +332,9 @@ Root sphere_first_root(float a_2, float h, float discriminant)
     float near = ((h - root_1) / a_2);
     float far = ((h + root_1) / a_2);
     const bool _e8 = in_range(near);
-    float lambda_4 = (_e8 ? near : far);
-    const bool _e10 = in_range(lambda_4);
-    const Root root_2 = ConstructRoot(_e10, lambda_4);
+    float lambda_6 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_6);
+    const Root root_2 = ConstructRoot(_e10, lambda_6);
     return root_2;
 }
 
@@ -362,12 +358,36 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
     return root_4;
 }
 
-CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+bool tie_later_is_closer(float lambda_2, float closest)
+{
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+
+    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1) {
     CylinderView ret = (CylinderView)0;
     ret.r_c = arg0;
     ret.c = arg1;
-    ret.to_top = arg2;
-    ret.to_bottom = arg3;
     return ret;
 }
 
@@ -375,9 +395,7 @@ CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
 {
     const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
     const float _e6 = vec3_dot(_e5, _e5);
-    const float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
-    const float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
-    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared));
     return cylinderview;
 }
 
@@ -398,18 +416,18 @@ CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView vie
     return cylinderquadratic;
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2)
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4)
 {
-    const float3 _e3 = ray_at(ray_2, lambda_2);
+    const float3 _e3 = ray_at(ray_2, lambda_4);
     const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
     return (abs(_e7) <= cylinder_2.half_height);
 }
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
     bool local_4 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
 
     float root_5 = sqrt(quadratic.discriminant);
     float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
@@ -417,53 +435,54 @@ Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadr
     const bool _e15 = in_range(near_1);
     if (_e15) {
         const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     const bool _e21 = in_range(far_1);
     if (_e21) {
         const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_3 = _e24;
+        local_5 = _e24;
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool far_counts = local_3;
+    bool far_counts = local_5;
     if (!(near_counts)) {
-        local_4 = far_counts;
+        local_6 = far_counts;
     } else {
-        local_4 = true;
+        local_6 = true;
     }
-    bool _e31 = local_4;
+    bool _e31 = local_6;
     const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
     return root_6;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_, float distance_)
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_)
 {
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
 
-    const float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    float lambda_5 = (distance_ / _e6);
-    const float3 _e8 = ray_at(ray_4, lambda_5);
-    const float _e10 = vec3_length((_e8 - center_));
-    bool on_disc = (_e10 <= cylinder_4.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        const bool _e19 = in_range(lambda_5);
-        local_5 = _e19;
+    const float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    const float _e9 = vec3_dot((center_ - ray_4.origin), cylinder_4.axis);
+    float lambda_7 = (_e9 / _e5);
+    const float3 _e11 = ray_at(ray_4, lambda_7);
+    const float _e13 = vec3_length((_e11 - center_));
+    bool on_disc = (_e13 <= cylinder_4.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        const bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
     } else {
-        local_5 = false;
+        local_7 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
     } else {
-        local_6 = false;
+        local_8 = false;
     }
-    bool _e25 = local_6;
-    const Root root_7 = ConstructRoot(_e25, lambda_5);
+    bool _e28 = local_8;
+    const Root root_7 = ConstructRoot(_e28, lambda_7);
     return root_7;
 }
 
@@ -493,56 +512,58 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
 {
-    CylinderRoot closest = (CylinderRoot)0;
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
+    CylinderRoot closest_2 = (CylinderRoot)0;
     bool local_9 = (bool)0;
     bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
 
     const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         const Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest_2 = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    const Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            float _e30 = closest.lambda;
-            local_8 = (_e18.lambda <= _e30);
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = ConstructCylinderRoot(true, _e18.lambda, TOP);
-    }
-    const Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            float _e54 = closest.lambda;
-            local_10 = (_e42.lambda <= _e54);
+    const Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            const bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = ConstructCylinderRoot(true, _e17.lambda, TOP);
     }
-    CylinderRoot _e64 = closest;
-    const CylinderRoot cylinderroot = _e64;
+    const Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            const bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = ConstructCylinderRoot(true, _e40.lambda, BOTTOM);
+    }
+    CylinderRoot _e62 = closest_2;
+    const CylinderRoot cylinderroot = _e62;
     return cylinderroot;
 }
 
@@ -596,6 +617,11 @@ float3 scatter_metal(float3 direction_5, float3 normal_3, float3 vector_1)
 {
     const float3 _e3 = scatter_mirror(direction_5, normal_3);
     return (_e3 + vector_1);
+}
+
+float scatter_index_ratio(float index, bool front)
+{
+    return (front ? (1.0 / index) : index);
 }
 
 float3 scatter_refract(float3 direction_6, float3 normal_4, float ratio)
@@ -747,31 +773,18 @@ Background picture_background()
     return background_1;
 }
 
-bool is_closer(ClosestHit closest_1, float lambda_3, uint order)
+bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1)
 {
-    bool local_11 = (bool)0;
-    bool local_12 = (bool)0;
     bool local_13 = (bool)0;
 
-    if (!(!(closest_1.some))) {
-        local_11 = (lambda_3 < closest_1.lambda);
+    if (!(!(closest_3.some))) {
+        const bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+        local_13 = _e10;
     } else {
-        local_11 = true;
+        local_13 = true;
     }
-    bool _e11 = local_11;
-    if (!(_e11)) {
-        if ((lambda_3 == closest_1.lambda)) {
-            local_13 = (order > closest_1.order);
-        } else {
-            local_13 = false;
-        }
-        bool _e22 = local_13;
-        local_12 = _e22;
-    } else {
-        local_12 = true;
-    }
-    bool _e24 = local_12;
-    return _e24;
+    bool _e12 = local_13;
+    return _e12;
 }
 
 ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
@@ -822,10 +835,10 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
 
 SurfaceHit closest_hit(Ray ray_8)
 {
-    ClosestHit closest_2 = (ClosestHit)0;
-    uint index = 0u;
-    bool local_14 = (bool)0;
+    ClosestHit closest_4 = (ClosestHit)0;
     uint index_1 = 0u;
+    bool local_14 = (bool)0;
+    uint index_2 = 0u;
     bool local_15 = (bool)0;
     SurfaceHit surface = (SurfaceHit)0;
     bool local_16 = (bool)0;
@@ -838,34 +851,34 @@ SurfaceHit closest_hit(Ray ray_8)
             if (all(loop_bound == uint2(0u, 0u))) { break; }
             loop_bound -= uint2(loop_bound.y == 0u, 1u);
             if (!loop_init) {
-                uint _e36 = index;
-                index = (_e36 + 1u);
+                uint _e36 = index_1;
+                index_1 = (_e36 + 1u);
             }
             loop_init = false;
-            uint _e5 = index;
+            uint _e5 = index_1;
             uint _e8 = asuint(picture.Load(104));
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index;
+                uint _e11 = index_1;
                 PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
                 const SphereRecord _e14 = sphere_load(_e13);
                 const Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index;
-                uint order_1 = asuint(spheres.Load(20+_e17*28));
+                uint _e17 = index_1;
+                uint order_2 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
-                    ClosestHit _e24 = closest_2;
-                    const bool _e26 = is_closer(_e24, _e15.lambda, order_1);
+                    ClosestHit _e24 = closest_4;
+                    const bool _e26 = is_closer(_e24, _e15.lambda, order_2);
                     local_14 = _e26;
                 } else {
                     local_14 = false;
                 }
                 bool _e28 = local_14;
                 if (_e28) {
-                    uint _e32 = index;
-                    closest_2 = ConstructClosestHit(true, _e15.lambda, order_1, false, _e32, SIDE);
+                    uint _e32 = index_1;
+                    closest_4 = ConstructClosestHit(true, _e15.lambda, order_2, false, _e32, SIDE);
                 }
             }
         }
@@ -877,85 +890,85 @@ SurfaceHit closest_hit(Ray ray_8)
             if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
             loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
             if (!loop_init_1) {
-                uint _e72 = index_1;
-                index_1 = (_e72 + 1u);
+                uint _e72 = index_2;
+                index_2 = (_e72 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_1;
+            uint _e41 = index_2;
             uint _e44 = asuint(picture.Load(108));
             if ((_e41 < _e44)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_1;
+                uint _e47 = index_2;
                 PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
                 const CylinderRecord _e50 = cylinder_load(_e49);
                 const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_1;
-                uint order_2 = asuint(cylinders.Load(60+_e53*68));
+                uint _e53 = index_2;
+                uint order_3 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
-                    ClosestHit _e60 = closest_2;
-                    const bool _e62 = is_closer(_e60, _e51.lambda, order_2);
+                    ClosestHit _e60 = closest_4;
+                    const bool _e62 = is_closer(_e60, _e51.lambda, order_3);
                     local_15 = _e62;
                 } else {
                     local_15 = false;
                 }
                 bool _e64 = local_15;
                 if (_e64) {
-                    uint _e68 = index_1;
-                    closest_2 = ConstructClosestHit(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                    uint _e68 = index_2;
+                    closest_4 = ConstructClosestHit(true, _e51.lambda, order_3, true, _e68, _e51.part);
                 }
             }
         }
     }
-    bool _e76 = closest_2.some;
+    bool _e76 = closest_4.some;
     if (!(_e76)) {
         SurfaceHit _e78 = surface;
         const SurfaceHit surfacehit = _e78;
         return surfacehit;
     }
-    float _e80 = closest_2.lambda;
+    float _e80 = closest_4.lambda;
     const float3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
-        bool _e86 = closest_2.is_cylinder;
+        bool _e86 = closest_4.is_cylinder;
         local_16 = !(_e86);
     } else {
         local_16 = false;
     }
     bool _e89 = local_16;
     if (_e89) {
-        uint _e92 = closest_2.index;
+        uint _e92 = closest_4.index;
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
         const Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e101 = closest_2.index;
+        uint _e101 = closest_4.index;
         uint material_3 = asuint(spheres.Load(24+_e101*28));
-        float _e107 = closest_2.lambda;
-        uint _e109 = closest_2.order;
-        uint _e111 = closest_2.part;
+        float _e107 = closest_4.lambda;
+        uint _e109 = closest_4.order;
+        uint _e111 = closest_4.part;
         surface = ConstructSurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
     }
     if (has_cylinders) {
-        bool _e117 = closest_2.is_cylinder;
+        bool _e117 = closest_4.is_cylinder;
         local_17 = _e117;
     } else {
         local_17 = false;
     }
     bool _e119 = local_17;
     if (_e119) {
-        uint _e122 = closest_2.index;
+        uint _e122 = closest_4.index;
         PlacedCylinder _e124 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+0+0)), asfloat(cylinders.Load(_e122*68+0+4)), asfloat(cylinders.Load(_e122*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+12+0)), asfloat(cylinders.Load(_e122*68+12+4)), asfloat(cylinders.Load(_e122*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+24+0)), asfloat(cylinders.Load(_e122*68+24+4)), asfloat(cylinders.Load(_e122*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+36+0)), asfloat(cylinders.Load(_e122*68+36+4)), asfloat(cylinders.Load(_e122*68+36+8))), asfloat(cylinders.Load(_e122*68+48)), asfloat(cylinders.Load(_e122*68+52)), asfloat(cylinders.Load(_e122*68+56)), asuint(cylinders.Load(_e122*68+60)), asuint(cylinders.Load(_e122*68+64)));
         const CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_2.part;
+        uint _e127 = closest_4.part;
         const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
         const Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
-        uint _e133 = closest_2.index;
+        uint _e133 = closest_4.index;
         uint material_4 = asuint(cylinders.Load(64+_e133*68));
-        float _e139 = closest_2.lambda;
-        uint _e141 = closest_2.order;
-        uint _e143 = closest_2.part;
+        float _e139 = closest_4.lambda;
+        uint _e141 = closest_4.order;
+        uint _e143 = closest_4.part;
         surface = ConstructSurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
     }
     SurfaceHit _e145 = surface;
@@ -1004,7 +1017,6 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     bool local_18 = (bool)0;
     bool local_19 = (bool)0;
     bool local_20 = (bool)0;
-    float ratio_1 = (float)0;
 
     if (has_matte) {
         local_18 = (material_1.kind == MATTE);
@@ -1033,16 +1045,12 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     }
     bool _e33 = local_20;
     if (_e33) {
-        ratio_1 = material_1.index;
-        if (hit.front) {
-            ratio_1 = (1.0 / material_1.index);
-        }
-        float _e42 = ratio_1;
-        const float3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
-        direction_7 = _e43;
+        const float _e36 = scatter_index_ratio(material_1.index, hit.front);
+        const float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        direction_7 = _e39;
     }
-    float3 _e45 = direction_7;
-    const Ray ray_13 = ConstructRay(hit.point_, _e45);
+    float3 _e41 = direction_7;
+    const Ray ray_13 = ConstructRay(hit.point_, _e41);
     return ray_13;
 }
 

@@ -56,9 +56,6 @@ struct CylinderRecord {
 struct CylinderView {
     metal::packed_float3 r_c;
     real c;
-    real to_top;
-    real to_bottom;
-    char _pad4[8];
 };
 struct CylinderQuadratic {
     real a;
@@ -263,11 +260,11 @@ Hit hit_facing(
     metal::float3 outward
 ) {
     real _e3 = vec3_dot(direction, outward);
-    bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
+    bool front_1 = _e3 < 0.0;
+    if (front_1) {
+        return Hit {point, outward, front_1};
     }
-    return Hit {point, -(outward), front};
+    return Hit {point, -(outward), front_1};
 }
 
 SphereView sphere_seen_from(
@@ -297,9 +294,9 @@ Root sphere_first_root(
     real near = (h - root) / a_2;
     real far = (h + root) / a_2;
     bool _e8 = in_range(near);
-    real lambda_4 = _e8 ? near : far;
-    bool _e10 = in_range(lambda_4);
-    return Root {_e10, {}, lambda_4};
+    real lambda_6 = _e8 ? near : far;
+    bool _e10 = in_range(lambda_6);
+    return Root {_e10, {}, lambda_6};
 }
 
 metal::float3 sphere_outward(
@@ -324,15 +321,44 @@ Root sphere_intersect(
     return _e15;
 }
 
+bool tie_later_is_closer(
+    real lambda_2,
+    real closest
+) {
+    return lambda_2 <= closest;
+}
+
+bool tie_is_closer(
+    real lambda_3,
+    uint order,
+    real closest_1,
+    uint closest_order
+) {
+    bool local_2 = {};
+    bool local_3 = {};
+    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = order >= closest_order;
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
 CylinderView cylinder_seen_from(
     CylinderRecord cylinder,
     metal::float3 origin_1
 ) {
     metal::float3 _e5 = vec3_perpendicular_to(origin_1 - cylinder.center, cylinder.axis);
     real _e6 = vec3_dot(_e5, _e5);
-    real _e12 = vec3_dot(cylinder.top - origin_1, cylinder.axis);
-    real _e16 = vec3_dot(cylinder.bottom - origin_1, cylinder.axis);
-    return CylinderView {_e5, _e6 - cylinder.radius_squared, _e12, _e16};
+    return CylinderView {_e5, _e6 - cylinder.radius_squared};
 }
 
 CylinderQuadratic cylinder_quadratic(
@@ -349,9 +375,9 @@ CylinderQuadratic cylinder_quadratic(
 bool cylinder_within_height(
     CylinderRecord cylinder_2,
     Ray ray_2,
-    real lambda_2
+    real lambda_4
 ) {
-    metal::float3 _e3 = ray_at(ray_2, lambda_2);
+    metal::float3 _e3 = ray_at(ray_2, lambda_4);
     real _e7 = vec3_dot(_e3 - cylinder_2.center, cylinder_2.axis);
     return metal::abs(_e7) <= cylinder_2.half_height;
 }
@@ -361,64 +387,64 @@ Root cylinder_side(
     Ray ray_3,
     CylinderQuadratic quadratic
 ) {
-    bool local_2 = {};
-    bool local_3 = {};
     bool local_4 = {};
+    bool local_5 = {};
+    bool local_6 = {};
     float root_1 = metal::sqrt(quadratic.discriminant);
     real near_1 = (-(quadratic.h) - root_1) / quadratic.a;
     real far_1 = (-(quadratic.h) + root_1) / quadratic.a;
     bool _e15 = in_range(near_1);
     if (_e15) {
         bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     bool _e21 = in_range(far_1);
     if (_e21) {
         bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_3 = _e24;
+        local_5 = _e24;
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool far_counts = local_3;
+    bool far_counts = local_5;
     if (!(near_counts)) {
-        local_4 = far_counts;
+        local_6 = far_counts;
     } else {
-        local_4 = true;
+        local_6 = true;
     }
-    bool _e31 = local_4;
+    bool _e31 = local_6;
     return Root {_e31, {}, near_counts ? near_1 : far_1};
 }
 
 Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_4,
-    metal::float3 center,
-    real distance
+    metal::float3 center
 ) {
-    bool local_5 = {};
-    bool local_6 = {};
-    real _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    real lambda_5 = distance / _e6;
-    metal::float3 _e8 = ray_at(ray_4, lambda_5);
-    real _e10 = vec3_length(_e8 - center);
-    bool on_disc = _e10 <= cylinder_4.radius;
-    if (!((metal::abs(_e6) < 0.00000001))) {
-        bool _e19 = in_range(lambda_5);
-        local_5 = _e19;
+    bool local_7 = {};
+    bool local_8 = {};
+    real _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    real _e9 = vec3_dot(center - ray_4.origin, cylinder_4.axis);
+    real lambda_7 = _e9 / _e5;
+    metal::float3 _e11 = ray_at(ray_4, lambda_7);
+    real _e13 = vec3_length(_e11 - center);
+    bool on_disc = _e13 <= cylinder_4.radius;
+    if (!((metal::abs(_e5) < 0.00000001))) {
+        bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
     } else {
-        local_5 = false;
+        local_7 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
     } else {
-        local_6 = false;
+        local_8 = false;
     }
-    bool _e25 = local_6;
-    return Root {_e25, {}, lambda_5};
+    bool _e28 = local_8;
+    return Root {_e28, {}, lambda_7};
 }
 
 metal::float3 cylinder_outward(
@@ -444,55 +470,57 @@ CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_6,
     Ray ray_5
 ) {
-    CylinderRoot closest = {};
-    bool local_7 = {};
-    bool local_8 = {};
+    CylinderRoot closest_2 = {};
     bool local_9 = {};
     bool local_10 = {};
+    bool local_11 = {};
+    bool local_12 = {};
     CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
+        closest_2 = CylinderRoot {_e11.some, {}, _e11.lambda, SIDE};
     }
-    Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            real _e30 = closest.lambda;
-            local_8 = _e18.lambda <= _e30;
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = CylinderRoot {true, {}, _e18.lambda, TOP};
-    }
-    Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            real _e54 = closest.lambda;
-            local_10 = _e42.lambda <= _e54;
+    Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            real _e29 = closest_2.lambda;
+            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = CylinderRoot {true, {}, _e42.lambda, BOTTOM};
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = CylinderRoot {true, {}, _e17.lambda, TOP};
     }
-    CylinderRoot _e64 = closest;
-    return _e64;
+    Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            real _e52 = closest_2.lambda;
+            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = CylinderRoot {true, {}, _e40.lambda, BOTTOM};
+    }
+    CylinderRoot _e62 = closest_2;
+    return _e62;
 }
 
 Ray camera_ray(
@@ -552,6 +580,13 @@ metal::float3 scatter_metal(
 ) {
     metal::float3 _e3 = scatter_mirror(direction_5, normal_3);
     return _e3 + vector_1;
+}
+
+real scatter_index_ratio(
+    real index,
+    bool front
+) {
+    return front ? (1.0 / index) : index;
 }
 
 metal::float3 scatter_refract(
@@ -649,32 +684,19 @@ Background picture_background(
 }
 
 bool is_closer(
-    ClosestHit closest_1,
-    real lambda_3,
-    uint order
+    ClosestHit closest_3,
+    real lambda_5,
+    uint order_1
 ) {
-    bool local_11 = {};
-    bool local_12 = {};
     bool local_13 = {};
-    if (!(!(closest_1.some))) {
-        local_11 = lambda_3 < closest_1.lambda;
+    if (!(!(closest_3.some))) {
+        bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+        local_13 = _e10;
     } else {
-        local_11 = true;
+        local_13 = true;
     }
-    bool _e11 = local_11;
-    if (!(_e11)) {
-        if (lambda_3 == closest_1.lambda) {
-            local_13 = order > closest_1.order;
-        } else {
-            local_13 = false;
-        }
-        bool _e22 = local_13;
-        local_12 = _e22;
-    } else {
-        local_12 = true;
-    }
-    bool _e24 = local_12;
-    return _e24;
+    bool _e12 = local_13;
+    return _e12;
 }
 
 SurfaceHit closest_hit(
@@ -684,10 +706,10 @@ SurfaceHit closest_hit(
     device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    ClosestHit closest_2 = {};
-    uint index = 0u;
-    bool local_14 = {};
+    ClosestHit closest_4 = {};
     uint index_1 = 0u;
+    bool local_14 = {};
+    uint index_2 = 0u;
     bool local_15 = {};
     SurfaceHit surface = {};
     bool local_16 = {};
@@ -699,34 +721,34 @@ SurfaceHit closest_hit(
             if (metal::all(loop_bound == uint2(0u))) { break; }
             loop_bound -= uint2(loop_bound.y == 0u, 1u);
             if (!loop_init) {
-                uint _e36 = index;
-                index = _e36 + 1u;
+                uint _e36 = index_1;
+                index_1 = _e36 + 1u;
             }
             loop_init = false;
-            uint _e5 = index;
+            uint _e5 = index_1;
             uint _e8 = picture.sphere_count;
             if (_e5 < _e8) {
             } else {
                 break;
             }
             {
-                uint _e11 = index;
+                uint _e11 = index_1;
                 PlacedSphere _e13 = spheres[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
                 Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index;
-                uint order_1 = spheres[_e17].order;
+                uint _e17 = index_1;
+                uint order_2 = spheres[_e17].order;
                 if (_e15.some) {
-                    ClosestHit _e24 = closest_2;
-                    bool _e26 = is_closer(_e24, _e15.lambda, order_1);
+                    ClosestHit _e24 = closest_4;
+                    bool _e26 = is_closer(_e24, _e15.lambda, order_2);
                     local_14 = _e26;
                 } else {
                     local_14 = false;
                 }
                 bool _e28 = local_14;
                 if (_e28) {
-                    uint _e32 = index;
-                    closest_2 = ClosestHit {true, {}, _e15.lambda, order_1, false, {}, _e32, SIDE};
+                    uint _e32 = index_1;
+                    closest_4 = ClosestHit {true, {}, _e15.lambda, order_2, false, {}, _e32, SIDE};
                 }
             }
         }
@@ -738,84 +760,84 @@ SurfaceHit closest_hit(
             if (metal::all(loop_bound_1 == uint2(0u))) { break; }
             loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
             if (!loop_init_1) {
-                uint _e72 = index_1;
-                index_1 = _e72 + 1u;
+                uint _e72 = index_2;
+                index_2 = _e72 + 1u;
             }
             loop_init_1 = false;
-            uint _e41 = index_1;
+            uint _e41 = index_2;
             uint _e44 = picture.cylinder_count;
             if (_e41 < _e44) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_1;
+                uint _e47 = index_2;
                 PlacedCylinder _e49 = cylinders[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
                 CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_1;
-                uint order_2 = cylinders[_e53].order;
+                uint _e53 = index_2;
+                uint order_3 = cylinders[_e53].order;
                 if (_e51.some) {
-                    ClosestHit _e60 = closest_2;
-                    bool _e62 = is_closer(_e60, _e51.lambda, order_2);
+                    ClosestHit _e60 = closest_4;
+                    bool _e62 = is_closer(_e60, _e51.lambda, order_3);
                     local_15 = _e62;
                 } else {
                     local_15 = false;
                 }
                 bool _e64 = local_15;
                 if (_e64) {
-                    uint _e68 = index_1;
-                    closest_2 = ClosestHit {true, {}, _e51.lambda, order_2, true, {}, _e68, _e51.part};
+                    uint _e68 = index_2;
+                    closest_4 = ClosestHit {true, {}, _e51.lambda, order_3, true, {}, _e68, _e51.part};
                 }
             }
         }
     }
-    bool _e76 = closest_2.some;
+    bool _e76 = closest_4.some;
     if (!(_e76)) {
         SurfaceHit _e78 = surface;
         return _e78;
     }
-    real _e80 = closest_2.lambda;
+    real _e80 = closest_4.lambda;
     metal::float3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
-        bool _e86 = closest_2.is_cylinder;
+        bool _e86 = closest_4.is_cylinder;
         local_16 = !(_e86);
     } else {
         local_16 = false;
     }
     bool _e89 = local_16;
     if (_e89) {
-        uint _e92 = closest_2.index;
+        uint _e92 = closest_4.index;
         PlacedSphere _e94 = spheres[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         metal::float3 _e96 = sphere_outward(_e95, _e81);
         Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e101 = closest_2.index;
+        uint _e101 = closest_4.index;
         uint material_2 = spheres[_e101].material;
-        real _e107 = closest_2.lambda;
-        uint _e109 = closest_2.order;
-        uint _e111 = closest_2.part;
+        real _e107 = closest_4.lambda;
+        uint _e109 = closest_4.order;
+        uint _e111 = closest_4.part;
         surface = SurfaceHit {true, {}, _e98, material_2, _e107, _e109, _e111};
     }
     if (has_cylinders) {
-        bool _e117 = closest_2.is_cylinder;
+        bool _e117 = closest_4.is_cylinder;
         local_17 = _e117;
     } else {
         local_17 = false;
     }
     bool _e119 = local_17;
     if (_e119) {
-        uint _e122 = closest_2.index;
+        uint _e122 = closest_4.index;
         PlacedCylinder _e124 = cylinders[_e122];
         CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_2.part;
+        uint _e127 = closest_4.part;
         metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
         Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
-        uint _e133 = closest_2.index;
+        uint _e133 = closest_4.index;
         uint material_3 = cylinders[_e133].material;
-        real _e139 = closest_2.lambda;
-        uint _e141 = closest_2.order;
-        uint _e143 = closest_2.part;
+        real _e139 = closest_4.lambda;
+        uint _e141 = closest_4.order;
+        uint _e143 = closest_4.part;
         surface = SurfaceHit {true, {}, _e130, material_3, _e139, _e141, _e143};
     }
     SurfaceHit _e145 = surface;
@@ -872,7 +894,6 @@ Ray scatter_ray(
     bool local_18 = {};
     bool local_19 = {};
     bool local_20 = {};
-    real ratio_1 = {};
     if (has_matte) {
         local_18 = material_1.kind == MATTE;
     } else {
@@ -900,16 +921,12 @@ Ray scatter_ray(
     }
     bool _e33 = local_20;
     if (_e33) {
-        ratio_1 = material_1.index;
-        if (hit.front) {
-            ratio_1 = 1.0 / material_1.index;
-        }
-        real _e42 = ratio_1;
-        metal::float3 _e43 = scatter_refract(ray_9.direction, hit.normal, _e42);
-        direction_7 = _e43;
+        real _e36 = scatter_index_ratio(material_1.index, hit.front);
+        metal::float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        direction_7 = _e39;
     }
-    metal::float3 _e45 = direction_7;
-    return Ray {hit.point, _e45};
+    metal::float3 _e41 = direction_7;
+    return Ray {hit.point, _e41};
 }
 
 void trace_path(

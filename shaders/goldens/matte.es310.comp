@@ -90,11 +90,11 @@ Root root_none() {
 
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
-    bool front = (_e3 < 0.0);
-    if (front) {
-        return Hit(point, outward, front);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        return Hit(point, outward, front_1);
     }
-    return Hit(point, -(outward), front);
+    return Hit(point, -(outward), front_1);
 }
 
 vec3 scatter_matte(vec3 normal, vec3 vector) {
@@ -120,6 +120,10 @@ vec3 scatter_mirror(vec3 direction_2, vec3 normal_2) {
 vec3 scatter_metal(vec3 direction_3, vec3 normal_3, vec3 vector_1) {
     vec3 _e3 = scatter_mirror(direction_3, normal_3);
     return (_e3 + vector_1);
+}
+
+float scatter_index_ratio(float index, bool front) {
+    return (front ? (1.0 / index) : index);
 }
 
 vec3 scatter_refract(vec3 direction_4, vec3 normal_4, float ratio) {

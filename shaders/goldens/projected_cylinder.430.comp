@@ -45,8 +45,6 @@ struct CylinderRecord {
 struct CylinderView {
     vec3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
 };
 struct CylinderQuadratic {
     float a;
@@ -175,9 +173,9 @@ Root sphere_first_root(float a_2, float h, float discriminant) {
     float near = ((h - root) / a_2);
     float far = ((h + root) / a_2);
     bool _e8 = in_range(near);
-    float lambda_4 = (_e8 ? near : far);
-    bool _e10 = in_range(lambda_4);
-    return Root(_e10, lambda_4);
+    float lambda_6 = (_e8 ? near : far);
+    bool _e10 = in_range(lambda_6);
+    return Root(_e10, lambda_6);
 }
 
 vec3 sphere_outward(SphereRecord sphere_1, vec3 point_1) {
@@ -207,6 +205,29 @@ UnitAndLength vec3_unit_and_length(vec3 v_4) {
     return UnitAndLength((v_4 / vec3(_e12)), _e12);
 }
 
+bool tie_later_is_closer(float lambda_2, float closest) {
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
 CylinderRecord cylinder_new(vec3 center_1, float radius_1, vec3 axis_1) {
     UnitAndLength _e3 = vec3_unit_and_length(axis_1);
     float half_height = (_e3.length_ / 2.0);
@@ -219,9 +240,7 @@ CylinderRecord cylinder_new(vec3 center_1, float radius_1, vec3 axis_1) {
 CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin_1) {
     vec3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center), cylinder.axis);
     float _e6 = vec3_dot(_e5, _e5);
-    float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
-    float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
-    return CylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    return CylinderView(_e5, (_e6 - cylinder.radius_squared));
 }
 
 CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, vec3 along) {
@@ -231,66 +250,67 @@ CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView vie
     return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2) {
-    vec3 _e3 = ray_at(ray_2, lambda_2);
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4) {
+    vec3 _e3 = ray_at(ray_2, lambda_4);
     float _e7 = vec3_dot((_e3 - cylinder_2.center), cylinder_2.axis);
     return (abs(_e7) <= cylinder_2.half_height);
 }
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic) {
-    bool local_2 = false;
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
+    bool local_6 = false;
     float root_1 = sqrt(quadratic.discriminant);
     float near_1 = ((-(quadratic.h) - root_1) / quadratic.a);
     float far_1 = ((-(quadratic.h) + root_1) / quadratic.a);
     bool _e15 = in_range(near_1);
     if (_e15) {
         bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     bool _e21 = in_range(far_1);
     if (_e21) {
         bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_3 = _e24;
-    } else {
-        local_3 = false;
-    }
-    bool far_counts = local_3;
-    if (!(near_counts)) {
-        local_4 = far_counts;
-    } else {
-        local_4 = true;
-    }
-    bool _e31 = local_4;
-    return Root(_e31, (near_counts ? near_1 : far_1));
-}
-
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, vec3 center_2, float distance_) {
-    bool local_5 = false;
-    bool local_6 = false;
-    float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    float lambda_5 = (distance_ / _e6);
-    vec3 _e8 = ray_at(ray_4, lambda_5);
-    float _e10 = vec3_length((_e8 - center_2));
-    bool on_disc = (_e10 <= cylinder_4.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        bool _e19 = in_range(lambda_5);
-        local_5 = _e19;
+        local_5 = _e24;
     } else {
         local_5 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool far_counts = local_5;
+    if (!(near_counts)) {
+        local_6 = far_counts;
     } else {
-        local_6 = false;
+        local_6 = true;
     }
-    bool _e25 = local_6;
-    return Root(_e25, lambda_5);
+    bool _e31 = local_6;
+    return Root(_e31, (near_counts ? near_1 : far_1));
+}
+
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, vec3 center_2) {
+    bool local_7 = false;
+    bool local_8 = false;
+    float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    float _e9 = vec3_dot((center_2 - ray_4.origin), cylinder_4.axis);
+    float lambda_7 = (_e9 / _e5);
+    vec3 _e11 = ray_at(ray_4, lambda_7);
+    float _e13 = vec3_length((_e11 - center_2));
+    bool on_disc = (_e13 <= cylinder_4.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
+    } else {
+        local_7 = false;
+    }
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
+    } else {
+        local_8 = false;
+    }
+    bool _e28 = local_8;
+    return Root(_e28, lambda_7);
 }
 
 vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
@@ -309,55 +329,57 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5) {
-    CylinderRoot closest = CylinderRoot(false, 0.0, 0u);
-    bool local_7 = false;
-    bool local_8 = false;
+    CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
     bool local_9 = false;
     bool local_10 = false;
+    bool local_11 = false;
+    bool local_12 = false;
     CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            float _e30 = closest.lambda;
-            local_8 = (_e18.lambda <= _e30);
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = CylinderRoot(true, _e18.lambda, TOP);
-    }
-    Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            float _e54 = closest.lambda;
-            local_10 = (_e42.lambda <= _e54);
+    Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
     }
-    CylinderRoot _e64 = closest;
-    return _e64;
+    Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
+    }
+    CylinderRoot _e62 = closest_2;
+    return _e62;
 }
 
 Crossings projected_crossings(vec3 direction_2, vec3 r_c, float radius_squared) {
@@ -375,47 +397,22 @@ Crossings projected_crossings(vec3 direction_2, vec3 r_c, float radius_squared) 
 }
 
 Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_6) {
-    bool local_11 = false;
+    bool local_13 = false;
     Crossings _e7 = projected_crossings(ray_6.direction, (sphere_3.center - ray_6.origin), sphere_3.radius_squared);
     bool _e11 = in_range(_e7.near);
-    float lambda_6 = (_e11 ? _e7.near : _e7.far);
+    float lambda_8 = (_e11 ? _e7.near : _e7.far);
     if (_e7.some) {
-        bool _e16 = in_range(lambda_6);
-        local_11 = _e16;
-    } else {
-        local_11 = false;
-    }
-    bool _e18 = local_11;
-    return Root(_e18, lambda_6);
-}
-
-Root projected_cap(CylinderRecord cylinder_7, Ray ray_7, vec3 cap) {
-    bool local_12 = false;
-    bool local_13 = false;
-    float _e5 = vec3_dot(ray_7.direction, cylinder_7.axis);
-    float _e9 = vec3_dot((cap - ray_7.origin), cylinder_7.axis);
-    float lambda_7 = (_e9 / _e5);
-    vec3 _e11 = ray_at(ray_7, lambda_7);
-    float _e13 = vec3_length((_e11 - cap));
-    bool on_disc_1 = (_e13 <= cylinder_7.radius);
-    if ((1e-8 <= abs(_e5))) {
-        bool _e21 = in_range(lambda_7);
-        local_12 = _e21;
-    } else {
-        local_12 = false;
-    }
-    bool _e23 = local_12;
-    if (_e23) {
-        local_13 = on_disc_1;
+        bool _e16 = in_range(lambda_8);
+        local_13 = _e16;
     } else {
         local_13 = false;
     }
-    bool _e27 = local_13;
-    return Root(_e27, lambda_7);
+    bool _e18 = local_13;
+    return Root(_e18, lambda_8);
 }
 
-CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) {
-    CylinderRoot closest_1 = CylinderRoot(false, 0.0, 0u);
+CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7) {
+    CylinderRoot closest_3 = CylinderRoot(false, 0.0, 0u);
     bool local_14 = false;
     bool local_15 = false;
     bool local_16 = false;
@@ -423,13 +420,13 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) 
     bool local_18 = false;
     bool local_19 = false;
     bool local_20 = false;
-    vec3 _e6 = vec3_perpendicular_to((cylinder_8.center - ray_8.origin), cylinder_8.axis);
-    vec3 _e9 = vec3_perpendicular_to(ray_8.direction, cylinder_8.axis);
-    Crossings _e11 = projected_crossings(_e9, _e6, cylinder_8.radius_squared);
+    vec3 _e6 = vec3_perpendicular_to((cylinder_7.center - ray_7.origin), cylinder_7.axis);
+    vec3 _e9 = vec3_perpendicular_to(ray_7.direction, cylinder_7.axis);
+    Crossings _e11 = projected_crossings(_e9, _e6, cylinder_7.radius_squared);
     if (_e11.some) {
         bool _e15 = in_range(_e11.near);
         if (_e15) {
-            bool _e19 = cylinder_within_height(cylinder_8, ray_8, _e11.near);
+            bool _e19 = cylinder_within_height(cylinder_7, ray_7, _e11.near);
             local_14 = _e19;
         } else {
             local_14 = false;
@@ -437,27 +434,28 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) 
         bool near_counts_1 = local_14;
         bool _e23 = in_range(_e11.far);
         if (_e23) {
-            bool _e27 = cylinder_within_height(cylinder_8, ray_8, _e11.far);
+            bool _e27 = cylinder_within_height(cylinder_7, ray_7, _e11.far);
             local_15 = _e27;
         } else {
             local_15 = false;
         }
         bool far_counts_1 = local_15;
-        float lambda_8 = (near_counts_1 ? _e11.near : _e11.far);
+        float lambda_9 = (near_counts_1 ? _e11.near : _e11.far);
         if (!(near_counts_1)) {
             local_16 = far_counts_1;
         } else {
             local_16 = true;
         }
         bool _e37 = local_16;
-        closest_1 = CylinderRoot(_e37, lambda_8, SIDE);
+        closest_3 = CylinderRoot(_e37, lambda_9, SIDE);
     }
-    Root _e41 = projected_cap(cylinder_8, ray_8, cylinder_8.top);
+    Root _e41 = cylinder_cap(cylinder_7, ray_7, cylinder_7.top);
     if (_e41.some) {
-        bool _e46 = closest_1.some;
+        bool _e46 = closest_3.some;
         if (!(!(_e46))) {
-            float _e53 = closest_1.lambda;
-            local_18 = (_e41.lambda <= _e53);
+            float _e53 = closest_3.lambda;
+            bool _e54 = tie_later_is_closer(_e41.lambda, _e53);
+            local_18 = _e54;
         } else {
             local_18 = true;
         }
@@ -468,14 +466,15 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) 
     }
     bool _e58 = local_17;
     if (_e58) {
-        closest_1 = CylinderRoot(true, _e41.lambda, TOP);
+        closest_3 = CylinderRoot(true, _e41.lambda, TOP);
     }
-    Root _e64 = projected_cap(cylinder_8, ray_8, cylinder_8.bottom);
+    Root _e64 = cylinder_cap(cylinder_7, ray_7, cylinder_7.bottom);
     if (_e64.some) {
-        bool _e69 = closest_1.some;
+        bool _e69 = closest_3.some;
         if (!(!(_e69))) {
-            float _e76 = closest_1.lambda;
-            local_20 = (_e64.lambda <= _e76);
+            float _e76 = closest_3.lambda;
+            bool _e77 = tie_later_is_closer(_e64.lambda, _e76);
+            local_20 = _e77;
         } else {
             local_20 = true;
         }
@@ -486,9 +485,9 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) 
     }
     bool _e81 = local_19;
     if (_e81) {
-        closest_1 = CylinderRoot(true, _e64.lambda, BOTTOM);
+        closest_3 = CylinderRoot(true, _e64.lambda, BOTTOM);
     }
-    CylinderRoot _e86 = closest_1;
+    CylinderRoot _e86 = closest_3;
     return _e86;
 }
 
@@ -500,15 +499,15 @@ PackedVec3_ vec3_store(vec3 v_6) {
     return PackedVec3_(v_6.x, v_6.y, v_6.z);
 }
 
-Ray ray_load(PackedRay ray_9) {
-    vec3 _e2 = vec3_load(ray_9.origin);
-    vec3 _e4 = vec3_load(ray_9.direction);
+Ray ray_load(PackedRay ray_8) {
+    vec3 _e2 = vec3_load(ray_8.origin);
+    vec3 _e4 = vec3_load(ray_8.direction);
     return Ray(_e2, _e4);
 }
 
-PackedRay ray_store(Ray ray_10) {
-    PackedVec3_ _e2 = vec3_store(ray_10.origin);
-    PackedVec3_ _e4 = vec3_store(ray_10.direction);
+PackedRay ray_store(Ray ray_9) {
+    PackedVec3_ _e2 = vec3_store(ray_9.origin);
+    PackedVec3_ _e4 = vec3_store(ray_9.direction);
     return PackedRay(_e2, _e4);
 }
 
@@ -517,11 +516,11 @@ HitReport hit_report_none() {
     return HitReport(0.0, 0.0, 0.0, 0.0, _e1, _e1);
 }
 
-HitReport hit_report(float lambda_3, uint part_1, Hit hit) {
+HitReport hit_report(float lambda_5, uint part_1, Hit hit) {
     float front_1 = (hit.front ? 1.0 : 0.0);
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+    return HitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
 }
 
 void main() {

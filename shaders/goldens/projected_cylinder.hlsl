@@ -59,10 +59,6 @@ struct CylinderRecord {
 struct CylinderView {
     float3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct CylinderQuadratic {
@@ -254,9 +250,9 @@ Root sphere_first_root(float a_2, float h, float discriminant)
     float near = ((h - root_1) / a_2);
     float far = ((h + root_1) / a_2);
     const bool _e8 = in_range(near);
-    float lambda_4 = (_e8 ? near : far);
-    const bool _e10 = in_range(lambda_4);
-    const Root root_2 = ConstructRoot(_e10, lambda_4);
+    float lambda_6 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_6);
+    const Root root_2 = ConstructRoot(_e10, lambda_6);
     return root_2;
 }
 
@@ -301,6 +297,32 @@ UnitAndLength vec3_unit_and_length(float3 v_4)
     return unitandlength_1;
 }
 
+bool tie_later_is_closer(float lambda_2, float closest)
+{
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+
+    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
     CylinderRecord ret = (CylinderRecord)0;
     ret.center_ = arg0;
@@ -324,12 +346,10 @@ CylinderRecord cylinder_new(float3 center_1, float radius_1, float3 axis_1)
     return cylinderrecord;
 }
 
-CylinderView ConstructCylinderView(float3 arg0, float arg1, float arg2, float arg3) {
+CylinderView ConstructCylinderView(float3 arg0, float arg1) {
     CylinderView ret = (CylinderView)0;
     ret.r_c = arg0;
     ret.c = arg1;
-    ret.to_top = arg2;
-    ret.to_bottom = arg3;
     return ret;
 }
 
@@ -337,9 +357,7 @@ CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
 {
     const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
     const float _e6 = vec3_dot(_e5, _e5);
-    const float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
-    const float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
-    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared));
     return cylinderview;
 }
 
@@ -360,18 +378,18 @@ CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView vie
     return cylinderquadratic;
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_2)
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4)
 {
-    const float3 _e3 = ray_at(ray_2, lambda_2);
+    const float3 _e3 = ray_at(ray_2, lambda_4);
     const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
     return (abs(_e7) <= cylinder_2.half_height);
 }
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
     bool local_4 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
 
     float root_5 = sqrt(quadratic.discriminant);
     float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
@@ -379,53 +397,54 @@ Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadr
     const bool _e15 = in_range(near_1);
     if (_e15) {
         const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     const bool _e21 = in_range(far_1);
     if (_e21) {
         const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_3 = _e24;
+        local_5 = _e24;
     } else {
-        local_3 = false;
+        local_5 = false;
     }
-    bool far_counts = local_3;
+    bool far_counts = local_5;
     if (!(near_counts)) {
-        local_4 = far_counts;
+        local_6 = far_counts;
     } else {
-        local_4 = true;
+        local_6 = true;
     }
-    bool _e31 = local_4;
+    bool _e31 = local_6;
     const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
     return root_6;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_2, float distance_)
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_2)
 {
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
 
-    const float _e6 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    float lambda_5 = (distance_ / _e6);
-    const float3 _e8 = ray_at(ray_4, lambda_5);
-    const float _e10 = vec3_length((_e8 - center_2));
-    bool on_disc = (_e10 <= cylinder_4.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        const bool _e19 = in_range(lambda_5);
-        local_5 = _e19;
+    const float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    const float _e9 = vec3_dot((center_2 - ray_4.origin), cylinder_4.axis);
+    float lambda_7 = (_e9 / _e5);
+    const float3 _e11 = ray_at(ray_4, lambda_7);
+    const float _e13 = vec3_length((_e11 - center_2));
+    bool on_disc = (_e13 <= cylinder_4.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        const bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
     } else {
-        local_5 = false;
+        local_7 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
     } else {
-        local_6 = false;
+        local_8 = false;
     }
-    bool _e25 = local_6;
-    const Root root_7 = ConstructRoot(_e25, lambda_5);
+    bool _e28 = local_8;
+    const Root root_7 = ConstructRoot(_e28, lambda_7);
     return root_7;
 }
 
@@ -455,56 +474,58 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
 {
-    CylinderRoot closest = (CylinderRoot)0;
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
+    CylinderRoot closest_2 = (CylinderRoot)0;
     bool local_9 = (bool)0;
     bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
 
     const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
     if (!((_e5.discriminant < 0.0))) {
         const Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest_2 = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    const Root _e18 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            float _e30 = closest.lambda;
-            local_8 = (_e18.lambda <= _e30);
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = ConstructCylinderRoot(true, _e18.lambda, TOP);
-    }
-    const Root _e42 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            float _e54 = closest.lambda;
-            local_10 = (_e42.lambda <= _e54);
+    const Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            const bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = ConstructCylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = ConstructCylinderRoot(true, _e17.lambda, TOP);
     }
-    CylinderRoot _e64 = closest;
-    const CylinderRoot cylinderroot = _e64;
+    const Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            const bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = ConstructCylinderRoot(true, _e40.lambda, BOTTOM);
+    }
+    CylinderRoot _e62 = closest_2;
+    const CylinderRoot cylinderroot = _e62;
     return cylinderroot;
 }
 
@@ -535,53 +556,25 @@ Crossings projected_crossings(float3 direction_2, float3 r_c, float radius_squar
 
 Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_6)
 {
-    bool local_11 = (bool)0;
+    bool local_13 = (bool)0;
 
     const Crossings _e7 = projected_crossings(ray_6.direction, (sphere_3.center_ - ray_6.origin), sphere_3.radius_squared);
     const bool _e11 = in_range(_e7.near);
-    float lambda_6 = (_e11 ? _e7.near : _e7.far);
+    float lambda_8 = (_e11 ? _e7.near : _e7.far);
     if (_e7.some) {
-        const bool _e16 = in_range(lambda_6);
-        local_11 = _e16;
-    } else {
-        local_11 = false;
-    }
-    bool _e18 = local_11;
-    const Root root_8 = ConstructRoot(_e18, lambda_6);
-    return root_8;
-}
-
-Root projected_cap(CylinderRecord cylinder_7, Ray ray_7, float3 cap)
-{
-    bool local_12 = (bool)0;
-    bool local_13 = (bool)0;
-
-    const float _e5 = vec3_dot(ray_7.direction, cylinder_7.axis);
-    const float _e9 = vec3_dot((cap - ray_7.origin), cylinder_7.axis);
-    float lambda_7 = (_e9 / _e5);
-    const float3 _e11 = ray_at(ray_7, lambda_7);
-    const float _e13 = vec3_length((_e11 - cap));
-    bool on_disc_1 = (_e13 <= cylinder_7.radius);
-    if ((1e-8 <= abs(_e5))) {
-        const bool _e21 = in_range(lambda_7);
-        local_12 = _e21;
-    } else {
-        local_12 = false;
-    }
-    bool _e23 = local_12;
-    if (_e23) {
-        local_13 = on_disc_1;
+        const bool _e16 = in_range(lambda_8);
+        local_13 = _e16;
     } else {
         local_13 = false;
     }
-    bool _e27 = local_13;
-    const Root root_9 = ConstructRoot(_e27, lambda_7);
-    return root_9;
+    bool _e18 = local_13;
+    const Root root_8 = ConstructRoot(_e18, lambda_8);
+    return root_8;
 }
 
-CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
+CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7)
 {
-    CylinderRoot closest_1 = (CylinderRoot)0;
+    CylinderRoot closest_3 = (CylinderRoot)0;
     bool local_14 = (bool)0;
     bool local_15 = (bool)0;
     bool local_16 = (bool)0;
@@ -590,13 +583,13 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
     bool local_19 = (bool)0;
     bool local_20 = (bool)0;
 
-    const float3 _e6 = vec3_perpendicular_to((cylinder_8.center_ - ray_8.origin), cylinder_8.axis);
-    const float3 _e9 = vec3_perpendicular_to(ray_8.direction, cylinder_8.axis);
-    const Crossings _e11 = projected_crossings(_e9, _e6, cylinder_8.radius_squared);
+    const float3 _e6 = vec3_perpendicular_to((cylinder_7.center_ - ray_7.origin), cylinder_7.axis);
+    const float3 _e9 = vec3_perpendicular_to(ray_7.direction, cylinder_7.axis);
+    const Crossings _e11 = projected_crossings(_e9, _e6, cylinder_7.radius_squared);
     if (_e11.some) {
         const bool _e15 = in_range(_e11.near);
         if (_e15) {
-            const bool _e19 = cylinder_within_height(cylinder_8, ray_8, _e11.near);
+            const bool _e19 = cylinder_within_height(cylinder_7, ray_7, _e11.near);
             local_14 = _e19;
         } else {
             local_14 = false;
@@ -604,27 +597,28 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
         bool near_counts_1 = local_14;
         const bool _e23 = in_range(_e11.far);
         if (_e23) {
-            const bool _e27 = cylinder_within_height(cylinder_8, ray_8, _e11.far);
+            const bool _e27 = cylinder_within_height(cylinder_7, ray_7, _e11.far);
             local_15 = _e27;
         } else {
             local_15 = false;
         }
         bool far_counts_1 = local_15;
-        float lambda_8 = (near_counts_1 ? _e11.near : _e11.far);
+        float lambda_9 = (near_counts_1 ? _e11.near : _e11.far);
         if (!(near_counts_1)) {
             local_16 = far_counts_1;
         } else {
             local_16 = true;
         }
         bool _e37 = local_16;
-        closest_1 = ConstructCylinderRoot(_e37, lambda_8, SIDE);
+        closest_3 = ConstructCylinderRoot(_e37, lambda_9, SIDE);
     }
-    const Root _e41 = projected_cap(cylinder_8, ray_8, cylinder_8.top);
+    const Root _e41 = cylinder_cap(cylinder_7, ray_7, cylinder_7.top);
     if (_e41.some) {
-        bool _e46 = closest_1.some;
+        bool _e46 = closest_3.some;
         if (!(!(_e46))) {
-            float _e53 = closest_1.lambda;
-            local_18 = (_e41.lambda <= _e53);
+            float _e53 = closest_3.lambda;
+            const bool _e54 = tie_later_is_closer(_e41.lambda, _e53);
+            local_18 = _e54;
         } else {
             local_18 = true;
         }
@@ -635,14 +629,15 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
     }
     bool _e58 = local_17;
     if (_e58) {
-        closest_1 = ConstructCylinderRoot(true, _e41.lambda, TOP);
+        closest_3 = ConstructCylinderRoot(true, _e41.lambda, TOP);
     }
-    const Root _e64 = projected_cap(cylinder_8, ray_8, cylinder_8.bottom);
+    const Root _e64 = cylinder_cap(cylinder_7, ray_7, cylinder_7.bottom);
     if (_e64.some) {
-        bool _e69 = closest_1.some;
+        bool _e69 = closest_3.some;
         if (!(!(_e69))) {
-            float _e76 = closest_1.lambda;
-            local_20 = (_e64.lambda <= _e76);
+            float _e76 = closest_3.lambda;
+            const bool _e77 = tie_later_is_closer(_e64.lambda, _e76);
+            local_20 = _e77;
         } else {
             local_20 = true;
         }
@@ -653,9 +648,9 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
     }
     bool _e81 = local_19;
     if (_e81) {
-        closest_1 = ConstructCylinderRoot(true, _e64.lambda, BOTTOM);
+        closest_3 = ConstructCylinderRoot(true, _e64.lambda, BOTTOM);
     }
-    CylinderRoot _e86 = closest_1;
+    CylinderRoot _e86 = closest_3;
     const CylinderRoot cylinderroot_1 = _e86;
     return cylinderroot_1;
 }
@@ -686,12 +681,12 @@ Ray ConstructRay(float3 arg0, float3 arg1) {
     return ret;
 }
 
-Ray ray_load(PackedRay ray_9)
+Ray ray_load(PackedRay ray_8)
 {
-    const float3 _e2 = vec3_load(ray_9.origin);
-    const float3 _e4 = vec3_load(ray_9.direction);
-    const Ray ray_11 = ConstructRay(_e2, _e4);
-    return ray_11;
+    const float3 _e2 = vec3_load(ray_8.origin);
+    const float3 _e4 = vec3_load(ray_8.direction);
+    const Ray ray_10 = ConstructRay(_e2, _e4);
+    return ray_10;
 }
 
 PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
@@ -701,10 +696,10 @@ PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
     return ret;
 }
 
-PackedRay ray_store(Ray ray_10)
+PackedRay ray_store(Ray ray_9)
 {
-    const PackedVec3_ _e2 = vec3_store(ray_10.origin);
-    const PackedVec3_ _e4 = vec3_store(ray_10.direction);
+    const PackedVec3_ _e2 = vec3_store(ray_9.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_9.direction);
     const PackedRay packedray = ConstructPackedRay(_e2, _e4);
     return packedray;
 }
@@ -731,12 +726,12 @@ HitReport hit_report_none()
     return hitreport;
 }
 
-HitReport hit_report(float lambda_3, uint part_1, Hit hit)
+HitReport hit_report(float lambda_5, uint part_1, Hit hit)
 {
     float front_1 = (hit.front ? 1.0 : 0.0);
     const PackedVec3_ _e10 = vec3_store(hit.point_);
     const PackedVec3_ _e12 = vec3_store(hit.normal);
-    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_3, float(part_1), front_1, _e10, _e12);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
     return hitreport_1;
 }
 

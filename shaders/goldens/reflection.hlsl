@@ -116,12 +116,12 @@ Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
 Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
-    bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit = ConstructHit(point_, outward, front);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        const Hit hit = ConstructHit(point_, outward, front_1);
         return hit;
     }
-    const Hit hit_1 = ConstructHit(point_, -(outward), front);
+    const Hit hit_1 = ConstructHit(point_, -(outward), front_1);
     return hit_1;
 }
 
@@ -152,6 +152,11 @@ float3 scatter_metal(float3 direction_3, float3 normal_3, float3 vector_1)
 {
     const float3 _e3 = scatter_mirror(direction_3, normal_3);
     return (_e3 + vector_1);
+}
+
+float scatter_index_ratio(float index, bool front)
+{
+    return (front ? (1.0 / index) : index);
 }
 
 float3 scatter_refract(float3 direction_4, float3 normal_4, float ratio)

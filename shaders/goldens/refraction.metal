@@ -117,11 +117,11 @@ Hit hit_facing(
     metal::float3 outward
 ) {
     real _e3 = vec3_dot(direction, outward);
-    bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
+    bool front_1 = _e3 < 0.0;
+    if (front_1) {
+        return Hit {point, outward, front_1};
     }
-    return Hit {point, -(outward), front};
+    return Hit {point, -(outward), front_1};
 }
 
 metal::float3 scatter_matte(
@@ -160,6 +160,13 @@ metal::float3 scatter_metal(
 ) {
     metal::float3 _e3 = scatter_mirror(direction_3, normal_3);
     return _e3 + vector_1;
+}
+
+real scatter_index_ratio(
+    real index,
+    bool front
+) {
+    return front ? (1.0 / index) : index;
 }
 
 metal::float3 scatter_refract(

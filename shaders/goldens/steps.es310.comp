@@ -43,8 +43,6 @@ struct CylinderRecord {
 struct CylinderView {
     vec3 r_c;
     float c;
-    float to_top;
-    float to_bottom;
 };
 struct CylinderQuadratic {
     float a;
@@ -231,11 +229,11 @@ Root root_none() {
 
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
-    bool front = (_e3 < 0.0);
-    if (front) {
-        return Hit(point, outward, front);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        return Hit(point, outward, front_1);
     }
-    return Hit(point, -(outward), front);
+    return Hit(point, -(outward), front_1);
 }
 
 SphereView sphere_seen_from(SphereRecord sphere, vec3 origin) {
@@ -254,9 +252,9 @@ Root sphere_first_root(float a_2, float h, float discriminant) {
     float near = ((h - root) / a_2);
     float far = ((h + root) / a_2);
     bool _e8 = in_range(near);
-    float lambda_4 = (_e8 ? near : far);
-    bool _e10 = in_range(lambda_4);
-    return Root(_e10, lambda_4);
+    float lambda_6 = (_e8 ? near : far);
+    bool _e10 = in_range(lambda_6);
+    return Root(_e10, lambda_6);
 }
 
 vec3 sphere_outward(SphereRecord sphere_1, vec3 point_1) {
@@ -275,12 +273,33 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_2) {
     return _e15;
 }
 
+bool tie_later_is_closer(float lambda_2, float closest) {
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
 CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin_1) {
     vec3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center), cylinder.axis);
     float _e6 = vec3_dot(_e5, _e5);
-    float _e12 = vec3_dot((cylinder.top - origin_1), cylinder.axis);
-    float _e16 = vec3_dot((cylinder.bottom - origin_1), cylinder.axis);
-    return CylinderView(_e5, (_e6 - cylinder.radius_squared), _e12, _e16);
+    return CylinderView(_e5, (_e6 - cylinder.radius_squared));
 }
 
 CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, vec3 along) {
@@ -290,66 +309,67 @@ CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView vie
     return CylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
 }
 
-bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_3, float lambda_2) {
-    vec3 _e3 = ray_at(ray_3, lambda_2);
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_3, float lambda_4) {
+    vec3 _e3 = ray_at(ray_3, lambda_4);
     float _e7 = vec3_dot((_e3 - cylinder_2.center), cylinder_2.axis);
     return (abs(_e7) <= cylinder_2.half_height);
 }
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_4, CylinderQuadratic quadratic) {
-    bool local_2 = false;
-    bool local_3 = false;
     bool local_4 = false;
+    bool local_5 = false;
+    bool local_6 = false;
     float root_1 = sqrt(quadratic.discriminant);
     float near_1 = ((-(quadratic.h) - root_1) / quadratic.a);
     float far_1 = ((-(quadratic.h) + root_1) / quadratic.a);
     bool _e15 = in_range(near_1);
     if (_e15) {
         bool _e18 = cylinder_within_height(cylinder_3, ray_4, near_1);
-        local_2 = _e18;
+        local_4 = _e18;
     } else {
-        local_2 = false;
+        local_4 = false;
     }
-    bool near_counts = local_2;
+    bool near_counts = local_4;
     bool _e21 = in_range(far_1);
     if (_e21) {
         bool _e24 = cylinder_within_height(cylinder_3, ray_4, far_1);
-        local_3 = _e24;
-    } else {
-        local_3 = false;
-    }
-    bool far_counts = local_3;
-    if (!(near_counts)) {
-        local_4 = far_counts;
-    } else {
-        local_4 = true;
-    }
-    bool _e31 = local_4;
-    return Root(_e31, (near_counts ? near_1 : far_1));
-}
-
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_5, vec3 center, float distance_) {
-    bool local_5 = false;
-    bool local_6 = false;
-    float _e6 = vec3_dot(ray_5.direction, cylinder_4.axis);
-    float lambda_5 = (distance_ / _e6);
-    vec3 _e8 = ray_at(ray_5, lambda_5);
-    float _e10 = vec3_length((_e8 - center));
-    bool on_disc = (_e10 <= cylinder_4.radius);
-    if (!((abs(_e6) < 1e-8))) {
-        bool _e19 = in_range(lambda_5);
-        local_5 = _e19;
+        local_5 = _e24;
     } else {
         local_5 = false;
     }
-    bool _e21 = local_5;
-    if (_e21) {
-        local_6 = on_disc;
+    bool far_counts = local_5;
+    if (!(near_counts)) {
+        local_6 = far_counts;
     } else {
-        local_6 = false;
+        local_6 = true;
     }
-    bool _e25 = local_6;
-    return Root(_e25, lambda_5);
+    bool _e31 = local_6;
+    return Root(_e31, (near_counts ? near_1 : far_1));
+}
+
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_5, vec3 center) {
+    bool local_7 = false;
+    bool local_8 = false;
+    float _e5 = vec3_dot(ray_5.direction, cylinder_4.axis);
+    float _e9 = vec3_dot((center - ray_5.origin), cylinder_4.axis);
+    float lambda_7 = (_e9 / _e5);
+    vec3 _e11 = ray_at(ray_5, lambda_7);
+    float _e13 = vec3_length((_e11 - center));
+    bool on_disc = (_e13 <= cylinder_4.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
+    } else {
+        local_7 = false;
+    }
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
+    } else {
+        local_8 = false;
+    }
+    bool _e28 = local_8;
+    return Root(_e28, lambda_7);
 }
 
 vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
@@ -368,55 +388,57 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6) {
-    CylinderRoot closest = CylinderRoot(false, 0.0, 0u);
-    bool local_7 = false;
-    bool local_8 = false;
+    CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
     bool local_9 = false;
     bool local_10 = false;
+    bool local_11 = false;
+    bool local_12 = false;
     CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_6.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
     if (!((_e5.discriminant < 0.0))) {
         Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
-        closest = CylinderRoot(_e11.some, _e11.lambda, SIDE);
+        closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
     }
-    Root _e18 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top, _e3.to_top);
-    if (_e18.some) {
-        bool _e23 = closest.some;
-        if (!(!(_e23))) {
-            float _e30 = closest.lambda;
-            local_8 = (_e18.lambda <= _e30);
-        } else {
-            local_8 = true;
-        }
-        bool _e33 = local_8;
-        local_7 = _e33;
-    } else {
-        local_7 = false;
-    }
-    bool _e35 = local_7;
-    if (_e35) {
-        closest = CylinderRoot(true, _e18.lambda, TOP);
-    }
-    Root _e42 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom, _e3.to_bottom);
-    if (_e42.some) {
-        bool _e47 = closest.some;
-        if (!(!(_e47))) {
-            float _e54 = closest.lambda;
-            local_10 = (_e42.lambda <= _e54);
+    Root _e17 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top);
+    if (_e17.some) {
+        bool _e22 = closest_2.some;
+        if (!(!(_e22))) {
+            float _e29 = closest_2.lambda;
+            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
+            local_10 = _e30;
         } else {
             local_10 = true;
         }
-        bool _e57 = local_10;
-        local_9 = _e57;
+        bool _e32 = local_10;
+        local_9 = _e32;
     } else {
         local_9 = false;
     }
-    bool _e59 = local_9;
-    if (_e59) {
-        closest = CylinderRoot(true, _e42.lambda, BOTTOM);
+    bool _e34 = local_9;
+    if (_e34) {
+        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
     }
-    CylinderRoot _e64 = closest;
-    return _e64;
+    Root _e40 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom);
+    if (_e40.some) {
+        bool _e45 = closest_2.some;
+        if (!(!(_e45))) {
+            float _e52 = closest_2.lambda;
+            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
+            local_12 = _e53;
+        } else {
+            local_12 = true;
+        }
+        bool _e55 = local_12;
+        local_11 = _e55;
+    } else {
+        local_11 = false;
+    }
+    bool _e57 = local_11;
+    if (_e57) {
+        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
+    }
+    CylinderRoot _e62 = closest_2;
+    return _e62;
 }
 
 Ray camera_ray(Camera camera, float row, float column, vec2 offset) {
@@ -455,6 +477,10 @@ vec3 scatter_mirror(vec3 direction_4, vec3 normal_2) {
 vec3 scatter_metal(vec3 direction_5, vec3 normal_3, vec3 vector_1) {
     vec3 _e3 = scatter_mirror(direction_5, normal_3);
     return (_e3 + vector_1);
+}
+
+float scatter_index_ratio(float index, bool front) {
+    return (front ? (1.0 / index) : index);
 }
 
 vec3 scatter_refract(vec3 direction_6, vec3 normal_4, float ratio) {
@@ -517,36 +543,23 @@ Background picture_background() {
     return Background(_e4, _e9);
 }
 
-bool is_closer(ClosestHit closest_1, float lambda_3, uint order) {
-    bool local_11 = false;
-    bool local_12 = false;
+bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1) {
     bool local_13 = false;
-    if (!(!(closest_1.some))) {
-        local_11 = (lambda_3 < closest_1.lambda);
+    if (!(!(closest_3.some))) {
+        bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+        local_13 = _e10;
     } else {
-        local_11 = true;
+        local_13 = true;
     }
-    bool _e11 = local_11;
-    if (!(_e11)) {
-        if ((lambda_3 == closest_1.lambda)) {
-            local_13 = (order > closest_1.order);
-        } else {
-            local_13 = false;
-        }
-        bool _e22 = local_13;
-        local_12 = _e22;
-    } else {
-        local_12 = true;
-    }
-    bool _e24 = local_12;
-    return _e24;
+    bool _e12 = local_13;
+    return _e12;
 }
 
 SurfaceHit closest_hit(Ray ray_7) {
-    ClosestHit closest_2 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
-    uint index = 0u;
-    bool local_14 = false;
+    ClosestHit closest_4 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index_1 = 0u;
+    bool local_14 = false;
+    uint index_2 = 0u;
     bool local_15 = false;
     SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
     bool local_16 = false;
@@ -555,34 +568,34 @@ SurfaceHit closest_hit(Ray ray_7) {
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
-                uint _e36 = index;
-                index = (_e36 + 1u);
+                uint _e36 = index_1;
+                index_1 = (_e36 + 1u);
             }
             loop_init = false;
-            uint _e5 = index;
+            uint _e5 = index_1;
             uint _e8 = _group_0_binding_0_cs.sphere_count;
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index;
+                uint _e11 = index_1;
                 PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
                 Root _e15 = sphere_intersect(_e14, ray_7);
-                uint _e17 = index;
-                uint order_1 = _group_0_binding_1_cs[_e17].order;
+                uint _e17 = index_1;
+                uint order_2 = _group_0_binding_1_cs[_e17].order;
                 if (_e15.some) {
-                    ClosestHit _e24 = closest_2;
-                    bool _e26 = is_closer(_e24, _e15.lambda, order_1);
+                    ClosestHit _e24 = closest_4;
+                    bool _e26 = is_closer(_e24, _e15.lambda, order_2);
                     local_14 = _e26;
                 } else {
                     local_14 = false;
                 }
                 bool _e28 = local_14;
                 if (_e28) {
-                    uint _e32 = index;
-                    closest_2 = ClosestHit(true, _e15.lambda, order_1, false, _e32, SIDE);
+                    uint _e32 = index_1;
+                    closest_4 = ClosestHit(true, _e15.lambda, order_2, false, _e32, SIDE);
                 }
             }
         }
@@ -591,84 +604,84 @@ SurfaceHit closest_hit(Ray ray_7) {
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                uint _e72 = index_1;
-                index_1 = (_e72 + 1u);
+                uint _e72 = index_2;
+                index_2 = (_e72 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_1;
+            uint _e41 = index_2;
             uint _e44 = _group_0_binding_0_cs.cylinder_count;
             if ((_e41 < _e44)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_1;
+                uint _e47 = index_2;
                 PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
                 CylinderRoot _e51 = cylinder_intersect(_e50, ray_7);
-                uint _e53 = index_1;
-                uint order_2 = _group_0_binding_2_cs[_e53].order;
+                uint _e53 = index_2;
+                uint order_3 = _group_0_binding_2_cs[_e53].order;
                 if (_e51.some) {
-                    ClosestHit _e60 = closest_2;
-                    bool _e62 = is_closer(_e60, _e51.lambda, order_2);
+                    ClosestHit _e60 = closest_4;
+                    bool _e62 = is_closer(_e60, _e51.lambda, order_3);
                     local_15 = _e62;
                 } else {
                     local_15 = false;
                 }
                 bool _e64 = local_15;
                 if (_e64) {
-                    uint _e68 = index_1;
-                    closest_2 = ClosestHit(true, _e51.lambda, order_2, true, _e68, _e51.part);
+                    uint _e68 = index_2;
+                    closest_4 = ClosestHit(true, _e51.lambda, order_3, true, _e68, _e51.part);
                 }
             }
         }
     }
-    bool _e76 = closest_2.some;
+    bool _e76 = closest_4.some;
     if (!(_e76)) {
         SurfaceHit _e78 = surface;
         return _e78;
     }
-    float _e80 = closest_2.lambda;
+    float _e80 = closest_4.lambda;
     vec3 _e81 = ray_at(ray_7, _e80);
     if (has_spheres) {
-        bool _e86 = closest_2.is_cylinder;
+        bool _e86 = closest_4.is_cylinder;
         local_16 = !(_e86);
     } else {
         local_16 = false;
     }
     bool _e89 = local_16;
     if (_e89) {
-        uint _e92 = closest_2.index;
+        uint _e92 = closest_4.index;
         PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         vec3 _e96 = sphere_outward(_e95, _e81);
         Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
-        uint _e101 = closest_2.index;
+        uint _e101 = closest_4.index;
         uint material_2 = _group_0_binding_1_cs[_e101].material;
-        float _e107 = closest_2.lambda;
-        uint _e109 = closest_2.order;
-        uint _e111 = closest_2.part;
+        float _e107 = closest_4.lambda;
+        uint _e109 = closest_4.order;
+        uint _e111 = closest_4.part;
         surface = SurfaceHit(true, _e98, material_2, _e107, _e109, _e111);
     }
     if (has_cylinders) {
-        bool _e117 = closest_2.is_cylinder;
+        bool _e117 = closest_4.is_cylinder;
         local_17 = _e117;
     } else {
         local_17 = false;
     }
     bool _e119 = local_17;
     if (_e119) {
-        uint _e122 = closest_2.index;
+        uint _e122 = closest_4.index;
         PlacedCylinder _e124 = _group_0_binding_2_cs[_e122];
         CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_2.part;
+        uint _e127 = closest_4.part;
         vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
         Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
-        uint _e133 = closest_2.index;
+        uint _e133 = closest_4.index;
         uint material_3 = _group_0_binding_2_cs[_e133].material;
-        float _e139 = closest_2.lambda;
-        uint _e141 = closest_2.order;
-        uint _e143 = closest_2.part;
+        float _e139 = closest_4.lambda;
+        uint _e141 = closest_4.order;
+        uint _e143 = closest_4.part;
         surface = SurfaceHit(true, _e130, material_3, _e139, _e141, _e143);
     }
     SurfaceHit _e145 = surface;
@@ -680,7 +693,6 @@ Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, vec3 scatter_vector) {
     bool local_18 = false;
     bool local_19 = false;
     bool local_20 = false;
-    float ratio_1 = 0.0;
     if (has_matte) {
         local_18 = (material_1.kind == MATTE);
     } else {
@@ -708,16 +720,12 @@ Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, vec3 scatter_vector) {
     }
     bool _e33 = local_20;
     if (_e33) {
-        ratio_1 = material_1.index;
-        if (hit.front) {
-            ratio_1 = (1.0 / material_1.index);
-        }
-        float _e42 = ratio_1;
-        vec3 _e43 = scatter_refract(ray_8.direction, hit.normal, _e42);
-        direction_7 = _e43;
+        float _e36 = scatter_index_ratio(material_1.index, hit.front);
+        vec3 _e39 = scatter_refract(ray_8.direction, hit.normal, _e36);
+        direction_7 = _e39;
     }
-    vec3 _e45 = direction_7;
-    return Ray(hit.point, _e45);
+    vec3 _e41 = direction_7;
+    return Ray(hit.point, _e41);
 }
 
 void main() {

@@ -33,7 +33,8 @@ modules! {
     "ray" in "wgsl/ray.wgsl" needs ["vec3"];
     "sphere" in "wgsl/sphere.wgsl" needs ["ray"];
     "unit_and_length" in "wgsl/unit_and_length.wgsl" needs ["vec3"];
-    "cylinder" in "wgsl/cylinder.wgsl" needs ["ray" "unit_and_length"];
+    "tie" in "wgsl/tie.wgsl" needs [];
+    "cylinder" in "wgsl/cylinder.wgsl" needs ["ray" "unit_and_length" "tie"];
     "projected" in "wgsl/projected.wgsl" needs ["sphere" "cylinder"];
     "camera" in "wgsl/camera.wgsl" needs ["ray"];
     "background" in "wgsl/background.wgsl" needs ["vec3"];

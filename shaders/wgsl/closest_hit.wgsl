@@ -10,10 +10,9 @@ struct ClosestHit {
     part: u32,
 }
 
-// ClosestHit::update: returns whether a hit at `lambda` replaces the closest hit found so far. Of two hits at equal
-// lambdas, the hit of the object that comes later in the file counts.
+// ClosestHit::update: returns whether a hit at `lambda` replaces the closest hit found so far.
 fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
-    return !closest.some || lambda < closest.lambda || (lambda == closest.lambda && order > closest.order);
+    return !closest.some || tie_is_closer(lambda, order, closest.lambda, closest.order);
 }
 
 // The surface that a ray hits first, if `some` is true. Only steps.wgsl and debug views read `lambda`, `order` and
@@ -27,7 +26,7 @@ struct SurfaceHit {
     part: u32,
 }
 
-// plain: returns the closest hit of the ray, found by a loop over all objects.
+// intersect_every_object: returns the closest hit of the ray, found by a loop over all objects.
 fn closest_hit(ray: Ray) -> SurfaceHit {
     var closest: ClosestHit;
     if has_spheres {

@@ -26,28 +26,18 @@ fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderR
     return CylinderRecord(center, unit.direction, top, bottom, radius, radius * radius, half_height);
 }
 
-// CylinderView: the values that all rays from one origin share. Rust computes the distances to the caps in
-// CylinderRecord::intersect instead.
+// CylinderView: the values that all rays from one origin share.
 struct CylinderView {
     // The vector from the centre to the origin, perpendicular to the axis.
     r_c: vec3<real>,
     // `r_c.r_c - r^2`: negative inside the infinite cylinder.
     c: real,
-    // The distance from the origin to the top cap's plane, along the axis.
-    to_top: real,
-    // The distance from the origin to the bottom cap's plane, along the axis.
-    to_bottom: real,
 }
 
 // CylinderRecord::seen_from: returns the view of the cylinder for rays from `origin`.
 fn cylinder_seen_from(cylinder: CylinderRecord, origin: vec3<real>) -> CylinderView {
     let r_c = vec3_perpendicular_to(origin - cylinder.center, cylinder.axis);
-    return CylinderView(
-        r_c,
-        vec3_dot(r_c, r_c) - cylinder.radius_squared,
-        vec3_dot(cylinder.top - origin, cylinder.axis),
-        vec3_dot(cylinder.bottom - origin, cylinder.axis),
-    );
+    return CylinderView(r_c, vec3_dot(r_c, r_c) - cylinder.radius_squared);
 }
 
 struct CylinderQuadratic {
@@ -80,11 +70,11 @@ fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadrati
     return Root(near_counts || far_counts, select(far, near, near_counts));
 }
 
-// The part of CylinderRecord::intersect for a cap, which is the disc around `center`. `distance` is the distance along
-// the axis from the ray's origin to the disc's plane. The limit 1e-8 is PARALLEL.
-fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>, distance: real) -> Root {
+// cap::intersect: returns the lambda at which the ray hits the cap around `center`, if it does. The limit 1e-8 is
+// PARALLEL.
+fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>) -> Root {
     let slope = vec3_dot(ray.direction, cylinder.axis);
-    let lambda = distance / slope;
+    let lambda = vec3_dot(center - ray.origin, cylinder.axis) / slope;
     let on_disc = vec3_length(ray_at(ray, lambda) - center) <= cylinder.radius;
     return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
 }
@@ -122,12 +112,12 @@ fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
         let side = cylinder_side(cylinder, ray, quadratic);
         closest = CylinderRoot(side.some, side.lambda, SIDE);
     }
-    let top = cylinder_cap(cylinder, ray, cylinder.top, view.to_top);
-    if top.some && (!closest.some || top.lambda <= closest.lambda) {
+    let top = cylinder_cap(cylinder, ray, cylinder.top);
+    if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
         closest = CylinderRoot(true, top.lambda, TOP);
     }
-    let bottom = cylinder_cap(cylinder, ray, cylinder.bottom, view.to_bottom);
-    if bottom.some && (!closest.some || bottom.lambda <= closest.lambda) {
+    let bottom = cylinder_cap(cylinder, ray, cylinder.bottom);
+    if bottom.some && (!closest.some || tie_later_is_closer(bottom.lambda, closest.lambda)) {
         closest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
     return closest;

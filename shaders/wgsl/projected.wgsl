@@ -31,14 +31,6 @@ fn projected_sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     return Root(crossings.some && in_range(lambda), lambda);
 }
 
-// The part of projected::cylinder for a cap.
-fn projected_cap(cylinder: CylinderRecord, ray: Ray, cap: vec3<real>) -> Root {
-    let slope = vec3_dot(ray.direction, cylinder.axis);
-    let lambda = vec3_dot(cap - ray.origin, cylinder.axis) / slope;
-    let on_disc = vec3_length(ray_at(ray, lambda) - cap) <= cylinder.radius;
-    return Root(real(1e-8) <= abs(slope) && in_range(lambda) && on_disc, lambda);
-}
-
 // projected::cylinder: returns the closest hit of the side, the top cap and the bottom cap. Of hits at equal lambdas,
 // the later in this order counts.
 fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
@@ -52,12 +44,12 @@ fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderR
         let lambda = select(crossings.far, crossings.near, near_counts);
         closest = CylinderRoot(near_counts || far_counts, lambda, SIDE);
     }
-    let top = projected_cap(cylinder, ray, cylinder.top);
-    if top.some && (!closest.some || top.lambda <= closest.lambda) {
+    let top = cylinder_cap(cylinder, ray, cylinder.top);
+    if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
         closest = CylinderRoot(true, top.lambda, TOP);
     }
-    let bottom = projected_cap(cylinder, ray, cylinder.bottom);
-    if bottom.some && (!closest.some || bottom.lambda <= closest.lambda) {
+    let bottom = cylinder_cap(cylinder, ray, cylinder.bottom);
+    if bottom.some && (!closest.some || tie_later_is_closer(bottom.lambda, closest.lambda)) {
         closest = CylinderRoot(true, bottom.lambda, BOTTOM);
     }
     return closest;

@@ -45,10 +45,7 @@ fn scatter_ray(ray: Ray, hit: Hit, material: Material, scatter_vector: vec3<real
         direction = scatter_metal(ray.direction, hit.normal, scatter_vector);
     }
     if has_refraction && material.kind == REFRACTIVE {
-        var ratio = material.index;
-        if hit.front {
-            ratio = real(1.0) / material.index;
-        }
+        let ratio = scatter_index_ratio(material.index, hit.front);
         direction = scatter_refract(ray.direction, hit.normal, ratio);
     }
     return Ray(hit.point, direction);

@@ -14,7 +14,7 @@
 //! cosine must be limited to 1, and the square root is that of a magnitude.
 //!
 //! The reference has a copy of this rule in `reference.rs` (`scatter`), and WGSL has one in `scatter.wgsl`
-//! (`scatter_refract`).
+//! (`scatter_index_ratio` and `scatter_refract`).
 
 use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 

@@ -47,22 +47,28 @@ mutants! {
         "vec3_dot(v, v) < SHORT_SQUARED" => "vec3_dot(v, v) < real(0.0)",
         "length * SHORT_SQUARED" => "length * SHORT_SCALE",
     ;
+    "tie":
+        "return lambda <= closest" => "return lambda < closest",
+        "lambda < closest ||" => "lambda > closest ||",
+        "order >= closest_order" => "order < closest_order",
+    ;
     "cylinder":
         "unit.length / real(2.0)" => "unit.length / real(4.0)",
         "center - half_axis" => "center + half_axis",
         "- cylinder.radius_squared" => "+ cylinder.radius_squared",
-        "cylinder.bottom - origin" => "cylinder.top - origin",
         "h * h - a * view.c" => "h * h + a * view.c",
         "<= cylinder.half_height" => "< cylinder.half_height",
         "(-quadratic.h - root)" => "(quadratic.h - root)",
         "near_counts || far_counts" => "near_counts && far_counts",
         "<= cylinder.radius" => "< cylinder.radius",
         "abs(slope) < real(1e-8)" => "abs(slope) <= real(1e-8)",
-        "distance / slope" => "distance * slope",
+        "center - ray.origin" => "center + ray.origin",
+        "/ slope" => "* slope",
+        "ray, cylinder.bottom" => "ray, cylinder.top",
         "return -cylinder.axis" => "return cylinder.axis",
         "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
-        "top.lambda <= closest.lambda" => "top.lambda < closest.lambda",
-        "bottom.lambda <= closest.lambda" => "bottom.lambda < closest.lambda",
+        "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
+        "tie_later_is_closer(bottom.lambda, closest.lambda)" => "bottom.lambda < closest.lambda",
     ;
     "projected":
         "direction * middle" => "direction + middle",
@@ -70,13 +76,12 @@ mutants! {
         "sqrt(rest / a)" => "sqrt(rest) / a",
         "middle - half, middle + half" => "middle + half, middle - half",
         "crossings.some && in_range(lambda)" => "crossings.some && in_range(crossings.near)",
-        "<= cylinder.radius" => "< cylinder.radius",
-        "real(1e-8) <= abs(slope)" => "real(1e-8) < abs(slope)",
         "near_counts || far_counts" => "near_counts && far_counts",
         "crossings.near, near_counts)" => "crossings.near, far_counts)",
-        "cap - ray.origin" => "cap + ray.origin",
-        "top.lambda <= closest.lambda" => "top.lambda < closest.lambda",
-        "bottom.lambda <= closest.lambda" => "bottom.lambda < closest.lambda",
+        "ray, cylinder.top" => "ray, cylinder.bottom",
+        "ray, cylinder.bottom" => "ray, cylinder.top",
+        "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
+        "tie_later_is_closer(bottom.lambda, closest.lambda)" => "bottom.lambda < closest.lambda",
     ;
     "camera":
         "(column + x)" => "(column - x)",
@@ -95,6 +100,8 @@ mutants! {
         "* real(2.0)" => "* real(1.0)",
         "vec3_unit(scatter_reflect(direction, normal))" => "scatter_reflect(direction, normal)",
         "scatter_mirror(direction, normal) + vector" => "scatter_mirror(direction, normal) - vector",
+        "select(index, real(1.0) / index, front)" => "select(real(1.0) / index, index, front)",
+        "real(1.0) / index" => "index",
         "let product = -vec3_dot" => "let product = vec3_dot",
         "product < one" => "product > one",
         "one - cos * cos" => "one + cos * cos",
@@ -117,16 +124,14 @@ mutants! {
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
     "closest_hit":
-        "lambda < closest.lambda" => "lambda > closest.lambda",
-        "order > closest.order" => "order < closest.order",
+        "lambda, order, closest.lambda, closest.order" => "closest.lambda, closest.order, lambda, order",
         "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
         "closest.part, point" => "TOP, point",
     ;
     "trace":
         "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
         "left - 1u" => "left",
-        "if hit.front" => "if !hit.front",
-        "real(1.0) / material.index" => "material.index",
+        "material.index, hit.front" => "material.index, !hit.front",
         "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
         "attenuation_count = paths[slot].attenuation_count" => "attenuation_count = 0u",
         "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
