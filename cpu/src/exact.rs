@@ -3,8 +3,8 @@
 //! The plain formulas run first. A bound of their rounding errors, which costs a few multiplications, tells whether
 //! their result is certain. If the result for a sphere is uncertain, a [compensated](sphere_compensated) formula runs,
 //! in which the smaller root does not cancel. If this is uncertain too, or if the object is a cylinder, the plain
-//! formulas and their bound run again in [double-double](double_double) arithmetic. If even these are uncertain, every
-//! decision is made in [dyadic](dyadic) arithmetic:
+//! formulas and their bound run again in [double-double](crate::math::double_double) arithmetic. If even these are
+//! uncertain, every decision is made in [dyadic](crate::math::dyadic) arithmetic:
 //!
 //! | step | unit roundoff | taken by |
 //! |---|---|---|
@@ -29,10 +29,7 @@ pub mod cylinder;
 pub(crate) mod cylinder_exact;
 pub(crate) mod cylinder_lanes;
 pub(crate) mod cylinder_side;
-pub mod double_double;
-pub mod dyadic;
 pub mod error_bound;
-pub(crate) mod limbs;
 pub mod sphere;
 pub mod sphere_compensated;
 pub(crate) mod sphere_exact;

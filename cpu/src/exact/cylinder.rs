@@ -9,11 +9,10 @@
 use crate::counters::{Counter, add};
 pub use crate::exact::cylinder_lanes::{CylinderHits, SideLanes};
 use crate::exact::{
-    cap, cylinder_exact, cylinder_side::Side, double_double::DoubleDouble, error_bound::Decision,
-    error_bound::in_scale, sphere_exact::NotFinite,
+    cap, cylinder_exact, cylinder_side::Side, error_bound::Decision, error_bound::in_scale, sphere_exact::NotFinite,
 };
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray};
-use crate::math::{real::Real, rounding::Rounding, vec3::Vec3};
+use crate::math::{double_double::DoubleDouble, real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
 /// Lambda, and the part that is hit; `None` if the ray hits nothing.

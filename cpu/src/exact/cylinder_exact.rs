@@ -10,12 +10,9 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::{
-    dyadic::Dyadic, dyadic::power_of_two, sphere_exact::Exact3, sphere_exact::NotFinite, sphere_exact::Quadratic,
-    sphere_exact::exact,
-};
+use crate::exact::{sphere_exact::Exact3, sphere_exact::NotFinite, sphere_exact::Quadratic, sphere_exact::exact};
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::LAMBDA_MIN, ray::Ray};
-use crate::math::vec3::Vec3;
+use crate::math::{dyadic::Dyadic, dyadic::power_of_two, vec3::Vec3};
 
 /// Ray and cylinder as exact numbers, with the products that the formulas of side and caps share.
 struct Setting {

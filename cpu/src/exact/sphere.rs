@@ -4,9 +4,9 @@
 
 use crate::counters::{Counter, add};
 pub use crate::exact::sphere_filter::{SphereHits, filtered, filtered_from};
-use crate::exact::{double_double::DoubleDouble, error_bound::Decision, sphere_compensated, sphere_exact};
+use crate::exact::{error_bound::Decision, sphere_compensated, sphere_exact};
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
-use crate::math::real::Real;
+use crate::math::{double_double::DoubleDouble, real::Real};
 use crate::simd::fused::run_fused;
 
 /// Returns the lambda at which the ray hits the sphere, or `None` if it misses. [`SphereRecord::intersect`] has the

@@ -5,9 +5,9 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::{double_double::DoubleDouble, dyadic::Dyadic, dyadic::power_of_two, dyadic::sign_with_root};
 use crate::geometry::{ray::LAMBDA_MIN, ray::Ray, sphere::SphereRecord};
-use crate::math::{real::Real, vec3::Vec3};
+use crate::math::dyadic::{Dyadic, power_of_two, sign_with_root};
+use crate::math::{double_double::DoubleDouble, real::Real, vec3::Vec3};
 
 /// The error that a number of the ray or of the object is infinite or NaN.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 
 use crate::geometry::ray::Ray;
 use crate::input::{config::Config, error::Error, error::Picture, size::Size};
-use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
+use crate::math::{real::Real, tangent::tangent, vec3::Vec3, vec3::broadcast};
 
 /// The constants from which every camera ray is computed, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ impl Camera {
             return Err(Picture::CameraOutOfRange);
         }
         let fov = config.field_of_view * std::f64::consts::PI / 180.0;
-        let window_height = 2.0 * (fov / 2.0).tan() * focal_distance;
+        let window_height = 2.0 * tangent(fov / 2.0) * focal_distance;
         let window_width = window_height * (width / height);
         let backward = focal.unit();
         let right = north.cross(backward);

@@ -2,11 +2,11 @@
 
 use cpu::Vec3;
 use cpu::internals::exact;
-use cpu::internals::exact::double_double::DoubleDouble;
 use cpu::internals::exact::error_bound::Decision;
 use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
 use cpu::internals::geometry::sphere::SphereRecord;
 use cpu::internals::input::scene::Shape;
+use cpu::internals::math::double_double::DoubleDouble;
 use cpu::internals::math::real::Real;
 
 use crate::case::Case;

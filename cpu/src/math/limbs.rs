@@ -43,6 +43,27 @@ pub fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
     trimmed(limbs)
 }
 
+/// Returns `a / 2^shift`, truncated.
+pub fn shifted_right(a: &[u64], shift: usize) -> Vec<u64> {
+    let kept = a.get(shift / 64..).unwrap_or_default();
+    let shift = shift % 64;
+    let above = kept.iter().skip(1).chain([&0]);
+    // Two shifts, because a shift by 64 bits is not defined.
+    trimmed(kept.iter().zip(above).map(|(limb, above)| limb >> shift | above << 1 << (63 - shift)).collect())
+}
+
+/// Returns `a / divisor`, truncated, for a divisor that is not zero.
+pub fn quotient(a: &[u64], divisor: u64) -> Vec<u64> {
+    let mut remainder = 0;
+    let mut limbs = a.to_vec();
+    for limb in limbs.iter_mut().rev() {
+        let total = u128::from(remainder) << 64 | u128::from(*limb);
+        *limb = (total / u128::from(divisor)) as u64;
+        remainder = (total % u128::from(divisor)) as u64;
+    }
+    trimmed(limbs)
+}
+
 /// Returns `a 2^shift`.
 pub fn shifted(a: &[u64], shift: u64) -> Vec<u64> {
     let mut limbs = vec![0; (shift / 64) as usize];

@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::{exact::double_double::DoubleDouble, exact::limbs, math::error_free::two_sum, math::real::Real};
+use crate::math::{double_double::DoubleDouble, error_free::two_sum, limbs, real::Real};
 
 /// The number `± magnitude * 2^exponent`, with the minus sign if `negative` is set.
 #[derive(Clone, Debug)]
@@ -30,6 +30,11 @@ impl Dyadic {
         let integer = bits & FRACTION | implicit;
         let magnitude = if integer == 0 { Vec::new() } else { vec![integer] };
         Some(Self { negative: value < 0.0, magnitude, exponent: biased.max(1) - 1075 })
+    }
+
+    /// Returns `magnitude * 2^exponent`. The highest limb of `magnitude` must not be zero.
+    pub const fn of_limbs(magnitude: Vec<u64>, exponent: i64) -> Self {
+        Self { negative: false, magnitude, exponent }
     }
 
     /// Returns the number one.

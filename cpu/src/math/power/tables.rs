@@ -1,0 +1,127 @@
+//! Logarithms, exponentials and quotients of small integers, computed by the compiler in integers of 128 bits.
+
+use crate::math::double_double::DoubleDouble;
+
+/// The integers here stand for themselves times `2^-BITS`.
+const BITS: u32 = 120;
+
+/// The smallest index of [`logarithm`].
+const FIRST: usize = 90;
+
+/// `ln((FIRST + i) / FIRST)`, as integers.
+///
+/// Each entry adds `ln((k + 1) / k) = 2 atanh(1 / (2 k + 1))` to the one before. The series has at most 9 terms, of
+/// which each is wrong by less than 2 units, so an entry is wrong by less than `92 * 18` units, or `2^-109`.
+const SUMS: [i128; 92] = {
+    let mut sums = [0; 92];
+    let mut i = 1;
+    while i < sums.len() {
+        let odd = 2 * (FIRST + i) as i128 - 1;
+        let (mut power, mut total, mut divisor) = ((2 << BITS) / odd, 0, 1);
+        while power > 0 {
+            total += power / divisor;
+            power /= odd * odd;
+            divisor += 2;
+        }
+        sums[i] = sums[i - 1] + total;
+        i += 1;
+    }
+    sums
+};
+
+/// `ln(128 / (FIRST + i))`, wrong by less than `2^-108`.
+const LOGARITHMS: [DoubleDouble; 92] = {
+    let mut table = [number(0); 92];
+    let mut i = 0;
+    while i < table.len() {
+        table[i] = number(SUMS[128 - FIRST] - SUMS[i]);
+        i += 1;
+    }
+    table
+};
+
+/// `ln(128 / k)` for `k` from 90 to 181, wrong by less than `2^-108`. It is exactly 0 for 128.
+#[inline(always)]
+pub const fn logarithm(k: usize) -> DoubleDouble {
+    LOGARITHMS[k - FIRST]
+}
+
+/// `ln 2`, wrong by less than `2^-106`.
+pub const LN_2: DoubleDouble = number(SUMS[180 - FIRST]);
+
+/// The largest magnitude of the index of [`exponential`].
+const LAST: i128 = 23;
+
+/// `e^(j / 64)`, wrong by less than `2^-105`.
+const EXPONENTIALS: [DoubleDouble; 47] = {
+    let mut table = [number(0); 47];
+    let mut at = 0;
+    while at < table.len() {
+        let j = at as i128 - LAST;
+        let (mut term, mut total, mut divisor) = (1 << BITS, 0, 1);
+        while term != 0 {
+            total += term;
+            term = term * j / (64 * divisor);
+            divisor += 1;
+        }
+        table[at] = number(total);
+        at += 1;
+    }
+    table
+};
+
+/// `e^(j / 64)` for `j` from -23 to 23, wrong by less than `2^-105`.
+#[inline(always)]
+pub const fn exponential(j: i64) -> DoubleDouble {
+    EXPONENTIALS[(j + LAST as i64) as usize]
+}
+
+/// `1 / divisor`, to 106 bits.
+pub const fn reciprocal(divisor: i128) -> DoubleDouble {
+    number((1 << BITS) / divisor)
+}
+
+/// The integer times `2^-BITS`, to 106 bits.
+const fn number(integer: i128) -> DoubleDouble {
+    const UNIT: f64 = 1.0 / (1_i128 << BITS) as f64;
+    let high = integer as f64;
+    DoubleDouble { high: high * UNIT, low: (integer - high as i128) as f64 * UNIT }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::fixed_point;
+    use crate::math::real::Real;
+
+    #[test]
+    fn logarithms_are_those_of_the_fixed_point_series() {
+        let of = |integer| fixed_point::logarithm(integer, 0, 192).0;
+        for k in 90..=181 {
+            let exact = (&of(128) - &of(k as u64)).to_double_double();
+            let error = (logarithm(k) - exact).abs().high;
+            assert!(error < 2.0_f64.powi(-106), "{k}: {error:e}");
+        }
+        assert_eq!(logarithm(128), DoubleDouble::of(0.0));
+        assert!((LN_2 - of(2).to_double_double()).abs().high < 2.0_f64.powi(-106));
+    }
+
+    #[test]
+    fn exponentials_multiply() {
+        for j in -23..=23 {
+            let one = exponential(j) * exponential(-j);
+            assert!((one - DoubleDouble::of(1.0)).abs().high < 2.0_f64.powi(-102), "{j}");
+            let next = exponential(j.min(22)) * exponential(1);
+            assert!((next - exponential(j.min(22) + 1)).abs().high < 2.0_f64.powi(-101), "{j}");
+        }
+        assert_eq!(exponential(1).high, 1.015_747_708_586_685_7);
+    }
+
+    #[test]
+    fn reciprocals_undo_products() {
+        for divisor in 1..200 {
+            let one = reciprocal(divisor) * DoubleDouble::of(divisor as f64);
+            assert!((one - DoubleDouble::of(1.0)).abs().high < 2.0_f64.powi(-103), "{divisor}");
+        }
+    }
+}

@@ -1,0 +1,71 @@
+use super::*;
+use crate::sampling::uniform::Uniform;
+
+/// Numbers of all magnitudes, and near 1.
+fn numbers(draws: &mut Uniform, round: usize) -> f64 {
+    match round % 3 {
+        0 => draws.draw(0.0, 1.0),
+        1 => 1.0 + draws.draw(-1.0, 1.0) * 0.5_f64.powi((round % 50) as i32),
+        _ => 10.0_f64.powf(draws.draw(-307.0, 308.0)),
+    }
+}
+
+#[test]
+fn special_values_are_those_of_c() {
+    let values = [0.0, -0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -2.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    for base in values {
+        for exponent in [0.5, 1.0, 2.0, 3.0, 2.5, 9007199254740991.0, 9007199254740992.0, 1e300, f64::INFINITY] {
+            let (ours, system) = (power(base, exponent), base.powf(exponent));
+            assert!(ours.to_bits() == system.to_bits() || ours.is_nan() && system.is_nan(), "{base:e}^{exponent:e}");
+        }
+        assert!([0.0, -0.0, -1.0, f64::NAN].iter().all(|&exponent| power(base, exponent).is_nan()), "{base}");
+    }
+}
+
+#[test]
+fn exact_powers_and_ties_are_found() {
+    assert_eq!([power(4.0, 0.5), power(27.0, 3.0), power(3.0, 33.0)], [2.0, 19683.0, 5559060566555523.0]);
+    // 3^34 has 54 bits: it is halfway between two numbers.
+    assert_eq!(power(3.0, 34.0), 16677181699666568.0);
+    assert!(is_equal(3.0, 34.0, Midpoint { integer: 16677181699666569, exponent: 0 }));
+    // The root of a square of 54 bits: (2^53 + 1)^2 has 107 bits, but 94906267^2 has 53.
+    assert_eq!(power(94906265.0 * 94906265.0, 0.5), 94906265.0);
+    // The square of a number of 27 bits plus a half is halfway where it has 54 bits.
+    let half = 94906265.5_f64;
+    assert_eq!(power(half, 2.0), half * half);
+    let square = Midpoint { integer: 189812531 * 189812531, exponent: -2 };
+    assert_eq!(compare(half, 2.0, square, 192), Some(Ordering::Equal));
+    // The smallest positive number is twice 2^-1075, which is halfway to zero.
+    assert_eq!([power(2.0_f64.powi(-215), 5.0), power(2.0_f64.powi(-537), 2.0)], [0.0, 5e-324]);
+    assert_eq!(compare(2.0_f64.powi(-215), 5.0, Midpoint { integer: 1, exponent: -1075 }, 192), Some(Ordering::Equal));
+    assert_eq!(power(2.0_f64.powi(-1074), 1.0 / 1074.0), 0.5_f64.powf(1074.0 * (1.0 / 1074.0)));
+}
+
+#[test]
+fn the_quick_power_is_that_of_integers() {
+    let mut draws = Uniform::new(5);
+    let mut certain = 0;
+    for round in 0..3_000 {
+        let (base, exponent) =
+            (numbers(&mut draws, round), draws.draw(0.0, 1.0) * 2.0_f64.powi((round % 9) as i32 - 4));
+        let quick = quick::power(base, exponent);
+        let (Quick::Certain(candidate) | Quick::Candidate(candidate)) = quick;
+        certain += usize::from(matches!(quick, Quick::Certain(_)));
+        // A wrong candidate does not matter.
+        for start in [candidate, candidate.next_up(), candidate.next_down()] {
+            assert_eq!(decided(base, exponent, start), candidate, "{base:e}^{exponent:e}");
+        }
+    }
+    assert!(certain > 2_900, "{certain} certain");
+}
+
+#[test]
+fn the_system_s_power_differs_by_at_most_a_unit_in_the_last_place() {
+    let mut draws = Uniform::new(4);
+    for round in 0..200_000 {
+        let (base, exponent) =
+            (numbers(&mut draws, round), draws.draw(0.0, 1.0) * 2.0_f64.powi((round % 9) as i32 - 4));
+        let (ours, system) = (power(base, exponent), base.powf(exponent));
+        assert!(ours.to_bits().abs_diff(system.to_bits()) <= 1, "{base:e}^{exponent:e}: {ours:e}, {system:e}");
+    }
+}

@@ -1,0 +1,135 @@
+//! The tangent and the power against arithmetic of 256 bits of another library.
+//!
+//! `RENDER_FUNCTION_CASES` is the number of random arguments of each function; tests/extensive takes ten million.
+
+use cpu::internals::math::{power::power, tangent::tangent};
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+use stability::random::Random;
+
+type Big = FBig<HalfEven, 2>;
+
+const BITS: usize = 256;
+
+fn cases() -> usize {
+    std::env::var("RENDER_FUNCTION_CASES")
+        .map_or(4_000, |text| text.parse().expect("RENDER_FUNCTION_CASES is a number"))
+}
+
+/// Returns `value` with 256 bits.
+fn big(value: f64) -> Big {
+    Big::try_from(value).expect("the value is finite").with_precision(BITS).value()
+}
+
+fn magnitude(value: Big) -> Big {
+    if value < Big::ZERO { -value } else { value }
+}
+
+/// Whether `result` is `exact`, correctly rounded. `exact` is wrong by much less than `2^-200` of itself, so a number
+/// that is nearer than that to a midpoint is a tie. It must have been rounded to an even fraction.
+fn is_nearest(result: f64, exact: &Big) -> bool {
+    let tolerance = exact.clone() >> 200;
+    // Beyond the largest number the next one would be 2^1024.
+    let upper = if result == f64::MAX { big(2.0_f64.powi(1023)) * big(2.0) } else { big(result.next_up()) };
+    [big(result.next_down()), upper].into_iter().all(|neighbour| {
+        let farther = magnitude(&neighbour - exact) - magnitude(big(result) - exact);
+        farther > tolerance || farther > -tolerance.clone() && result.to_bits() % 2 == 0
+    })
+}
+
+fn check_power(base: f64, exponent: f64) {
+    let result = power(base, exponent);
+    let exact = (big(base).ln() * big(exponent)).exp();
+    assert!(is_nearest(result, &exact), "{base:e}^{exponent:e} is not {result:e}");
+}
+
+fn check_tangent(angle: f64) {
+    let result = tangent(angle);
+    assert!(is_nearest(result, &big(angle).tan()), "tan {angle:e} is not {result:e}");
+}
+
+#[test]
+fn tangents_are_correctly_rounded() {
+    for degrees in 1..1800 {
+        // The angle of a field of view, as the camera computes it.
+        check_tangent(f64::from(degrees) / 10.0 * std::f64::consts::PI / 180.0 / 2.0);
+    }
+    let mut random = Random::new(11);
+    for _ in 0..cases() {
+        check_tangent(random.uniform(0.0, std::f64::consts::FRAC_PI_2));
+        // tan x = x + x^3 / 3 + ... is near a number or a midpoint if x is small.
+        check_tangent(random.decades(-9.0, -3.0));
+        check_tangent(std::f64::consts::FRAC_PI_2 - random.decades(-16.0, -3.0));
+    }
+}
+
+#[test]
+fn powers_are_correctly_rounded() {
+    let mut random = Random::new(12);
+    for _ in 0..cases() {
+        // Means and the exponents of usual gammas.
+        let gamma = random.decades(-1.0, 1.0);
+        check_power(random.uniform(0.0, 1.0), 1.0 / gamma);
+        // Every magnitude whose power is a normal number.
+        let (base, size) = (random.decades(-300.0, 300.0), random.uniform(-300.0, 300.0));
+        let exponent = size / base.log10();
+        if exponent > 0.0 {
+            check_power(base, exponent);
+        }
+    }
+}
+
+#[test]
+fn powers_near_midpoints_are_correctly_rounded() {
+    let mut checked = 0;
+    // (1 + k e)^y = 1 + y k e + ..., where e is a unit in the last place: half of these are near a midpoint.
+    for steps in 1..300_u64 {
+        for exponent in [0.25, 0.5, 1.5, 2.5, 3.5] {
+            for base in [f64::from_bits(1.0_f64.to_bits() + steps), f64::from_bits(1.0_f64.to_bits() - steps)] {
+                check_power(base, exponent);
+                checked += 1;
+            }
+        }
+    }
+    // Squares and cubes of short numbers are midpoints, or exact, or neither.
+    let mut random = Random::new(13);
+    for round in 0..1_500 {
+        let short = (random.uniform(1.0, 2.0) * 2.0_f64.powi(round % 27)).floor();
+        for exponent in [1.0, 2.0, 3.0, 0.5] {
+            check_power(short, exponent);
+            check_power(short * short, exponent / 2.0);
+            checked += 2;
+        }
+    }
+    assert!(checked > 10_000, "{checked} powers were checked");
+}
+
+#[test]
+fn the_system_s_functions_differ_by_at_most_a_unit_in_the_last_place() {
+    let mut random = Random::new(14);
+    let (mut tangents, mut powers) = (0, 0);
+    for _ in 0..cases() {
+        let angle = random.uniform(0.0, std::f64::consts::FRAC_PI_2);
+        let (mean, gamma) = (random.uniform(0.0, 1.0), random.decades(-1.0, 1.0));
+        let difference = |ours: f64, system: f64| ours.to_bits().abs_diff(system.to_bits());
+        let tan = difference(tangent(angle), angle.tan());
+        let pow = difference(power(mean, 1.0 / gamma), mean.powf(1.0 / gamma));
+        assert!(tan <= 1 && pow <= 1, "tan {angle:e} or {mean:e}^(1 / {gamma:e})");
+        (tangents, powers) = (tangents + tan, powers + pow);
+    }
+    println!("of {} each, {tangents} tangents and {powers} powers of the system are not correctly rounded", cases());
+}
+
+#[test]
+fn a_neighbour_of_the_nearest_number_is_not_taken_for_it() {
+    let exact = big(2.0).sqrt();
+    let nearest = 2.0_f64.sqrt();
+    assert!(
+        is_nearest(nearest, &exact)
+            && !is_nearest(nearest.next_up(), &exact)
+            && !is_nearest(nearest.next_down(), &exact)
+    );
+    // A tie.
+    let tie = big(1.0) + big(f64::EPSILON / 2.0);
+    assert!(is_nearest(1.0, &tie) && !is_nearest(1.0_f64.next_up(), &tie));
+}
