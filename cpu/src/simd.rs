@@ -20,8 +20,12 @@ mod avx512;
 pub mod columns;
 pub(crate) mod fused;
 pub mod instruction_set;
+#[cfg(target_arch = "aarch64")]
+mod neon;
 pub mod portable;
-#[cfg_attr(not(target_arch = "x86_64"), allow(unused_imports, unused_macros))]
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod simd128;
+#[allow(unused_imports, unused_macros, reason = "each instruction set uses some of the macros")]
 mod tables;
 #[cfg(test)]
 pub(crate) mod tests;

@@ -10,7 +10,7 @@ use crate::simd::{
     tables::operators,
 };
 
-features!("avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
+features!(is_x86_feature_detected: "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
 /// The proof that the machine has AVX2 and FMA.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,7 @@ use crate::simd::{
     Kernel, LaneMask, Simd, SimdF32, SimdF64, avx2::Avx2, tables::features, tables::intrinsics, tables::operators,
 };
 
-features!("avx512f", "avx512dq", "avx512bw", "avx512vl", "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
+features!(is_x86_feature_detected: "avx512f", "avx512dq", "avx512bw", "avx512vl", "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
 /// The proof that the machine has AVX-512.
 #[derive(Clone, Copy, Debug)]

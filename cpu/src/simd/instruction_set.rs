@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+#[cfg(target_arch = "aarch64")]
+use crate::simd::neon;
 use crate::simd::{Kernel, Simd, portable::Portable};
 #[cfg(target_arch = "x86_64")]
 use crate::simd::{avx2, avx512};
@@ -12,6 +14,10 @@ use crate::simd::{avx2, avx512};
 pub enum InstructionSet {
     /// Lanes as arrays, for any machine. On x86-64 the compiler turns them into instructions of 128 bits.
     Portable,
+    /// Lanes of 128 bits of WebAssembly, without fused multiply-add. A module has them if it was compiled for them.
+    Simd128,
+    /// Lanes of 128 bits of 64-bit ARM, with fused multiply-add.
+    Neon,
     /// Lanes of 256 bits, with fused multiply-add.
     Avx2,
     /// Lanes of 512 bits, but of 256 bits for kernels that [`Simd::run_promptly`] runs.
@@ -22,7 +28,8 @@ pub enum InstructionSet {
 
 impl InstructionSet {
     /// All instruction sets, including those that this machine does not have.
-    pub const ALL: [Self; 4] = [Self::Portable, Self::Avx2, Self::Avx512, Self::Avx512Throughout];
+    pub const ALL: [Self; 6] =
+        [Self::Portable, Self::Simd128, Self::Neon, Self::Avx2, Self::Avx512, Self::Avx512Throughout];
 
     /// The environment variable that forces an instruction set. Its value is an [`InstructionSet::name`].
     pub const VARIABLE: &'static str = "RENDER_INSTRUCTION_SET";
@@ -31,6 +38,8 @@ impl InstructionSet {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
+            Self::Simd128 => "simd128",
+            Self::Neon => "neon",
             Self::Avx2 => "avx2",
             Self::Avx512 => "avx512",
             Self::Avx512Throughout => "avx512-throughout",
@@ -47,14 +56,17 @@ impl InstructionSet {
 
     /// Detects whether this machine has the instruction set.
     fn is_detected(self) -> bool {
-        #[cfg(target_arch = "x86_64")]
-        return match self {
+        match self {
             Self::Portable => true,
+            Self::Simd128 => cfg!(all(target_arch = "wasm32", target_feature = "simd128")),
+            #[cfg(target_arch = "aarch64")]
+            Self::Neon => neon::is_detected(),
+            #[cfg(target_arch = "x86_64")]
             Self::Avx2 => avx2::is_detected(),
+            #[cfg(target_arch = "x86_64")]
             Self::Avx512 | Self::Avx512Throughout => avx2::is_detected() && avx512::is_detected(),
-        };
-        #[cfg(not(target_arch = "x86_64"))]
-        return matches!(self, Self::Portable);
+            _ => false,
+        }
     }
 
     /// Returns the instruction sets that this machine has, from the simplest to the widest.
@@ -91,6 +103,11 @@ impl InstructionSet {
     pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         let set = if self.is_available() { self } else { Self::Portable };
         match set {
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            Self::Simd128 => crate::simd::simd128::Simd128.run(kernel),
+            #[cfg(target_arch = "aarch64")]
+            // SAFETY: the machine has the instruction set, as `is_available` has just shown; likewise below.
+            Self::Neon => unsafe { neon::Neon::new() }.run(kernel),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: the machine has the instruction set, as `is_available` has just shown; likewise below.
             Self::Avx2 => unsafe { avx2::Avx2::new() }.run(kernel),

@@ -37,13 +37,14 @@ macro_rules! operators {
     };
 }
 
-/// Takes the processor features for which kernels are compiled, and defines two functions. `compiled` runs a kernel
-/// with these features enabled. `is_detected` tells whether the machine has all of them.
+/// Takes the macro that detects a processor feature, and the features for which kernels are compiled, and defines two
+/// functions. `compiled` runs a kernel with these features enabled. `is_detected` tells whether the machine has all of
+/// them.
 macro_rules! features {
-    ($($feature:tt),+) => {
+    ($detected:ident: $($feature:tt),+) => {
         /// Whether this machine has all features that `compiled` enables.
         pub fn is_detected() -> bool {
-            true $(&& is_x86_feature_detected!($feature))+
+            true $(&& std::arch::$detected!($feature))+
         }
 
         /// Runs `kernel` in a separate function that is compiled with the features.
