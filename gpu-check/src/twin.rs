@@ -39,7 +39,6 @@ enum Surface {
 
 impl<T: Real<Mask = bool>> Picture<T> {
     /// Returns the linear colour of the pixel at `index`.
-    #[must_use]
     pub fn color(&self, index: usize) -> Vec3<T> {
         let width = self.size.width();
         let [row, column] = [index / width, index % width].map(|number| T::of(number as f64));

@@ -32,7 +32,7 @@ impl Midpoint {
 /// `compare` compares the number with a midpoint, and returns `None` if it cannot. Then the result is `None` too. The
 /// search starts at `candidate` and goes to a neighbour at each step, so `candidate` should be near the number.
 pub fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Ordering>) -> Option<f64> {
-    let even = |lower: f64| if lower.to_bits() % 2 == 0 { lower } else { lower.next_up() };
+    let even = |lower: f64| if lower.to_bits().is_multiple_of(2) { lower } else { lower.next_up() };
     let mut result = candidate.clamp(0.0, f64::MAX);
     loop {
         match compare(Midpoint::above(result))? {

@@ -79,7 +79,6 @@ impl Truth {
 
     /// Returns the linear colours with every formula in f32, which is the best that a device can give in f32. They are
     /// computed at the first call, because with many objects they take as long as the colours in f64.
-    #[must_use]
     pub fn single(&self) -> &[Vec3<f32>] {
         let (picture, colors) = &self.single;
         colors.get_or_init(|| {

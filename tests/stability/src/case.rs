@@ -44,7 +44,6 @@ impl Case {
     }
 
     /// Returns the object's centre.
-    #[must_use]
     pub fn center(&self) -> Vec3 {
         match self.shape {
             Shape::Sphere(sphere) => sphere.center,

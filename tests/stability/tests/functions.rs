@@ -33,7 +33,7 @@ fn is_nearest(result: f64, exact: &Big) -> bool {
     let upper = if result == f64::MAX { big(2.0_f64.powi(1023)) * big(2.0) } else { big(result.next_up()) };
     [big(result.next_down()), upper].into_iter().all(|neighbour| {
         let farther = magnitude(&neighbour - exact) - magnitude(big(result) - exact);
-        farther > tolerance || farther > -tolerance.clone() && result.to_bits() % 2 == 0
+        farther > tolerance || farther > -tolerance.clone() && result.to_bits().is_multiple_of(2)
     })
 }
 

@@ -70,7 +70,7 @@ impl fmt::Display for Wrong {
 
 impl Error for Wrong {}
 
-/// The exit status for an error of [`run`].
+/// The exit status for an error of [`run()`].
 fn status(error: &(dyn Error + 'static)) -> u8 {
     if error.is::<Wrong>() { 1 } else { 2 }
 }
