@@ -70,7 +70,7 @@ pub enum Engine {
 
 /// Names of the instruction sets that results may have, from the slowest to the fastest: the present ones, and `sse2`,
 /// which the renderer had until November 2026.
-pub const MEASURED_SETS: [&str; 5] = ["portable", "sse2", "avx2", "avx512", "avx512-throughout"];
+pub const MEASURED_SETS: [&str; 7] = ["portable", "simd128", "sse2", "neon", "avx2", "avx512", "avx512-throughout"];
 
 impl Engine {
     /// Returns every implementation that this machine can run, except [`Engine::PlainSearch`].

@@ -19,11 +19,11 @@ use crate::{Failure, terminal};
 use chart::Chart;
 use thumbnails::Thumbnail;
 
-/// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`. `data` is the file of `results`, which no
-/// output may be.
+/// Writes `index.html`, `findings.json` and `charts/*.svg` into `folder`. `data` is the path of the file from which
+/// `results` were read. If an output is the file `data`, the function returns an error and writes nothing.
 ///
 /// # Errors
-/// A file cannot be written, or a chart cannot be drawn.
+/// An output is the file `data`, a file cannot be written, or a chart cannot be drawn.
 pub fn write(results: &Results, data: &Path, folder: &Path, options: Options) -> Result<(), Failure> {
     let scenes = test_support::project_root().join("scenes");
     write_with(results, data, folder, options, || Ok(thumbnails::of(results, &scenes)?))

@@ -7,9 +7,9 @@
 //! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7;
 //! 4. [`Bvh`] for all other scenes.
 //!
-//! With a [`SmallScene`] two more choices depend on the number of objects. For fewer than four objects, paths are
-//! traced with a lookahead (`render/trace_paths.rs`). Specular chains are traced in lanes
-//! (`render/specular_chains.rs`).
+//! With a [`SmallScene`] three more choices follow. With fewer than four objects, paths are traced with a lookahead
+//! (`render/trace_paths.rs`). With more, lanes hold several objects for one ray (`accel/small_scene.rs`). Specular
+//! chains are traced in lanes (`render/specular_chains.rs`).
 //!
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 

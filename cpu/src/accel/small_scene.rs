@@ -16,7 +16,7 @@ const FEWEST_IN_LANES: usize = 4;
 /// The structure for up to eight objects.
 #[derive(Clone, Debug)]
 pub struct SmallScene {
-    /// Returns the numbers of the objects, in the order of the scene file.
+    /// The numbers of the objects, in the order of the scene file.
     pub in_order: Vec<ObjectId>,
     /// The objects in lanes, for one ray or several, which start within the scene's extent.
     pub object_lanes: ObjectLanes,

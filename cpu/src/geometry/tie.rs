@@ -4,8 +4,8 @@
 //! is side, top cap, bottom cap. All comparisons of objects call this file. In lanes the objects are intersected in the
 //! order of the scene file (`object::in_order` and `render/frustum.rs` sort them). Two parts of a cylinder have the
 //! same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no
-//! tie, so `exact/cylinder.rs` finds the part without this rule. The reference has a literal copy of this rule in
-//! `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
+//! tie, so `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without this rule. The reference has a
+//! literal copy of this rule in `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
 
 use crate::math::real::Real;
 

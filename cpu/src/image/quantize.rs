@@ -3,8 +3,8 @@
 //!
 //! [`quantize`] is the definition, which the reference uses too. WGSL has no copy, because tests compare its means. The
 //! power is slow, so [`Quantizer`] has a table with the interval of means of each of the 256 bytes. It calls
-//! [`quantize`] only in two cases: for means close to a boundary, where the rounding of the power decides, and for
-//! means below -1/16.
+//! [`quantize`] only for means close to a boundary, where the rounding of the power decides, for means below -1/16, and
+//! for NaN. With an extreme gamma the boundaries are uncertain, and most means take the power.
 //!
 //! A mean can be negative: if the length of a ray underflows, the weight of the background is outside of `[0, 1]`. The
 //! power of a negative mean is NaN, except if `1 / gamma` is a whole number. It is positive if that number is even.

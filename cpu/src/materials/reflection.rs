@@ -3,8 +3,9 @@
 
 use crate::math::{real::Real, vec3::Vec3};
 
-/// Returns `direction - 2 (direction . normal) normal`. This is the mirror image if `normal` has length one. The normal
-/// of a cylinder's side is as long as the radius, and the same formula is used.
+/// Returns `direction - 2 (direction . normal) normal`. If `normal` has length one, this is the mirror image. The
+/// normal of a cylinder's side is as long as the radius (specification, section 9.2), and must be passed without
+/// normalising it. For a radius other than one, the result is then in general not the mirror image.
 #[inline(always)]
 pub fn reflect<T: Real>(direction: Vec3<T>, normal: Vec3<T>) -> Vec3<T> {
     direction - normal * (direction.dot(normal) * T::of(2.0))

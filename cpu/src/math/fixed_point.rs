@@ -7,15 +7,16 @@
 use crate::math::dyadic::Dyadic;
 use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};
 
-/// Each function here is wrong by at most this many units for each of the `bits`; see the functions for the reason.
+/// Largest error of a result of this file, in units of `2^-bits`, divided by `bits`. Each function says why.
 pub const UNITS_PER_BIT: f64 = 2.0;
 
-/// The product of two fixed-point numbers.
+/// Returns the product of two fixed-point numbers.
 fn multiplied(a: &[u64], b: &[u64], bits: usize) -> Vec<u64> {
     shifted_right(&product(a, b), bits)
 }
 
-/// `2 atanh(numerator / denominator) 2^bits`, the logarithm of `(denominator + numerator) / (denominator - numerator)`.
+/// Returns `2 atanh(numerator / denominator) 2^bits`, the logarithm of `(denominator + numerator) / (denominator -
+/// numerator)`.
 ///
 /// The quotient `s` must be at most 1/3. The series is `2 (s + s^3 / 3 + s^5 / 5 + ...)`. A power of `s` is wrong by
 /// less than 2 units: the error of the power before it is divided by 9, that of `s^2` by 3, and 1 is added. A term is
@@ -33,12 +34,13 @@ fn two_atanh(numerator: u64, denominator: u64, bits: usize) -> Vec<u64> {
     shifted(&total, 1)
 }
 
-/// `a + b` for numbers of any order.
+/// Returns `a + b`. Either number may be the larger one.
 fn sum_of(a: &[u64], b: &[u64]) -> Vec<u64> {
     if a.len() < b.len() { sum(b, a, false) } else { sum(a, b, false) }
 }
 
-/// The natural logarithm of `integer 2^exponent`, for a positive integer below 2^62, and the bound of its error.
+/// Returns the natural logarithm of `integer 2^exponent`, for a positive integer below 2^62, and the bound of its
+/// error.
 ///
 /// With `integer = m 2^k` and `1 <= m < 2` it is `(exponent + k) ln 2 + ln m`.
 pub fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
@@ -51,8 +53,8 @@ pub fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
     (&(&exact(power as f64) * &two) + &mantissa, exact(error).scaled(-(bits as i64)))
 }
 
-/// Sine and cosine of `integer 2^exponent`, and the bound of the error of each. The angle must be from 0 to 1.58, and a
-/// multiple of `2^-bits`.
+/// Returns sine and cosine of `integer 2^exponent`, and the bound of the error of each. The angle must be from 0 to
+/// 1.58, and a multiple of `2^-bits`.
 ///
 /// The series is that of Taylor: term `k + 1` is term `k` times the angle divided by `k + 1`, and the signs alternate
 /// in pairs. A term is wrong by less than 4 units: the error of the term before, times 1.58 and divided by `k + 1`, and
@@ -74,7 +76,7 @@ pub fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2]
     ([&sine - &minus_sine, &cosine - &minus_cosine], exact(UNITS_PER_BIT * bits as f64).scaled(-(bits as i64)))
 }
 
-/// A finite number without rounding.
+/// Returns a finite number without rounding.
 fn exact(value: f64) -> Dyadic {
     Dyadic::new(value).expect("the value is finite")
 }

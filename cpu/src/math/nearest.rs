@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-/// `integer 2^exponent`, halfway between two neighbouring `f64`.
+/// The number `integer * 2^exponent`, which lies halfway between two neighbouring `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Midpoint {
     /// An odd number below 2^54.
@@ -15,8 +15,8 @@ pub struct Midpoint {
 }
 
 impl Midpoint {
-    /// The midpoint between `below` and the next larger `f64`. `below` is finite and not negative. The number after the
-    /// largest `f64` is 2^1024.
+    /// Returns the midpoint between `below` and the next larger `f64`. `below` is finite and not negative. The number
+    /// after the largest `f64` is 2^1024.
     const fn above(below: f64) -> Self {
         let (bits, biased) = (below.to_bits(), below.to_bits() >> 52);
         let implicit = if biased == 0 { 0 } else { 1 << 52 };
@@ -26,7 +26,7 @@ impl Midpoint {
     }
 }
 
-/// The `f64` nearest to a positive number; of two nearest ones, that with the even fraction (IEEE 754,
+/// Returns the `f64` nearest to a positive number; of two nearest ones, that with the even fraction (IEEE 754,
 /// roundTiesToEven).
 ///
 /// `compare` compares the number with a midpoint, and returns `None` if it cannot. Then the result is `None` too. The

@@ -15,8 +15,8 @@ use crate::math::nearest::{Midpoint, nearest};
 use crate::math::power::quick::Quick;
 use crate::math::tangent::certain_sign;
 
-/// `base^exponent` for a positive exponent, correctly rounded. Special values are those of `pow` in C (C17, F.10.4.4).
-/// For an exponent that is zero, negative or NaN the result is NaN.
+/// Returns `base^exponent` for a positive exponent, correctly rounded. Special values are those of `pow` in C (C17,
+/// F.10.4.4). For an exponent that is zero, negative or NaN the result is NaN.
 #[inline(always)]
 pub fn power(base: f64, exponent: f64) -> f64 {
     if base > 0.0 && base < f64::INFINITY && exponent > 0.0 && exponent < f64::INFINITY {
@@ -29,7 +29,7 @@ pub fn power(base: f64, exponent: f64) -> f64 {
     }
 }
 
-/// The power if a number is not finite, or the base is not positive.
+/// Returns the power if a number is not finite, or if the base is not positive.
 #[cold]
 #[inline(never)]
 fn special(base: f64, exponent: f64) -> f64 {
@@ -58,7 +58,7 @@ fn special(base: f64, exponent: f64) -> f64 {
     }
 }
 
-/// The power of positive finite numbers. `candidate` is near it.
+/// Returns the power of positive finite numbers. `candidate` is a number near the power.
 #[cold]
 #[inline(never)]
 fn decided(base: f64, exponent: f64, candidate: f64) -> f64 {
@@ -111,7 +111,7 @@ fn is_equal(base: f64, exponent: f64, midpoint: Midpoint) -> bool {
     odd == Some(midpoint.integer) && (&power_of_two - &exact(midpoint.exponent as f64)).sign() == Ordering::Equal
 }
 
-/// A positive finite number as `(odd, power)`, for `odd 2^power`.
+/// Returns a positive finite number `odd 2^power` as `(odd, power)`.
 fn odd_part(number: f64) -> (u64, i64) {
     let (fraction, biased) = (number.to_bits() & ((1 << 52) - 1), number.to_bits() >> 52);
     let (integer, power) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased as i64 - 1075) };
@@ -119,7 +119,7 @@ fn odd_part(number: f64) -> (u64, i64) {
     (integer >> zeros, power + i64::from(zeros))
 }
 
-/// A finite number without rounding.
+/// Returns a finite number without rounding.
 fn exact(value: f64) -> Dyadic {
     Dyadic::new(value).expect("the value is finite")
 }

@@ -6,7 +6,7 @@ use crate::math::dyadic::Dyadic;
 use crate::math::fixed_point::sine_and_cosine;
 use crate::math::nearest::{Midpoint, nearest};
 
-/// The tangent of an angle from 0 to `pi / 2`, in radians, correctly rounded. It takes some ten microseconds.
+/// Returns the tangent of an angle from 0 to `pi / 2`, in radians, correctly rounded. It takes some ten microseconds.
 ///
 /// The tangent of an `f64` is never a midpoint of two `f64`, because it is transcendental unless the angle is 0. So a
 /// comparison with enough bits always decides. NaN gives NaN, as does any angle outside of the range.
@@ -29,7 +29,7 @@ pub fn tangent(angle: f64) -> f64 {
     }
 }
 
-/// The tangent, if `bits` bits decide its rounding.
+/// Returns the tangent if `bits` bits decide its rounding, and otherwise `None`.
 fn rounded(angle: f64, bits: usize) -> Option<f64> {
     let integer = angle.to_bits() & ((1 << 52) - 1) | 1 << 52;
     let exponent = (angle.to_bits() >> 52) as i64 - 1075;
@@ -44,7 +44,8 @@ fn rounded(angle: f64, bits: usize) -> Option<f64> {
     })
 }
 
-/// The sign of a number of which only `difference` is known, to within `error`; none if both signs are possible.
+/// Returns the sign of a number of which only `difference` is known, to within `error`; none if both signs are
+/// possible.
 pub fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
     match ((difference - error).sign(), (difference + error).sign()) {
         (Ordering::Greater, _) => Some(Ordering::Greater),

@@ -4,8 +4,8 @@ use crate::exact;
 use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray, sphere::SphereRecord};
 use crate::math::vec3::Vec3;
 
-/// The intersections of a ray with one sphere or cylinder. Some tests implement it to count intersections, or to leave
-/// out a step of them.
+/// The formulas with which the reference intersects a ray with one sphere or cylinder: [`Plain`] or [`Exact`]. Some
+/// tests implement this trait too, to count intersections or to leave out a step of the exact formulas.
 pub trait Intersect {
     /// Whether the reference takes its own literal formulas instead of those of this type.
     const IS_LITERAL: bool = false;

@@ -11,7 +11,7 @@
 //!
 //! Neither the reference nor WGSL has this rule: they trace every ray.
 //!
-//! If a bound is NaN or infinite, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or
+//! If a bound is NaN, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or
 //! scene are extreme, lengths may underflow and the slope has no meaning. So in such a scene every pixel is traced
 //! ([`Candidates::are_culled`](crate::render::frustum::Candidates::are_culled)).
 //!
@@ -30,7 +30,8 @@ use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
 use crate::simd::{SimdF64, columns::Columns};
 
-/// The bytes and the bounds of a span's pixels.
+/// State for finding the bytes of background pixels, reused from span to span. It holds the span's bytes found so far.
+/// For each pixel it also holds a bound of the background's slope, and bounds of the mean of each channel.
 #[derive(Debug)]
 pub struct BackgroundPixels {
     /// The bytes of the pixels that are done, in order.

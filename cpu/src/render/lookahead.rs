@@ -9,7 +9,7 @@
 //! use these ports, so they take almost no time.
 //!
 //! If a ray is the last one that its path may send, and it certainly hits an object, the hit itself is not needed. The
-//! path is black, and the surface takes one scatter sample.
+//! path is black, and the surface takes one scatter sample. This is used only if no object is refractive.
 //!
 //! A path escapes only if the conservative test discards every object. The test discards no object if a number is NaN
 //! or if the direction is too short.

@@ -1,6 +1,6 @@
 //! The prepared scene: all values that rendering needs, computed once from the checked texts.
 
-use crate::render::background::Background;
+use crate::render::{background::Background, max_depth::RaysLeft};
 use crate::{
     accel::choice::Accel, accel::extent::Extent, geometry::camera::Camera, image::quantize::Quantizer,
     input::config::Config, input::error::Error, input::error::with_room, input::material::Material,
@@ -71,7 +71,7 @@ impl<L: Layout> Prepared<L> {
             max_depth: config.max_depth,
             scatter,
             scatter_stream: if needs_samples(config, &materials, scatter) { scatter } else { Scatter::Deterministic },
-            scatters_everywhere: !materials.iter().any(|material| matches!(material, Material::Refractive { .. })),
+            scatters_everywhere: materials.iter().all(|material| takes_scatter_sample(material, scatter)),
             ray_seed: config.ray_rng_seed,
             material_seed: config.material_rng_seed,
         })
@@ -83,10 +83,14 @@ impl<L: Layout> Prepared<L> {
 /// numbers are multiplied by zero. In the published convention this product may be a negative zero, so the sample is
 /// needed.
 fn needs_samples(config: &Config, materials: &[Material], scatter: Scatter) -> bool {
-    let scatters = |material: &Material| match *material {
-        Material::Matte { .. } => true,
-        Material::Metal { diffusion, .. } => diffusion != 0.0 || scatter == Scatter::Published,
-        Material::Refractive { .. } => false,
+    let is_smooth = |material: &Material| matches!(*material, Material::Metal { diffusion, .. } if diffusion == 0.0);
+    let is_needed = |material: &Material| {
+        takes_scatter_sample(material, scatter) && (scatter == Scatter::Published || !is_smooth(material))
     };
-    config.max_depth > 1 && materials.iter().any(scatters)
+    !RaysLeft::after_camera_ray(config.max_depth).is_none() && materials.iter().any(is_needed)
+}
+
+/// Whether a surface of `material` takes a scatter sample.
+fn takes_scatter_sample(material: &Material, scatter: Scatter) -> bool {
+    PreparedMaterial::new(material, scatter).takes_scatter_sample()
 }

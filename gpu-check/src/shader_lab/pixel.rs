@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 use crate::Float;
 use crate::steps::{NAMES, Step, first_difference};
 
-/// Returns the indices of the numbers of a step that are printed. `hit` is the step's `is_hit`. For a hit these are all
-/// numbers except the background. For an escape these are origin, direction and background.
+/// Returns the indices in [`NAMES`] of those numbers of a step that are printed. `hit` is the step's `is_hit`: 1 for a
+/// hit, 0 for an escape, -1 after the end of the path. For a hit, all numbers except the background's colour are
+/// printed. For an escape, `is_hit`, origin, direction and the background's colour are printed. After the end of the
+/// path, the result is empty.
 fn shown(hit: f64) -> Vec<usize> {
     match hit {
         1.0 => (0..18).collect(),

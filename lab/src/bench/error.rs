@@ -14,7 +14,7 @@ use crate::difference::of_pixels;
 use crate::engine::means;
 use crate::interrupt::Interrupt;
 
-/// The error of pictures with one number of samples.
+/// The errors of pictures of one scene that all have the same number of samples per pixel, but different seeds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorPoint {
     /// Number of samples of a pixel.

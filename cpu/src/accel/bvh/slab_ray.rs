@@ -17,7 +17,8 @@
 use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
 use crate::{geometry::ray::Ray, simd::SimdF32};
 
-/// The distance by which a plane is moved, relative to the coordinates of plane and origin: `16 u`.
+/// Factor of the distance by which a slab's plane is moved: `16 u`, with `u = 2^-24`. It is multiplied by the sum of
+/// two magnitudes along the axis: the origin's coordinate, and the coordinate of the scene's farthest plane.
 const STEP: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a

@@ -20,7 +20,7 @@ use crate::math::dyadic::power_of_two;
 use crate::math::power::tables::{LN_2, exponential, logarithm, reciprocal};
 use crate::math::real::Real;
 
-/// A bound of the relative error.
+/// An upper bound of the relative error of a power in double-double arithmetic. The head of this file derives it.
 const ERROR: f64 = 1.0 / (1_u128 << 83) as f64;
 
 /// The result of [`power`].
@@ -32,7 +32,7 @@ pub enum Quick {
     Candidate(f64),
 }
 
-/// `base^exponent` for positive finite numbers.
+/// Computes `base^exponent` for positive finite numbers.
 #[inline(always)]
 pub fn power(base: f64, exponent: f64) -> Quick {
     let logarithm = ln(base);
@@ -55,7 +55,7 @@ pub fn power(base: f64, exponent: f64) -> Quick {
     if low == high && power >= -1021 { Quick::Certain(candidate) } else { Quick::Candidate(candidate) }
 }
 
-/// The natural logarithm of a positive finite number.
+/// Returns the natural logarithm of a positive finite number.
 #[inline(always)]
 fn ln(x: f64) -> DoubleDouble {
     const FRACTION: u64 = (1 << 52) - 1;
@@ -69,7 +69,7 @@ fn ln(x: f64) -> DoubleDouble {
     DoubleDouble::of(e as f64) * LN_2 + (logarithm(k) + ln_1p(z))
 }
 
-/// `ln(1 + z)`, for `|z| <= 2^-7.5`.
+/// Returns `ln(1 + z)`, for `|z| <= 2^-7.5`.
 #[inline(always)]
 fn ln_1p(z: DoubleDouble) -> DoubleDouble {
     let tail = (7..=14).rev().fold(0.0, |sum, n| 1.0 / f64::from(n) - z.high * sum);
@@ -82,7 +82,7 @@ fn ln_1p(z: DoubleDouble) -> DoubleDouble {
     z - z * z * sum
 }
 
-/// `e^t` as `(fraction, power)`, for `fraction 2^power`. The fraction is from 0.7 to 1.5.
+/// Returns `e^t` as `(fraction, power)`, for `fraction 2^power`. The fraction is from 0.7 to 1.5.
 #[inline(always)]
 fn exp(t: DoubleDouble) -> (DoubleDouble, i64) {
     let n = nearest_integer(t.high / LN_2.high);
@@ -108,7 +108,7 @@ fn exp(t: DoubleDouble) -> (DoubleDouble, i64) {
     (exponential(j) * sum, n)
 }
 
-/// The integer nearest to a number of moderate size.
+/// Returns the integer nearest to a number below 2^53.
 #[inline(always)]
 fn nearest_integer(value: f64) -> i64 {
     (value + 0.5_f64.copysign(value)) as i64

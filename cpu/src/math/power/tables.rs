@@ -2,7 +2,7 @@
 
 use crate::math::double_double::DoubleDouble;
 
-/// The integers here stand for themselves times `2^-BITS`.
+/// Number of fraction bits of the fixed-point integers in this file: an integer `i` represents the number `i / 2^BITS`.
 const BITS: u32 = 120;
 
 /// The smallest index of [`logarithm`].
@@ -40,7 +40,7 @@ const LOGARITHMS: [DoubleDouble; 92] = {
     table
 };
 
-/// `ln(128 / k)` for `k` from 90 to 181, wrong by less than `2^-108`. It is exactly 0 for 128.
+/// Returns `ln(128 / k)` for `k` from 90 to 181, wrong by less than `2^-108`. It is exactly 0 for 128.
 #[inline(always)]
 pub const fn logarithm(k: usize) -> DoubleDouble {
     LOGARITHMS[k - FIRST]
@@ -70,18 +70,18 @@ const EXPONENTIALS: [DoubleDouble; 47] = {
     table
 };
 
-/// `e^(j / 64)` for `j` from -23 to 23, wrong by less than `2^-105`.
+/// Returns `e^(j / 64)` for `j` from -23 to 23, wrong by less than `2^-105`.
 #[inline(always)]
 pub const fn exponential(j: i64) -> DoubleDouble {
     EXPONENTIALS[(j + LAST as i64) as usize]
 }
 
-/// `1 / divisor`, to 106 bits.
+/// Returns `1 / divisor`, to 106 bits.
 pub const fn reciprocal(divisor: i128) -> DoubleDouble {
     number((1 << BITS) / divisor)
 }
 
-/// The integer times `2^-BITS`, to 106 bits.
+/// Returns the integer times `2^-BITS`, to 106 bits.
 const fn number(integer: i128) -> DoubleDouble {
     const UNIT: f64 = 1.0 / (1_i128 << BITS) as f64;
     let high = integer as f64;

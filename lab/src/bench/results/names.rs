@@ -3,7 +3,7 @@
 
 use super::Results;
 
-/// Old and new names of the implementations of the intersections.
+/// Old and new endings of the names of the implementations of the intersections.
 const IMPLEMENTATIONS: [(&str, &str); 3] =
     [("textbook f64", "plain f64"), ("certified f64", "exact f64"), ("textbook f32", "plain f32")];
 

@@ -14,7 +14,8 @@ use crate::interrupt::Interrupt;
 use crate::{sources, terminal};
 
 impl How {
-    /// Measures `tasks` one after the other, and writes the results to the file of `--out`.
+    /// Measures `tasks` one after the other, and writes the results to the file of `--out`. If it is interrupted, the
+    /// results of finished tasks are kept in a partial file. With `--resume`, these tasks are not measured again.
     ///
     /// # Errors
     /// An error of a file or a task, or an interruption.
