@@ -6,8 +6,8 @@
 #
 #   tests/ratio.sh 5 scenes/spheres/config.txt scenes/spheres/scene.txt
 #
-# RENDER_INSTRUCTION_SET=portable|avx2|avx512|avx512-throughout forces an instruction set. PROGRAM and YARDSTICK replace
-# the two programs by commands, as in YARDSTICK="env RENDER_INSTRUCTION_SET=portable target/release/render-aos".
+# RENDER_INSTRUCTION_SET=portable|neon|avx2|avx512|avx512-throughout forces an instruction set. PROGRAM and YARDSTICK
+# replace the two programs, as in YARDSTICK="env RENDER_INSTRUCTION_SET=portable target/release/render-aos".
 set -euo pipefail
 
 if [ "${1:-}" = --help ]; then
