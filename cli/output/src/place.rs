@@ -49,8 +49,7 @@ impl Place {
         if let Some(kind) = metadata.as_ref().map(fs::Metadata::file_type).filter(|kind| !kind.is_file()) {
             return special(path, kind);
         }
-        let is_there = |metadata| fs::symlink_metadata(&target).is_ok_and(|found| is_same(&found, metadata));
-        if !metadata.as_ref().is_none_or(is_there) {
+        if metadata.is_some() && !has_name(path, &target) {
             return Err(io::Error::new(ErrorKind::NotFound, "it is an open file that has lost its name"));
         }
         Temporary::new(&target, sync).map(Self::Regular)
@@ -73,6 +72,21 @@ fn follow(path: &Path) -> io::Result<PathBuf> {
         }
     }
     Err(io::Error::other("too many links lead on from it"))
+}
+
+/// Whether `target`, to which the links of `path` lead, is the name of the file at `path`. It is not if `path` leads to
+/// an open file that was removed.
+///
+/// Another program may replace the file between the two calls. So the calls are repeated if they find different files.
+fn has_name(path: &Path, target: &Path) -> bool {
+    const TRIES: u32 = 20;
+    let is_there = |_| match (fs::metadata(path), fs::symlink_metadata(target)) {
+        (Ok(file), Ok(named)) => is_same(&file, &named),
+        (Ok(_), Err(_)) => false,
+        // The file was removed meanwhile. A new one can be created.
+        (Err(_), _) => true,
+    };
+    path == target || (0..TRIES).any(is_there)
 }
 
 fn special(path: &Path, kind: FileType) -> io::Result<Place> {

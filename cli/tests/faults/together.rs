@@ -1,6 +1,8 @@
 //! Two programs that write the same file at the same time.
 
 use std::fs;
+use std::io::Read;
+use std::process::{Command, Stdio};
 
 use crate::workshop::{PROGRAMS, Running, Workshop};
 
@@ -10,6 +12,11 @@ const PAIRS: usize = 100;
 /// A picture of `width` columns and rows of the background. Pictures of different sizes can be told apart.
 fn config(width: usize) -> String {
     format!("image_width: {width}\naspect_ratio: 1 1\nsamples_per_pixel: 1\n")
+}
+
+/// Starts a program whose messages the test reads.
+fn start(mut command: Command) -> Running {
+    Running::start(command.stderr(Stdio::piped()))
 }
 
 #[test]
@@ -29,11 +36,15 @@ fn two_programs_that_write_one_file_leave_one_whole_picture_and_nothing_else() {
             fs::write(workshop.file("d/out.ppm"), "old").expect("the folder is writable");
         }
         let mut programs = [
-            Running::start(&mut workshop.command(PROGRAMS[pair / 2 % 2])),
-            Running::start(&mut workshop.command_with(PROGRAMS[(pair / 2 + 1) % 2], large_names)),
+            start(workshop.command(PROGRAMS[pair / 2 % 2])),
+            start(workshop.command_with(PROGRAMS[(pair / 2 + 1) % 2], large_names)),
         ];
         for program in &mut programs {
-            assert!(program.wait().expect("it ends").success(), "pair {pair}");
+            let mut message = String::new();
+            let stderr = program.stderr.take();
+            stderr.expect("it is a pipe").read_to_string(&mut message).expect("messages are text");
+            let status = program.wait().expect("it ends");
+            assert!(status.success(), "pair {pair}: {status}: {message}");
         }
         let picture = fs::read(workshop.file("d/out.ppm")).expect("it was written");
         assert!(picture == small || picture == large, "pair {pair}: {} bytes", picture.len());
