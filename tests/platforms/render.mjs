@@ -24,6 +24,6 @@ const bytes = Buffer.from(memory.buffer, result(), result_length());
 if (status === 0) {
     writeFileSync(out, bytes);
 } else {
-    console.error(bytes.toString());
+    console.error(`Error: ${bytes}`);
     process.exit(1);
 }

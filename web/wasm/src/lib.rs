@@ -35,9 +35,9 @@ pub extern "C" fn room(text: usize, length: usize) -> *mut u8 {
 
 /// Renders the two texts, and returns 0 for a picture and 1 for an error.
 ///
-/// The result is then a PPM file, or a message without a line end. `layout` is 0 for arrays of structures, 1 for
-/// structures of arrays. `is_published` is 1 for the scatter vectors of the published images, 0 for the statement's.
-/// `is_portable` is 1 to render without the module's 128-bit lanes.
+/// The result is then a PPM file, or a message without `Error: ` before it and without a line end. `layout` is 0 for
+/// arrays of structures, 1 for structures of arrays. `is_published` is 1 for the scatter vectors of the published
+/// images, 0 for the statement's. `is_portable` is 1 to render without the module's 128-bit lanes.
 #[unsafe(no_mangle)]
 pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u32 {
     let mut state = state();
@@ -45,7 +45,7 @@ pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u3
     let set = if is_portable == 0 { InstructionSet::best() } else { InstructionSet::Portable };
     let file = if layout == 0 { file::<Aos>(&state, scatter, set) } else { file::<Soa>(&state, scatter, set) };
     let status = u32::from(file.is_err());
-    state.result = file.unwrap_or_else(|error| error.to_string().into_bytes());
+    state.result = file.unwrap_or_else(|error| error.message());
     status
 }
 
@@ -99,7 +99,7 @@ mod tests {
         assert!(files[0] == files[1] && files[0] == files[2] && files[0] != files[3]);
         write(1, b"triangle: 1\n");
         assert_eq!(render(0, 0, 0), 1);
-        assert_eq!(state().result, b"Error: Unknown scene entity: triangle");
+        assert_eq!(state().result, b"Unknown scene entity: triangle");
         assert!(room(2, 1).is_null());
     }
 }
