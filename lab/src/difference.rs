@@ -33,7 +33,7 @@ pub struct Difference {
     /// The smallest rectangle that holds all pixels with a difference: column, row, width, height. `None` if the
     /// pictures are equal.
     pub bounding_box: Option<[usize; 4]>,
-    /// Whether the course accepts the pictures as equal: `maximum` and `rmse` are below their limits.
+    /// Whether `maximum` and `rmse` are below the limits within which the course accepts a picture.
     pub accepted: bool,
 }
 

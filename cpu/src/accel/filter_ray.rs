@@ -51,8 +51,8 @@ pub struct BoundingSpheres {
     constant: Row,
 }
 
-/// A block of infinite cylinders, whose bounding spheres are stored separately. The axes have length `sqrt(2)`. This
-/// doubles the products of two dot products with an axis, because all other terms are doubled too.
+/// A block of infinite cylinders, whose bounding spheres are stored separately. All other terms of the test are
+/// doubled. So the axes have length `sqrt(2)`, which doubles a product of two dot products with an axis.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct InfiniteCylinders {

@@ -55,7 +55,7 @@ pub enum CylinderPart {
     Side = 0,
     /// The cap that the axis points to.
     Top = 1,
-    /// The cap opposite to the top cap.
+    /// The cap at the end to which the axis does not point.
     Bottom = 2,
 }
 

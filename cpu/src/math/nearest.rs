@@ -5,6 +5,8 @@
 
 use std::cmp::Ordering;
 
+use crate::math::dyadic::Dyadic;
+
 /// The number `integer * 2^exponent`, which lies halfway between two neighbouring `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Midpoint {
@@ -53,10 +55,19 @@ pub fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Ordering>) -
     Some(result)
 }
 
+/// Returns the sign of a number of which only `difference` is known, to within `error`; none if both signs are
+/// possible.
+pub fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
+    match ((difference - error).sign(), (difference + error).sign()) {
+        (Ordering::Greater, _) => Some(Ordering::Greater),
+        (_, Ordering::Less) => Some(Ordering::Less),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::dyadic::Dyadic;
 
     /// Rounds `number` from `candidate`.
     fn rounded(number: &Dyadic, candidate: f64) -> Option<f64> {
@@ -93,5 +104,14 @@ mod tests {
     #[test]
     fn what_cannot_be_compared_has_no_result() {
         assert_eq!(nearest(1.0, |_| None), None);
+    }
+
+    #[test]
+    fn a_sign_is_certain_beyond_the_error_only() {
+        let [large, small] = [2.0, 1.0].map(|value| Dyadic::new(value).expect("the value is finite"));
+        assert_eq!(certain_sign(&large, &small), Some(Ordering::Greater));
+        assert_eq!(certain_sign(&-&large, &small), Some(Ordering::Less));
+        assert_eq!(certain_sign(&small, &large), None);
+        assert_eq!(certain_sign(&small, &small), None);
     }
 }

@@ -11,9 +11,8 @@ use std::cmp::Ordering;
 
 use crate::math::dyadic::Dyadic;
 use crate::math::fixed_point::logarithm;
-use crate::math::nearest::{Midpoint, nearest};
+use crate::math::nearest::{Midpoint, certain_sign, nearest};
 use crate::math::power::quick::Quick;
-use crate::math::tangent::certain_sign;
 
 /// Returns `base^exponent` for a positive exponent, correctly rounded. Special values are those of `pow` in C (C17,
 /// F.10.4.4). For an exponent that is zero, negative or NaN the result is NaN.

@@ -1,10 +1,8 @@
 //! The tangent of an angle, correctly rounded, so that it has the same bits on every system.
 
-use std::cmp::Ordering;
-
 use crate::math::dyadic::Dyadic;
 use crate::math::fixed_point::sine_and_cosine;
-use crate::math::nearest::{Midpoint, nearest};
+use crate::math::nearest::{Midpoint, certain_sign, nearest};
 
 /// Returns the tangent of an angle from 0 to `pi / 2`, in radians, correctly rounded. It takes some ten microseconds.
 ///
@@ -44,16 +42,6 @@ fn rounded(angle: f64, bits: usize) -> Option<f64> {
     })
 }
 
-/// Returns the sign of a number of which only `difference` is known, to within `error`; none if both signs are
-/// possible.
-pub fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
-    match ((difference - error).sign(), (difference + error).sign()) {
-        (Ordering::Greater, _) => Some(Ordering::Greater),
-        (_, Ordering::Less) => Some(Ordering::Less),
-        _ => None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -76,14 +64,5 @@ mod tests {
             let (ours, system) = (tangent(angle), angle.tan());
             assert!(ours.to_bits().abs_diff(system.to_bits()) <= 1, "{angle:e}: {ours:e}, {system:e}");
         }
-    }
-
-    #[test]
-    fn a_sign_is_certain_beyond_the_error_only() {
-        let [large, small] = [2.0, 1.0].map(|value| Dyadic::new(value).expect("the value is finite"));
-        assert_eq!(certain_sign(&large, &small), Some(Ordering::Greater));
-        assert_eq!(certain_sign(&-&large, &small), Some(Ordering::Less));
-        assert_eq!(certain_sign(&small, &large), None);
-        assert_eq!(certain_sign(&small, &small), None);
     }
 }
