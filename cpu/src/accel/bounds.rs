@@ -66,7 +66,8 @@ impl Bounds {
     ///
     /// The box contains every hit point that the intersection may return. Such a point may lie a little outside of the
     /// surface, because rounding changes the discriminant. The change is at most some units in the last place of the
-    /// squared distance from the ray's origin to the centre. It has the effect of a larger radius.
+    /// squared distance from the ray's origin to the centre. It has the effect of a larger radius. The box has room for
+    /// a change of 64 `EPSILON` times the largest such distance squared, `12 max_coordinate^2`.
     pub fn of_object<O: Objects>(objects: &O, id: ObjectId, extent: &Extent) -> Self {
         let distance_squared = 12.0 * extent.max_coordinate * extent.max_coordinate;
         let slack = |radius: f64| (radius * radius + 64.0 * f64::EPSILON * distance_squared).sqrt() - radius;
@@ -86,7 +87,7 @@ impl Bounds {
     }
 
     fn around(center: Vec3, half_size: Vec3) -> Self {
-        // The added millionth covers the rounding of centre, half size and their sum to single precision.
+        // The factor `1 + 1e-6` covers the rounding of centre, half size and their sum to single precision.
         let half_size = (half_size * (1.0 + 1e-6)).to_array();
         let center = center.to_array();
         Self {

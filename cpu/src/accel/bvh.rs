@@ -18,7 +18,7 @@ use crate::{
     simd::SimdF32,
 };
 
-/// Maximum number of objects for which the isolated objects are found. To find them takes as long as to build the tree.
+/// Maximum number of objects for which the isolated objects are found. Finding them takes as long as building the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;
 
 /// Maximum number of nodes that are visited to decide whether an object is isolated. It limits the time.
@@ -28,14 +28,14 @@ const MOST_VISITS: usize = 64;
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Vec<Node>,
-    /// The two highest levels of the tree, as one row of boxes.
+    /// The two highest levels of the tree, as one list of boxes.
     collapsed_root: CollapsedRoot,
-    /// The distances by which slab tests move the planes of the boxes, to cover rounding.
+    /// For each axis, the part of a plane's move that does not depend on the ray; see [`slab_ray::steps`].
     steps: [f32; 3],
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
     pub(super) isolated: Isolated,
-    /// A bound of the scene's coordinates for the conservative test of the origin object.
+    /// A bound of the scene's coordinates for the conservative test of the origin object: twice the largest coordinate.
     max_coordinate: f64,
 }
 
@@ -58,7 +58,7 @@ impl Bvh {
         let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate);
         let mut bvh = Self { nodes, collapsed_root, steps, dominant, isolated, max_coordinate };
         if count <= MOST_FOR_ISOLATION {
-            // Enlarged by how far rounding may move the points of a surface.
+            // The boxes are enlarged by more than rounding can move a point of a surface.
             let slack = (1e-9 * extent.max_coordinate) as f32;
             bvh.isolated = Isolated::new(count, |id| {
                 dominant.is(id) || bvh.overlaps_another(id, &Bounds::of_object(objects, id, extent).enlarged(slack))

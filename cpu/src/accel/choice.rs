@@ -20,7 +20,7 @@ use crate::accel::{
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
 
-/// The acceleration structure of a scene.
+/// The acceleration structure of a scene, which [`Accel::new`] chooses by the number of objects and their magnitudes.
 #[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "a scene has one")]
 pub enum Accel {
@@ -28,7 +28,7 @@ pub enum Accel {
     EveryObject,
     /// The structure for up to eight objects.
     SmallScene(SmallScene),
-    /// The structure that tests up to 64 spheres and 64 cylinders in single precision, several at once.
+    /// The structure for up to 64 spheres and 64 cylinders, which tests several of them at once in single precision.
     FlatFilter(FlatFilter),
     /// The tree of boxes, for any number of objects.
     Bvh(Bvh),

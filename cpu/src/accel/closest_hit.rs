@@ -55,7 +55,8 @@ impl ClosestHit {
     }
 
     /// Intersects the dominant sphere, which is at `index` among the spheres, and updates the closest hit. The
-    /// compensated formula is inlined here, because the filter is often uncertain for rays near this sphere.
+    /// compensated formula is inlined into this function, because the filter is often uncertain for rays that start
+    /// near the dominant sphere.
     #[inline(always)]
     pub fn intersect_dominant_sphere<O: Objects>(&mut self, objects: &O, index: usize, ray: &Ray) {
         let decision = exact::sphere::filtered_or_compensated(&objects.sphere(index).record, ray);

@@ -12,7 +12,10 @@ use crate::geometry::ray::{LAMBDA_MIN, Ray};
 use crate::layout::Objects;
 use crate::math::{real::Real, rounding::MulAdd, vec3::Vec3};
 
-/// The margin of the constant `c`, relative to the sum of the magnitudes of its terms. It is a thousand roundings.
+/// The margin of the constant term `c` of a quadratic `a lambda^2 - 2 h lambda + c`, relative to the sum of the
+/// magnitudes of the terms of `c` ([`Quadratic::size`]). It is `1024 u`: room for about 1,000 roundings, each with a
+/// relative error of at most `u = EPSILON / 2`. The tests and the exact formulas together need a quarter of this, so
+/// rounding never discards an object that the ray hits (docs/margins.md).
 pub(super) const MARGIN: f64 = 512.0 * f64::EPSILON;
 
 /// The smallest squared length of a direction for which the tests are valid. With it the margins exceed 10^-31, so
@@ -46,7 +49,7 @@ pub(super) struct Quadratic<T> {
     pub a: T,
     pub h: T,
     pub c: T,
-    /// The sum of the magnitudes of the terms of `c`.
+    /// The sum of the magnitudes of the terms of `c`, or a bound of it.
     pub size: T,
 }
 
@@ -100,8 +103,8 @@ impl<T: MulAdd> ConservativeRay<T> {
         !(across.has_no_root(least_product) | target.half_height.less(past_middle))
     }
 
-    /// Returns the quadratic of ray and side, and the components along the axis of two vectors. They are the direction,
-    /// and the vector from the ray's origin to the centre.
+    /// Returns the quadratic of the ray and the infinite cylinder. Then it returns the components along the axis of two
+    /// vectors: the direction, and the vector from the ray's origin to the centre.
     #[inline(always)]
     pub(super) fn cylinder_quadratic(&self, target: &Target<T>) -> (Quadratic<T>, T, T) {
         let to_center = target.center - self.ray.origin;
@@ -120,7 +123,8 @@ impl<T: MulAdd> ConservativeRay<T> {
 }
 
 impl<T: MulAdd> Quadratic<T> {
-    /// Whether the quadratic certainly has no root in range. `least_product` is `a c`, lowered by the margin.
+    /// Whether the quadratic certainly has no root in range, at a lambda of at least [`LAMBDA_MIN`]. `least_product` is
+    /// `a c`, lowered by the margin.
     #[inline(always)]
     fn has_no_root(&self, least_product: T) -> T::Mask {
         let Self { a, h, c, size } = *self;

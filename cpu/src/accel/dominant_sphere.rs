@@ -16,8 +16,8 @@ use crate::math::vec3::Vec3;
 /// A sphere is dominant if its radius is at least this many times each other object's bounding radius.
 const RATIO: f64 = 8.0;
 
-/// Maximum number of objects that overlap the dominant sphere. With more objects, to intersect each of them takes
-/// longer than the filter.
+/// Maximum number of objects that overlap the dominant sphere. With more objects, intersecting each of them takes
+/// longer than the flat filter.
 const MOST_OVERLAPPING: usize = 4;
 
 /// The number of the dominant sphere, or `None` if no sphere is dominant.
@@ -67,12 +67,12 @@ impl DominantSphere {
         self.0.is_some_and(|id| ray.direction.dot(ray.origin - objects.sphere(id as usize).record.center) < 0.0)
     }
 
-    /// Predicts whether the next ray of a path enters the dominant sphere. The present ray hits the dominant sphere at
-    /// `lambda`, and the surface scatters with this material and this random vector. Fewer than one prediction in 1,000
-    /// is wrong (`cpu/tests/counters.rs`).
+    /// Predicts whether the next ray of a path enters the dominant sphere. The path's last ray, `ray`, hits the
+    /// dominant sphere at `lambda`, and the surface scatters with the material `material_data` and the random vector
+    /// `vector`. Fewer than one prediction in 1,000 is wrong (`cpu/tests/counters.rs`).
     ///
     /// The processor often mispredicts a branch on whether a ray enters. The prediction of this function is known
-    /// earlier than the ray. To compute the ray takes a point, a normal, a mirrored direction and its length, one after
+    /// earlier than the ray. Computing the ray takes a point, a normal, a mirrored direction and its length, one after
     /// the other.
     ///
     /// Let `w` be the vector from the centre to the hit point. The ray enters if the dot product of its direction and

@@ -3,7 +3,8 @@
 use crate::accel::{object::ObjectId, object::ObjectRef, object::bounding_sphere, object::count};
 use crate::{geometry::camera::Camera, input::material::Material, layout::Objects, math::vec3::Vec3};
 
-/// The largest coordinate of a scene, and whether the scene is moderate.
+/// The largest coordinate of a scene, and whether the scene is moderate: no magnitude is so large or so small that a
+/// conservative test could overflow or underflow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// The largest magnitude of a coordinate of the objects and of the camera, in scene units.

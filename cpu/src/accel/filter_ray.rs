@@ -1,13 +1,13 @@
 //! Tests one ray against several bounding spheres and infinite cylinders at once, in single precision.
 //!
-//! With the ray `O + lambda d` and a bounding sphere of radius `R` around `C`, the quadratic is
-//! `a lambda^2 - 2 h lambda + c` with `a = d.d`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`. These forms
+//! With the ray `O + lambda d` and a bounding sphere of radius `R` around `C`, the quadratic is `a lambda^2 - 2 h
+//! lambda + c` with `a = d.d`, `h = d.C - d.O` and `c = (|C|^2 - R^2) - 2 O.C + |O|^2`. The formulas for `h` and `c`
 //! are multiplied out, so that few operations depend on both ray and object. Take a cylinder in that sphere, of radius
-//! `r` around the axis `n`. Its quadratic uses only the parts of the vectors across the axis: `a' = a - (d.n)^2`,
-//! `h' = h - (d.n) ((C - O).n)` and `c' = c + (R^2 - r^2) - ((C - O).n)^2`. Here `R^2 - r^2` is the square of half the
+//! `r` around the axis `n`. Its quadratic uses only the parts of the vectors across the axis: `a' = a - (d.n)^2`, `h' =
+//! h - (d.n) ((C - O).n)` and `c' = c + (R^2 - r^2) - ((C - O).n)^2`. Here `R^2 - r^2` is the square of half the
 //! height.
 //!
-//! Forms that are multiplied out lose digits to cancellation. The margins cover this loss (docs/margins.md).
+//! Formulas that are multiplied out lose digits to cancellation. The margins cover this loss (docs/margins.md).
 //!
 //! Each test returns a number that is positive if the ray certainly misses the object. The maximum of two tests is
 //! positive if one of them is, and saves a comparison. A NaN is not positive, so [`misses`] keeps its object.
@@ -24,7 +24,8 @@
 use crate::accel::target::Target;
 use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};
 
-/// The largest coordinate of a scene for which these tests are valid, in scene units. The head of this file derives it.
+/// The largest coordinate of a scene for which these tests are valid, in scene units. The documentation of [this
+/// module](self) derives it.
 pub const MAX_COORDINATE: f64 = 2e7;
 
 /// Number of objects in a block. It is a multiple of every instruction set's number of lanes.
@@ -32,10 +33,10 @@ pub const BLOCK: usize = 16;
 
 /// Half a unit in the last place of 1: the relative error of one rounding to single precision.
 const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-/// Margin of a bounding sphere's `c`, relative to the terms of `c`.
+/// The margin by which a bounding sphere's `c` is lowered, relative to `|C|^2 + |O|^2 + R^2`.
 const SPHERE_MARGIN: f64 = 128.0 * ROUNDING;
-/// Margin of an infinite cylinder's discriminant, relative to its terms. It is larger, because the terms have lost
-/// digits in one more cancellation.
+/// The margin by which an infinite cylinder's discriminant is increased, relative to `a (|C|^2 + |O|^2 + R^2)`. It is
+/// larger than [`SPHERE_MARGIN`], because the terms have lost digits in one more cancellation.
 const CYLINDER_MARGIN: f64 = 384.0 * ROUNDING;
 
 /// One number for each object of a block.
@@ -51,8 +52,8 @@ pub struct BoundingSpheres {
     constant: Row,
 }
 
-/// A block of infinite cylinders, whose bounding spheres are stored separately. All other terms of the test are
-/// doubled. So the axes have length `sqrt(2)`, which doubles a product of two dot products with an axis.
+/// A block of infinite cylinders. Their bounding spheres are stored separately. The test doubles all its terms. So the
+/// axes have length `sqrt(2)`, which doubles a product of two dot products with an axis.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct InfiniteCylinders {

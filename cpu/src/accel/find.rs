@@ -4,19 +4,22 @@
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, object::ObjectId};
 use crate::{geometry::ray::Ray, layout::Objects, materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd};
 
-/// The object on which a ray starts, and whether the ray is expected to enter it.
+/// The object on which a ray starts, and a prediction whether the ray enters that object. Only the flat filter uses the
+/// prediction, for rays that start on the dominant sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
     /// The object on whose surface the ray starts.
     pub object: ObjectId,
-    /// Whether the ray is expected to enter that object. A wrong expectation costs time, but does not change the
-    /// closest hit.
+    /// Whether the ray is predicted to enter that object. [`Accelerator::origin`] finds this from the ray, and
+    /// [`Accelerator::next_origin`] finds it before the ray is computed. After a wrong prediction every object is
+    /// intersected, which costs time but gives the same closest hit.
     pub enters: bool,
 }
 
 /// An acceleration structure, which finds the closest hit of a ray.
 pub trait Accelerator {
-    /// The closest hit of a ray that starts at `from`. The caller counts the ray.
+    /// Returns the closest hit of a ray that starts at `from`. `stack` is memory for the traversal. The caller counts
+    /// the ray.
     fn closest_hit<S: Simd, O: Objects>(&self, objects: &O, ray: &Ray, from: Origin, stack: &mut Stack) -> ClosestHit;
 
     /// Returns the origin of a ray that starts on the surface of `object`.
@@ -25,8 +28,8 @@ pub trait Accelerator {
         Origin { object, enters: false }
     }
 
-    /// Predicts the origin of the next ray of a path before that ray is computed. `hit` is the closest hit of the
-    /// present ray. The surface there scatters with this material and this random vector.
+    /// Predicts the origin of the next ray of a path before that ray is computed. The parameters are the path's last
+    /// ray, the ray's closest hit, and the material and the random vector with which the surface there scatters.
     #[inline(always)]
     fn next_origin<O: Objects>(&self, _: &O, _: &Ray, hit: &ClosestHit, _: &PreparedMaterial, _: Vec3) -> Origin {
         Origin { object: hit.object, enters: false }

@@ -14,11 +14,11 @@ use crate::{
     materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
 };
 
-/// Maximum number of spheres, and maximum number of cylinders. Each object of a kind has one bit in a word.
+/// Maximum number of spheres, and maximum number of cylinders. Each object of a kind has one bit in a `u64`.
 pub const CAPACITY: usize = u64::BITS as usize;
 
-/// The structure for up to 64 spheres and 64 cylinders. Its data are stored as lanes in both layouts, because they only
-/// decide which objects are intersected.
+/// The structure for up to 64 spheres and 64 cylinders. Its data are stored in lanes, whatever the layout of the
+/// objects, because they only decide which objects are intersected.
 #[derive(Debug)]
 pub struct FlatFilter {
     middle: Vec3,
@@ -27,7 +27,8 @@ pub struct FlatFilter {
     pub(super) overlapping: Option<Vec<ObjectId>>,
     spheres: Vec<BoundingSpheres>,
     cylinders: Vec<(BoundingSpheres, InfiniteCylinders)>,
-    /// A bit for each lane, which is 1 if the lane holds an object.
+    /// A bit for each lane of `spheres`, which is 1 if the lane holds an object. `cylinder_lanes` has the bits for the
+    /// lanes of `cylinders`.
     sphere_lanes: u64,
     cylinder_lanes: u64,
 }
@@ -92,8 +93,9 @@ impl FlatFilter {
     }
 }
 
-/// Returns the closest hit among all objects. This serves a ray whose direction is too short for the tests, or for
-/// which the entry into the dominant sphere was predicted wrong. Both are rare.
+/// Returns the closest hit among all objects, without the filter. This serves two kinds of rare rays: those with a
+/// direction that is too short for the tests, and those for which the entry into the dominant sphere was predicted
+/// wrong.
 #[cold]
 #[inline(never)]
 fn without_filter<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
@@ -153,7 +155,7 @@ impl Accelerator for FlatFilter {
         if !starts_on_dominant && let Some(index) = self.dominant.may_be_hit(objects, &conservative) {
             spheres |= 1 << index;
         }
-        // Most rays may hit no object. One branch returns for all of them, as early as possible.
+        // Most rays certainly hit no object. One branch returns for all of them, as early as possible.
         if spheres | cylinders == 0 {
             return closest;
         }

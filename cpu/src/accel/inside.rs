@@ -18,10 +18,12 @@ use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
 
-/// The limit of `|p|`, where `p` is the dot product of the direction `d` and the axis. A ray certainly hits the planes
-/// of the caps if `|p| > STEEP` and `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice the limit below which a cap is not hit,
-/// and both limits are far larger than rounding errors.
+/// The lower limit of `|p|`, 2e-8, where `p` is the dot product of the ray's direction `d` and a cylinder's axis. A ray
+/// certainly is not parallel to the caps if `|p| > STEEP` and `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice [`PARALLEL`],
+/// below which a cap is not hit.
 const STEEP: f64 = 2.0 * PARALLEL;
+/// The lower limit of `p^2 / |d|^2`, 2^-40; see [`STEEP`]. Above it the rounding error of `p`, at most `7 u |d|` with
+/// `u = 2^-53`, is less than `2^-30 |p|`. So rounding cannot move `|p|` from `STEEP` to `PARALLEL`.
 const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 
 impl SmallScene {

@@ -6,12 +6,13 @@
 //! object.
 //!
 //! The boxes of the objects are compared once for each scene. This happens only in
-//! [moderate](crate::accel::extent::Extent::moderate) scenes, whose boxes have no NaN and no overflow.
+//! [moderate](crate::accel::extent::Extent::moderate) scenes, because only their boxes certainly have no NaN and no
+//! overflow.
 
 use crate::accel::object::ObjectId;
 use crate::{input::error::Error, layout::with_room};
 
-/// Which objects are isolated, a bit each. By default no object is known to be isolated.
+/// The set of the isolated objects. By default it is empty, so that no object gets the shortcut of isolated objects.
 #[derive(Clone, Debug, Default)]
 pub struct Isolated(Vec<u64>);
 

@@ -9,7 +9,8 @@ use crate::{geometry::ray::Ray, layout::Objects, simd::LaneMask, simd::SimdF64, 
 /// Maximum number of objects. It is a multiple of every instruction set's number of lanes of `f64`.
 pub const CAPACITY: usize = 8;
 
-/// The objects by their [ids](ObjectId), a place each; places that are left over repeat them.
+/// Up to [`CAPACITY`] objects, in the order of their [numbers](ObjectId), one at each place. If a scene has fewer
+/// objects, the remaining places repeat them.
 #[derive(Clone, Debug)]
 pub struct ObjectLanes {
     sphere_count: usize,
@@ -48,8 +49,8 @@ impl ObjectLanes {
         may_hit & all
     }
 
-    /// For each lane, whether its ray may hit the object with the number `at`. The result has no meaning for directions
-    /// that are [too short](is_too_short).
+    /// Returns, for each lane, whether its ray may hit the object with the number `at`. The result has no meaning for
+    /// directions that are [too short](is_too_short).
     #[inline(always)]
     pub fn may_hit<V: SimdF64>(&self, at: usize, conservative: &ConservativeRay<V>) -> V::Mask {
         // Only the numbers that a kind of object needs are broadcast.
@@ -60,8 +61,8 @@ impl ObjectLanes {
         }
     }
 
-    /// The objects that each of several rays may hit; all objects for the lanes of `too_short`, which are bits. These
-    /// hold at least the lanes whose directions are [too short](is_too_short).
+    /// Returns the objects that each of several rays may hit. For a lane whose bit is set in `too_short`, these are all
+    /// objects. The caller must set the bit of every lane whose direction is [too short](is_too_short).
     #[inline(always)]
     pub fn objects_may_hit_lanes<V: SimdF64>(&self, ray: &Ray<V>, too_short: u32) -> MayHitLanes {
         let conservative = ConservativeRay::new(*ray);
@@ -78,7 +79,7 @@ impl ObjectLanes {
 pub struct MayHitLanes {
     /// Eight bits for each object, one of them for each ray.
     bits: u64,
-    /// Returns a bit for each ray, which is 1 if the ray may hit at least one object.
+    /// A bit for each ray, which is 1 if the ray may hit at least one object.
     pub any: u32,
 }
 

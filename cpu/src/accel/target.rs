@@ -5,8 +5,9 @@ use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::layout::Objects;
 use crate::math::{vec3::Vec3, vec3::broadcast};
 
-/// A bound of the distance by which rounding may move a point of the scene, relative to the scene's largest coordinate.
-/// It is some thousand roundings.
+/// A bound of the distance by which rounding may move a point of the scene, relative to the scene's largest coordinate:
+/// 16,384 `u`, with the unit roundoff `u = EPSILON / 2`, or 1.8e-12. The true distance is thousands of times smaller
+/// (docs/margins.md).
 pub const SLACK: f64 = 8192.0 * f64::EPSILON;
 
 /// A sphere or a cylinder; `T` is a number or lanes. A test of a sphere uses only centre and radius.
@@ -28,13 +29,14 @@ pub struct Target<T = f64> {
 broadcast!(Target: center, axis; radius_squared, bounding_radius_squared, half_height);
 
 impl<T: Copy> Target<T> {
-    /// The numbers, as [lanes of objects](crate::accel::object_lanes) keep them.
+    /// Returns the target's numbers, in the order in which [`ObjectLanes`](crate::accel::object_lanes::ObjectLanes)
+    /// stores them.
     pub fn numbers(&self) -> [T; Target::NUMBERS] {
         let Self { center: c, axis: a, radius_squared, bounding_radius_squared, half_height } = *self;
         [c.x, c.y, c.z, a.x, a.y, a.z, radius_squared, bounding_radius_squared, half_height]
     }
 
-    /// The target with these [numbers](Self::numbers).
+    /// Returns the target with these [numbers](Self::numbers).
     #[inline(always)]
     pub fn of_numbers(numbers: [T; Target::NUMBERS]) -> Self {
         let [x, y, z, ax, ay, az, radius_squared, bounding_radius_squared, half_height] = numbers;
@@ -44,7 +46,7 @@ impl<T: Copy> Target<T> {
 }
 
 impl Target {
-    /// How many numbers a target has.
+    /// Number of numbers in a target.
     pub const NUMBERS: usize = 9;
 
     /// Returns the object with the number `id`, in a scene with this

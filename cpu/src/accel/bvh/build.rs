@@ -22,7 +22,7 @@ struct Item {
 }
 
 /// A part of the list of items, which becomes one child: from index `from` to before index `to`, with the box around
-/// them.
+/// its items.
 #[derive(Clone, Copy)]
 struct Range {
     from: usize,
@@ -41,8 +41,8 @@ impl Range {
     }
 }
 
-/// Builds the tree over at most `most` objects with these boxes. Returns its nodes, the root first. Without objects the
-/// list is empty.
+/// Builds the tree over `objects`, which are at most `most` pairs of a box and an object's number. Returns the nodes,
+/// the root first. Without objects the list is empty.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -53,7 +53,7 @@ pub fn build(most: usize, objects: impl Iterator<Item = (Bounds, ObjectId)>) -> 
     if items.is_empty() {
         return Ok(nodes);
     }
-    // Only the two highest levels, which may be tested as one row, may have nodes that are not full.
+    // Only the two highest levels, which may become the collapsed root, may have nodes that are not full.
     let planned = collapsed_root::planned(items.len());
     // The nodes that are not filled yet: index, range of items and depth.
     let mut pending = Vec::new();
@@ -109,7 +109,7 @@ fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -
     count
 }
 
-/// Splits a range of at least two items into two ranges, neither of which is empty. The items are reordered.
+/// Splits a range of at least two items into two ranges that are not empty. The items are reordered.
 fn split(items: &mut [Item], range: &Range, depth: u32) -> (Range, Range) {
     let part = &mut items[range.from..range.to];
     // The box around the middles of the items. All its coordinates are doubled.

@@ -1,8 +1,9 @@
-//! The collapsed root: the two highest levels of the tree in one row of boxes, for lanes that test 16 boxes at once.
+//! The collapsed root: the two highest levels of the tree in one row of up to 64 boxes, for instruction sets that test
+//! 16 boxes at once.
 //!
 //! A traversal is bound by latency: the next node is known after some sixty cycles. With 512 bits, testing up to four
-//! nodes together takes hardly longer than testing one. So the row saves the time of a level. With 256 bits the row
-//! saves no time, by measurement (docs/experiments.md).
+//! nodes together takes hardly longer than testing one. So the collapsed root saves the time of a level. With 256 bits
+//! it saves no time, by measurement (docs/experiments.md).
 
 use crate::accel::{
     bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
@@ -12,11 +13,12 @@ use crate::{
     simd::SimdF32,
 };
 
-/// Maximum number of boxes in the row. Each has a bit in a word of 64 bits.
+/// Maximum number of boxes in the collapsed root. The test of the boxes returns a `u64` with one bit for each of them.
 pub const MOST: usize = 64;
 
-/// Returns the number of boxes in the row for which all nodes below the row can be full. The builder gives the children
-/// of the root this number of children in total. The result is `None` if one node could hold all these boxes.
+/// Returns the number of boxes that the collapsed root over `objects` objects should have, so that all nodes below it
+/// can be full. The builder gives the children of the root this number of children in total. The result is `None` if a
+/// single node can hold all these boxes.
 pub fn planned(objects: usize) -> Option<usize> {
     let mut nodes = objects.div_ceil(WIDTH);
     while nodes > MOST {
@@ -25,21 +27,24 @@ pub fn planned(objects: usize) -> Option<usize> {
     (nodes > WIDTH).then_some(nodes)
 }
 
-/// The row of boxes, sorted along an axis. It holds the children of each child of the root. But if a child of the root
-/// is an object, or has an object among its children, that child itself is in the row.
+/// The boxes of the tree's second level in one list, sorted along an axis. For each child of the root, the list has the
+/// boxes of that child's children. But if the child is an object, or has an object among its children, the list has the
+/// box of the child itself.
 #[derive(Debug)]
 pub struct CollapsedRoot {
-    /// The boxes, 16 in each node. The list is empty if the row would have at most 16 boxes, or more than [`MOST`].
+    /// The boxes, 16 in each node. The list is empty if there would be at most 16 boxes, or more than [`MOST`]. The
+    /// traversal then begins at the root.
     rows: Vec<Node>,
     /// The index of the node to which the first box leads. The nodes of the other boxes follow in the order of the
-    /// boxes. If there is no row, this is the index of the root.
+    /// boxes. If `rows` is empty, this is the index of the root.
     first_node: usize,
-    /// The axis along which the row is sorted: 0 for x, 1 for y, 2 for z.
+    /// The axis along which the boxes are sorted: 0 for x, 1 for y, 2 for z.
     axis: usize,
 }
 
 impl CollapsedRoot {
-    /// Returns the row of a tree. It reorders the nodes, so that the nodes of the row's boxes follow one another.
+    /// Returns the collapsed root of a tree. It reorders `nodes`, so that the nodes to which the boxes lead follow one
+    /// another.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
@@ -76,8 +81,8 @@ impl CollapsedRoot {
         Ok(row)
     }
 
-    /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`. If there is no
-    /// row, bit 0 stands for the root and is 1 without a test.
+    /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`. If the
+    /// collapsed root has no boxes, bit 0 stands for the root of the tree and is 1 without a test.
     #[inline(always)]
     pub fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32) -> u64 {
         add(Counter::NodeVisits, self.rows.len() as u64);
@@ -89,7 +94,7 @@ impl CollapsedRoot {
         bits
     }
 
-    /// Whether a ray along `direction` passes the boxes from the last of the row to the first.
+    /// Whether a ray along `direction` passes the sorted boxes from the last to the first.
     #[inline(always)]
     pub fn is_passed_backwards(&self, direction: Vec3) -> bool {
         direction.to_array()[self.axis] < 0.0
@@ -106,8 +111,8 @@ impl CollapsedRoot {
     }
 }
 
-/// Moves the nodes with the indices in `places` to the places behind the root, in this order. The root is not among
-/// them.
+/// Moves the nodes with the indices in `places` to the places directly after the root, in the order of `places`. The
+/// root's index is not among them.
 fn bring_forward(nodes: &mut [Node], places: &[u32]) -> Result<(), Error> {
     // `at` has the old index of the node at each place. `place_of` has the new place of the node with each old index.
     let [mut at, mut place_of] = [with_room(nodes.len())?, with_room(nodes.len())?];
@@ -134,7 +139,7 @@ mod tests {
     use crate::accel::bvh::build::build;
     use crate::sampling::uniform::Uniform;
 
-    /// The boxes of the row.
+    /// Returns the boxes of the collapsed root, in order.
     fn boxes_of(row: &CollapsedRoot) -> impl Iterator<Item = (Bounds, Child)> {
         row.rows.iter().flat_map(Node::children)
     }

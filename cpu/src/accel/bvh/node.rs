@@ -1,11 +1,11 @@
-//! A node of the tree: the boxes of up to 16 children, each of which is an object or another node.
+//! A node of the tree: the boxes of up to 16 children. A child is an object or another node.
 
 use crate::{accel::bounds::Bounds, accel::object::ObjectId, simd::SimdF32};
 
-/// Maximum number of children of a node. It is a multiple of every instruction set's number of lanes.
+/// Maximum number of children of a node. It is a multiple of every instruction set's number of `f32` lanes.
 pub const WIDTH: usize = 16;
 
-/// What there is too little memory for if a node does not fit.
+/// The words for the tree in the message of [`Error::OutOfMemory`](crate::input::error::Error::OutOfMemory).
 pub const HIERARCHY: &str = "the hierarchy over the objects";
 
 /// A child of a node: an object, or another node of the tree.

@@ -17,22 +17,24 @@
 use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
 use crate::{geometry::ray::Ray, simd::SimdF32};
 
-/// Factor of the distance by which a slab's plane is moved: `16 u`, with `u = 2^-24`. It is multiplied by the sum of
-/// two magnitudes along the axis: the origin's coordinate, and the coordinate of the scene's farthest plane.
+/// A slab test moves each plane of a box outward, by at least `STEP (|o| + |p|)`, to cover rounding. Here `o` is the
+/// coordinate of the ray's origin along the plane's axis, and `p` is the largest magnitude of a plane of any box across
+/// that axis. `STEP` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
 const STEP: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
 const LARGEST_RECIPROCAL: f32 = 1e28;
 
-/// The smallest distance by which a plane is moved, in scene units. A component of the direction may be so small that
-/// its reciprocal is limited to [`LARGEST_RECIPROCAL`]. Then the lambda of this move exceeds the lambda of every plane
-/// across another axis. This holds for a direction that is not [too short](is_too_short).
+/// The smallest distance by which a plane is moved, in scene units. If a component of the direction is so small that
+/// its reciprocal is limited to [`LARGEST_RECIPROCAL`], this move is a lambda of 10^18. For a direction that is not
+/// [too short](is_too_short), that exceeds the lambda of every plane across the direction's largest component. So a
+/// slab that contains such a ray never excludes it.
 const LEAST_STEP: f32 = 1e-10;
 
-/// The square of the length of the longest direction for which boxes are tested. This length, 10^30, is well below 3.4
-/// 10^38. In single precision the reciprocal of a longer component is zero. The product of zero and an infinite plane
-/// of an empty lane is NaN.
+/// The square of the length of the longest direction for which boxes are tested: 10^30. This is well below the largest
+/// `f32`, 3.4 10^38. A component beyond that would be infinite and its reciprocal zero. The product of zero and an
+/// infinite plane of an empty lane is NaN.
 const LONGEST: f64 = 1e60;
 
 /// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
@@ -42,7 +44,8 @@ pub fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST
 }
 
-/// The part of the planes' moves that grows with the planes, by axis, for all boxes within these bounds.
+/// Returns, for each axis, the part of a plane's move that does not depend on the ray: `STEP |p| + LEAST_STEP`, where
+/// `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
 pub fn steps(bounds: &Bounds) -> [f32; 3] {
     let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
     [0, 1, 2].map(|axis| farthest(axis) * STEP + LEAST_STEP)
@@ -55,15 +58,15 @@ pub struct SlabRay<F> {
     /// `-o r`, moved down for the planes through which the ray enters, and moved up for those through which it leaves.
     near_origin: [F; 3],
     far_origin: [F; 3],
-    /// The indices in a node's corners at which, for each axis, the planes begin through which the ray enters, and
-    /// those through which it leaves.
+    /// For each axis, the index in the flat list of a node's corners at which the planes begin through which the ray
+    /// enters (`near`) or leaves (`far`).
     near: [usize; 3],
     far: [usize; 3],
 }
 
 impl<F: SimdF32> SlabRay<F> {
-    /// The ray, for boxes whose planes are moved by these [steps]. There is no branch on the direction's signs, because
-    /// it would be mispredicted half of the time.
+    /// Prepares the ray for boxes whose planes are moved by these [steps]. There is no branch on the direction's signs,
+    /// because it would be mispredicted half of the time.
     #[inline(always)]
     pub fn new(ray: &Ray, steps: &[f32; 3]) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());

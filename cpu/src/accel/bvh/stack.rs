@@ -5,7 +5,7 @@
 pub const CAPACITY: usize = 512;
 
 /// A stack of nodes: the index of each node, and the lambda at which the ray enters its box. The traversal stores the
-/// number of entries, `depth`. The stack is reused for all rays, because to clear it would cost more than a visit.
+/// number of entries, `depth`. The stack is reused for all rays, because clearing it would cost more than a visit.
 #[derive(Clone, Debug)]
 pub struct Stack([(u32, f32); CAPACITY]);
 
