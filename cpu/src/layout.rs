@@ -14,7 +14,8 @@ use crate::{
     input::scene::Sphere, math::vec3::Vec3,
 };
 
-/// A layout, as a type: the types that store pixels and objects.
+/// A marker type for a layout in memory. Its associated types are the containers that store the pixels and the objects.
+/// The renderer takes it as a type parameter: [`Aos`](aos::Aos) or [`Soa`](soa::Soa).
 pub trait Layout {
     /// The type that stores the pixels of a picture.
     type Image: Image;

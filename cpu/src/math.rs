@@ -4,8 +4,8 @@
 //! A formula over the trait of [`real`] is written once, and works on one number or on several at once. [`vec3`] has
 //! vectors of such numbers. [`rounding`] adds the size of the rounding errors to the trait. [`error_free`] computes
 //! sums and products together with their rounding errors. [`double_double`] and [`dyadic`] are more precise numbers.
-//! [`tangent`](tangent::tangent) and [`power`](power::power) replace the functions of the system's library, whose last
-//! bits differ between systems. This module uses no other one. Begin with [`real::Real`].
+//! [`tangent`](tangent::tangent) and [`power`](power::power) replace the functions of the system's library, because the
+//! last bits of their results differ between systems. This module uses no other one. Begin with [`real::Real`].
 
 pub mod double_double;
 pub mod dyadic;

@@ -1,11 +1,10 @@
 //! The rule of a hit on a cylinder's cap, with an error bound. This is the exact counterpart of
 //! [`crate::geometry::cap`], and the programs decide by it.
 //!
-//! The result is that a ray certainly hits a cap, that it certainly misses the cap, or that this is uncertain.
-//! [`Plane`] serves one ray and lanes, in `f64` and in double-double. [`filtered`] calls it for one ray. If
-//! double-double is uncertain too, `Setting::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference
-//! has a literal copy of the rule in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of
-//! `cylinder.wgsl`.
+//! There are three results: a ray certainly hits a cap, certainly misses it, or the decision is uncertain. [`Plane`]
+//! serves one ray and lanes, in `f64` and in double-double. [`filtered`] calls it for one ray. If double-double is
+//! uncertain too, `Setting::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference has a literal
+//! copy of the rule in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
 
 use crate::exact::{
     cylinder_side::LIMITS, cylinder_side::extent, cylinder_side::magnitude, cylinder_side::margin,
@@ -14,8 +13,9 @@ use crate::exact::{
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, cylinder::CylinderRecord, ray::LAMBDA_MIN, ray::Ray};
 use crate::math::{rounding::Rounding, vec3::Vec3};
 
-/// Returns lambda and `part` if the ray certainly hits the cap around `center`, and `None` if it certainly misses the
-/// cap. `part` says which of the two caps this is.
+/// Intersects the ray with the cap around `center`. Returns `Certain(Some((lambda, part)))` if the ray certainly hits
+/// the cap, and `Certain(None)` if it certainly misses the cap. The result is `Uncertain` if rounding may have changed
+/// this decision, or if lambda may be inaccurate. `part` is the name of this cap, top or bottom.
 #[inline(always)]
 pub(super) fn filtered<T: Rounding<Mask = bool>>(
     record: &CylinderRecord<T>,
@@ -48,7 +48,7 @@ pub(super) struct Plane<T: Rounding> {
     pub fails: T::Mask,
     /// The ray is certainly not parallel to the plane.
     steep: T::Mask,
-    /// The plain formula for lambda is accurate enough to accept its result.
+    /// The plain formula gives a lambda that is accurate enough to be accepted.
     accurate: T::Mask,
 }
 

@@ -15,12 +15,13 @@ use crate::geometry::{cylinder::CylinderPart, cylinder::CylinderRecord, ray::Ray
 use crate::math::{double_double::DoubleDouble, real::Real, rounding::Rounding, vec3::Vec3};
 use crate::simd::fused::run_fused;
 
-/// Lambda, and the part that is hit; `None` if the ray hits nothing.
+/// The lambda and the part of a hit, or `None` for a miss.
 type Hit<T> = Option<(T, CylinderPart)>;
 
-/// Returns lambda and part of the ray's hit with the cylinder, or `None` if it misses. [`CylinderRecord::intersect`]
-/// has the same rule, but here rounding never changes a decision. `axis` is that of the scene file, as long as the
-/// cylinder is high. `record` must be made from this axis.
+/// Returns lambda and part of the ray's closest hit with the side, the top cap or the bottom cap, or `None` if the ray
+/// misses all three. Of parts at the same lambda, the later in this order counts. [`CylinderRecord::intersect`] follows
+/// this rule with rounding errors, but here rounding never changes a decision. `axis` is the axis of the scene file,
+/// and its length is the cylinder's height. `record` must be made from this axis.
 ///
 /// ```
 /// use cpu::intersect::{self, CylinderPart, CylinderRecord};
@@ -41,8 +42,8 @@ pub fn intersect(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64
     }
 }
 
-/// Computes the plain formulas in the arithmetic `T`. Returns lambda and part, or `None` for a miss, if the result is
-/// certain.
+/// Computes the plain formulas in the arithmetic `T`. Returns `Certain(Some((lambda, part)))` for a hit,
+/// `Certain(None)` for a miss, and `Uncertain` if rounding may have changed a decision.
 ///
 /// The cylinder is convex, so the ray's line crosses its surface only where it enters and where it leaves. If the ray
 /// enters through the side, no cap is nearer. If it leaves through the side, only the cap that faces the ray can be
@@ -91,7 +92,7 @@ pub fn filtered<T: Rounding<Mask = bool>>(record: &CylinderRecord<T>, ray: &Ray<
 }
 
 /// Intersects a ray for which [`filtered`] is uncertain, by double-double arithmetic. If that is uncertain too, dyadic
-/// arithmetic decides. This takes some thousand operations, and few rays need it. `axis` is that of the scene file.
+/// arithmetic decides. This takes some thousand operations, and few rays need it. `axis` is the axis of the scene file.
 #[cold]
 #[inline(never)]
 pub fn precise(record: &CylinderRecord, axis: &Vec3, ray: &Ray) -> Option<(f64, CylinderPart)> {

@@ -1,7 +1,7 @@
 //! Intersects ray and closed cylinder without rounding, for rays that no other step can decide.
 //!
-//! Let `V` be the axis of the scene file and `q = O - C`. The formulas are multiplied by `V.V`, so that they need no
-//! unit vector:
+//! Let `O + lambda d` be the ray, `C` the cylinder's centre, `V` the axis of the scene file, and `q = O - C`. The
+//! formulas are multiplied by `V.V`, so that they need no unit vector:
 //!
 //! - the side is `a lambda^2 - 2 h lambda + c = 0` with `a = |d x V|^2`, `h = -(q x V).(d x V)` and
 //!   `c = |q x V|^2 - r^2 V.V`;
@@ -14,7 +14,8 @@ use crate::exact::{sphere_exact::Exact3, sphere_exact::NotFinite, sphere_exact::
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::LAMBDA_MIN, ray::Ray};
 use crate::math::{dyadic::Dyadic, dyadic::power_of_two, vec3::Vec3};
 
-/// Ray and cylinder as exact numbers, with the products that the formulas of side and caps share.
+/// A ray and a cylinder as exact numbers, with the products that the formulas of side and caps share. The module's
+/// documentation defines `V`, `d` and `q`.
 struct Setting {
     direction: Exact3,
     /// `q`: the vector from the cylinder's centre to the ray's origin.
@@ -37,8 +38,8 @@ struct Fraction {
     denominator: Dyadic,
 }
 
-/// Returns lambda and part of the ray's hit with the cylinder, or `None` if it misses. `axis` is that of the scene
-/// file, as long as the cylinder is high. The error says that an input is not finite.
+/// Returns lambda and part of the ray's hit with the cylinder, or `None` if it misses. `axis` is the axis of the scene
+/// file, and its length is the cylinder's height. The error says that an input is not finite.
 pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Option<(f64, CylinderPart)>, NotFinite> {
     let (direction, axis) = (Exact3::new(ray.direction)?, Exact3::new(axis)?);
     let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
@@ -97,8 +98,8 @@ impl Setting {
     }
 }
 
-/// Returns lambda and name of the closest part, or `None` if no part is hit. Of equal lambdas the later parameter
-/// counts, by the rule of [`crate::geometry::tie`].
+/// Returns lambda and name of the closest part, or `None` if no part is hit. Of parts at the same lambda, the later in
+/// the order side, top, bottom counts ([`crate::geometry::tie`]).
 fn closest_part(side: Option<(Quadratic, bool)>, [top, bottom]: [Option<Fraction>; 2]) -> Option<(f64, CylinderPart)> {
     let side_is_closer = |cap: &Fraction| {
         side.as_ref().is_some_and(|(quadratic, larger)| {

@@ -18,7 +18,7 @@ pub struct CylinderHits<T: Real> {
     pub certain: T::Mask,
 }
 
-/// The decisions that need only the side. Many rays need no test of the caps.
+/// The hits of several rays or cylinders as far as the side alone decides them. Most rays need no test of the caps.
 pub struct SideLanes<T: Real> {
     entry: Crossing<T>,
     exit: Crossing<T>,

@@ -17,7 +17,8 @@
 
 use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 
-/// The result of a formula if it is certain, or the statement that rounding may have changed it.
+/// The answer of a floating-point filter: the result of a formula if it is certain, or none if rounding may have
+/// changed it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decision<A> {
     /// The result. Its decisions are right, and its lambda is accurate.
@@ -29,10 +30,12 @@ pub enum Decision<A> {
 /// The constants of the error bound, for one kind of surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// The bound of the rounding errors in the discriminant, in units of `u M`. See the head of this file for `M`.
+    /// The bound of the rounding errors in the discriminant, in units of `u M`. The documentation of [this
+    /// module](self) defines `u` and `M`.
     pub error_constant: f64,
-    /// The largest condition number, `(M + 4 n^2) / (n sqrt(D))`, of a root that is accepted in `f64`. With a smaller
-    /// limit lambda is more accurate, but fewer rays keep the bits of the plain formula.
+    /// The largest condition number of a root that is accepted in `f64`. The condition number is `(M + 4 n^2) / (n
+    /// sqrt(D))`, with the root's numerator `n` and the discriminant `D`. With a smaller limit lambda is more accurate,
+    /// but fewer rays keep the bits of the plain formula.
     pub condition_limit: f64,
 }
 
@@ -49,7 +52,7 @@ impl Limits {
         256.0 * self.condition_limit::<T>() * T::UNIT_ROUNDOFF
     }
 
-    /// Whether `lambda`, which is accurate, certainly is at least [`LAMBDA_MIN`].
+    /// Whether `lambda`, which must be accurate, certainly is at least [`LAMBDA_MIN`].
     #[inline(always)]
     pub fn in_range<T: Rounding>(&self, lambda: T) -> T::Mask {
         (T::of(LAMBDA_MIN) + T::of(LAMBDA_MIN * self.lambda_error::<T>())).less_equal(lambda)

@@ -9,8 +9,10 @@ use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::{double_double::DoubleDouble, real::Real};
 use crate::simd::fused::run_fused;
 
-/// Returns the lambda at which the ray hits the sphere, or `None` if it misses. [`SphereRecord::intersect`] has the
-/// same rule, but here rounding never changes a decision.
+/// Returns the lambda at which the ray hits the sphere: the smallest lambda, of at least
+/// [`LAMBDA_MIN`](crate::geometry::ray::LAMBDA_MIN), for which `ray.at(lambda)` is on the sphere. If there is none, the
+/// ray misses, and the result is `None`. [`SphereRecord::intersect`] follows this rule with rounding errors, but here
+/// rounding never changes a decision.
 ///
 /// ```
 /// use cpu::intersect::{self, SphereRecord};
@@ -48,7 +50,7 @@ pub fn filtered_or_compensated(record: &SphereRecord, ray: &Ray) -> Decision<Opt
 }
 
 /// Returns the lambda of a ray for which [`filtered`] is uncertain, or `None` for a miss. The compensated formula runs
-/// first, then [`precise`].
+/// first. If it is uncertain too, [`precise`] gives the result.
 #[cold]
 #[inline(never)]
 pub fn compensated_or_precise(record: &SphereRecord, ray: &Ray) -> Option<f64> {

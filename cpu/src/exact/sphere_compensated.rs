@@ -14,11 +14,11 @@ use crate::exact::{
 use crate::geometry::{ray::Ray, sphere::SphereRecord};
 use crate::math::{error_free::two_product, error_free::two_sum, rounding::MulAdd, vec3::Vec3};
 
-/// Limits the relative error of lambda. A root is accepted only if
-/// `a (|C - O|^2 + r^2) < CONDITION_LIMIT sqrt(D) (|h| + sqrt(D))`.
+/// Limits the relative error of lambda to 4.9e-12. A root is accepted only if `a (|C - O|^2 + r^2) < CONDITION_LIMIT
+/// sqrt(D) (|h| + sqrt(D))`, with the quadratic `a lambda^2 - 2 h lambda + c` and `D = h^2 - a c`.
 const CONDITION_LIMIT: f64 = 4096.0;
-/// The smallest magnitude of `c` for which the bound holds, in units of `u (|C - O|^2 + r^2)`. `u` is the unit
-/// roundoff.
+/// The smallest magnitude of `c` for which the bound of lambda's error holds, in units of `u (|C - O|^2 + r^2)`. `u` is
+/// the unit roundoff.
 const LEAST_C: f64 = 64.0;
 
 /// Returns the hits of rays that start outside the sphere and go towards its centre, or start inside and go away from

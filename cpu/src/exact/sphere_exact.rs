@@ -40,7 +40,7 @@ impl Exact3 {
     }
 }
 
-/// Returns exactly `value` as a dyadic number.
+/// Returns `value` as a dyadic number, without rounding.
 pub fn exact(value: f64) -> Result<Dyadic, NotFinite> {
     Dyadic::new(value).ok_or(NotFinite)
 }
@@ -65,7 +65,7 @@ impl Quadratic {
 
     /// Whether `x + y lambda >= 0`, where lambda is the larger root if `larger` is set, and else the smaller root.
     pub fn is_linear_form_positive(&self, x: &Dyadic, y: &Dyadic, larger: bool) -> bool {
-        // The form is multiplied by a, which is positive: a x + y h -+ y sqrt(D).
+        // The form is multiplied by `a`, which is positive. The result is `a x + y h -+ y sqrt(D)`.
         let root = if larger { y.clone() } else { -y };
         sign_with_root(&(&(&self.a * x) + &(y * &self.h)), &root, &self.discriminant) != Ordering::Less
     }

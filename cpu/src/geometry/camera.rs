@@ -25,7 +25,8 @@ impl Config {
     /// check before it renders.
     ///
     /// # Errors
-    /// [`Error::Picture`] if the picture is too large, or if the camera has no projection window.
+    /// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its
+    /// position equals its target, north is null or parallel to the view, or the window is not finite.
     pub fn check_picture(&self) -> Result<(), Error> {
         Camera::new(self, self.image_size()?)?;
         Ok(())

@@ -10,7 +10,7 @@
 use crate::geometry::{cap, ray::Ray, ray::in_range, tie::later_is_closer};
 use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
-/// A cylinder in the form that the formulas use. What does not depend on the ray is computed once.
+/// A cylinder in the form that the formulas use. The terms that do not depend on the ray are computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct CylinderRecord<T = f64> {

@@ -7,7 +7,7 @@
 
 use crate::{geometry::ray::Ray, geometry::ray::in_range, math::real::Real, math::vec3::Vec3, math::vec3::broadcast};
 
-/// A sphere in the form that the formulas use. The square of the radius is computed once, not for each ray.
+/// A sphere in the form that the formulas use. The square of the radius is computed once instead of for each ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct SphereRecord<T = f64> {

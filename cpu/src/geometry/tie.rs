@@ -1,23 +1,26 @@
 //! The rule for two hits at the same lambda: the later one counts (specification, section 8.2).
 //!
 //! "Later" means later in the order of the scene file, with spheres and cylinders together. Within a cylinder the order
-//! is side, top cap, bottom cap. All comparisons of objects call this file. In lanes the objects are intersected in the
-//! order of the scene file (`object::in_order` and `render/frustum.rs` sort them). Two parts of a cylinder have the
-//! same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs` decides there. Elsewhere there is no
-//! tie, so `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without this rule. The reference has a
-//! literal copy of this rule in `update` of `reference/nearest.rs`, and WGSL has one in `tie.wgsl`.
+//! is side, top cap, bottom cap. All comparisons of the hits on two objects call the functions of this module. In lanes
+//! the objects are intersected in the order of the scene file (`object::in_order` and `render/frustum.rs` sort them).
+//! Two parts of a cylinder have the same lambda only on its edge, and `closest_part` in `exact/cylinder_exact.rs`
+//! decides there. Elsewhere there is no tie, so `exact/cylinder.rs` and `exact/cylinder_lanes.rs` find the part without
+//! this rule. The reference has a literal copy of this rule in `update` of `reference/nearest.rs`, and WGSL has one in
+//! `tie.wgsl`.
 
 use crate::math::real::Real;
 
-/// Whether a hit at `lambda`, of a later object, replaces the hit at `closest`. If there is no earlier hit, `closest`
-/// is infinite.
+/// Whether a hit at `lambda` replaces the closest hit so far, at the lambda `closest`: whether `lambda <= closest`. The
+/// hit at `lambda` must be on an object that is later in the scene file, or on a later part of the same cylinder, so
+/// that it counts if both lambdas are equal. If there is no hit so far, `closest` is infinite.
 #[inline(always)]
 pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
     lambda.less_equal(closest)
 }
 
-/// Whether the first hit replaces the second, which is the closest hit so far. Each hit is a pair of lambda and the
-/// object's place in the scene file. The objects may come in any order.
+/// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
+/// are equal and its object is later in the scene file. Each hit is a pair of lambda and the object's place in the
+/// scene file. The objects may come in any order.
 #[inline(always)]
 pub fn is_closer((lambda, order): (f64, u32), (closest, closest_order): (f64, u32)) -> bool {
     later_is_closer(lambda, closest) && (lambda < closest || order >= closest_order)

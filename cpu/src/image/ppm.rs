@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use crate::image::Image;
 
-/// The text of every byte: its decimal digits and a blank, and the length of this text. The rest of the four bytes is
-/// not used.
+/// For every byte, its text and the length of the text. The text is the byte's decimal digits and a blank. The
+/// characters after the text are not used.
 const DECIMAL: [([u8; 4], u8); 256] = {
     let mut table = [([b' '; 4], 0); 256];
     let mut value = 0;

@@ -13,8 +13,9 @@ use crate::counters::{Counter, add};
 use crate::math::power as correctly_rounded;
 use crate::simd::fused::run_fused;
 
-/// Returns the byte of a channel with this mean, by the definition at the head of this file. Each call computes a
-/// power, so the renderer uses [`Quantizer`].
+/// Returns the byte of a channel with this mean: `trunc(255 * mean^(1 / gamma))`, limited to 0 to 255, and 0 if the
+/// power is NaN. This is the definition of the byte. Each call computes a power, so the renderer uses the faster
+/// [`Quantizer`].
 pub fn quantize(mean: f64, gamma: f64) -> u8 {
     // A float-to-integer cast truncates, saturates at 0 and 255, and turns "not a number" into 0.
     (255.0 * power(mean, 1.0 / gamma)) as u8
@@ -26,14 +27,14 @@ fn power(base: f64, exponent: f64) -> f64 {
     run_fused!(|base: &f64, exponent: &f64| -> f64 { correctly_rounded::power(*base, *exponent) })
 }
 
-/// Number of cells into which the table of first guesses divides `[0, 1)`.
+/// Number of equal cells into which [`Quantizer::first_guess`] divides the means in `[0, 1)`.
 const CELLS: usize = 4096;
 
 /// The lowest mean for which the table is used. A negative mean that is not lower gives the byte 0 with every gamma.
 /// The power is NaN, negative or at most `(1 / 16)^2`, and 255 times that is `255 / 256`, which is truncated to 0.
 const LOWEST: f64 = -1.0 / 16.0;
 
-/// A table for one gamma. It gives the same bytes as [`quantize`], mostly without computing a power.
+/// A table for one gamma. It gives the same bytes as the function [`quantize()`], mostly without computing a power.
 #[derive(Clone, Debug)]
 pub struct Quantizer {
     gamma: f64,
@@ -85,8 +86,8 @@ impl Quantizer {
         self.holds(byte, low, high).then_some(byte)
     }
 
-    /// The last byte whose certain means begin at `mean` or below, and `below` of the next byte. Negative means and NaN
-    /// give byte 0.
+    /// Returns the largest byte `k` that `mean` certainly reaches, because `from` in `bounds[k]` is at most `mean`.
+    /// Also returns `below` in `bounds[k + 1]`. Negative means and NaN give byte 0.
     #[inline]
     fn last_reached(&self, mean: f64) -> (u8, f64) {
         // Negative means and NaN land in cell 0.

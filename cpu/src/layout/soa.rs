@@ -80,8 +80,8 @@ fn at<T: Copy + Default>(values: &[T], index: usize) -> T {
     values.get(index).copied().unwrap_or_default()
 }
 
-/// The numbers that both spheres and cylinders have, as one array for each number. The squared radius and a cylinder's
-/// caps are not stored. They are computed again by the formulas of the records.
+/// The numbers that spheres and cylinders have in common, as one array for each number. The squared radius and a
+/// cylinder's caps are not stored. They are computed again by the formulas of the records.
 #[derive(Clone, Debug)]
 struct Common {
     center: Vectors,

@@ -6,7 +6,7 @@ use crate::materials::{reflection::mirror, refraction::IndexRatio, refraction::r
 use crate::math::{real::Real, vec3::NEGLIGIBLE, vec3::Vec3};
 use crate::sampling::scatter_vectors::Scatter;
 
-/// The kind of a surface, which decides the direction of scattered rays.
+/// The kind of a material, which decides in which direction a surface scatters rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BsdfKind {
     /// The surface scatters around the normal.
@@ -20,11 +20,11 @@ pub enum BsdfKind {
 /// A material in the form that the renderer uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PreparedMaterial {
-    /// The kind of the surface.
+    /// The kind of the material.
     pub bsdf_kind: BsdfKind,
     /// The constants with which a scatter sample changes the direction.
     pub scatter_params: ScatterParams,
-    /// The refractive index and its inverse. Only refractive materials use it.
+    /// The refractive index and its inverse. Only refractive materials use them.
     pub index_ratio: IndexRatio,
     /// The factor that the surface applies to the colour of the scattered ray.
     pub reflectance: Vec3,

@@ -1,7 +1,7 @@
 //! Refraction (specification, section 10.3).
 //!
-//! If the normal has length one, this is Snell's law: the sine of incidence times the ratio of indices is the sine of
-//! refraction. With `rho` as the refractive index:
+//! If the normal has length one, this is Snell's law: the sine of the angle of incidence times the ratio of indices is
+//! the sine of the angle of refraction. With `rho` as the object's refractive index:
 //!
 //! 1. A ray enters if the dot product of its direction and the outward normal is negative. The ratio is then `1 / rho`,
 //!    and otherwise `rho`. `facing` in `geometry/ray.rs` decides whether a ray enters.
@@ -18,7 +18,9 @@
 
 use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
-/// The ratios of indices of a refractive surface with index `rho`, for rays that enter and for rays that leave.
+/// The ratio of refractive indices in Snell's law: the index on the side that the ray comes from, divided by the index
+/// on the other side. With an object of index `rho` this is `1 / rho` for a ray that enters, and `rho` for a ray that
+/// leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IndexRatio {
     /// `1 / rho`.
@@ -40,9 +42,9 @@ impl IndexRatio {
     }
 }
 
-/// Returns the direction of a ray behind a refractive surface, or its mirror image beyond the critical angle.
-/// `direction` is that of the ray that hits the surface, and may have any length. `normal` is on the side that the ray
-/// comes from. `ratio` is the ratio of indices.
+/// Returns the direction of the ray that a refractive surface scatters: the refracted direction, or the mirror
+/// direction beyond the critical angle. `direction` is that of the ray that hits the surface, and may have any length.
+/// `normal` is on the side that the ray comes from. `ratio` comes from [`IndexRatio::at`].
 #[inline(always)]
 pub fn refract<T: Real>(direction: Vec3<T>, normal: Vec3<T>, ratio: T) -> Vec3<T> {
     let one = T::of(1.0);

@@ -3,15 +3,16 @@
 
 use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
-/// The constants with which a surface scatters light around a direction. With lanes, each lane may have its own
-/// surface.
+/// The constants with which a surface scatters a ray around a direction: it adds the random vector `scatter sample *
+/// scale + shift`. With lanes, each lane may have its own surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScatterParams<T = f64> {
-    /// The factor in the random vector: a scatter sample times `scale`, plus `shift` in each component.
+    /// The factor by which the scatter sample is multiplied.
     pub scale: T,
-    /// The term in the random vector, see `scale`.
+    /// The term that is added to each component of the random vector.
     pub shift: T,
-    /// The limit below which [`scatter_around`] replaces a sum. It is above 0 for matte surfaces only.
+    /// If all components of a scattered direction are smaller than this in magnitude, [`scatter_around`] replaces the
+    /// direction. It is above 0 only for matte surfaces.
     pub negligible: T,
 }
 

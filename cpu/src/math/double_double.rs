@@ -8,8 +8,8 @@
 //! product, 15u^2 for a quotient and 25/8 u^2 for a square root. So 16u^2 = 2^-102 serves as the unit roundoff of all
 //! operations, short of overflow and underflow.
 //!
-//! `f64::mul_add` always rounds once. If code is compiled for a machine without the instruction, it calls a slow
-//! library function with the same result. So the precise formulas are [compiled](crate::simd::Kernel) for each
+//! `f64::mul_add` always rounds once. In code that is compiled for a machine without the instruction, `mul_add` calls a
+//! slow library function with the same result. So the precise formulas are [compiled](crate::simd::Kernel) for each
 //! instruction set.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,7 +17,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::math::{error_free::two_product, error_free::two_sum, real::Real, rounding::Rounding};
 
 /// The number `high + low`. The magnitude of `low` is at most half a unit in the last place of `high`. Comparisons rely
-/// on this, and all operations of this file keep it.
+/// on this, and all operations of this type keep it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DoubleDouble {
     /// The f64 nearest to the number.
@@ -26,7 +26,7 @@ pub struct DoubleDouble {
     pub low: f64,
 }
 
-/// Returns exactly `a + b`, if `|a| >= |b|` or `a = 0` (Dekker).
+/// Returns `a + b` without a rounding error, if `|a| >= |b|` or `a = 0` (Dekker).
 #[inline(always)]
 fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     let high = a + b;

@@ -1,7 +1,7 @@
 //! Arithmetic without rounding, on the finite numbers of `f64` and on their sums and products.
 //!
 //! A number is an integer of any size times a power of two. No operation rounds or overflows. Each operation allocates
-//! memory, so only the rare rays use it that no other step can decide.
+//! memory, so this arithmetic serves only the rare decisions that faster arithmetic leaves uncertain.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -18,7 +18,7 @@ pub struct Dyadic {
 }
 
 impl Dyadic {
-    /// Returns exactly `value`, or `None` if `value` is infinite or NaN.
+    /// Returns `value` without rounding, or `None` if `value` is infinite or NaN.
     pub fn new(value: f64) -> Option<Self> {
         const FRACTION: u64 = (1 << 52) - 1;
         if !value.is_finite() {
@@ -61,14 +61,14 @@ impl Dyadic {
         Self { exponent: self.exponent + power, ..self.clone() }
     }
 
-    /// Returns the smallest `e` with `|self| < 2^e`, or `None` for zero, which is below every power of two. The field
-    /// `exponent` of a zero has no meaning, because it comes from the numbers that cancelled.
+    /// Returns the smallest `e` with `|self| < 2^e`, or `None` for zero, which is below every power of two. The
+    /// exponent of a zero has no meaning, because it comes from the numbers that cancelled.
     pub fn order(&self) -> Option<i64> {
         (!self.magnitude.is_empty()).then(|| self.exponent + self.bits())
     }
 
-    /// Returns `part` and `power`, so that the number is `part 2^power`. So magnitudes beyond the range of `f64` can be
-    /// represented too. The part is truncated to 106 bits, with `0.5 <= |part| < 1`. For zero the result is `(0, 0)`.
+    /// Returns `part` and `power`, so that the number is `part 2^power`. This works for magnitudes beyond the range of
+    /// `f64` too. The part is truncated to 106 bits, with `0.5 <= |part| < 1`. For zero the result is `(0, 0)`.
     pub fn to_part_and_power(&self) -> (DoubleDouble, i64) {
         let power = self.order().unwrap_or(0);
         (self.scaled(-power).to_double_double(), power)

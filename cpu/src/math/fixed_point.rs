@@ -7,7 +7,9 @@
 use crate::math::dyadic::Dyadic;
 use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};
 
-/// Largest error of a result of this file, in units of `2^-bits`, divided by `bits`. Each function says why.
+/// A logarithm, sine or cosine that is summed with `bits` fraction bits has an error of at most `UNITS_PER_BIT * bits *
+/// 2^-bits`. The functions that sum a series say why. [`logarithm`] returns a larger bound, because it adds multiples
+/// of `ln 2`.
 pub const UNITS_PER_BIT: f64 = 2.0;
 
 /// Returns the product of two fixed-point numbers.
@@ -21,7 +23,8 @@ fn multiplied(a: &[u64], b: &[u64], bits: usize) -> Vec<u64> {
 /// The quotient `s` must be at most 1/3. The series is `2 (s + s^3 / 3 + s^5 / 5 + ...)`. A power of `s` is wrong by
 /// less than 2 units: the error of the power before it is divided by 9, that of `s^2` by 3, and 1 is added. A term is
 /// wrong by less than 2, and there are at most `bits / 3` terms before the power vanishes, since each has 3.17 bits
-/// less. Twice that is less than [`UNITS_PER_BIT`] times `bits`, and holds the terms left out.
+/// less. So the sum is wrong by less than `2 bits / 3` units, and the result by twice as much. This is less than
+/// [`UNITS_PER_BIT`] times `bits`, and the difference covers the terms that are left out.
 fn two_atanh(numerator: u64, denominator: u64, bits: usize) -> Vec<u64> {
     let mut power = quotient(&shifted(&[numerator], bits as u64), denominator);
     let square = multiplied(&power, &power, bits);
@@ -58,8 +61,8 @@ pub fn logarithm(integer: u64, exponent: i64, bits: usize) -> (Dyadic, Dyadic) {
 ///
 /// The series is that of Taylor: term `k + 1` is term `k` times the angle divided by `k + 1`, and the signs alternate
 /// in pairs. A term is wrong by less than 4 units: the error of the term before, times 1.58 and divided by `k + 1`, and
-/// two truncations. There are at most `bits / 2` terms for 128 bits and more: 34 for 128, as `1.58^34 / 34! < 2^-104`
-/// shrinks by 4 bits and more with each further term.
+/// two truncations. For 128 bits and more there are at most `bits / 2` terms, because term 34 is below `2^-105` and
+/// each further term is at least 4 bits smaller.
 pub fn sine_and_cosine(integer: u64, exponent: i64, bits: usize) -> ([Dyadic; 2], Dyadic) {
     let angle = shifted(&[integer], (exponent + bits as i64) as u64);
     let mut term = shifted(&[1], bits as u64);

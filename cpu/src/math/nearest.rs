@@ -1,7 +1,7 @@
 //! Correct rounding of a number that can only be compared.
 //!
-//! A rounding changes where the number passes the midpoint between two neighbouring `f64`. So whoever can compare a
-//! number with midpoints can round it correctly, however inaccurate the first candidate is.
+//! The rounded result changes where the number passes the midpoint between two neighbouring `f64`. So code that can
+//! compare a number with midpoints can round it correctly, however inaccurate the first candidate is.
 
 use std::cmp::Ordering;
 
@@ -28,8 +28,8 @@ impl Midpoint {
     }
 }
 
-/// Returns the `f64` nearest to a positive number; of two nearest ones, that with the even fraction (IEEE 754,
-/// roundTiesToEven).
+/// Returns the `f64` nearest to a positive number. If two are equally near, it returns the one with the even fraction
+/// (IEEE 754, roundTiesToEven).
 ///
 /// `compare` compares the number with a midpoint, and returns `None` if it cannot. Then the result is `None` too. The
 /// search starts at `candidate` and goes to a neighbour at each step, so `candidate` should be near the number.
@@ -55,8 +55,8 @@ pub fn nearest(candidate: f64, compare: impl Fn(Midpoint) -> Option<Ordering>) -
     Some(result)
 }
 
-/// Returns the sign of a number of which only `difference` is known, to within `error`; none if both signs are
-/// possible.
+/// Returns the sign of a number that differs from `difference` by at most `error`. The result is `None` if both signs
+/// are possible.
 pub fn certain_sign(difference: &Dyadic, error: &Dyadic) -> Option<Ordering> {
     match ((difference - error).sign(), (difference + error).sign()) {
         (Ordering::Greater, _) => Some(Ordering::Greater),

@@ -14,8 +14,10 @@ use crate::math::fixed_point::logarithm;
 use crate::math::nearest::{Midpoint, certain_sign, nearest};
 use crate::math::power::quick::Quick;
 
-/// Returns `base^exponent` for a positive exponent, correctly rounded. Special values are those of `pow` in C (C17,
-/// F.10.4.4). For an exponent that is zero, negative or NaN the result is NaN.
+/// Returns `base^exponent`, correctly rounded, for an exponent above 0. For such an exponent, zero, negative, infinite
+/// and NaN bases give what `pow` of C gives (C17, F.10.4.4). Unlike `pow` of C, which returns 1 for `pow(x, 0)` and
+/// `pow(1, NaN)`, this function returns NaN for every exponent that is zero, negative or NaN. The renderer needs no
+/// such exponent: its exponents are gamma and `1 / gamma`, which are positive.
 #[inline(always)]
 pub fn power(base: f64, exponent: f64) -> f64 {
     if base > 0.0 && base < f64::INFINITY && exponent > 0.0 && exponent < f64::INFINITY {
@@ -28,7 +30,7 @@ pub fn power(base: f64, exponent: f64) -> f64 {
     }
 }
 
-/// Returns the power if a number is not finite, or if the base is not positive.
+/// Returns the result of [`power`] if a number is not finite, or if the base or the exponent is not positive.
 #[cold]
 #[inline(never)]
 fn special(base: f64, exponent: f64) -> f64 {
@@ -57,7 +59,7 @@ fn special(base: f64, exponent: f64) -> f64 {
     }
 }
 
-/// Returns the power of positive finite numbers. `candidate` is a number near the power.
+/// Returns `base^exponent` for positive finite numbers, correctly rounded. `candidate` is a number near the power.
 #[cold]
 #[inline(never)]
 fn decided(base: f64, exponent: f64, candidate: f64) -> f64 {
@@ -70,7 +72,8 @@ fn decided(base: f64, exponent: f64, candidate: f64) -> f64 {
     }
 }
 
-/// Compares `base^exponent` with a midpoint by logarithms of `bits` bits; none if they do not decide.
+/// Compares `base^exponent` with a midpoint by logarithms of `bits` bits. The result is `None` if the errors of the
+/// logarithms are too large to decide.
 ///
 /// If the two are not equal, neither are their logarithms, and enough bits decide. If they are equal, no number of bits
 /// does, so integers decide.
@@ -110,7 +113,7 @@ fn is_equal(base: f64, exponent: f64, midpoint: Midpoint) -> bool {
     odd == Some(midpoint.integer) && (&power_of_two - &exact(midpoint.exponent as f64)).sign() == Ordering::Equal
 }
 
-/// Returns a positive finite number `odd 2^power` as `(odd, power)`.
+/// Returns `(odd, power)`, so that the positive finite `number` is `odd 2^power` with an odd integer.
 fn odd_part(number: f64) -> (u64, i64) {
     let (fraction, biased) = (number.to_bits() & ((1 << 52) - 1), number.to_bits() >> 52);
     let (integer, power) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased as i64 - 1075) };

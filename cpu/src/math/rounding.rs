@@ -3,18 +3,20 @@
 
 use crate::math::real::Real;
 
-/// Arithmetic of known precision. The default values of its constants are those of `f64`.
+/// Arithmetic whose rounding errors have a known bound: [`Real`] with the two constants that error bounds need. The
+/// exact intersections need this trait, while the plain formulas need only [`Real`]. `f64`, its lanes and double-double
+/// implement it. The default values are those of `f64`.
 pub trait Rounding: Real {
-    /// The largest relative error of one operation.
+    /// The largest relative error of one operation, `u` in the error bounds.
     const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
-    /// Factor of the condition limit. A root is accepted if its condition number is below the limit for `f64`, times
-    /// this factor.
+    /// The condition limit of this arithmetic, divided by that of `f64`. A root is accepted if its condition number is
+    /// below the limit. It is larger in arithmetic with smaller rounding errors.
     const LENIENCE: f64 = 1.0;
 }
 
 /// Arithmetic with a fused multiply-add.
 pub trait MulAdd: Rounding {
-    /// Returns `self * factor + term`, rounded once. If code is compiled for a machine without the instruction, a
+    /// Returns `self * factor + term`, rounded once. In code that is compiled for a machine without the instruction, a
     /// library function computes the same bits.
     fn mul_add(self, factor: Self, term: Self) -> Self;
     /// Returns `self * factor + term`, rounded once or twice, whichever is faster on the machine. Only tests whose

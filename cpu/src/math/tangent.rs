@@ -6,10 +6,12 @@ use crate::math::nearest::{Midpoint, certain_sign, nearest};
 
 /// Returns the tangent of an angle from 0 to `pi / 2`, in radians, correctly rounded. It takes some ten microseconds.
 ///
-/// The tangent of an `f64` is never a midpoint of two `f64`, because it is transcendental unless the angle is 0. So a
-/// comparison with enough bits always decides. NaN gives NaN, as does any angle outside of the range.
+/// To round the tangent, it is compared with midpoints of neighbouring `f64`. It is never equal to one, because the
+/// tangent of an `f64` other than 0 is transcendental. So a comparison with enough bits always decides. NaN and angles
+/// outside of the range give NaN.
 pub fn tangent(angle: f64) -> f64 {
-    /// Below it `angle^3 / 3` is less than half a unit in the last place: the tangent is nearest to the angle itself.
+    /// Below this angle `angle^3 / 3` is less than half a unit in the last place, so the `f64` nearest to the tangent
+    /// is the angle itself.
     const SMALL: f64 = 1.0 / (1_u64 << 27) as f64;
 
     if (0.0..SMALL).contains(&angle) {

@@ -123,8 +123,8 @@ impl<T: Real> Vec3<T> {
         Self::new(self.x * reflectance.x, self.y * reflectance.y, self.z * reflectance.z)
     }
 
-    /// Returns the part of the vector `v` that is perpendicular to `axis`: `v - (v . axis) axis`. The axis has length
-    /// one.
+    /// Returns the part of this vector `v` that is perpendicular to `axis`: `v - (v . axis) axis`. The axis must have
+    /// length one.
     #[inline(always)]
     pub fn perpendicular_to(self, axis: Self) -> Self {
         self - axis * self.dot(axis)
@@ -180,11 +180,12 @@ impl<T: Real> Neg for Vec3<T> {
     }
 }
 
-/// Gives a structure of vectors and numbers the method `lanes`.
+/// Gives a structure the method `lanes`, from the names of its fields: first those that are vectors, then those that
+/// are numbers.
 macro_rules! broadcast {
     ($type:ident: $($vector:ident),*; $($number:ident),*) => {
         impl $type {
-            /// The same values in every lane.
+            /// Returns the same values in every lane.
             #[inline(always)]
             #[must_use]
             pub fn lanes<V: $crate::math::real::Real>(&self) -> $type<V> {

@@ -20,7 +20,8 @@ use crate::math::dyadic::power_of_two;
 use crate::math::power::tables::{LN_2, exponential, logarithm, reciprocal};
 use crate::math::real::Real;
 
-/// An upper bound of the relative error of a power in double-double arithmetic. The head of this file derives it.
+/// An upper bound of the relative error of a power in double-double arithmetic. The documentation of [this
+/// module](self) derives it.
 const ERROR: f64 = 1.0 / (1_u128 << 83) as f64;
 
 /// The result of [`power`].
@@ -28,16 +29,18 @@ const ERROR: f64 = 1.0 / (1_u128 << 83) as f64;
 pub enum Quick {
     /// The power, correctly rounded.
     Certain(f64),
-    /// A number near the power; its rounding is uncertain.
+    /// A number near the power. It is uncertain which `f64` is nearest to the power.
     Candidate(f64),
 }
 
-/// Computes `base^exponent` for positive finite numbers.
+/// Computes `base^exponent` for positive finite numbers in double-double arithmetic. The result tells whether its
+/// rounding is certain.
 #[inline(always)]
 pub fn power(base: f64, exponent: f64) -> Quick {
     let logarithm = ln(base);
     let rough = exponent * logarithm.high;
-    // Beyond the largest number, below half the smallest, and nearer to 1 than half a unit in the last place.
+    // The power is beyond the largest number, below half of the smallest, or nearer to 1 than half a unit in the last
+    // place.
     if rough > 710.0 {
         return Quick::Certain(f64::INFINITY);
     }
@@ -51,7 +54,7 @@ pub fn power(base: f64, exponent: f64) -> Quick {
     let error = fraction.high * ERROR;
     let [low, high] = [fraction.low - error, fraction.low + error].map(|low| fraction.high + low);
     let candidate = power_of_two(high, power);
-    // A subnormal number has fewer bits, so it is rounded elsewhere.
+    // A subnormal number has fewer bits, so this rounding is not the final one.
     if low == high && power >= -1021 { Quick::Certain(candidate) } else { Quick::Candidate(candidate) }
 }
 

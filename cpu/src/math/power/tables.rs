@@ -8,10 +8,10 @@ const BITS: u32 = 120;
 /// The smallest index of [`logarithm`].
 const FIRST: usize = 90;
 
-/// `ln((FIRST + i) / FIRST)`, as integers.
+/// The entry at index `i` is `ln((FIRST + i) / FIRST)`, as a fixed-point integer.
 ///
-/// Each entry adds `ln((k + 1) / k) = 2 atanh(1 / (2 k + 1))` to the one before. The series has at most 9 terms, of
-/// which each is wrong by less than 2 units, so an entry is wrong by less than `92 * 18` units, or `2^-109`.
+/// Each entry adds `ln((k + 1) / k) = 2 atanh(1 / (2 k + 1))` to the one before. The series has at most 9 terms, and
+/// each is wrong by less than 2 units. So an entry is wrong by less than `92 * 18` units, or `2^-109`.
 const SUMS: [i128; 92] = {
     let mut sums = [0; 92];
     let mut i = 1;
@@ -29,7 +29,7 @@ const SUMS: [i128; 92] = {
     sums
 };
 
-/// `ln(128 / (FIRST + i))`, wrong by less than `2^-108`.
+/// The entry at index `i` is `ln(128 / (FIRST + i))`, wrong by less than `2^-108`.
 const LOGARITHMS: [DoubleDouble; 92] = {
     let mut table = [number(0); 92];
     let mut i = 0;
@@ -52,7 +52,7 @@ pub const LN_2: DoubleDouble = number(SUMS[180 - FIRST]);
 /// The largest magnitude of the index of [`exponential`].
 const LAST: i128 = 23;
 
-/// `e^(j / 64)`, wrong by less than `2^-105`.
+/// `e^(j / 64)` for `j` from `-LAST` to `LAST`, each wrong by less than `2^-105`.
 const EXPONENTIALS: [DoubleDouble; 47] = {
     let mut table = [number(0); 47];
     let mut at = 0;
