@@ -22,18 +22,21 @@ use crate::{
     sampling::scatter_vectors::ScatterVectors, sampling::uniform::Uniform,
 };
 
-/// Renders a picture by the specification, with the plain intersections.
+/// Renders a picture by the specification, with the plain intersections. Use it to check the real renderer, which is
+/// much faster.
 ///
 /// # Errors
-/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
+/// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position
+/// equals its target, north is null or parallel to the view, or the window is not finite. [`Error::OutOfMemory`] if
+/// memory is short.
 pub fn render<I: Image>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     render_with::<I, Plain>(config, scene, scatter)
 }
 
-/// Renders a picture by the specification, with the intersections of `P`.
+/// Renders as [`render`] does, but with the intersections of `P`: [`Plain`] or [`Exact`].
 ///
 /// # Errors
-/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
+/// The errors of [`render`].
 pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<I, Error> {
     let size = config.image_size()?;
     let mut image = I::black(size)?;
@@ -48,7 +51,7 @@ pub fn render_with<I: Image, P: Intersect>(config: &Config, scene: &Scene, scatt
 /// mean colour before quantisation.
 ///
 /// # Errors
-/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
+/// The errors of [`render`].
 pub fn render_linear(
     config: &Config,
     scene: &Scene,
@@ -58,7 +61,7 @@ pub fn render_linear(
     render_counted::<Plain>(config, scene, scatter, pixel).map(|_| ())
 }
 
-/// The work for a picture without any shortcut.
+/// The work for a picture without any shortcut: the rays that the reference traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Number of rays.
@@ -70,7 +73,7 @@ pub struct Counts {
 /// Renders as [`render_linear`] does, but with the intersections of `P`. Returns the numbers of rays and hits.
 ///
 /// # Errors
-/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
+/// The errors of [`render`].
 pub fn render_counted<P: Intersect>(
     config: &Config,
     scene: &Scene,
@@ -117,7 +120,7 @@ impl Path<'_> {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short. A path between mirrors hits up to `max_depth` surfaces.
     fn color<P: Intersect>(&mut self, mut origin: Vec3, mut direction: Vec3, max_depth: u64) -> Result<Vec3, Error> {
-        // Of the surfaces on the path, first hit first.
+        // The reflectances of the surfaces on the path, in the order of the hits.
         let mut reflectances = Vec::new();
         let mut color = Vec3::ZERO;
         for _ in 0..max_depth {

@@ -50,10 +50,14 @@ use crate::{
 };
 
 /// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. It uses the fastest
-/// instruction set of this machine, unless the environment variable `RENDER_INSTRUCTION_SET` names another one.
+/// instruction set of this machine, unless the environment variable `RENDER_INSTRUCTION_SET` names another one. A name
+/// that is unknown, or whose instruction set this machine lacks, is ignored. The picture's bytes do not depend on the
+/// instruction set.
 ///
 /// # Errors
-/// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
+/// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position
+/// equals its target, north is null or parallel to the view, or the window is not finite. [`Error::OutOfMemory`] if
+/// memory is short.
 pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<L::Image, Error> {
     render_with(&Prepared::<L>::new(config, scene, scatter)?, InstructionSet::chosen())
 }
@@ -175,7 +179,7 @@ impl<L: Layout> Picture<'_, L> {
         }
     }
 
-    /// Traces the samples of the batch, whose offsets have been drawn, and adds them to their pixels.
+    /// Traces the samples of the batch, and adds their colours to their pixels. Their offsets must have been drawn.
     fn trace<S: Simd>(&mut self, simd: S, span: &Span) {
         let Self { state, sums, target, .. } = self;
         simd.run(TraceCameraRays(state));

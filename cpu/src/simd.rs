@@ -35,8 +35,9 @@ use std::ops::{Add, Mul, Sub};
 use crate::math::rounding::MulAdd;
 
 /// An instruction set, as a type for which kernels are compiled. A value of the type proves that the machine has the
-/// instruction set: only [`run`](instruction_set::InstructionSet::run) makes such a value, after it has detected the
-/// set.
+/// instruction set. [`portable::Portable`] and `Simd128` can be made anywhere, because this program could not run on a
+/// machine that lacks them. The types of all other sets have only an unsafe constructor, and
+/// [`InstructionSet::run`](instruction_set::InstructionSet::run) calls it after it has detected the set.
 pub trait Simd: Copy + 'static {
     /// Lanes of `f64`.
     type F64: SimdF64;
@@ -88,13 +89,13 @@ pub trait SimdF64: MulAdd<Mask: LaneMask> {
     /// Moves the lanes that `bits` selects to the front, in their order. The lanes behind the moved ones have no
     /// meaning.
     fn compress(self, bits: u32) -> Self;
-    /// Joins these lanes and those of `next`, which follow. Returns the numbers at even places of the joined lanes, and
-    /// those at odd places.
+    /// Joins these lanes and the lanes of `next` to one list, and returns the numbers at its even places, then those at
+    /// its odd places.
     fn unzip(self, next: Self) -> (Self, Self);
 }
 
-/// Returns a bit of 1 for each of the first `count` lanes, lane 0 lowest. If there are fewer lanes than `count`, every
-/// lane has a bit of 1.
+/// Returns a bit for each lane, lane 0 lowest, which is 1 for the first `count` lanes and 0 for the others. If there
+/// are fewer lanes than `count`, every bit is 1.
 #[inline(always)]
 pub fn valid_lanes<V: SimdF64>(count: usize) -> u32 {
     let all = (1_u32 << V::LANES) - 1;

@@ -1,4 +1,5 @@
-//! Parses the configuration file, whose lines are `key: values`, into a checked [`Config`] (specification, section 3).
+//! Parses the configuration file into a checked [`Config`]. Each line of the file has the form `key: values`
+//! (specification, section 3).
 
 use std::io::BufRead;
 use std::path::Path;

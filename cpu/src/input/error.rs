@@ -51,14 +51,14 @@ pub enum Error {
         /// The line, without its line end.
         line: Vec<u8>,
     },
-    /// A material whose name a line above has already defined.
+    /// A material with a name that an earlier line has already defined.
     MaterialExists {
         /// The material's name.
         name: Vec<u8>,
         /// The line, without its line end.
         line: Vec<u8>,
     },
-    /// An object whose material no line above defines.
+    /// An object with a material that no earlier line defines.
     MaterialNotFound {
         /// The material's name.
         name: Vec<u8>,

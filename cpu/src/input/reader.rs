@@ -9,7 +9,7 @@ use std::path::Path;
 
 use crate::input::{error::Error, text::MAX_FILE_BYTES, text::too_large};
 
-/// An open file of which at most a limited number of bytes is read.
+/// An open file from which at most a limited number of bytes can be read.
 #[derive(Debug)]
 pub struct Input {
     file: File,

@@ -2,7 +2,8 @@
 
 use crate::{math::vec3::Vec3, render::samples::Batch, render::span::Span};
 
-/// The sum of the samples of the present pixel, which may continue in the next span.
+/// The sum of the colours of the samples of one pixel. The samples of a pixel may be spread over several spans, so the
+/// sum is kept from one call of [`Sums::add`] to the next.
 #[derive(Debug)]
 pub struct Sums {
     /// Number of samples of each pixel.
@@ -18,8 +19,8 @@ impl Sums {
         Self { samples, summed: 0, sum: Vec3::ZERO }
     }
 
-    /// Adds the samples of a span, whose colours are in `batch`. Calls `pixel` for every pixel that is then complete,
-    /// with its column and its mean colour.
+    /// Adds the samples of a span. Their colours are in `batch`. Calls `pixel` with the column and the mean colour of
+    /// every pixel whose samples are then complete.
     #[inline(always)]
     pub fn add(&mut self, span: &Span, batch: &Batch, mut pixel: impl FnMut(usize, Vec3)) {
         for (column, samples) in span.pixels(self.samples) {

@@ -4,15 +4,16 @@
 //! 1. A span is a part of a row, of up to 32 pixels. Its candidates are the objects that frustum culling leaves. If a
 //!    span has no candidates and only whole pixels, and bytes are wanted and not means, it is rendered here.
 //!    `render.rs` decides this, and `FindBytes` in `render/stages.rs` asks for one pixel after the other.
-//! 2. The mean of a channel lies in an interval, by the [slope](crate::render::background_slope) of the background. If
-//!    all means in the interval give the same byte, that is the pixel's byte, and no number is drawn.
+//! 2. The mean of a channel lies in an interval, which follows from the [derivative](crate::render::background_slope)
+//!    of the background. If all means in the interval give the same byte, that is the channel's byte, and no number is
+//!    drawn.
 //! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.
 //! 4. If the smaller interval does not give a single byte either, the pixel's rays are traced like all others.
 //!
 //! Neither the reference nor WGSL has this rule: they trace every ray.
 //!
-//! If a bound is NaN, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or
-//! scene are extreme, lengths may underflow and the slope has no meaning. So in such a scene every pixel is traced
+//! If a bound is NaN, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or scene are
+//! extreme, lengths may underflow and the derivative has no meaning. So in such a scene every pixel is traced
 //! ([`Candidates::are_culled`](crate::render::frustum::Candidates::are_culled)).
 //!
 //! A channel may be 1 at both ends of the gradient, as the blue of the default background. It is then at a byte's
@@ -30,8 +31,9 @@ use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
 use crate::simd::{SimdF64, columns::Columns};
 
-/// State for finding the bytes of background pixels, reused from span to span. It holds the span's bytes found so far.
-/// For each pixel it also holds a bound of the background's slope, and bounds of the mean of each channel.
+/// The state with which the bytes of a span's background pixels are found without rays. A byte is the quantised mean of
+/// a channel. For each pixel of the span, the state holds the [derivative bound](DerivativeBound) of the background and
+/// the interval of each channel's mean. It also holds the bytes that have been found so far.
 #[derive(Debug)]
 pub struct BackgroundPixels {
     /// The bytes of the pixels that are done, in order.
@@ -50,8 +52,9 @@ pub struct BackgroundPixels {
     last: [u8; 3],
 }
 
-/// Returns the lowest and the highest mean of a channel, if the mean of `s` is at most `radius` from `middle`. `dark`
-/// and `light` are the channel at the ends of the gradient. `rounding` is added on both sides.
+/// Returns the lowest and the highest mean of a channel, if the mean of `s`
+/// ([`background_slope`](crate::render::background_slope)) is at most `radius` from `middle`. `dark` and `light` are
+/// the channel at the ends of the gradient. `rounding` is added on both sides.
 #[inline(always)]
 fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: f64) -> [T; 2] {
     let half = T::of(0.5);
@@ -62,7 +65,7 @@ fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: 
 }
 
 /// Returns the lowest and the highest mean of red, then those of green, then those of blue. `mean` is the middle and
-/// the radius of an interval that contains the mean of `s`.
+/// the radius of an interval that contains the mean of `s`; see [`interval`].
 #[inline(always)]
 fn intervals<T: Real, L: Layout>(prepared: &Prepared<L>, mean: (T, T), rounding: f64) -> [T; 6] {
     let (dark, light) = (prepared.background.dark, prepared.background.light);
@@ -85,7 +88,8 @@ impl BackgroundPixels {
         Self { bytes, derivatives: Columns::ZERO, intervals: Columns::ZERO, constant, rounding, last: [0; 3] }
     }
 
-    /// Begins a span: computes the bounds that need no offsets, one pixel in each lane.
+    /// Begins a span: computes the derivative bound and the intervals of each pixel, for any offsets of the samples.
+    /// Each lane has one pixel.
     #[inline(always)]
     pub(super) fn begin<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let (camera, row) = (prepared.camera.lanes(), V::of(row as f64));

@@ -11,13 +11,15 @@
 
 use crate::{geometry::camera::Camera, math::real::Real, math::vec3::Vec3};
 
-/// Returns an upper bound of `|e|`: the distance, in scene units, of a pixel's points from the pixel's centre.
+/// Returns an upper bound of the distance of a pixel's points from the pixel's centre, in the projection window and in
+/// scene units: half of the sum of the pixel's width and height. It bounds `|e|` in the documentation of [this
+/// module](self).
 pub fn pixel_radius(camera: &Camera) -> f64 {
     (camera.delta_x.length() + camera.delta_y.length()) / 2.0
 }
 
-/// The derivative of `s` over a pixel, with a bound of the remaining error. The head of this file defines `s`. With
-/// lanes, each lane has its own pixel.
+/// The derivative of `s` over a pixel, with a bound of the remaining error. The documentation of [this module](self)
+/// defines `s`, from which each channel of the background follows. With lanes, each lane has its own pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct DerivativeBound<T = f64> {
     /// `s(d0)`, the value at the pixel's centre.
@@ -29,7 +31,7 @@ pub struct DerivativeBound<T = f64> {
 }
 
 impl<T: Real> DerivativeBound<T> {
-    /// Computes the numbers for the pixel at `row` and `column`. `radius` is the camera's [`pixel_radius`].
+    /// Returns the derivative bound of the pixel at `row` and `column`. `radius` is the camera's [`pixel_radius`].
     #[inline(always)]
     pub fn new(camera: &Camera<T>, row: T, column: T, radius: T) -> Self {
         let zero = T::of(0.0);
@@ -72,8 +74,8 @@ impl DerivativeBound {
         middle.abs() + radius < 0.999
     }
 
-    /// Returns the middle and the radius of an interval that contains the mean of `s` over samples.
-    /// `offset` is the mean of their offsets.
+    /// Returns the middle and the radius of an interval that contains the mean of `s` over samples. `offset` is the
+    /// mean of the samples' offsets from the pixel's centre, in pixels.
     #[inline(always)]
     pub fn at(&self, offset: [f64; 2]) -> (f64, f64) {
         (self.middle + offset[0] * self.along[0] + offset[1] * self.along[1], self.remainder)

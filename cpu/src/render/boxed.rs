@@ -1,4 +1,4 @@
-//! A value on the heap, whose allocation may fail with an error.
+//! A value on the heap. Its allocation may fail with an error.
 
 use std::ops::{Deref, DerefMut};
 

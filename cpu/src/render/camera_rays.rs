@@ -9,9 +9,9 @@ use crate::{
     simd::SimdF64, simd::valid_lanes,
 };
 
-/// A kernel that traces the camera rays of the batch. If a ray hits no object, its sample gets the colour of the
-/// background. If it hits a refractive surface, its sample goes to the specular queue. If it hits a matte or metal
-/// surface, its sample goes to the path queue.
+/// A kernel that traces the camera rays of the batch, which are the first rays of the span's samples. If a ray hits no
+/// object, its sample gets the colour of the background. If it hits a refractive surface, its sample goes to the
+/// specular queue. If it hits a matte or metal surface, its sample goes to the path queue.
 pub struct TraceCameraRays<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>);
 
 impl<L: Layout> Kernel for TraceCameraRays<'_, '_, L> {

@@ -24,8 +24,8 @@ pub enum Candidate {
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
-/// Margin of the culling tests, relative to distance and size of the object. It is many times the rounding errors of
-/// this file, of the rays and of the hits.
+/// Margin of the culling tests, relative to distance and size of the object. It is about a million times the rounding
+/// errors of these tests, of the rays and of the hits.
 const MARGIN: f64 = 1e-9;
 
 /// Additional margin relative to a cylinder's radius. It covers the rounding errors of the side for rays along the

@@ -8,14 +8,16 @@ use crate::{
     math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
 };
 
-/// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`. It is several times as large
-/// as the proven bound of the filter.
+/// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`, for the ray `O + lambda d`
+/// and an object with centre `C` and radius `r`. It is `1024 u` with `u = EPSILON / 2`, at least five times the error
+/// constants of the filters.
 const DISCRIMINANT_ERROR: f64 = 512.0 * f64::EPSILON;
 
 /// A cylinder and its axis in the scene file.
 type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
 
-/// The closest hit of each of several rays, one ray in each lane. Object and part are whole numbers.
+/// The closest hit of each of several rays, one ray in each lane. The numbers of object and part are stored as whole
+/// numbers in `f64` lanes.
 #[derive(Clone, Copy)]
 pub struct HitLanes<V: SimdF64> {
     /// The lambda of each hit. It is infinite in lanes without a hit.

@@ -1,6 +1,6 @@
 //! The maximum depth (specification, section 8.1).
 //!
-//! 1. A sample may send `max_depth` rays, of which the camera ray is the first.
+//! 1. A sample may send `max_depth` rays. The camera ray is the first of them.
 //! 2. If the last of these rays hits a surface, the sample is black, and no further ray follows.
 //! 3. That surface still takes its scatter sample (`sampling/draw_order.rs`).
 //!

@@ -10,7 +10,9 @@ use crate::render::{fallback::MOST_LANES, path_vertex::PathVertex, prepared::Pre
 use crate::render::{queue::PathQueue, samples::Batch};
 use crate::simd::{SimdF64, columns::Columns};
 
-/// The ends of the paths of the queue, by their indices in the queue. The present path is the one that is being traced.
+/// For each path of the queue, by its index in the queue: the direction of its last ray and the materials that
+/// attenuate its colour. [`PathEnds::color`] computes the colours of all paths from these. The paths are traced one
+/// after the other, and the present path is the one that is being traced.
 #[derive(Debug)]
 pub struct PathEnds {
     /// The direction of the last ray of each path.
@@ -82,7 +84,7 @@ impl PathEnds {
     }
 
     /// Ends the paths from index `at` on, one in each lane, with their first rays, which leave the scene. All paths
-    /// before `at` must have ended. If a later call ends one of these paths again, it replaces the end.
+    /// before `at` must have ended. A later call may end one of these paths again. It then replaces the direction.
     #[inline(always)]
     pub fn escape_several<V: SimdF64>(&mut self, at: usize, directions: Vec3<V>) {
         self.direction.store(at, directions.to_array());

@@ -1,4 +1,4 @@
-//! A path vertex: a sample on a surface, with all numbers from which its path continues.
+//! A path vertex: the last hit of a sample on a surface, with all numbers from which its path continues.
 
 use std::ops::Range;
 
@@ -6,7 +6,9 @@ use crate::geometry::ray::Ray;
 use crate::materials::{prepared::PreparedMaterial, scatter::ScatterParams};
 use crate::math::{real::Real, vec3::Vec3};
 
-/// A sample on a surface, or one sample in each lane.
+/// The last hit of a sample, from which its path continues: the hit point, the direction and the random vector's
+/// constants for the next ray, the surface's reflectance, and the numbers that identify the object and the sample. With
+/// lanes, each lane has its own sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathVertex<T = f64> {
     /// The hit point, in scene units. The next ray starts there.

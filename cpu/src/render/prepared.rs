@@ -8,7 +8,7 @@ use crate::{
     sampling::scatter_vectors::Scatter,
 };
 
-/// The prepared scene: all values that do not depend on the ray.
+/// The prepared scene: all values that rendering needs and that are the same for all rays.
 #[derive(Debug)]
 pub struct Prepared<L: Layout> {
     /// The picture's size.
@@ -29,7 +29,7 @@ pub struct Prepared<L: Layout> {
     pub quantizer: Quantizer,
     /// Number of samples of each pixel.
     pub samples: u64,
-    /// Maximum number of rays of a sample. See [`RaysLeft`](crate::render::max_depth::RaysLeft).
+    /// Maximum number of rays of a sample. See [`RaysLeft`].
     pub max_depth: u64,
     /// The convention of the random vectors.
     pub scatter: Scatter,
@@ -48,7 +48,7 @@ impl<L: Layout> Prepared<L> {
     /// Prepares `scene` for rendering with the configuration `config`.
     ///
     /// # Errors
-    /// [`Error::Picture`] if no picture can be made from the configuration. [`Error::OutOfMemory`] if memory is short.
+    /// [`Error::Picture`] if [`Config::check_picture`] returns it. [`Error::OutOfMemory`] if memory is short.
     pub fn new(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Self, Error> {
         let size = config.image_size()?;
         let camera = Camera::new(config, size)?;

@@ -9,7 +9,7 @@ use crate::{
     sampling::draw_order::PixelJitter, sampling::scatter_vectors::Scatter, simd::SimdF64, simd::columns::Columns,
 };
 
-/// The samples of a span.
+/// The samples of a span, with an array for each of their numbers.
 #[derive(Debug)]
 pub struct Batch {
     /// Number of samples.
@@ -47,8 +47,8 @@ impl Batch {
         })
     }
 
-    /// Makes the sample with the number `sample` black, because it is at the maximum depth. `sample` has the bits of an
-    /// integer.
+    /// Makes a sample black, because its path is at the maximum depth. The bits of `sample` are the sample's index in
+    /// the span.
     #[inline(always)]
     pub fn terminate(&mut self, sample: f64) {
         self.color.set(sample.to_bits() as usize, [0.0; 3]);

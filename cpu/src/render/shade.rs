@@ -7,8 +7,9 @@ use crate::{
     materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
 };
 
-/// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the surface is refractive. The
-/// vertices of lanes without a hit have no meaning. The caller sets `sample` and `rays` of the vertices.
+/// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the lane has a hit on a
+/// refractive surface. Lanes without a hit have the bit 0, and their vertices have no meaning. The caller sets `sample`
+/// and `rays` of the vertices.
 #[inline(always)]
 pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: &HitLanes<V>) -> (PathVertex<V>, u32) {
     let objects = &prepared.objects;

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use crate::render::arrays::CAPACITY;
 
-/// Largest width of a span, in pixels. In a wider span each ray would be tested against more candidates. The width is a
-/// multiple of every instruction set's number of lanes.
+/// Largest width of a span, in pixels. In a wider span each ray would be tested against more candidates. A span may be
+/// narrower. This constant is a multiple of every instruction set's number of lanes, because it is the length of arrays
+/// that are stored in whole lanes.
 pub const WIDEST: usize = 32;
 
 /// Consecutive samples over consecutive pixels of a row. They begin with sample `first_sample` of the pixel in column

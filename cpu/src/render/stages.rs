@@ -17,15 +17,16 @@ impl<L: Layout> Kernel for DrawSamples<'_, '_, L> {
     }
 }
 
-/// A kernel that finds the bytes of the pixels of a span that no object can reach. It stops at the first pixel whose
-/// bytes the bounds do not give, and returns the pixel's index in the span. The samples of that pixel are then in the
-/// batch, and must be traced. If the bounds give all bytes, it returns the width of the span.
+/// A kernel that finds the bytes of the pixels of a span that no object can reach, by bounds instead of rays. It stops
+/// at the first pixel whose bytes the bounds do not give, and returns the pixel's index in the span. The samples of
+/// that pixel are then in the batch, and must be traced. If the bounds give all bytes, it returns the width of the
+/// span.
 pub struct FindBytes<'s, 'a, L: Layout> {
     /// The state of the span.
     pub state: &'s mut SpanState<'a, L>,
     /// The span, which must have only whole pixels.
     pub span: &'s Span,
-    /// Number of the span's leading pixels that are done.
+    /// Number of the span's leading pixels whose bytes have been found already.
     pub done: usize,
 }
 

@@ -5,7 +5,8 @@ use crate::{
     input::scene::MaterialId, layout::Objects, math::vec3::Vec3,
 };
 
-/// A point on the surface of an object, where a ray hits it.
+/// What a scattered ray depends on at the point where a ray hits an object: the hit point, the normal and the material.
+/// Elsewhere in this crate, a surface is the whole surface of an object.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface {
     /// The hit point, in scene units.
@@ -18,7 +19,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Returns the surface at the closest hit, which must be a hit, and counts the hit.
+    /// Returns the hit point, the normal and the material of the closest hit, and counts the hit. `hit` must be a hit.
     #[inline(always)]
     pub fn new<O: Objects>(objects: &O, ray: &Ray, hit: &ClosestHit) -> Self {
         add(Counter::Hits, 1);

@@ -6,11 +6,14 @@
 
 use crate::sampling::uniform::canonical;
 
+/// Number of words in the state of the generator.
 const LENGTH: usize = 312;
+/// Half of the state, in words.
 const MIDDLE: usize = 156;
 
-/// Number of words that are stored before the state. Half of the state, 156 words, is 4 words more than a multiple of 8
-/// lanes.
+/// Number of words stored before the state: copies of the last words of the previous state. With four of them,
+/// [`renew`] can renew the 312 words in two loops of 152 and 160 words, which are multiples of 8 lanes. Half of the
+/// state, 156 words, is no such multiple.
 const LEAD: usize = 4;
 
 /// The last [`LEAD`] words of the previous state, then the [`LENGTH`] words of the state, then its first word again.
@@ -84,7 +87,7 @@ fn renew(state: &mut State) {
     renew_some::<{ LENGTH - MIDDLE + LEAD }>(state, MIDDLE, 0);
 }
 
-/// Renews the `COUNT` words from index `at` on. The words half a state away begin at index `half`.
+/// Renews the `COUNT` words from index `at` on. The words half a state away from them begin at index `half`.
 #[inline(always)]
 fn renew_some<const COUNT: usize>(state: &mut State, at: usize, half: usize) {
     for index in 0..COUNT {

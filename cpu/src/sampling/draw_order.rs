@@ -7,11 +7,12 @@
 //!    surface takes the sample even at the maximum depth, where no ray follows. A refractive surface takes none.
 //!    [`ScatterSamples`](crate::sampling::scatter_stream::ScatterSamples) makes the scatter samples.
 //!
-//! Numbers that can change no byte are not drawn. This is so in deterministic mode, for background pixels whose bytes
-//! are known without them (they are passed over), and if `needs_samples` of `render/prepared.rs` finds no material for
-//! which a scatter sample matters at this maximum depth. The reference's copy of the rule is in `reference.rs`
-//! (`render_counted` and `scatter`). WGSL has no copy, because its random numbers come from the CPU. `render/path.rs`,
-//! `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this rule.
+//! Numbers that can change no byte are not drawn. There are three such cases: deterministic mode; background pixels
+//! with bytes that are known without a ray ([`PixelJitter::pass_over`]); and scenes in which `needs_samples` of
+//! `render/prepared.rs` finds no material for which a scatter sample matters at this maximum depth. The reference's
+//! copy of the rule is in `reference.rs` (`render_counted` and `scatter`). WGSL has no copy, because its random numbers
+//! come from the CPU. `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this
+//! rule.
 
 use crate::sampling::block::BlockUniform;
 use crate::{counters::Counter, counters::add, simd::SimdF64, simd::columns::Columns};
@@ -32,7 +33,7 @@ pub struct PixelJitter {
 }
 
 impl PixelJitter {
-    /// Returns the stream whose generator starts from `seed`.
+    /// Returns the stream with a generator that starts from `seed`.
     pub fn new(seed: u64) -> Self {
         Self { stream: BlockUniform::new(seed), passed_over: 0 }
     }

@@ -9,13 +9,14 @@ use crate::{
     counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
 };
 
-/// Places before the new samples. The old samples that have not been taken are moved there.
+/// Number of places before the new samples. [`Make`] moves the old samples that have not been taken, fewer than
+/// [`RESERVE`], to the last of these places.
 const SLACK: usize = 16;
 /// Number of samples that are made at a time.
 const MADE: usize = 512;
 /// Number of samples that can always be taken after [`ScatterSamples::prepare`].
 pub const RESERVE: usize = 12;
-/// Number of places for samples.
+/// Number of places for samples: those for old samples, then those for new ones.
 const ROOM: usize = SLACK + MADE;
 
 /// The scatter samples, in order. In the statement's convention a sample is three random numbers in `[0, 1)`. In the
@@ -34,7 +35,7 @@ pub struct ScatterSamples {
 }
 
 impl ScatterSamples {
-    /// Returns the stream of the given convention, whose generator starts from `seed`. No sample is made yet.
+    /// Returns the stream of the given convention, with a generator that starts from `seed`. No sample is made yet.
     pub fn new(convention: Scatter, seed: u64) -> Self {
         let draws = [0.0; DRAWS_OF_SCATTER_SAMPLE * MADE];
         Self { convention, generator: BlockUniform::new(seed), draws, samples: Columns::ZERO, next: ROOM, before: 0 }
@@ -111,7 +112,7 @@ impl Kernel for Make<'_> {
     }
 }
 
-/// A vector in the cube that [`unit_vector`] scales or rejects.
+/// Returns a random vector in the cube `[-1, 1)^3`, which [`unit_vector`] scales or rejects.
 #[inline(always)]
 fn in_cube(generator: &mut BlockUniform) -> Vec3 {
     let mut draws = [0.0; DRAWS_OF_SCATTER_SAMPLE];

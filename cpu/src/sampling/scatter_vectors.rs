@@ -17,8 +17,8 @@ pub enum Scatter {
     Deterministic,
 }
 
-/// A vector of length one by rejection: scales the first vector of the cube that lies in the unit ball, and not too
-/// close to its centre. `draw` gives the vectors of the cube.
+/// Returns a random vector of length one. `draw` gives random vectors in the cube around the unit ball. The first of
+/// them that lies in the ball, with a squared length above 1e-160, is scaled to length one.
 #[inline(always)]
 pub(crate) fn unit_vector(mut draw: impl FnMut() -> Vec3) -> Vec3 {
     loop {
@@ -38,7 +38,7 @@ pub struct ScatterVectors {
 }
 
 impl ScatterVectors {
-    /// Returns the stream of the given convention, whose generator starts from `seed`.
+    /// Returns the stream of the given convention, with a generator that starts from `seed`.
     pub fn new(convention: Scatter, seed: u64) -> Self {
         Self { convention, draws: Uniform::new(seed) }
     }

@@ -1,4 +1,4 @@
-//! Lanes of 256 bits: AVX2 with fused multiply-add. Each line of a table is one operation with its intrinsics.
+//! Vectors of 256 bits: AVX2 with fused multiply-add. Each line of a table is one operation with its intrinsics.
 
 mod permutations;
 
@@ -12,7 +12,7 @@ use crate::simd::{
 
 features!(is_x86_feature_detected: "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
-/// The proof that the machine has AVX2 and FMA.
+/// The proof that the machine has AVX2, FMA, and four extensions for integers (BMI1, BMI2, LZCNT and POPCNT).
 #[derive(Clone, Copy, Debug)]
 pub struct Avx2(());
 

@@ -1,4 +1,4 @@
-//! Lanes of 512 bits: AVX-512 F, DQ, BW and VL. Each line of a table is one operation with its intrinsics.
+//! Vectors of 512 bits: AVX-512 F, DQ, BW and VL. Each line of a table is one operation with its intrinsics.
 
 use std::arch::x86_64::*;
 
@@ -9,7 +9,8 @@ use crate::simd::{
 
 features!(is_x86_feature_detected: "avx512f", "avx512dq", "avx512bw", "avx512vl", "avx2", "fma", "bmi1", "bmi2", "lzcnt", "popcnt");
 
-/// The proof that the machine has AVX-512.
+/// The proof that the machine has AVX-512 F, DQ, BW and VL, AVX2, FMA, and four extensions for integers (BMI1, BMI2,
+/// LZCNT and POPCNT).
 #[derive(Clone, Copy, Debug)]
 pub struct Avx512 {
     /// Whether [`Simd::run_promptly`] uses 512 bits too, instead of 256.

@@ -1,5 +1,5 @@
-//! A list of entries, each of which has several numbers. It has one array for each number of an entry. So lanes load
-//! and store several entries at once.
+//! A list of entries of several numbers each. The list has one array for each number of an entry. So lanes load and
+//! store several entries at once.
 
 use crate::simd::SimdF64;
 

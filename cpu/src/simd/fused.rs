@@ -1,10 +1,12 @@
 //! The macro `run_fused`, which runs the compensated and precise formulas of one ray with a fused multiply-add.
 
-/// Runs an expression, whose inputs are references, with the instruction set
-/// [`InstructionSet::fused`](crate::simd::instruction_set::InstructionSet::fused).
+/// Runs a block of code that is compiled for the instruction set
+/// [`InstructionSet::fused`](crate::simd::instruction_set::InstructionSet::fused), and returns its result. A call looks
+/// like a closure: `run_fused!(|a: &f64, b: &f64| -> f64 { a.mul_add(*b, 1.0) })`. Each name before the colon must be a
+/// variable that holds a reference of this type, and the block can use no other variables.
 ///
 /// This is a macro, because a closure would be compiled without the instruction set. In a closure `mul_add` would call
-/// a library function.
+/// a slow library function.
 macro_rules! run_fused {
     (|$($name:ident: &$type:ty),+| -> $output:ty { $($body:tt)* }) => {{
         struct Work<'a>($(&'a $type),+);

@@ -14,15 +14,16 @@ use crate::simd::{avx2, avx512};
 pub enum InstructionSet {
     /// Lanes as arrays, for any machine. On x86-64 the compiler turns them into instructions of 128 bits.
     Portable,
-    /// Lanes of 128 bits of WebAssembly, without fused multiply-add. A module has them if it was compiled for them.
+    /// The 128-bit vectors of WebAssembly, without fused multiply-add. A WebAssembly module uses them if it was
+    /// compiled for them.
     Simd128,
-    /// Lanes of 128 bits of 64-bit ARM, with fused multiply-add.
+    /// The 128-bit vectors of 64-bit ARM processors (NEON), with fused multiply-add.
     Neon,
-    /// Lanes of 256 bits, with fused multiply-add.
+    /// Vectors of 256 bits, with fused multiply-add.
     Avx2,
-    /// Lanes of 512 bits, but of 256 bits for kernels that [`Simd::run_promptly`] runs.
+    /// Vectors of 512 bits, but of 256 bits for kernels that [`Simd::run_promptly`] runs.
     Avx512,
-    /// Lanes of 512 bits for all kernels, for machines on which comparisons into mask registers have a low latency.
+    /// Vectors of 512 bits for all kernels, for machines on which comparisons into mask registers have a low latency.
     Avx512Throughout,
 }
 
@@ -88,8 +89,8 @@ impl InstructionSet {
         if Self::Avx2.is_available() { Self::Avx2 } else { Self::best() }
     }
 
-    /// Returns the instruction set that [`InstructionSet::VARIABLE`] names. If the variable names none that this
-    /// machine has, the result is [`InstructionSet::best`].
+    /// Returns the instruction set that [`InstructionSet::VARIABLE`] names. If the variable is not set, or its value is
+    /// not the name of a set that this machine has, the result is [`InstructionSet::best`].
     pub fn chosen() -> Self {
         let named = std::env::var_os(Self::VARIABLE);
         Self::ALL
@@ -123,7 +124,8 @@ impl InstructionSet {
 }
 
 /// Whether comparisons into mask registers are as fast as those into vectors. On AMD's processors they are, by
-/// measurement (docs/experiments.md). Asked once a picture: under a hypervisor `cpuid` takes microseconds.
+/// measurement (docs/experiments.md). This is called only once for each picture, because `cpuid` takes microseconds
+/// under a hypervisor.
 fn has_fast_masks() -> bool {
     #[cfg(target_arch = "x86_64")]
     {

@@ -1,5 +1,5 @@
-//! 128-bit lanes of 64-bit ARM: NEON, which every such processor has. Each line of a table is one operation with its
-//! intrinsics.
+//! Vectors of 128 bits of 64-bit ARM processors: NEON, which every such processor has. Each line of a table is one
+//! operation with its intrinsics.
 
 #![allow(unused_unsafe, reason = "an intrinsic whose feature the target always has is safe")]
 
@@ -35,7 +35,8 @@ impl Simd for Neon {
     }
 }
 
-/// Four lanes of `f64`, in two registers. With two lanes, loops and guesses would cost more than a register saves.
+/// Four lanes of `f64`, in two registers. A type with one register would have two lanes. Then loops would have twice as
+/// many steps and a lookahead would test half as many paths, which costs more than the register saves.
 #[derive(Clone, Copy, Debug)]
 pub struct F64([float64x2_t; 2]);
 

@@ -6,7 +6,8 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::functions};
 
-/// The portable instruction set.
+/// The portable instruction set: lanes are arrays of four numbers, for `f64` and for `f32`. It needs nothing special of
+/// the machine, so every machine has it.
 #[derive(Clone, Copy, Debug)]
 pub struct Portable;
 

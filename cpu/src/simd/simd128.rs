@@ -1,7 +1,7 @@
-//! 128-bit lanes of WebAssembly. Each line of a table is one operation with its intrinsics.
+//! Vectors of 128 bits of WebAssembly. Each line of a table is one operation with its intrinsics.
 //!
-//! A module that contains these instructions loads only where they are supported, so they are chosen when the renderer
-//! is compiled (`-C target-feature=+simd128`), not when it runs.
+//! A WebAssembly module that contains these instructions loads only where they are supported, so they are chosen when
+//! the renderer is compiled (`-C target-feature=+simd128`), not when it runs.
 
 #![allow(unused_unsafe, reason = "an intrinsic whose feature the target always has is safe")]
 
@@ -10,7 +10,8 @@ use std::arch::wasm32::*;
 use crate::math::{real::Real, rounding::MulAdd, rounding::Rounding};
 use crate::simd::{Kernel, LaneMask, Simd, SimdF32, SimdF64, tables::functions, tables::intrinsics, tables::operators};
 
-/// The proof that the machine has 128-bit lanes. The module would not have loaded without them.
+/// The proof that the machine has the 128-bit vectors of WebAssembly. Without them the WebAssembly module would not
+/// have loaded.
 #[derive(Clone, Copy, Debug)]
 pub struct Simd128;
 

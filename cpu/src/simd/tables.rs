@@ -8,7 +8,7 @@ macro_rules! functions {
     };
 }
 
-/// Defines functions in the body of an `impl`, whose bodies call intrinsics of `std::arch`.
+/// Defines functions in the body of an `impl`. The bodies of the functions call intrinsics of `std::arch`.
 ///
 /// Each body is inside an `unsafe` block. So a body that reads or writes memory has a comment that says why this is
 /// sound.

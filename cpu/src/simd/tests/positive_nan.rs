@@ -7,7 +7,7 @@ use std::ops::{Add, Mul, Sub};
 use crate::simd::portable::{Array, Portable};
 use crate::simd::{Kernel, Simd, SimdF32};
 
-/// The portable instruction set, whose `f32` lanes hold only positive NaNs.
+/// The portable instruction set, except that its `f32` lanes hold only positive NaNs.
 #[derive(Clone, Copy, Debug)]
 pub struct PositiveNan;
 
@@ -20,7 +20,7 @@ impl Simd for PositiveNan {
     }
 }
 
-/// Four lanes, none of which holds a negative NaN.
+/// Four lanes that hold no negative NaN.
 #[derive(Clone, Copy, Debug)]
 pub struct F32(Array<f32>);
 
