@@ -13,7 +13,7 @@
 //!
 //! The formulas of `cpu` are generic, so the formula's own code computes the bound. If the operands of a comparison are
 //! closer than their bounds, the comparison may have another result in f32. Then the case is marked and not compared.
-//! The value is computed in f64, whose rounding errors of `2^-53` are covered by the factor `SLACK`.
+//! The value is computed in f64. The factor `SLACK` covers the rounding errors of f64, `2^-53`.
 
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -56,7 +56,7 @@ pub const DIRECTIONS: [[f64; 3]; 22] = [
     [f64::NAN, 1.0, 0.0],
 ];
 
-/// Returns a random number of either sign, whose magnitude is between `10^low` and `10^high`.
+/// Returns a random number of either sign with a magnitude between `10^low` and `10^high`.
 pub fn of_any_size(draws: &mut Uniform, low: f64, high: f64) -> f64 {
     let size = 10.0_f64.powf(draws.draw(low, high));
     if draws.canonical() < 0.5 { -size } else { size }

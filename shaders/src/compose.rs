@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::module::{self, MODULES, Module};
 use crate::{Error, Precision, Validated};
 
-/// The texts of all modules: the crate's own texts, some of which may be replaced.
+/// The texts of all modules: the crate's own texts, or the texts that replace some of them.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
@@ -103,7 +103,7 @@ pub struct Composition {
     parts: Vec<Part>,
 }
 
-/// The lines of one file in a composition. They end where the next part begins.
+/// The lines of one file in a composition. They end where the next file's lines begin.
 #[derive(Clone, Debug)]
 struct Part {
     path: String,

@@ -114,8 +114,8 @@ fn plain(message: &str) -> String {
     without_handles(&text)
 }
 
-/// The text without indices into naga's own lists, such as ` [12]`. Where the index is a noun, as in
-/// `the type of [12]`, words replace it. After a noun, as in `Function [12]`, nothing does.
+/// Returns the text without indices into naga's own lists, such as ` [12]`. An index that stands for a noun, as in `the
+/// type of [12]`, is replaced by words. An index after a noun, as in `Function [12]`, is removed.
 fn without_handles(text: &str) -> String {
     /// Words that need a noun after them, and the noun.
     const NOUNS: [(&str, &str); 7] = [
@@ -146,7 +146,7 @@ fn without_handles(text: &str) -> String {
         };
     }
     result.push_str(rest);
-    // naga ends a message so, of which only an index would say more.
+    // The removal of an index may leave `, has type` at the end of the message, which is removed too.
     result.strip_suffix(", has type").map_or(result.clone(), str::to_owned)
 }
 

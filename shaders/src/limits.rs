@@ -4,8 +4,8 @@
 //! with the square of the number of tokens. One linear scan here limits both. It overestimates the nesting, because it
 //! only counts brackets and operators and does not know the grammar.
 
-/// Largest number of tokens of a composition. For the slowest texts of this length that were found, naga needs less
-/// than two seconds.
+/// Largest number of tokens of a composition. naga needs less than two seconds for the slowest texts of this length
+/// that were found.
 pub const MAX_TOKENS: usize = 1 << 16;
 
 /// Largest number of brackets, operators and `else` branches that may be nested in each other in one statement.

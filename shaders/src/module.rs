@@ -9,15 +9,15 @@ pub struct Module {
     pub path: &'static str,
     /// The text of the file.
     pub source: &'static str,
-    /// Names of the modules whose functions, types or constants this module uses. What those modules need in turn is
-    /// not listed.
+    /// Names of the modules whose functions, types or constants this module uses. The modules that those modules need
+    /// are not listed.
     pub needs: &'static [&'static str],
 }
 
 macro_rules! modules {
     ($($name:literal in $path:literal needs [$($need:literal)*];)*) => {
-        /// All modules except the two that define `real`, of which [`crate::Precision`] chooses one. Each module comes
-        /// after all modules that it needs.
+        /// All modules except the two that define `real`. [`crate::Precision`] chooses one of those two. Each module
+        /// comes after all modules that it needs.
         pub const MODULES: &[Module] = &[$(Module {
             name: $name,
             path: $path,

@@ -150,7 +150,7 @@ fn open_pipe(path: &Path) -> io::Result<File> {
 /// inputs are read. A device or a pipe may be both input and output.
 ///
 /// # Errors
-/// [`Error`], whose message names the first such input.
+/// [`Error`] with a message that names the first such input.
 pub fn refuse_inputs(out: &Path, inputs: &[&Path]) -> Result<(), Error> {
     match inputs.iter().find(|input| is_same_file(out, input)) {
         None => Ok(()),

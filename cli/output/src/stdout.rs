@@ -49,7 +49,7 @@ static BEFORE_MAIN: extern "C" fn() = {
     look
 };
 
-/// Returns standard output as a file without a buffer, whose writes return all errors of the system.
+/// Returns standard output as a file without a buffer. Its writes return all errors of the system.
 ///
 /// # Errors
 /// [`io::ErrorKind::NotConnected`] if standard output was closed when the process started.

@@ -14,10 +14,10 @@ mod rights;
 
 const PROGRAMS: [&str; 2] = [env!("CARGO_BIN_EXE_render-aos"), env!("CARGO_BIN_EXE_render-soa")];
 
-/// A configuration for a picture of 40,000 pixels, whose file is larger than 64 kB.
+/// A configuration for a picture of 40,000 pixels. Its file is larger than 64 kB.
 const CONFIG: &str = "image_width: 200\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
-/// The ID of the user and the group `nobody`, which have no rights.
+/// The ID of the user `nobody` and of its group, which have no rights.
 const NOBODY: u32 = 65_534;
 
 pub fn trials() -> Vec<Trial> {

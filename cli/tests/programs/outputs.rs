@@ -5,7 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 use crate::bench::{Bench, PROGRAMS, SMALL, assert_failed, assert_succeeded};
 
-/// A configuration for a picture of 22,500 pixels, whose file is larger than the buffer of a pipe.
+/// A configuration for a picture of 22,500 pixels. Its file is larger than the buffer of a pipe.
 const LARGE: &str = "image_width: 150\naspect_ratio: 1 1\nsamples_per_pixel: 1\n";
 
 fn run(bench: &Bench, program: &str, out: &str) -> Output {

@@ -40,7 +40,7 @@ impl<'a> Examiner<'a> {
     /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
     ///
     /// # Errors
-    /// An error of the device or of the mutant's WGSL, for which no check could run.
+    /// An error of the device or of the mutant's WGSL, so that no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
         self.examine(&mutant.library()?, mutant.module)
     }

@@ -1,4 +1,4 @@
-//! Compiles a shader in a separate process first, whose memory and time are limited.
+//! Compiles a shader in a separate process first. The memory and the time of that process are limited.
 //!
 //! A short module can make naga or the driver's compiler use any amount of memory or time, for example by comparing
 //! arrays of 500,000,000 elements. Neither can be stopped from inside the process. So `shader-lab` starts itself again

@@ -12,14 +12,14 @@ const PATIENCE: Duration = Duration::from_secs(2);
 /// Reports the progress of work that consists of many parts.
 #[derive(Debug)]
 pub struct Progress {
-    /// What goes on, as in `WGSL renders`.
+    /// The words at the start of a report, such as `WGSL renders`.
     words: &'static str,
     start: Instant,
     last: Instant,
 }
 
 impl Progress {
-    /// The progress of work that begins now. `words` say what goes on.
+    /// Returns the progress of work that begins now. `words` are the start of each report.
     #[must_use]
     pub fn start(words: &'static str) -> Self {
         let now = Instant::now();

@@ -55,7 +55,7 @@ impl Sources {
 /// Reads and parses a configuration and a scene of at most [`MAX_BYTES`] each.
 ///
 /// # Errors
-/// Why a file cannot be read, or what is wrong in it.
+/// The reason why a file cannot be read, or the error in its text.
 pub fn scene(config: &Path, scene: &Path) -> Result<(Config, Scene), Error> {
     parse((config, text(config)), (scene, text(scene)))
 }

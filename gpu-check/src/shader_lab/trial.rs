@@ -59,8 +59,8 @@ impl Held for f32 {
     }
 }
 
-/// Returns the errors of the options `--pixel` and `--show` that the configuration and the scene decide, so that they
-/// come before the picture is rendered.
+/// Checks whether the options `--pixel` and `--show` fit the configuration and the scene. It is called before the
+/// picture is rendered, so that an error comes early.
 ///
 /// # Errors
 /// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] when
@@ -84,7 +84,7 @@ pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Er
     }
 }
 
-/// How many surfaces of a path a view needs.
+/// Returns the largest number of surfaces of a path that a view needs.
 fn depth_of(view: View, features: Features) -> u32 {
     if view.is_deep() { features.max_depth } else { features.max_depth.min(1) }
 }

@@ -10,7 +10,7 @@ use crate::picture::depth;
 use crate::renderer::surfaces_of_a_run;
 use crate::{Error, Picture};
 
-/// The words before the progress of the CPU.
+/// The start of each report on the progress of the CPU's rendering.
 const WORDS: &str = "the CPU renders";
 
 /// Largest number of pixels of a picture, slightly more than 4K (3840 x 2160). About a dozen copies of a picture are in
