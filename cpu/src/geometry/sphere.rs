@@ -66,6 +66,18 @@ impl<T: Real> SphereRecord<T> {
     }
 }
 
+impl SphereRecord {
+    /// Returns the bits of [`SphereRecord::outward`]. If the radius is a power of two, this multiplies by its
+    /// reciprocal, which is exact. A product has a third of the latency of a quotient, and the next ray of a path waits
+    /// for the normal.
+    #[inline(always)]
+    pub fn outward_by_reciprocal(&self, point: Vec3) -> Vec3 {
+        // Only the significand's leading bit is set, which is not stored. A subnormal radius fails this test.
+        let is_power_of_two = self.radius.to_bits().trailing_zeros() >= f64::MANTISSA_DIGITS - 1;
+        if is_power_of_two { (point - self.center) * (1.0 / self.radius) } else { self.outward(point) }
+    }
+}
+
 impl<T: Real<Mask = bool>> SphereRecord<T> {
     /// Returns the lambda at which the ray hits the sphere, by the plain formula. This is the smaller root if it is in
     /// range, else the larger root if that is in range, else `None`.
@@ -132,6 +144,29 @@ mod tests {
         let sphere = SphereRecord::new(Vec3::new(1.0, 0.0, 0.0), 2.0);
         assert_eq!(sphere.radius_squared, 4.0);
         assert_eq!(sphere.outward(Vec3::new(3.0, 0.0, 0.0)), Vec3::new(1.0, 0.0, 0.0));
+    }
+
+    #[test]
+    fn the_normal_by_a_reciprocal_has_the_same_bits_for_every_exponent() {
+        let mut draws = crate::sampling::uniform::Uniform::new(17);
+        for exponent in -1074..=1023 {
+            let power = if exponent < -1022 { f64::from_bits(1 << (exponent + 1074)) } else { 2.0_f64.powi(exponent) };
+            for radius in [power, power * 1.5, power * 0.75, power.next_up(), power.next_down()] {
+                let mut vector = || Vec3::from([(); 3].map(|()| draws.draw(-1.0, 1.0)));
+                let (sphere, far) = (SphereRecord::new(vector(), radius), SphereRecord::new(vector() * 1e5, radius));
+                let toward = vector();
+                for (sphere, point) in
+                    [(sphere, toward), (sphere, toward * radius), (far, far.center + toward * radius)]
+                {
+                    let bits = |normal: Vec3| normal.to_array().map(f64::to_bits);
+                    assert_eq!(
+                        bits(sphere.outward_by_reciprocal(point)),
+                        bits(sphere.outward(point)),
+                        "{sphere:?}, {point:?}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]

@@ -27,7 +27,7 @@ impl Surface {
         match ObjectRef::of(objects, hit.object) {
             ObjectRef::Sphere(index) => {
                 let sphere = objects.sphere(index);
-                Self { point, outward: sphere.record.outward(point), material: sphere.material }
+                Self { point, outward: sphere.record.outward_by_reciprocal(point), material: sphere.material }
             }
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index);

@@ -74,8 +74,8 @@ impl<F: SimdF32> SlabRay<F> {
         let mut slab_ray = Self { reciprocal: zero, near_origin: zero, far_origin: zero, near: [0; 3], far: [0; 3] };
         for axis in 0..3 {
             let (minus_origin, narrow) = (-origin[axis] as f32, direction[axis] as f32);
-            let magnitude = (1.0 / narrow).abs();
-            let magnitude = if magnitude < LARGEST_RECIPROCAL { magnitude } else { LARGEST_RECIPROCAL };
+            // The compiler makes a branch of a comparison here, which costs 2 % of the time with 1,000 objects.
+            let magnitude = (1.0 / narrow).abs().min(LARGEST_RECIPROCAL);
             let reciprocal = magnitude.copysign(narrow);
             let step = (minus_origin.abs() * STEP + steps[axis]) * magnitude;
             let distance = minus_origin * reciprocal;
