@@ -18,7 +18,8 @@ use crate::{
     simd::SimdF32,
 };
 
-/// Maximum number of objects for which the isolated objects are found. Finding them takes as long as building the tree.
+/// Maximum number of objects of a scene in which the isolated objects are sought. In a larger scene no object counts as
+/// isolated, because the search would take as long as building the tree.
 const MOST_FOR_ISOLATION: usize = 1 << 17;
 
 /// Maximum number of nodes that are visited to decide whether an object is isolated. It limits the time.

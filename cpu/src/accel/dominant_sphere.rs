@@ -119,7 +119,7 @@ mod tests {
     use crate::accel::closest_hit::ClosestHit;
     use crate::input::scene::Scene;
     use crate::layout::aos::AosObjects;
-    use crate::render::surface::Surface;
+    use crate::render::surface_hit::SurfaceHit;
     use crate::sampling::scatter_vectors::Scatter;
     use crate::sampling::uniform::Uniform;
 
@@ -160,10 +160,10 @@ mod tests {
             }
             let material = number % 3;
             let material_data = PreparedMaterial::new(&scene.materials[material], Scatter::Statement);
-            let surface = Surface::new(&objects, &ray, &hit);
-            let unperturbed = material_data.unperturbed_direction(ray.direction, surface.outward);
+            let surface_hit = SurfaceHit::new(&objects, &ray, &hit);
+            let unperturbed = material_data.unperturbed_direction(ray.direction, surface_hit.outward);
             let direction = material_data.scatter_params.scatter_around(unperturbed, scatter_sample);
-            let next = Ray { origin: surface.point, direction };
+            let next = Ray { origin: surface_hit.point, direction };
             let predicted = dominant.predicts_entry(
                 &objects,
                 &ray,
@@ -172,7 +172,7 @@ mod tests {
                 material_data.scatter_params.vector(scatter_sample),
             );
             // If the ray is nearly parallel to the surface, the prediction may be wrong.
-            if next.direction.dot(surface.outward).abs() > 1e-5 {
+            if next.direction.dot(surface_hit.outward).abs() > 1e-5 {
                 assert_eq!(predicted, dominant.is_entered_by(&objects, &next), "{ray:?}, {material_data:?}");
                 counts[material][usize::from(predicted)] += 1;
             }

@@ -18,11 +18,11 @@ use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
 
-/// The lower limit of `|p|`, 2e-8, where `p` is the dot product of the ray's direction `d` and a cylinder's axis. A ray
-/// certainly is not parallel to the caps if `|p| > STEEP` and `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice [`PARALLEL`],
-/// below which a cap is not hit.
+/// The first of two thresholds that show that a ray is not parallel to the caps of a cylinder. Let `p` be the dot
+/// product of the ray's direction `d` and the cylinder's axis. The ray certainly is not parallel if `|p| > STEEP` and
+/// `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice [`PARALLEL`], below which a cap is not hit.
 const STEEP: f64 = 2.0 * PARALLEL;
-/// The lower limit of `p^2 / |d|^2`, 2^-40; see [`STEEP`]. Above it the rounding error of `p`, at most `7 u |d|` with
+/// The second threshold, 2^-40; see [`STEEP`]. If `p^2` exceeds it, the rounding error of `p`, at most `7 u |d|` with
 /// `u = 2^-53`, is less than `2^-30 |p|`. So rounding cannot move `|p|` from `STEEP` to `PARALLEL`.
 const STEEP_SHARE: f64 = 1.0 / (1_u64 << 40) as f64;
 

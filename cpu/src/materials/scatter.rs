@@ -3,8 +3,8 @@
 
 use crate::math::{real::Real, vec3::Vec3, vec3::broadcast};
 
-/// The constants with which a surface scatters a ray around a direction: it adds the random vector `scatter sample *
-/// scale + shift`. With lanes, each lane may have its own surface.
+/// The constants with which a surface scatters a ray around a direction. Let `s` be the scatter sample. The surface
+/// adds the random vector `s * scale + shift` to the direction. With lanes, each lane may have its own surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScatterParams<T = f64> {
     /// The factor by which the scatter sample is multiplied.

@@ -7,9 +7,9 @@
 use crate::math::dyadic::Dyadic;
 use crate::math::limbs::{product, quotient, shifted, shifted_right, sum};
 
-/// A logarithm, sine or cosine that is summed with `bits` fraction bits has an error of at most `UNITS_PER_BIT * bits *
-/// 2^-bits`. The functions that sum a series say why. [`logarithm`] returns a larger bound, because it adds multiples
-/// of `ln 2`.
+/// A factor in the error bound of a series. A series that is summed with `bits` fraction bits has an error of at most
+/// `UNITS_PER_BIT * bits * 2^-bits`. The functions that sum a series say why. [`logarithm`] adds several series, and
+/// returns its own bound.
 pub const UNITS_PER_BIT: f64 = 2.0;
 
 /// Returns the product of two fixed-point numbers.

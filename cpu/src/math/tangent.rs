@@ -6,8 +6,8 @@ use crate::math::nearest::{Midpoint, certain_sign, nearest};
 
 /// Returns the tangent of an angle from 0 to `pi / 2`, in radians, correctly rounded. It takes some ten microseconds.
 ///
-/// To round the tangent, it is compared with midpoints of neighbouring `f64`. It is never equal to one, because the
-/// tangent of an `f64` other than 0 is transcendental. So a comparison with enough bits always decides. NaN and angles
+/// To round the tangent, it is compared with midpoints of neighbouring `f64`. The tangent of an `f64` other than 0 is
+/// transcendental, so it never equals a midpoint, and a comparison with enough bits always decides. NaN and angles
 /// outside of the range give NaN.
 pub fn tangent(angle: f64) -> f64 {
     /// Below this angle `angle^3 / 3` is less than half a unit in the last place, so the `f64` nearest to the tangent

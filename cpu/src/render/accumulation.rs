@@ -2,8 +2,8 @@
 
 use crate::{math::vec3::Vec3, render::samples::Batch, render::span::Span};
 
-/// The sum of the colours of the samples of one pixel. The samples of a pixel may be spread over several spans, so the
-/// sum is kept from one call of [`Sums::add`] to the next.
+/// The sum of the colours of the samples of one pixel. A [span](Span) has at most 1,024 samples, so a pixel with more
+/// samples is rendered in several spans. The sum is kept from one call of [`Sums::add`] to the next.
 #[derive(Debug)]
 pub struct Sums {
     /// Number of samples of each pixel.

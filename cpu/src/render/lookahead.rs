@@ -21,9 +21,9 @@ use crate::{
     math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
 };
 
-/// The first rays of consecutive paths of the queue, one in each lane, with the objects that they may hit. Each ray is
-/// computed as if all paths in the lanes before it escaped with their first rays, so that each had taken one scatter
-/// sample. The lanes after a path that does not escape are therefore invalid, and are computed again.
+/// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.
+/// Each ray is computed as if all paths in the lanes before it escaped with these rays, so that each had taken one
+/// scatter sample. The lanes after a path that does not escape are therefore invalid, and are computed again.
 #[derive(Clone, Copy)]
 struct Lookahead<V: SimdF64> {
     /// The index of the first path in the queue.

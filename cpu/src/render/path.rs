@@ -3,7 +3,7 @@
 
 use crate::render::{
     boxed::Boxed, max_depth::RaysLeft, path_ends::PathEnds, path_vertex::PathVertex, prepared::Prepared,
-    queue::PathQueue, surface::Surface,
+    queue::PathQueue, surface_hit::SurfaceHit,
 };
 use crate::{
     accel::bvh::stack::Stack, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error, layout::Layout,
@@ -66,21 +66,22 @@ impl PathTracer {
         let Self { scatter_samples, queue, ends, .. } = self;
         if rays.is_none() {
             // Only the material of the surface is used, so LLVM removes the rest.
-            let surface = Surface::new(&prepared.objects, ray, hit);
-            if prepared.materials[surface.material as usize].takes_scatter_sample() {
+            let surface_hit = SurfaceHit::new(&prepared.objects, ray, hit);
+            if prepared.materials[surface_hit.material as usize].takes_scatter_sample() {
                 scatter_samples.prepare(simd);
                 scatter_samples.skip(1);
             }
             ends.terminate(at, queue);
             return None;
         }
-        let surface = Surface::new(&prepared.objects, ray, hit);
-        let material = &prepared.materials[surface.material as usize];
-        let (origin, direction) = (surface.point, material.unperturbed_direction(ray.direction, surface.outward));
+        let surface_hit = SurfaceHit::new(&prepared.objects, ray, hit);
+        let material = &prepared.materials[surface_hit.material as usize];
+        let (origin, direction) =
+            (surface_hit.point, material.unperturbed_direction(ray.direction, surface_hit.outward));
         if !material.takes_scatter_sample() {
             return Some(Scattered { ray: Ray { origin, direction }, cause: None });
         }
-        if !ends.push_attenuation(at, surface.material) {
+        if !ends.push_attenuation(at, surface_hit.material) {
             ends.terminate(at, queue);
             return None;
         }

@@ -3,7 +3,8 @@
 
 use crate::render::{
     fallback::MOST_LANES, fallback::for_each_lane, hit_lanes::HitLanes, hit_lanes::Rays, max_depth::RaysLeft,
-    path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade, span_state::SpanState, surface::Surface,
+    path_vertex::PathVertex, prepared::Prepared, samples::Batch, shade::shade, span_state::SpanState,
+    surface_hit::SurfaceHit,
 };
 use crate::{
     accel::choice::Accel, accel::conservative::ConservativeRay, accel::conservative::is_too_short,
@@ -116,15 +117,15 @@ fn trace<S: Simd, L: Layout>(prepared: &Prepared<L>, batch: &mut Batch, at: usiz
             let color = prepared.background.color(ray.direction).to_array();
             return batch.color.set(sample.to_bits() as usize, color);
         }
-        let surface = Surface::new(&prepared.objects, &ray, &hit);
-        let material = &prepared.materials[surface.material as usize];
-        let direction = material.unperturbed_direction(ray.direction, surface.outward);
+        let surface_hit = SurfaceHit::new(&prepared.objects, &ray, &hit);
+        let material = &prepared.materials[surface_hit.material as usize];
+        let direction = material.unperturbed_direction(ray.direction, surface_hit.outward);
         if material.takes_scatter_sample() {
-            let vertex = PathVertex::new(surface.point, direction, f64::from(hit.object), material);
+            let vertex = PathVertex::new(surface_hit.point, direction, f64::from(hit.object), material);
             return batch.chained.push_one(PathVertex { sample, rays: rays.to_bits_of(), ..vertex }.numbers());
         }
         origin = hit.object;
-        ray = Ray { origin: surface.point, direction };
+        ray = Ray { origin: surface_hit.point, direction };
     }
     batch.terminate(sample);
 }

@@ -4,7 +4,7 @@
 use crate::render::{path::PathTracer, span::Span, span_state::SpanState};
 use crate::{layout::Layout, simd::Kernel, simd::Simd};
 
-/// A kernel that begins a span: it draws the offsets of the span's samples.
+/// A kernel that begins a span: it draws the pixel jitter of the span's samples.
 pub struct DrawSamples<'s, 'a, L: Layout>(pub &'s mut SpanState<'a, L>, pub &'s Span);
 
 impl<L: Layout> Kernel for DrawSamples<'_, '_, L> {

@@ -9,15 +9,15 @@ use crate::{
     counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
 };
 
-/// Number of places before the new samples. [`Make`] moves the old samples that have not been taken, fewer than
-/// [`RESERVE`], to the last of these places.
-const SLACK: usize = 16;
+/// Number of places in front of the new samples, for the old samples that have not been taken. When [`Make`] runs,
+/// fewer than [`RESERVE`] are left. It moves them directly in front of the new samples, so that all are consecutive.
+const PLACES_FOR_OLD: usize = 16;
 /// Number of samples that are made at a time.
 const MADE: usize = 512;
 /// Number of samples that can always be taken after [`ScatterSamples::prepare`].
 pub const RESERVE: usize = 12;
 /// Number of places for samples: those for old samples, then those for new ones.
-const ROOM: usize = SLACK + MADE;
+const ROOM: usize = PLACES_FOR_OLD + MADE;
 
 /// The scatter samples, in order. In the statement's convention a sample is three random numbers in `[0, 1)`. In the
 /// published convention it is a vector of length one, and in deterministic mode a null vector.
@@ -90,9 +90,9 @@ impl Kernel for Make<'_> {
         let ScatterSamples { convention, generator, draws, samples, next, before } = self.0;
         let kept = ROOM - *next;
         for column in &mut samples.0 {
-            column.copy_within(ROOM - kept.., SLACK - kept);
+            column.copy_within(ROOM - kept.., PLACES_FOR_OLD - kept);
         }
-        *next = SLACK - kept;
+        *next = PLACES_FOR_OLD - kept;
         *before = before.wrapping_add(MADE as u64);
         match convention {
             Scatter::Statement => {
@@ -107,7 +107,7 @@ impl Kernel for Make<'_> {
             Scatter::Deterministic => {}
         }
         for (at, &sample) in draws.as_chunks().0.iter().enumerate() {
-            samples.set(SLACK + at, sample);
+            samples.set(PLACES_FOR_OLD + at, sample);
         }
     }
 }

@@ -2,8 +2,8 @@
 
 /// Runs a block of code that is compiled for the instruction set
 /// [`InstructionSet::fused`](crate::simd::instruction_set::InstructionSet::fused), and returns its result. A call looks
-/// like a closure: `run_fused!(|a: &f64, b: &f64| -> f64 { a.mul_add(*b, 1.0) })`. Each name before the colon must be a
-/// variable that holds a reference of this type, and the block can use no other variables.
+/// like a closure: `run_fused!(|a: &f64, b: &f64| -> f64 { a.mul_add(*b, 1.0) })`. Here `a` and `b` must be variables
+/// of the caller, both of type `&f64`. The block can use no other variables of the caller.
 ///
 /// This is a macro, because a closure would be compiled without the instruction set. In a closure `mul_add` would call
 /// a slow library function.

@@ -1,6 +1,7 @@
 //! Macros that turn a table of operations into the functions of a lane type. The table has one line for each operation.
 
-/// Defines functions in the body of an `impl`. Each of them is always inlined.
+/// Takes functions without attributes, in the body of an `impl`, and adds `#[inline(always)]` to each. A lane type has
+/// some thirty functions of one line, which are read as a table without the attribute.
 macro_rules! functions {
     ($(fn $name:ident($($argument:tt)*) $(-> $result:ty)? $body:block)+) => {
         $(#[inline(always)]

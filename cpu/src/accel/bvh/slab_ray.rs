@@ -17,9 +17,9 @@
 use crate::accel::{bounds::Bounds, bvh::node::Node, bvh::node::WIDTH, conservative::is_too_short};
 use crate::{geometry::ray::Ray, simd::SimdF32};
 
-/// A slab test moves each plane of a box outward, by at least `STEP (|o| + |p|)`, to cover rounding. Here `o` is the
-/// coordinate of the ray's origin along the plane's axis, and `p` is the largest magnitude of a plane of any box across
-/// that axis. `STEP` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
+/// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least
+/// `STEP (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
+/// same holds for y and z. `STEP` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
 const STEP: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a

@@ -1,4 +1,4 @@
-//! The surface at a hit: point, normal and material.
+//! What a ray hits: point, normal and material.
 
 use crate::{
     accel::closest_hit::ClosestHit, accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray,
@@ -6,9 +6,8 @@ use crate::{
 };
 
 /// What a scattered ray depends on at the point where a ray hits an object: the hit point, the normal and the material.
-/// Elsewhere in this crate, a surface is the whole surface of an object.
 #[derive(Clone, Copy, Debug)]
-pub struct Surface {
+pub struct SurfaceHit {
     /// The hit point, in scene units.
     pub point: Vec3,
     /// The normal that points out of the object. On the side of a cylinder it is as long as the radius. Elsewhere its
@@ -18,7 +17,7 @@ pub struct Surface {
     pub material: MaterialId,
 }
 
-impl Surface {
+impl SurfaceHit {
     /// Returns the hit point, the normal and the material of the closest hit, and counts the hit. `hit` must be a hit.
     #[inline(always)]
     pub fn new<O: Objects>(objects: &O, ray: &Ray, hit: &ClosestHit) -> Self {
