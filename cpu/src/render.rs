@@ -49,7 +49,8 @@ use crate::{
     simd::Simd, simd::instruction_set::InstructionSet,
 };
 
-/// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. It uses the fastest
+/// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. `scatter` chooses the
+/// convention of random vectors; [`Scatter::Statement`] gives the pictures of the programs. It uses the fastest
 /// instruction set of this machine, unless the environment variable `RENDER_INSTRUCTION_SET` names another one. A name
 /// that is unknown, or whose instruction set this machine lacks, is ignored. The picture's bytes do not depend on the
 /// instruction set.

@@ -271,58 +271,66 @@ vec3 cylinder_outward(CylinderRecord cylinder_6, uint part, vec3 point_1) {
     }
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_4) {
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_7, Ray ray_4, Root side) {
     CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
     bool local_9 = false;
     bool local_10 = false;
     bool local_11 = false;
     bool local_12 = false;
-    CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_4.origin);
-    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_4.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_4, _e5);
-        closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
-    }
-    Root _e17 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
-    if (_e17.some) {
-        bool _e22 = closest_2.some;
-        if (!(!(_e22))) {
-            float _e29 = closest_2.lambda;
-            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
-            local_10 = _e30;
+    closest_2 = CylinderRoot(side.some, side.lambda, SIDE);
+    Root _e9 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
         } else {
             local_10 = true;
         }
-        bool _e32 = local_10;
-        local_9 = _e32;
+        bool _e24 = local_10;
+        local_9 = _e24;
     } else {
         local_9 = false;
     }
-    bool _e34 = local_9;
-    if (_e34) {
-        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = CylinderRoot(true, _e9.lambda, TOP);
     }
-    Root _e40 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
-    if (_e40.some) {
-        bool _e45 = closest_2.some;
-        if (!(!(_e45))) {
-            float _e52 = closest_2.lambda;
-            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
-            local_12 = _e53;
+    Root _e32 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
         } else {
             local_12 = true;
         }
-        bool _e55 = local_12;
-        local_11 = _e55;
+        bool _e47 = local_12;
+        local_11 = _e47;
     } else {
         local_11 = false;
     }
-    bool _e57 = local_11;
-    if (_e57) {
-        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = CylinderRoot(true, _e32.lambda, BOTTOM);
     }
-    CylinderRoot _e62 = closest_2;
-    return _e62;
+    CylinderRoot _e54 = closest_2;
+    return _e54;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_8, Ray ray_5) {
+    Root side_1 = Root(false, 0.0);
+    CylinderView _e3 = cylinder_seen_from(cylinder_8, ray_5.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_8, _e3, ray_5.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_8, ray_5, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    CylinderRoot _e13 = cylinder_with_caps(cylinder_8, ray_5, _e12);
+    return _e13;
 }
 
 vec3 vec3_load(PackedVec3_ v_5) {
@@ -333,15 +341,15 @@ PackedVec3_ vec3_store(vec3 v_6) {
     return PackedVec3_(v_6.x, v_6.y, v_6.z);
 }
 
-Ray ray_load(PackedRay ray_5) {
-    vec3 _e2 = vec3_load(ray_5.origin);
-    vec3 _e4 = vec3_load(ray_5.direction);
+Ray ray_load(PackedRay ray_6) {
+    vec3 _e2 = vec3_load(ray_6.origin);
+    vec3 _e4 = vec3_load(ray_6.direction);
     return Ray(_e2, _e4);
 }
 
-PackedRay ray_store(Ray ray_6) {
-    PackedVec3_ _e2 = vec3_store(ray_6.origin);
-    PackedVec3_ _e4 = vec3_store(ray_6.direction);
+PackedRay ray_store(Ray ray_7) {
+    PackedVec3_ _e2 = vec3_store(ray_7.origin);
+    PackedVec3_ _e4 = vec3_store(ray_7.direction);
     return PackedRay(_e2, _e4);
 }
 

@@ -387,58 +387,66 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
     }
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5) {
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side) {
     CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
     bool local_9 = false;
     bool local_10 = false;
     bool local_11 = false;
     bool local_12 = false;
-    CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
-    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
-    }
-    Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e17.some) {
-        bool _e22 = closest_2.some;
-        if (!(!(_e22))) {
-            float _e29 = closest_2.lambda;
-            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
-            local_10 = _e30;
+    closest_2 = CylinderRoot(side.some, side.lambda, SIDE);
+    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
         } else {
             local_10 = true;
         }
-        bool _e32 = local_10;
-        local_9 = _e32;
+        bool _e24 = local_10;
+        local_9 = _e24;
     } else {
         local_9 = false;
     }
-    bool _e34 = local_9;
-    if (_e34) {
-        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = CylinderRoot(true, _e9.lambda, TOP);
     }
-    Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e40.some) {
-        bool _e45 = closest_2.some;
-        if (!(!(_e45))) {
-            float _e52 = closest_2.lambda;
-            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
-            local_12 = _e53;
+    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
         } else {
             local_12 = true;
         }
-        bool _e55 = local_12;
-        local_11 = _e55;
+        bool _e47 = local_12;
+        local_11 = _e47;
     } else {
         local_11 = false;
     }
-    bool _e57 = local_11;
-    if (_e57) {
-        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = CylinderRoot(true, _e32.lambda, BOTTOM);
     }
-    CylinderRoot _e62 = closest_2;
-    return _e62;
+    CylinderRoot _e54 = closest_2;
+    return _e54;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6) {
+    Root side_1 = Root(false, 0.0);
+    CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
+    return _e13;
 }
 
 Ray camera_ray(Camera camera, float row, float column, vec2 offset) {
@@ -505,15 +513,15 @@ PackedVec3_ vec3_store(vec3 v_5) {
     return PackedVec3_(v_5.x, v_5.y, v_5.z);
 }
 
-Ray ray_load(PackedRay ray_6) {
-    vec3 _e2 = vec3_load(ray_6.origin);
-    vec3 _e4 = vec3_load(ray_6.direction);
+Ray ray_load(PackedRay ray_7) {
+    vec3 _e2 = vec3_load(ray_7.origin);
+    vec3 _e4 = vec3_load(ray_7.direction);
     return Ray(_e2, _e4);
 }
 
-PackedRay ray_store(Ray ray_7) {
-    PackedVec3_ _e2 = vec3_store(ray_7.origin);
-    PackedVec3_ _e4 = vec3_store(ray_7.direction);
+PackedRay ray_store(Ray ray_8) {
+    PackedVec3_ _e2 = vec3_store(ray_8.origin);
+    PackedVec3_ _e4 = vec3_store(ray_8.direction);
     return PackedRay(_e2, _e4);
 }
 
@@ -522,12 +530,12 @@ SphereRecord sphere_load(PlacedSphere sphere_3) {
     return SphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
 }
 
-CylinderRecord cylinder_load(PlacedCylinder cylinder_7) {
-    vec3 _e2 = vec3_load(cylinder_7.center);
-    vec3 _e4 = vec3_load(cylinder_7.axis);
-    vec3 _e6 = vec3_load(cylinder_7.top);
-    vec3 _e8 = vec3_load(cylinder_7.bottom);
-    return CylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
+CylinderRecord cylinder_load(PlacedCylinder cylinder_8) {
+    vec3 _e2 = vec3_load(cylinder_8.center);
+    vec3 _e4 = vec3_load(cylinder_8.axis);
+    vec3 _e6 = vec3_load(cylinder_8.top);
+    vec3 _e8 = vec3_load(cylinder_8.bottom);
+    return CylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
 }
 
 Material material_load(PackedMaterial material) {
@@ -567,7 +575,7 @@ bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1) {
     return _e12;
 }
 
-SurfaceHit closest_hit(Ray ray_8) {
+SurfaceHit closest_hit(Ray ray_9) {
     ClosestHit closest_4 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index_1 = 0u;
     bool local_14 = false;
@@ -594,7 +602,7 @@ SurfaceHit closest_hit(Ray ray_8) {
                 uint _e11 = index_1;
                 PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
                 SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_8);
+                Root _e15 = sphere_intersect(_e14, ray_9);
                 uint _e17 = index_1;
                 uint order_2 = _group_0_binding_1_cs[_e17].order;
                 if (_e15.some) {
@@ -630,7 +638,7 @@ SurfaceHit closest_hit(Ray ray_8) {
                 uint _e47 = index_2;
                 PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
                 CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_9);
                 uint _e53 = index_2;
                 uint order_3 = _group_0_binding_2_cs[_e53].order;
                 if (_e51.some) {
@@ -654,7 +662,7 @@ SurfaceHit closest_hit(Ray ray_8) {
         return _e78;
     }
     float _e80 = closest_4.lambda;
-    vec3 _e81 = ray_at(ray_8, _e80);
+    vec3 _e81 = ray_at(ray_9, _e80);
     if (has_spheres) {
         bool _e86 = closest_4.is_cylinder;
         local_16 = !(_e86);
@@ -667,7 +675,7 @@ SurfaceHit closest_hit(Ray ray_8) {
         PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
         SphereRecord _e95 = sphere_load(_e94);
         vec3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
+        Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
         uint _e101 = closest_4.index;
         uint material_2 = _group_0_binding_1_cs[_e101].material;
         float _e107 = closest_4.lambda;
@@ -688,7 +696,7 @@ SurfaceHit closest_hit(Ray ray_8) {
         CylinderRecord _e125 = cylinder_load(_e124);
         uint _e127 = closest_4.part;
         vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
+        Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
         uint _e133 = closest_4.index;
         uint material_3 = _group_0_binding_2_cs[_e133].material;
         float _e139 = closest_4.lambda;
@@ -730,7 +738,7 @@ vec3 trace_attenuated(vec3 color, uint first, uint attenuation_count) {
     return _e25;
 }
 
-Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
+Ray scatter_ray(Ray ray_10, Hit hit, Material material_1, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
     bool local_19 = false;
@@ -752,7 +760,7 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     }
     bool _e22 = local_19;
     if (_e22) {
-        vec3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        vec3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -763,7 +771,7 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     bool _e33 = local_20;
     if (_e33) {
         float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        vec3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     vec3 _e41 = direction_7;
@@ -771,13 +779,13 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
 }
 
 void trace_path(Ray primary, uint slot) {
-    Ray ray_10 = Ray(vec3(0.0), vec3(0.0));
+    Ray ray_11 = Ray(vec3(0.0), vec3(0.0));
     uint attenuation_count_1 = 0u;
     uint depth = 0u;
     bool local_21 = false;
     bool local_22 = false;
     bool local_23 = false;
-    ray_10 = primary;
+    ray_11 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -789,7 +797,7 @@ void trace_path(Ray primary, uint slot) {
         }
         PackedRay _e25 = _group_0_binding_6_cs[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_10 = _e26;
+        ray_11 = _e26;
         uint _e30 = _group_0_binding_6_cs[slot].attenuation_count;
         attenuation_count_1 = _e30;
     }
@@ -809,11 +817,11 @@ void trace_path(Ray primary, uint slot) {
             break;
         }
         {
-            Ray _e42 = ray_10;
+            Ray _e42 = ray_11;
             SurfaceHit _e43 = closest_hit(_e42);
             if (!(_e43.some)) {
                 Background _e46 = picture_background();
-                vec3 _e48 = ray_10.direction;
+                vec3 _e48 = ray_11.direction;
                 vec3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 vec3 _e53 = trace_attenuated(_e49, first_1, _e52);
@@ -848,14 +856,14 @@ void trace_path(Ray primary, uint slot) {
                 uint _e91 = attenuation_count_1;
                 attenuation_count_1 = (_e91 + 1u);
             }
-            Ray _e93 = ray_10;
+            Ray _e93 = ray_11;
             Ray _e95 = scatter_ray(_e93, _e43.hit, _e63, _e6);
-            ray_10 = _e95;
+            ray_11 = _e95;
         }
     }
     PackedVec3_ _e102 = vec3_store(vec3(0.0));
     _group_0_binding_5_cs[slot] = _e102;
-    Ray _e105 = ray_10;
+    Ray _e105 = ray_11;
     PackedRay _e106 = ray_store(_e105);
     uint _e107 = attenuation_count_1;
     _group_0_binding_6_cs[slot] = PackedPath(_e106, _e107, 0u);

@@ -510,7 +510,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side)
 {
     CylinderRoot closest_2 = (CylinderRoot)0;
     bool local_9 = (bool)0;
@@ -518,53 +518,64 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5)
     bool local_11 = (bool)0;
     bool local_12 = (bool)0;
 
-    const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
-    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        const Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest_2 = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
-    }
-    const Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e17.some) {
-        bool _e22 = closest_2.some;
-        if (!(!(_e22))) {
-            float _e29 = closest_2.lambda;
-            const bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
-            local_10 = _e30;
+    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
+    const Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
         } else {
             local_10 = true;
         }
-        bool _e32 = local_10;
-        local_9 = _e32;
+        bool _e24 = local_10;
+        local_9 = _e24;
     } else {
         local_9 = false;
     }
-    bool _e34 = local_9;
-    if (_e34) {
-        closest_2 = ConstructCylinderRoot(true, _e17.lambda, TOP);
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
     }
-    const Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e40.some) {
-        bool _e45 = closest_2.some;
-        if (!(!(_e45))) {
-            float _e52 = closest_2.lambda;
-            const bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
-            local_12 = _e53;
+    const Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
         } else {
             local_12 = true;
         }
-        bool _e55 = local_12;
-        local_11 = _e55;
+        bool _e47 = local_12;
+        local_11 = _e47;
     } else {
         local_11 = false;
     }
-    bool _e57 = local_11;
-    if (_e57) {
-        closest_2 = ConstructCylinderRoot(true, _e40.lambda, BOTTOM);
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
     }
-    CylinderRoot _e62 = closest_2;
-    const CylinderRoot cylinderroot = _e62;
+    CylinderRoot _e54 = closest_2;
+    const CylinderRoot cylinderroot = _e54;
     return cylinderroot;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6)
+{
+    Root side_1 = (Root)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
+    const CylinderRoot cylinderroot_1 = _e13;
+    return cylinderroot_1;
 }
 
 Ray ConstructRay(float3 arg0, float3 arg1) {
@@ -579,8 +590,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_11 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_11;
+    const Ray ray_12 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_12;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -658,12 +669,12 @@ PackedVec3_ vec3_store(float3 v_5)
     return packedvec3_;
 }
 
-Ray ray_load(PackedRay ray_6)
+Ray ray_load(PackedRay ray_7)
 {
-    const float3 _e2 = vec3_load(ray_6.origin);
-    const float3 _e4 = vec3_load(ray_6.direction);
-    const Ray ray_12 = ConstructRay(_e2, _e4);
-    return ray_12;
+    const float3 _e2 = vec3_load(ray_7.origin);
+    const float3 _e4 = vec3_load(ray_7.direction);
+    const Ray ray_13 = ConstructRay(_e2, _e4);
+    return ray_13;
 }
 
 PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
@@ -673,10 +684,10 @@ PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
     return ret;
 }
 
-PackedRay ray_store(Ray ray_7)
+PackedRay ray_store(Ray ray_8)
 {
-    const PackedVec3_ _e2 = vec3_store(ray_7.origin);
-    const PackedVec3_ _e4 = vec3_store(ray_7.direction);
+    const PackedVec3_ _e2 = vec3_store(ray_8.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_8.direction);
     const PackedRay packedray = ConstructPackedRay(_e2, _e4);
     return packedray;
 }
@@ -708,13 +719,13 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
-CylinderRecord cylinder_load(PlacedCylinder cylinder_7)
+CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
 {
-    const float3 _e2 = vec3_load(cylinder_7.center_);
-    const float3 _e4 = vec3_load(cylinder_7.axis);
-    const float3 _e6 = vec3_load(cylinder_7.top);
-    const float3 _e8 = vec3_load(cylinder_7.bottom);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
+    const float3 _e2 = vec3_load(cylinder_8.center_);
+    const float3 _e4 = vec3_load(cylinder_8.axis);
+    const float3 _e6 = vec3_load(cylinder_8.top);
+    const float3 _e8 = vec3_load(cylinder_8.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
     return cylinderrecord;
 }
 
@@ -833,7 +844,7 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
     return ret;
 }
 
-SurfaceHit closest_hit(Ray ray_8)
+SurfaceHit closest_hit(Ray ray_9)
 {
     ClosestHit closest_4 = (ClosestHit)0;
     uint index_1 = 0u;
@@ -865,7 +876,7 @@ SurfaceHit closest_hit(Ray ray_8)
                 uint _e11 = index_1;
                 PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
                 const SphereRecord _e14 = sphere_load(_e13);
-                const Root _e15 = sphere_intersect(_e14, ray_8);
+                const Root _e15 = sphere_intersect(_e14, ray_9);
                 uint _e17 = index_1;
                 uint order_2 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
@@ -904,7 +915,7 @@ SurfaceHit closest_hit(Ray ray_8)
                 uint _e47 = index_2;
                 PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
                 const CylinderRecord _e50 = cylinder_load(_e49);
-                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_9);
                 uint _e53 = index_2;
                 uint order_3 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
@@ -929,7 +940,7 @@ SurfaceHit closest_hit(Ray ray_8)
         return surfacehit;
     }
     float _e80 = closest_4.lambda;
-    const float3 _e81 = ray_at(ray_8, _e80);
+    const float3 _e81 = ray_at(ray_9, _e80);
     if (has_spheres) {
         bool _e86 = closest_4.is_cylinder;
         local_16 = !(_e86);
@@ -942,7 +953,7 @@ SurfaceHit closest_hit(Ray ray_8)
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
-        const Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
+        const Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
         uint _e101 = closest_4.index;
         uint material_3 = asuint(spheres.Load(24+_e101*28));
         float _e107 = closest_4.lambda;
@@ -963,7 +974,7 @@ SurfaceHit closest_hit(Ray ray_8)
         const CylinderRecord _e125 = cylinder_load(_e124);
         uint _e127 = closest_4.part;
         const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        const Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
+        const Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
         uint _e133 = closest_4.index;
         uint material_4 = asuint(cylinders.Load(64+_e133*68));
         float _e139 = closest_4.lambda;
@@ -1011,7 +1022,7 @@ float3 trace_attenuated(float3 color, uint first, uint attenuation_count)
     return _e25;
 }
 
-Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
+Ray scatter_ray(Ray ray_10, Hit hit, Material material_1, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
@@ -1035,7 +1046,7 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     }
     bool _e22 = local_19;
     if (_e22) {
-        const float3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        const float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -1046,12 +1057,12 @@ Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     bool _e33 = local_20;
     if (_e33) {
         const float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        const float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     float3 _e41 = direction_7;
-    const Ray ray_13 = ConstructRay(hit.point_, _e41);
-    return ray_13;
+    const Ray ray_14 = ConstructRay(hit.point_, _e41);
+    return ray_14;
 }
 
 PackedPath ConstructPackedPath(PackedRay arg0, uint arg1, uint arg2) {
@@ -1077,14 +1088,14 @@ PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, 
 
 void trace_path(Ray primary, uint slot)
 {
-    Ray ray_10 = (Ray)0;
+    Ray ray_11 = (Ray)0;
     uint attenuation_count_1 = 0u;
     uint depth = (uint)0;
     bool local_21 = (bool)0;
     bool local_22 = (bool)0;
     bool local_23 = (bool)0;
 
-    ray_10 = primary;
+    ray_11 = primary;
     PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
     const float3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -1096,7 +1107,7 @@ void trace_path(Ray primary, uint slot)
         }
         PackedRay _e25 = ConstructPackedRay(ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+0+0)), asfloat(paths.Load(0+slot*32+0+4)), asfloat(paths.Load(0+slot*32+0+8))), ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+12+0)), asfloat(paths.Load(0+slot*32+12+4)), asfloat(paths.Load(0+slot*32+12+8))));
         const Ray _e26 = ray_load(_e25);
-        ray_10 = _e26;
+        ray_11 = _e26;
         uint _e30 = asuint(paths.Load(24+slot*32));
         attenuation_count_1 = _e30;
     }
@@ -1119,11 +1130,11 @@ void trace_path(Ray primary, uint slot)
             break;
         }
         {
-            Ray _e42 = ray_10;
+            Ray _e42 = ray_11;
             const SurfaceHit _e43 = closest_hit(_e42);
             if (!(_e43.some)) {
                 const Background _e46 = picture_background();
-                float3 _e48 = ray_10.direction;
+                float3 _e48 = ray_11.direction;
                 const float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 const float3 _e53 = trace_attenuated(_e49, first_1, _e52);
@@ -1163,9 +1174,9 @@ void trace_path(Ray primary, uint slot)
                 uint _e91 = attenuation_count_1;
                 attenuation_count_1 = (_e91 + 1u);
             }
-            Ray _e93 = ray_10;
+            Ray _e93 = ray_11;
             const Ray _e95 = scatter_ray(_e93, _e43.hit, _e63, _e6);
-            ray_10 = _e95;
+            ray_11 = _e95;
         }
     }
     const PackedVec3_ _e102 = vec3_store(ZeroValuefloat3());
@@ -1175,7 +1186,7 @@ void trace_path(Ray primary, uint slot)
         pixels.Store(slot*12+4, asuint(_value2.y));
         pixels.Store(slot*12+8, asuint(_value2.z));
     }
-    Ray _e105 = ray_10;
+    Ray _e105 = ray_11;
     const PackedRay _e106 = ray_store(_e105);
     uint _e107 = attenuation_count_1;
     {

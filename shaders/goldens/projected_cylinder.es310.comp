@@ -330,58 +330,66 @@ vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
     }
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_5) {
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side) {
     CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
     bool local_9 = false;
     bool local_10 = false;
     bool local_11 = false;
     bool local_12 = false;
-    CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_5.origin);
-    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_6, ray_5, _e5);
-        closest_2 = CylinderRoot(_e11.some, _e11.lambda, SIDE);
-    }
-    Root _e17 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e17.some) {
-        bool _e22 = closest_2.some;
-        if (!(!(_e22))) {
-            float _e29 = closest_2.lambda;
-            bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
-            local_10 = _e30;
+    closest_2 = CylinderRoot(side.some, side.lambda, SIDE);
+    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
         } else {
             local_10 = true;
         }
-        bool _e32 = local_10;
-        local_9 = _e32;
+        bool _e24 = local_10;
+        local_9 = _e24;
     } else {
         local_9 = false;
     }
-    bool _e34 = local_9;
-    if (_e34) {
-        closest_2 = CylinderRoot(true, _e17.lambda, TOP);
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = CylinderRoot(true, _e9.lambda, TOP);
     }
-    Root _e40 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e40.some) {
-        bool _e45 = closest_2.some;
-        if (!(!(_e45))) {
-            float _e52 = closest_2.lambda;
-            bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
-            local_12 = _e53;
+    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
         } else {
             local_12 = true;
         }
-        bool _e55 = local_12;
-        local_11 = _e55;
+        bool _e47 = local_12;
+        local_11 = _e47;
     } else {
         local_11 = false;
     }
-    bool _e57 = local_11;
-    if (_e57) {
-        closest_2 = CylinderRoot(true, _e40.lambda, BOTTOM);
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = CylinderRoot(true, _e32.lambda, BOTTOM);
     }
-    CylinderRoot _e62 = closest_2;
-    return _e62;
+    CylinderRoot _e54 = closest_2;
+    return _e54;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6) {
+    Root side_1 = Root(false, 0.0);
+    CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
+    return _e13;
 }
 
 Crossings projected_crossings(vec3 direction_2, vec3 r_c, float radius_squared) {
@@ -398,9 +406,9 @@ Crossings projected_crossings(vec3 direction_2, vec3 r_c, float radius_squared) 
     return Crossings(true, (middle - half_), (middle + half_));
 }
 
-Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_6) {
+Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_7) {
     bool local_13 = false;
-    Crossings _e7 = projected_crossings(ray_6.direction, (sphere_3.center - ray_6.origin), sphere_3.radius_squared);
+    Crossings _e7 = projected_crossings(ray_7.direction, (sphere_3.center - ray_7.origin), sphere_3.radius_squared);
     bool _e11 = in_range(_e7.near);
     float lambda_8 = (_e11 ? _e7.near : _e7.far);
     if (_e7.some) {
@@ -413,22 +421,18 @@ Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_6) {
     return Root(_e18, lambda_8);
 }
 
-CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7) {
-    CylinderRoot closest_3 = CylinderRoot(false, 0.0, 0u);
+CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8) {
+    Root side_2 = Root(false, 0.0);
     bool local_14 = false;
     bool local_15 = false;
     bool local_16 = false;
-    bool local_17 = false;
-    bool local_18 = false;
-    bool local_19 = false;
-    bool local_20 = false;
-    vec3 _e6 = vec3_perpendicular_to((cylinder_7.center - ray_7.origin), cylinder_7.axis);
-    vec3 _e9 = vec3_perpendicular_to(ray_7.direction, cylinder_7.axis);
-    Crossings _e11 = projected_crossings(_e9, _e6, cylinder_7.radius_squared);
+    vec3 _e6 = vec3_perpendicular_to((cylinder_8.center - ray_8.origin), cylinder_8.axis);
+    vec3 _e9 = vec3_perpendicular_to(ray_8.direction, cylinder_8.axis);
+    Crossings _e11 = projected_crossings(_e9, _e6, cylinder_8.radius_squared);
     if (_e11.some) {
         bool _e15 = in_range(_e11.near);
         if (_e15) {
-            bool _e19 = cylinder_within_height(cylinder_7, ray_7, _e11.near);
+            bool _e19 = cylinder_within_height(cylinder_8, ray_8, _e11.near);
             local_14 = _e19;
         } else {
             local_14 = false;
@@ -436,7 +440,7 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7) 
         bool near_counts_1 = local_14;
         bool _e23 = in_range(_e11.far);
         if (_e23) {
-            bool _e27 = cylinder_within_height(cylinder_7, ray_7, _e11.far);
+            bool _e27 = cylinder_within_height(cylinder_8, ray_8, _e11.far);
             local_15 = _e27;
         } else {
             local_15 = false;
@@ -449,48 +453,11 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7) 
             local_16 = true;
         }
         bool _e37 = local_16;
-        closest_3 = CylinderRoot(_e37, lambda_9, SIDE);
+        side_2 = Root(_e37, lambda_9);
     }
-    Root _e41 = cylinder_cap(cylinder_7, ray_7, cylinder_7.top);
-    if (_e41.some) {
-        bool _e46 = closest_3.some;
-        if (!(!(_e46))) {
-            float _e53 = closest_3.lambda;
-            bool _e54 = tie_later_is_closer(_e41.lambda, _e53);
-            local_18 = _e54;
-        } else {
-            local_18 = true;
-        }
-        bool _e56 = local_18;
-        local_17 = _e56;
-    } else {
-        local_17 = false;
-    }
-    bool _e58 = local_17;
-    if (_e58) {
-        closest_3 = CylinderRoot(true, _e41.lambda, TOP);
-    }
-    Root _e64 = cylinder_cap(cylinder_7, ray_7, cylinder_7.bottom);
-    if (_e64.some) {
-        bool _e69 = closest_3.some;
-        if (!(!(_e69))) {
-            float _e76 = closest_3.lambda;
-            bool _e77 = tie_later_is_closer(_e64.lambda, _e76);
-            local_20 = _e77;
-        } else {
-            local_20 = true;
-        }
-        bool _e79 = local_20;
-        local_19 = _e79;
-    } else {
-        local_19 = false;
-    }
-    bool _e81 = local_19;
-    if (_e81) {
-        closest_3 = CylinderRoot(true, _e64.lambda, BOTTOM);
-    }
-    CylinderRoot _e86 = closest_3;
-    return _e86;
+    Root _e39 = side_2;
+    CylinderRoot _e40 = cylinder_with_caps(cylinder_8, ray_8, _e39);
+    return _e40;
 }
 
 vec3 vec3_load(PackedVec3_ v_5) {
@@ -501,15 +468,15 @@ PackedVec3_ vec3_store(vec3 v_6) {
     return PackedVec3_(v_6.x, v_6.y, v_6.z);
 }
 
-Ray ray_load(PackedRay ray_8) {
-    vec3 _e2 = vec3_load(ray_8.origin);
-    vec3 _e4 = vec3_load(ray_8.direction);
+Ray ray_load(PackedRay ray_9) {
+    vec3 _e2 = vec3_load(ray_9.origin);
+    vec3 _e4 = vec3_load(ray_9.direction);
     return Ray(_e2, _e4);
 }
 
-PackedRay ray_store(Ray ray_9) {
-    PackedVec3_ _e2 = vec3_store(ray_9.origin);
-    PackedVec3_ _e4 = vec3_store(ray_9.direction);
+PackedRay ray_store(Ray ray_10) {
+    PackedVec3_ _e2 = vec3_store(ray_10.origin);
+    PackedVec3_ _e4 = vec3_store(ray_10.direction);
     return PackedRay(_e2, _e4);
 }
 

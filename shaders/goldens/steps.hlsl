@@ -511,7 +511,7 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
-CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_6, Root side)
 {
     CylinderRoot closest_2 = (CylinderRoot)0;
     bool local_9 = (bool)0;
@@ -519,53 +519,64 @@ CylinderRoot cylinder_intersect(CylinderRecord cylinder_6, Ray ray_6)
     bool local_11 = (bool)0;
     bool local_12 = (bool)0;
 
-    const CylinderView _e3 = cylinder_seen_from(cylinder_6, ray_6.origin);
-    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_6, _e3, ray_6.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        const Root _e11 = cylinder_side(cylinder_6, ray_6, _e5);
-        closest_2 = ConstructCylinderRoot(_e11.some, _e11.lambda, SIDE);
-    }
-    const Root _e17 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top);
-    if (_e17.some) {
-        bool _e22 = closest_2.some;
-        if (!(!(_e22))) {
-            float _e29 = closest_2.lambda;
-            const bool _e30 = tie_later_is_closer(_e17.lambda, _e29);
-            local_10 = _e30;
+    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
+    const Root _e9 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
         } else {
             local_10 = true;
         }
-        bool _e32 = local_10;
-        local_9 = _e32;
+        bool _e24 = local_10;
+        local_9 = _e24;
     } else {
         local_9 = false;
     }
-    bool _e34 = local_9;
-    if (_e34) {
-        closest_2 = ConstructCylinderRoot(true, _e17.lambda, TOP);
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
     }
-    const Root _e40 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom);
-    if (_e40.some) {
-        bool _e45 = closest_2.some;
-        if (!(!(_e45))) {
-            float _e52 = closest_2.lambda;
-            const bool _e53 = tie_later_is_closer(_e40.lambda, _e52);
-            local_12 = _e53;
+    const Root _e32 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
         } else {
             local_12 = true;
         }
-        bool _e55 = local_12;
-        local_11 = _e55;
+        bool _e47 = local_12;
+        local_11 = _e47;
     } else {
         local_11 = false;
     }
-    bool _e57 = local_11;
-    if (_e57) {
-        closest_2 = ConstructCylinderRoot(true, _e40.lambda, BOTTOM);
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
     }
-    CylinderRoot _e62 = closest_2;
-    const CylinderRoot cylinderroot = _e62;
+    CylinderRoot _e54 = closest_2;
+    const CylinderRoot cylinderroot = _e54;
     return cylinderroot;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7)
+{
+    Root side_1 = (Root)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_7.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_7.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_7, ray_7, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_7, _e12);
+    const CylinderRoot cylinderroot_1 = _e13;
+    return cylinderroot_1;
 }
 
 Ray ConstructRay(float3 arg0, float3 arg1) {
@@ -580,8 +591,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_9 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_9;
+    const Ray ray_10 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_10;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -686,13 +697,13 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
-CylinderRecord cylinder_load(PlacedCylinder cylinder_7)
+CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
 {
-    const float3 _e2 = vec3_load(cylinder_7.center_);
-    const float3 _e4 = vec3_load(cylinder_7.axis);
-    const float3 _e6 = vec3_load(cylinder_7.top);
-    const float3 _e8 = vec3_load(cylinder_7.bottom);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_7.radius, cylinder_7.radius_squared, cylinder_7.half_height);
+    const float3 _e2 = vec3_load(cylinder_8.center_);
+    const float3 _e4 = vec3_load(cylinder_8.axis);
+    const float3 _e6 = vec3_load(cylinder_8.top);
+    const float3 _e8 = vec3_load(cylinder_8.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
     return cylinderrecord;
 }
 
@@ -811,7 +822,7 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
     return ret;
 }
 
-SurfaceHit closest_hit(Ray ray_7)
+SurfaceHit closest_hit(Ray ray_8)
 {
     ClosestHit closest_4 = (ClosestHit)0;
     uint index_1 = 0u;
@@ -843,7 +854,7 @@ SurfaceHit closest_hit(Ray ray_7)
                 uint _e11 = index_1;
                 PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
                 const SphereRecord _e14 = sphere_load(_e13);
-                const Root _e15 = sphere_intersect(_e14, ray_7);
+                const Root _e15 = sphere_intersect(_e14, ray_8);
                 uint _e17 = index_1;
                 uint order_2 = asuint(spheres.Load(20+_e17*28));
                 if (_e15.some) {
@@ -882,7 +893,7 @@ SurfaceHit closest_hit(Ray ray_7)
                 uint _e47 = index_2;
                 PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
                 const CylinderRecord _e50 = cylinder_load(_e49);
-                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_7);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
                 uint _e53 = index_2;
                 uint order_3 = asuint(cylinders.Load(60+_e53*68));
                 if (_e51.some) {
@@ -907,7 +918,7 @@ SurfaceHit closest_hit(Ray ray_7)
         return surfacehit;
     }
     float _e80 = closest_4.lambda;
-    const float3 _e81 = ray_at(ray_7, _e80);
+    const float3 _e81 = ray_at(ray_8, _e80);
     if (has_spheres) {
         bool _e86 = closest_4.is_cylinder;
         local_16 = !(_e86);
@@ -920,7 +931,7 @@ SurfaceHit closest_hit(Ray ray_7)
         PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
         const SphereRecord _e95 = sphere_load(_e94);
         const float3 _e96 = sphere_outward(_e95, _e81);
-        const Hit _e98 = hit_facing(ray_7.direction, _e81, _e96);
+        const Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
         uint _e101 = closest_4.index;
         uint material_3 = asuint(spheres.Load(24+_e101*28));
         float _e107 = closest_4.lambda;
@@ -941,7 +952,7 @@ SurfaceHit closest_hit(Ray ray_7)
         const CylinderRecord _e125 = cylinder_load(_e124);
         uint _e127 = closest_4.part;
         const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        const Hit _e130 = hit_facing(ray_7.direction, _e81, _e128);
+        const Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
         uint _e133 = closest_4.index;
         uint material_4 = asuint(cylinders.Load(64+_e133*68));
         float _e139 = closest_4.lambda;
@@ -954,7 +965,7 @@ SurfaceHit closest_hit(Ray ray_7)
     return surfacehit_1;
 }
 
-Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, float3 scatter_vector)
+Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
@@ -978,7 +989,7 @@ Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, float3 scatter_vector)
     }
     bool _e22 = local_19;
     if (_e22) {
-        const float3 _e25 = scatter_metal(ray_8.direction, hit.normal, scatter_vector);
+        const float3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -989,12 +1000,12 @@ Ray scatter_ray(Ray ray_8, Hit hit, Material material_1, float3 scatter_vector)
     bool _e33 = local_20;
     if (_e33) {
         const float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_8.direction, hit.normal, _e36);
+        const float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     float3 _e41 = direction_7;
-    const Ray ray_10 = ConstructRay(hit.point_, _e41);
-    return ray_10;
+    const Ray ray_11 = ConstructRay(hit.point_, _e41);
+    return ray_11;
 }
 
 uint naga_div(uint lhs, uint rhs) {

@@ -102,16 +102,21 @@ struct CylinderRoot {
     part: u32,
 }
 
-// CylinderRecord::intersect: returns the closest hit of the side, the top cap and the bottom cap. Of hits at equal
-// lambdas, the later in this order counts.
+// CylinderRecord::intersect: returns the closest hit of the side, the top cap and the bottom cap.
 fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let view = cylinder_seen_from(cylinder, ray.origin);
     let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
-    var closest: CylinderRoot;
+    var side: Root;
     if !(quadratic.discriminant < real(0.0)) {
-        let side = cylinder_side(cylinder, ray, quadratic);
-        closest = CylinderRoot(side.some, side.lambda, SIDE);
+        side = cylinder_side(cylinder, ray, quadratic);
     }
+    return cylinder_with_caps(cylinder, ray, side);
+}
+
+// The part of CylinderRecord::intersect after the side. Returns the closest hit of the side, the top cap and the bottom
+// cap. Of hits at equal lambdas, the later in this order counts.
+fn cylinder_with_caps(cylinder: CylinderRecord, ray: Ray, side: Root) -> CylinderRoot {
+    var closest = CylinderRoot(side.some, side.lambda, SIDE);
     let top = cylinder_cap(cylinder, ray, cylinder.top);
     if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
         closest = CylinderRoot(true, top.lambda, TOP);

@@ -31,26 +31,17 @@ fn projected_sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     return Root(crossings.some && in_range(lambda), lambda);
 }
 
-// projected::cylinder: returns the closest hit of the side, the top cap and the bottom cap. Of hits at equal lambdas,
-// the later in this order counts.
+// projected::cylinder: returns the closest hit of the side, the top cap and the bottom cap.
 fn projected_cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let r_c = vec3_perpendicular_to(cylinder.center - ray.origin, cylinder.axis);
     let along = vec3_perpendicular_to(ray.direction, cylinder.axis);
     let crossings = projected_crossings(along, r_c, cylinder.radius_squared);
-    var closest: CylinderRoot;
+    var side: Root;
     if crossings.some {
         let near_counts = in_range(crossings.near) && cylinder_within_height(cylinder, ray, crossings.near);
         let far_counts = in_range(crossings.far) && cylinder_within_height(cylinder, ray, crossings.far);
         let lambda = select(crossings.far, crossings.near, near_counts);
-        closest = CylinderRoot(near_counts || far_counts, lambda, SIDE);
+        side = Root(near_counts || far_counts, lambda);
     }
-    let top = cylinder_cap(cylinder, ray, cylinder.top);
-    if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
-        closest = CylinderRoot(true, top.lambda, TOP);
-    }
-    let bottom = cylinder_cap(cylinder, ray, cylinder.bottom);
-    if bottom.some && (!closest.some || tie_later_is_closer(bottom.lambda, closest.lambda)) {
-        closest = CylinderRoot(true, bottom.lambda, BOTTOM);
-    }
-    return closest;
+    return cylinder_with_caps(cylinder, ray, side);
 }

@@ -1,9 +1,11 @@
-//! The simplest structure, which intersects every object.
+//! The simplest acceleration structure, which intersects every object.
 
 use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, find::Accelerator, find::Origin, object::count};
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, layout::Objects, simd::Simd};
 
-/// The structure that intersects every object. It has no data.
+/// An acceleration structure without data, whose closest hit is found by intersecting every object of the scene.
+/// [`Accel::new`](crate::accel::choice::Accel::new) chooses it for scenes whose numbers are too large or too small for
+/// the other structures.
 #[derive(Debug)]
 pub struct EveryObject;
 

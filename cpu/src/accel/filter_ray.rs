@@ -24,8 +24,8 @@
 use crate::accel::target::Target;
 use crate::{geometry::ray::LAMBDA_MIN, geometry::ray::Ray, math::vec3::Vec3, simd::SimdF32};
 
-/// The largest coordinate of a scene for which these tests are valid, in scene units. The documentation of [this
-/// module](self) derives it.
+/// The largest coordinate of a scene for which the tests of [`FilterRay`] are valid, in scene units. A scene with
+/// larger coordinates gets another acceleration structure. The documentation of [this module](self) derives the limit.
 pub const MAX_COORDINATE: f64 = 2e7;
 
 /// Number of objects in a block. It is a multiple of every instruction set's number of lanes.

@@ -5,7 +5,8 @@ use crate::accel::{bvh::stack::Stack, closest_hit::ClosestHit, object::ObjectId}
 use crate::{geometry::ray::Ray, layout::Objects, materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd};
 
 /// The object on which a ray starts, and a prediction of whether the ray enters that object. A wrong prediction costs
-/// time, but never changes the closest hit. Only the flat filter uses it, for rays that start on the dominant sphere.
+/// time, but never changes the closest hit. Only the flat filter uses the prediction, for rays that start on the
+/// dominant sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Origin {
     /// The object on whose surface the ray starts.

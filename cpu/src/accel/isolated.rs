@@ -12,7 +12,8 @@
 use crate::accel::object::ObjectId;
 use crate::{input::error::Error, layout::with_room};
 
-/// The set of the isolated objects. By default it is empty, so that no object gets the shortcut of isolated objects.
+/// The set of the isolated objects, which no other object overlaps. If a ray starts on an isolated object and hits it
+/// again, this is the closest hit, and no other object is intersected. By default the set is empty.
 #[derive(Clone, Debug, Default)]
 pub struct Isolated(Vec<u64>);
 

@@ -59,6 +59,14 @@ pub enum CylinderPart {
     Bottom = 2,
 }
 
+impl CylinderPart {
+    /// Returns the number of the part, in the order side, top, bottom. Lanes hold parts as these numbers.
+    #[inline(always)]
+    pub fn number<T: Real>(self) -> T {
+        T::of(f64::from(self as u32))
+    }
+}
+
 impl<T: Real> CylinderRecord<T> {
     /// Returns the record of the cylinder around `center`. The length of `axis` is the height of the cylinder.
     #[inline(always)]
@@ -113,6 +121,15 @@ impl<T: Real> CylinderRecord<T> {
             CylinderPart::Top => self.axis,
             CylinderPart::Bottom => -self.axis,
         }
+    }
+
+    /// Returns the normals of several points, one in each lane, as [`CylinderRecord::outward`] does. `part` has the
+    /// [number](CylinderPart::number) of each point's part.
+    #[inline(always)]
+    pub fn outward_lanes(&self, part: T, point: Vec3<T>) -> Vec3<T> {
+        let at_most = |limit: CylinderPart| part.less_equal(limit.number());
+        let cap = Vec3::select(at_most(CylinderPart::Top), self.axis, -self.axis);
+        Vec3::select(at_most(CylinderPart::Side), self.outward(CylinderPart::Side, point), cap)
     }
 }
 

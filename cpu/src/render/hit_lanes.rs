@@ -24,7 +24,7 @@ pub struct HitLanes<V: SimdF64> {
     pub lambda: V,
     /// The number of the object that is hit. It has no meaning in lanes without a hit.
     pub object: V,
-    /// The part of a cylinder that is hit, as the number of a [`CylinderPart`]. It is the side for a sphere.
+    /// The part of a cylinder that is hit, as its [number](CylinderPart::number). It is the side for a sphere.
     pub part: V,
     /// A bit for each lane, which is 1 if the ray hits an object.
     pub bits: u32,
@@ -140,9 +140,8 @@ impl<V: SimdF64> HitLanes<V> {
         // For most groups of rays the side alone decides, so the caps need no test.
         let needs_caps = side.open.bits() & valid != 0;
         let lanes = if needs_caps { side.with_caps(&lanes_record, ray) } else { side.without_caps() };
-        let number = |part: CylinderPart| V::of(f64::from(part as u32));
-        let over = V::select(lanes.top, number(CylinderPart::Top), number(CylinderPart::Side));
-        let mut hits = (lanes.lambda, V::select(lanes.bottom, number(CylinderPart::Bottom), over));
+        let over = V::select(lanes.top, CylinderPart::Top.number(), CylinderPart::Side.number());
+        let mut hits = (lanes.lambda, V::select(lanes.bottom, CylinderPart::Bottom.number(), over));
         let certain = lanes.certain & in_scale(a);
         let uncertain = rays.uncertain(certain);
         if uncertain != 0 {

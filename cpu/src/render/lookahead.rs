@@ -22,8 +22,9 @@ use crate::{
 };
 
 /// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.
-/// Each ray is computed as if all paths in the lanes before it escaped with these rays, so that each had taken one
-/// scatter sample. The lanes after a path that does not escape are therefore invalid, and are computed again.
+/// All paths take their scatter samples from one stream, so a ray depends on how many the paths before it take. The
+/// rays are computed as if each path took one, because it escapes with its first ray. Behind a path that does not
+/// escape, the lanes are invalid, and are computed again.
 #[derive(Clone, Copy)]
 struct Lookahead<V: SimdF64> {
     /// The index of the first path in the queue.

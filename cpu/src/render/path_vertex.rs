@@ -6,9 +6,9 @@ use crate::geometry::ray::Ray;
 use crate::materials::{prepared::PreparedMaterial, scatter::ScatterParams};
 use crate::math::{real::Real, vec3::Vec3};
 
-/// The last hit of a sample, from which its path continues: the hit point, the direction and the random vector's
-/// constants for the next ray, the surface's reflectance, and the numbers that identify the object and the sample. With
-/// lanes, each lane has its own sample.
+/// The last hit of a sample, with all numbers from which its path continues. These are the hit point, the scattered
+/// direction before the random vector is added, the [`ScatterParams`] of that vector, the reflectance of the surface,
+/// and the numbers of the object and the sample. With lanes, each lane has its own sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathVertex<T = f64> {
     /// The hit point, in scene units. The next ray starts there.

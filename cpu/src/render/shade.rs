@@ -2,9 +2,8 @@
 
 use crate::render::{fallback::MOST_LANES, hit_lanes::HitLanes, path_vertex::PathVertex, prepared::Prepared};
 use crate::{
-    accel::object::ObjectId, accel::object::ObjectRef, counters::Counter, counters::add,
-    geometry::cylinder::CylinderPart, geometry::ray::Ray, layout::Layout, layout::Objects,
-    materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+    accel::object::ObjectId, accel::object::ObjectRef, counters::Counter, counters::add, geometry::ray::Ray,
+    layout::Layout, layout::Objects, materials::prepared::PreparedMaterial, simd::LaneMask, simd::SimdF64,
 };
 
 /// Returns the vertex at the hit of each lane, and a bit for each lane, which is 1 if the lane has a hit on a
@@ -33,10 +32,7 @@ pub fn shade<V: SimdF64, L: Layout>(prepared: &Prepared<L>, ray: &Ray<V>, hits: 
             }
             ObjectRef::Cylinder(index) => {
                 let cylinder = objects.cylinder(index);
-                let record = cylinder.record.lanes::<V>();
-                let side = record.outward(CylinderPart::Side, point);
-                let cap = Vec3::select(hits.part.less(V::of(1.5)), record.axis, -record.axis);
-                (Vec3::select(hits.part.less(V::of(0.5)), side, cap), cylinder.material)
+                (cylinder.record.lanes::<V>().outward_lanes(hits.part, point), cylinder.material)
             }
         };
         let material = &prepared.materials[material as usize];

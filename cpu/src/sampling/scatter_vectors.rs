@@ -2,7 +2,8 @@
 
 use crate::{math::vec3::Vec3, sampling::uniform::Uniform};
 
-/// The convention by which random vectors are drawn (specification, section 11).
+/// The convention by which the random vectors of scattering are drawn (specification, section 11). It decides the bytes
+/// of every picture with matte or rough metal surfaces. The programs use [`Scatter::Statement`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scatter {
     /// The convention of the statement: a vector in a cube, from three random numbers. `render-aos` and `render-soa`

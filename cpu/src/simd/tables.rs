@@ -1,7 +1,7 @@
 //! Macros that turn a table of operations into the functions of a lane type. The table has one line for each operation.
 
-/// Takes functions without attributes, in the body of an `impl`, and adds `#[inline(always)]` to each. A lane type has
-/// some thirty functions of one line, which are read as a table without the attribute.
+/// Adds `#[inline(always)]` to each of the functions that are written in it, in the body of an `impl`. A lane type has
+/// some thirty functions of one line each. Without an attribute between them, they can be read like a table.
 macro_rules! functions {
     ($(fn $name:ident($($argument:tt)*) $(-> $result:ty)? $body:block)+) => {
         $(#[inline(always)]

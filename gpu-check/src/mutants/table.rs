@@ -64,7 +64,8 @@ mutants! {
         "abs(slope) < real(1e-8)" => "abs(slope) <= real(1e-8)",
         "center - ray.origin" => "center + ray.origin",
         "/ slope" => "* slope",
-        "ray, cylinder.bottom" => "ray, cylinder.top",
+        "ray, cylinder.top)" => "ray, cylinder.bottom)",
+        "ray, cylinder.bottom)" => "ray, cylinder.top)",
         "return -cylinder.axis" => "return cylinder.axis",
         "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
         "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
@@ -78,10 +79,6 @@ mutants! {
         "crossings.some && in_range(lambda)" => "crossings.some && in_range(crossings.near)",
         "near_counts || far_counts" => "near_counts && far_counts",
         "crossings.near, near_counts)" => "crossings.near, far_counts)",
-        "ray, cylinder.top" => "ray, cylinder.bottom",
-        "ray, cylinder.bottom" => "ray, cylinder.top",
-        "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
-        "tie_later_is_closer(bottom.lambda, closest.lambda)" => "bottom.lambda < closest.lambda",
     ;
     "camera":
         "(column + x)" => "(column - x)",
