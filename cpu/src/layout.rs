@@ -14,8 +14,8 @@ use crate::{
     input::scene::Sphere, math::vec3::Vec3,
 };
 
-/// A marker type for a layout in memory. Its associated types are the containers that store the pixels and the objects.
-/// The renderer takes it as a type parameter: [`Aos`](aos::Aos) or [`Soa`](soa::Soa).
+/// A layout in memory, which the renderer takes as a type parameter. Its associated types are the containers that store
+/// the pixels and the objects. Two marker types implement it, [`Aos`](aos::Aos) and [`Soa`](soa::Soa).
 pub trait Layout {
     /// The type that stores the pixels of a picture.
     type Image: Image;

@@ -39,7 +39,7 @@ pub mod trace_paths;
 use std::ops::ControlFlow;
 
 use crate::render::{
-    accumulation::Sums, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::spans_of_row,
+    accumulation::Accumulator, camera_rays::TraceCameraRays, prepared::Prepared, span::Span, span::spans_of_row,
     span_state::SpanState, specular_chains::TraceSpecularChains, stages::ColorPaths, stages::DrawSamples,
     stages::FindBytes, trace_paths::TracePaths,
 };
@@ -86,8 +86,8 @@ pub fn render_into<L: Layout>(
     image: &mut L::Image,
     mut after_row: impl FnMut(usize) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
-    let (state, sums) = (SpanState::new(prepared)?, Sums::new(prepared.samples));
-    set.run(Picture { state, sums, target: Target::Image(image), after_row: &mut after_row })
+    let (state, accumulator) = (SpanState::new(prepared)?, Accumulator::new(prepared.samples));
+    set.run(Picture { state, accumulator, target: Target::Image(image), after_row: &mut after_row })
 }
 
 /// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
@@ -101,8 +101,8 @@ pub fn render_linear<L: Layout>(
 ) -> Result<(), Error> {
     // The result is always `Continue`.
     let mut after_row = |_| ControlFlow::Continue(());
-    let (state, sums) = (SpanState::new(prepared)?, Sums::new(prepared.samples));
-    let _ = set.run(Picture { state, sums, target: Target::Means(&mut pixel), after_row: &mut after_row })?;
+    let (state, accumulator) = (SpanState::new(prepared)?, Accumulator::new(prepared.samples));
+    let _ = set.run(Picture { state, accumulator, target: Target::Means(&mut pixel), after_row: &mut after_row })?;
     Ok(())
 }
 
@@ -118,7 +118,7 @@ enum Target<'a, I> {
 /// A kernel that renders the whole picture, row by row.
 struct Picture<'a, L: Layout> {
     state: SpanState<'a, L>,
-    sums: Sums,
+    accumulator: Accumulator,
     target: Target<'a, L::Image>,
     after_row: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
 }
@@ -182,7 +182,7 @@ impl<L: Layout> Picture<'_, L> {
 
     /// Traces the samples of the batch, and adds their colours to their pixels. Their offsets must have been drawn.
     fn trace<S: Simd>(&mut self, simd: S, span: &Span) {
-        let Self { state, sums, target, .. } = self;
+        let Self { state, accumulator, target, .. } = self;
         simd.run(TraceCameraRays(state));
         if state.batch.specular.count > 0 {
             simd.run(TraceSpecularChains(state));
@@ -192,7 +192,7 @@ impl<L: Layout> Picture<'_, L> {
             simd.run(ColorPaths(state));
         }
         let (first, quantizer) = (state.row * state.prepared.size.width(), &state.prepared.quantizer);
-        sums.add(span, &state.batch, |column, mean| match target {
+        accumulator.add(span, &state.batch, |column, mean| match target {
             Target::Image(image) => {
                 let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
                 image.set_pixel(first + column, Rgb { red, green, blue });

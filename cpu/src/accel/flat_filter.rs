@@ -14,8 +14,8 @@ use crate::{
     materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
 };
 
-/// Maximum number of spheres, and maximum number of cylinders, of a scene with this structure. Each object of a kind
-/// has one bit in a `u64`.
+/// Maximum number of spheres, and maximum number of cylinders, in a [`FlatFilter`]. Each object of a kind has one bit
+/// in a `u64`.
 pub const CAPACITY: usize = u64::BITS as usize;
 
 /// The structure for up to 64 spheres and 64 cylinders. Its data are stored in lanes, whatever the layout of the

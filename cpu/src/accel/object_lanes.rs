@@ -6,8 +6,7 @@ use crate::accel::{
 };
 use crate::{geometry::ray::Ray, layout::Objects, simd::LaneMask, simd::SimdF64, simd::columns::Columns};
 
-/// Maximum number of objects of a scene with this structure. It is a multiple of every instruction set's number of
-/// lanes of `f64`.
+/// Maximum number of objects in [`ObjectLanes`]. It is a multiple of every instruction set's number of lanes of `f64`.
 pub const CAPACITY: usize = 8;
 
 /// Up to [`CAPACITY`] objects, in the order of their [numbers](ObjectId), one at each place. If a scene has fewer

@@ -10,9 +10,10 @@
 
 use crate::math::real::Real;
 
-/// Whether a hit at `lambda` replaces the closest hit so far, at the lambda `closest`: whether `lambda <= closest`. The
-/// hit at `lambda` must be on an object that is later in the scene file, or on a later part of the same cylinder, so
-/// that it counts if both lambdas are equal. If there is no hit so far, `closest` is infinite.
+/// Returns `lambda <= closest`: whether a later hit, at `lambda`, replaces the closest hit so far, which is at
+/// `closest`. Of two hits at the same lambda the later one counts. So the caller must take the objects in the order of
+/// the scene file, and the parts of a cylinder in the order side, top, bottom. Without a hit so far, `closest` is
+/// infinite.
 #[inline(always)]
 pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
     lambda.less_equal(closest)

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a configuration, a scene or a picture was refused.
+/// Why a configuration or a scene was refused, or why a picture could not be rendered or written.
 ///
 /// [`Error::message`] returns the message, without the leading `Error: ` that the programs print. Lines and keys are
 /// bytes, because the input need not be UTF-8 and the message shows it unchanged.

@@ -14,10 +14,9 @@ use crate::math::fixed_point::logarithm;
 use crate::math::nearest::{Midpoint, certain_sign, nearest};
 use crate::math::power::quick::Quick;
 
-/// Returns `base^exponent`, correctly rounded, for an exponent above 0. For such an exponent, zero, negative, infinite
-/// and NaN bases give what `pow` of C gives (C17, F.10.4.4). Unlike `pow` of C, which returns 1 for `pow(x, 0)` and
-/// `pow(1, NaN)`, this function returns NaN for every exponent that is zero, negative or NaN. The renderer needs no
-/// such exponent: its exponents are gamma and `1 / gamma`, which are positive.
+/// Returns `base^exponent`, correctly rounded, if the exponent is positive. A base that is zero, negative, infinite or
+/// NaN then gives what `pow` of C gives (C17, F.10.4.4). If the exponent is zero, negative or NaN, the result is NaN,
+/// unlike that of C. The renderer has no such exponent: its exponents are gamma and `1 / gamma`, which are positive.
 #[inline(always)]
 pub fn power(base: f64, exponent: f64) -> f64 {
     if base > 0.0 && base < f64::INFINITY && exponent > 0.0 && exponent < f64::INFINITY {

@@ -2,10 +2,11 @@
 
 use crate::{math::vec3::Vec3, render::samples::Batch, render::span::Span};
 
-/// The sum of the colours of the samples of one pixel. A [span](Span) has at most 1,024 samples, so a pixel with more
-/// samples is rendered in several spans. The sum is kept from one call of [`Sums::add`] to the next.
+/// Computes the mean colours of pixels from the samples of one [span](Span) after the other. It holds the sum of the
+/// pixel whose samples are not complete yet. The samples of a pixel may be spread over several spans, because a span
+/// has at most 1,024 samples.
 #[derive(Debug)]
-pub struct Sums {
+pub struct Accumulator {
     /// Number of samples of each pixel.
     samples: u64,
     /// Number of samples that `sum` contains.
@@ -13,7 +14,7 @@ pub struct Sums {
     sum: Vec3,
 }
 
-impl Sums {
+impl Accumulator {
     /// Returns an empty sum, for pixels of `samples` samples each.
     pub const fn new(samples: u64) -> Self {
         Self { samples, summed: 0, sum: Vec3::ZERO }
@@ -44,13 +45,13 @@ mod tests {
         for sample in 0..8 {
             batch.color.set(sample, [sample as f64; 3]);
         }
-        let mut sums = Sums::new(4);
+        let mut accumulator = Accumulator::new(4);
         let mut means = Vec::new();
         // This span has the last three samples of pixel 0, all samples of pixel 1 and one sample of pixel 2.
-        (sums.sum, sums.summed) = (Vec3::splat(1.0), 1);
+        (accumulator.sum, accumulator.summed) = (Vec3::splat(1.0), 1);
         let span = Span { first: 0, first_sample: 1, count: 8, last: 2 };
-        sums.add(&span, &batch, |column, mean| means.push((column, mean.x)));
+        accumulator.add(&span, &batch, |column, mean| means.push((column, mean.x)));
         assert_eq!(means, [(0, (1.0 + 0.0 + 1.0 + 2.0) / 4.0), (1, (3.0 + 4.0 + 5.0 + 6.0) / 4.0)]);
-        assert_eq!(sums.sum, Vec3::splat(7.0));
+        assert_eq!(accumulator.sum, Vec3::splat(7.0));
     }
 }

@@ -9,8 +9,8 @@ use crate::{
     counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
 };
 
-/// Number of places in front of the new samples, for the old samples that have not been taken. When [`Make`] runs,
-/// fewer than [`RESERVE`] are left. It moves them directly in front of the new samples, so that all are consecutive.
+/// Number of places at the front of the buffer of samples. The buffer is refilled when fewer than [`RESERVE`] samples
+/// are left in it. These move to the end of the front places, so that the new samples follow them directly.
 const PLACES_FOR_OLD: usize = 16;
 /// Number of samples that are made at a time.
 const MADE: usize = 512;
