@@ -23,8 +23,8 @@ use crate::{
 
 /// The first scattered rays of consecutive paths of the queue, one in each lane, with the objects that they may hit.
 /// All paths take their scatter samples from one stream, so a ray depends on how many the paths before it take. The
-/// rays are computed as if each path took one, because it escapes with its first ray. Behind a path that does not
-/// escape, the lanes are invalid, and are computed again.
+/// rays are computed on the assumption that each path escapes with its first ray, and so takes one scatter sample. The
+/// lanes after a path that does not escape are computed again.
 #[derive(Clone, Copy)]
 struct Lookahead<V: SimdF64> {
     /// The index of the first path in the queue.

@@ -8,7 +8,8 @@ use crate::math::{real::Real, vec3::Vec3};
 
 /// The last hit of a sample, with all numbers from which its path continues. These are the hit point, the scattered
 /// direction before the random vector is added, the [`ScatterParams`] of that vector, the reflectance of the surface,
-/// and the numbers of the object and the sample. With lanes, each lane has its own sample.
+/// the index of the object and of the sample, and the number of rays that the path may still send. With lanes, each
+/// lane has its own sample.
 #[derive(Clone, Copy, Debug)]
 pub struct PathVertex<T = f64> {
     /// The hit point, in scene units. The next ray starts there.

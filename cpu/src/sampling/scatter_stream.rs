@@ -9,8 +9,9 @@ use crate::{
     counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
 };
 
-/// Number of places at the front of the buffer of samples. The buffer is refilled when fewer than [`RESERVE`] samples
-/// are left in it. These move to the end of the front places, so that the new samples follow them directly.
+/// Number of places at the front of the buffer that are kept free for samples left over from the last filling. Before
+/// the buffer is filled again, the samples left over, fewer than [`RESERVE`], move to the end of these places. The new
+/// samples follow them directly.
 const PLACES_FOR_OLD: usize = 16;
 /// Number of samples that are made at a time.
 const MADE: usize = 512;
