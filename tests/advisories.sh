@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ "${1:-}" != --help ] || { sed -n '2,7s/^# \{0,1\}//p' "$0"; exit; }
+[ "${1:-}" != --help ] || { sed -n '2,7s/^# \{0,1\}//p' tests/advisories.sh; exit; }
 ignored() {
     echo "advisories ... ignored: $1"
     [ -z "${ADVISORIES_REQUIRED:-}" ]

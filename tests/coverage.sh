@@ -11,7 +11,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
+[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' tests/coverage.sh; exit; }
 cargo llvm-cov clean --workspace
 cargo llvm-cov --no-report test -p cpu -p output --lib
 cargo llvm-cov --no-report test -p tests --tests

@@ -1,7 +1,12 @@
-//! Checks that every binary and example of the workspace explains its use for `--help`, and does nothing else then.
+//! Checks that every binary, example and script of the project explains its use for `--help`, and does nothing else
+//! then.
 //!
 //! Cargo lists the programs, so a new program is tested from its start. Only the evaluated programs are left out,
-//! because the statement prescribes their messages.
+//! because the statement prescribes their messages. The module `scripts` tests the scripts.
+
+#[cfg(unix)]
+#[path = "help/scripts.rs"]
+mod scripts;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

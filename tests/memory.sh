@@ -12,7 +12,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
+[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' tests/memory.sh; exit; }
 host=x86_64-unknown-linux-gnu
 
 valgrind_all() {
@@ -26,7 +26,7 @@ valgrind_all() {
         for set in portable avx2; do
             for program in render-aos render-soa; do
                 RENDER_INSTRUCTION_SET=$set valgrind --quiet --error-exitcode=9 --leak-check=no \
-                    "target/release/$program" "$folder/config.txt" "$scene/scene.txt" "$folder/$set-$program.ppm"
+                    "${CARGO_TARGET_DIR:-target}/release/$program" "$folder/config.txt" "$scene/scene.txt" "$folder/$set-$program.ppm"
                 cmp "$folder/portable-render-aos.ppm" "$folder/$set-$program.ppm"
                 count=$((count + 1))
             done
@@ -66,5 +66,5 @@ case "${1:-all}" in
     sanitizer) sanitizer_all ;;
     miri) miri_all ;;
     all) (valgrind_all) && (sanitizer_all) && miri_all ;;
-    *) sed -n '2,5p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,11s/^# \{0,1\}//p' tests/memory.sh >&2; exit 2 ;;
 esac

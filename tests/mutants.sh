@@ -12,7 +12,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' "$0"; exit; }
+[ "${1:-}" != --help ] || { sed -n '2,11s/^# \{0,1\}//p' tests/mutants.sh; exit; }
 files=(input/{text,config,scene,material,error,reader} geometry/{camera,sphere,cylinder,cap,tie,ray} materials/scatter image image/{quantize,ppm}
     render/{background,surface} layout)
 if [ $# -eq 0 ]; then
@@ -24,7 +24,7 @@ fi
 
 if [ "$(id -u)" -eq 0 ] && [ -z "${MUTANTS_CONFINED:-}" ]; then
     # Devices in a read-only folder can be written to, but not replaced.
-    MUTANTS_CONFINED=1 exec unshare --mount bash -c 'mount --bind /dev /dev && mount -o remount,bind,ro /dev && exec "$@"' confined "$0" "$@"
+    MUTANTS_CONFINED=1 exec unshare --mount bash -c 'mount --bind /dev /dev && mount -o remount,bind,ro /dev && exec "$@"' confined tests/mutants.sh "$@"
 fi
 # Without optimisation a mutant is built in one or two seconds.
 export CARGO_PROFILE_DEV_OPT_LEVEL=0 CARGO_PROFILE_DEV_DEBUG=none

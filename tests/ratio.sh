@@ -16,8 +16,9 @@ if [ "${1:-}" = --help ]; then
 fi
 top=$(cd "$(dirname "$0")/.." && pwd)
 cargo build --release --quiet --manifest-path "$top/Cargo.toml" -p cli -p bench --bins
-program=${PROGRAM:-$top/target/release/render-aos}
-yardstick=${YARDSTICK:-$top/target/release/reference}
+target=${CARGO_TARGET_DIR:-$top/target}
+program=${PROGRAM:-$target/release/render-aos}
+yardstick=${YARDSTICK:-$target/release/reference}
 runs=${RUNS:-1}
 [ $# -gt 0 ] && [ $(($# % 3)) -eq 0 ] || { sed -n '2,10s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 

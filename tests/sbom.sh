@@ -10,9 +10,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-help() { sed -n '2,9s/^# \{0,1\}//p' "$0"; }
+help() { sed -n '2,9s/^# \{0,1\}//p' tests/sbom.sh; }
 [ "${1:-}" != --help ] || { help; exit; }
-[ $# -eq 1 ] || { help >&2; exit 2; }
+[ $# -eq 1 ] && [[ $1 != -* ]] || { help >&2; exit 2; }
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 [ -z "$(git status --porcelain --untracked-files=no)" ] || { echo "tests/sbom.sh: there are changes that no commit has" >&2; exit 1; }

@@ -9,7 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-[ "${1:-}" != --help ] || { sed -n '2,8s/^# \{0,1\}//p' "$0"; exit 0; }
+[ "${1:-}" != --help ] || { sed -n '2,8s/^# \{0,1\}//p' tests/slurm.sh; exit 0; }
 say() { echo "tests/slurm.sh: $*"; }
 fail() { say "FAILED: $*" >&2; tail -n 20 "$work"/*.log >&2 2>/dev/null || true; exit 1; }
 for program in munged slurmctld slurmd sbatch; do
@@ -97,8 +97,11 @@ for try in $(seq 60); do
 done
 say "$(sinfo --version) runs on $(hostname)"
 
-export RENDER_LAB=${RENDER_LAB:-$PWD/target/release/render-lab}
-[ -x "$RENDER_LAB" ] || cargo build --release --bin render-lab
+if [ -z "${RENDER_LAB:-}" ]; then
+    cargo build --release --bin render-lab
+    RENDER_LAB=$(realpath "${CARGO_TARGET_DIR:-target}")/release/render-lab
+fi
+export RENDER_LAB
 tasks=$("$RENDER_LAB" bench tasks | wc -l)
 
 say "run 1: $tasks tasks and a join"
@@ -108,24 +111,25 @@ drain 1200 || fail "run 1 does not end"
 [ -s "$work/good/bench.json" ] || fail "run 1 has no bench.json"
 
 say "run 2: a task that fails"
-# Task 1 fails until the file "healed" is there. The results of all other tasks are those of run 1.
+# Task 1 fails until the file "healed" is there. The results of all other tasks are those of run 1. The folder's name
+# has a space, because the commands that `submit` prints must work with such a name too.
 cat >"$work/render-lab" <<END
 #!/usr/bin/env bash
 case "\$*" in
     "bench all --part 1/"*) [ -e "$work/healed" ] || exit 3 ;;
-    "bench all --part "*) part=\${4%%/*}; cp "$work/good/part-\$part.json" "$work/bad/"; exit ;;
+    "bench all --part "*) part=\${4%%/*}; cp "$work/good/part-\$part.json" "$work/bad run/"; exit ;;
 esac
 exec "$RENDER_LAB" "\$@"
 END
 chmod 755 "$work/render-lab"
-RENDER_LAB="$work/render-lab" lab/slurm/submit "$work/bad" --quick --repeats 1 >"$work/said.log"
+RENDER_LAB="$work/render-lab" lab/slurm/submit "$work/bad run" --quick --repeats 1 >"$work/said.log"
 drain 300 || fail "the join waits for ever"
-[ ! -e "$work/bad/bench.json" ] || fail "run 2 was joined without its first task"
+[ ! -e "$work/bad run/bench.json" ] || fail "run 2 was joined without its first task"
 touch "$work/healed"
 export RENDER_LAB="$work/render-lab"
 # Runs the commands that `submit` printed.
 again=$(sed -n 's/^Run a failed task N again: *//p' "$work/said.log" | sed 's/--array=N/--array=1/')
 join=$(sed -n 's/^Then join them: *//p' "$work/said.log")
 bash -c "$again" && drain 600 && bash -c "$join" && drain 60 || fail "what submit says does not work: $again; $join"
-[ -s "$work/bad/bench.json" ] || fail "run 2 has no bench.json in the end"
+[ -s "$work/bad run/bench.json" ] || fail "run 2 has no bench.json in the end"
 say "passed: $tasks tasks joined; a failed task cancelled the join, was run again and joined"

@@ -111,7 +111,7 @@ impl std::fmt::Display for Words<'_> {
             Some(flip) => writeln!(out, "FLIP       {flip:.4}")?,
             None => writeln!(
                 out,
-                "FLIP       not built in (cargo install --path lab --features flip needs a C++ compiler)"
+                "FLIP       not built in (cargo install --locked --path lab --features flip needs a C++ compiler)"
             )?,
         }
         writeln!(out, "differing  {differing} of {pixels} pixels")?;
