@@ -10,7 +10,7 @@
 //! Numbers that can change no byte are not drawn. This is so in deterministic mode, for background pixels whose bytes
 //! are known without them (they are passed over), and if `needs_samples` of `render/prepared.rs` finds no material for
 //! which a scatter sample matters at this maximum depth. The reference's copy of the rule is in `reference.rs`
-//! (`render_counted` and `scatter`). WGSL has no copy, because its random numbers come from the CPU. `render/path.rs`,
+//! (`render_observed` and `scatter`), and the copy in WGSL is in `trace_samples.wgsl`. `render/path.rs`,
 //! `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this rule.
 
 use crate::sampling::block::BlockUniform;
