@@ -62,6 +62,22 @@ pub fn render_linear(
     render_counted::<Plain>(config, scene, scatter, pixel).map(|_| ())
 }
 
+/// Renders as [`render_linear`] does. After each sample it also calls `sample` with the number of words that the path
+/// took from the generator of the materials. With these numbers another renderer can start any path at its place in
+/// the stream, without tracing the paths before it.
+///
+/// # Errors
+/// The errors of [`render`].
+pub fn render_recorded(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    sample: impl FnMut(u64),
+    pixel: impl FnMut(usize, Vec3),
+) -> Result<(), Error> {
+    render_observed::<Plain>(config, scene, scatter, sample, pixel).map(|_| ())
+}
+
 /// The work for a picture without any shortcut: the rays that the reference traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
@@ -79,6 +95,18 @@ pub fn render_counted<P: Intersect>(
     config: &Config,
     scene: &Scene,
     scatter: Scatter,
+    pixel: impl FnMut(usize, Vec3),
+) -> Result<Counts, Error> {
+    render_observed::<P>(config, scene, scatter, |_| (), pixel)
+}
+
+/// Renders with the intersections of `P`. Calls `sample` as [`render_recorded`] does, and `pixel` as [`render_linear`]
+/// does. Returns the numbers of rays and hits.
+fn render_observed<P: Intersect>(
+    config: &Config,
+    scene: &Scene,
+    scatter: Scatter,
+    mut sample: impl FnMut(u64),
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<Counts, Error> {
     let size = config.image_size()?;
@@ -98,7 +126,9 @@ pub fn render_counted<P: Intersect>(
                     y = jitter.draw(-0.5, 0.5);
                 }
                 let target = camera.origin + camera.delta_x * (column as f64 + x) + camera.delta_y * (row as f64 + y);
+                let start = path.vectors.words();
                 sum = sum + path.color::<P>(camera.position, target - camera.position, config.max_depth)?;
+                sample(path.vectors.words() - start);
             }
             pixel(row * size.width() + column, sum / samples as f64);
         }

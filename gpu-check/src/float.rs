@@ -11,6 +11,8 @@ use crate::Kernel;
 pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debug + Send + Sync {
     /// The precision of a composition in which `real` stands for this type.
     const PRECISION: Precision;
+    /// The largest number below 1, as in `real_f32.wgsl` and `real_f64.wgsl`.
+    const BELOW_ONE: Self;
 
     /// Returns the bits of the number. The bits of an `f32` are in the lower half.
     fn bits(self) -> u64;
@@ -30,6 +32,7 @@ pub trait Float: Real<Mask = bool> + bytemuck::Pod + PartialOrd + Display + Debu
 
 impl Float for f32 {
     const PRECISION: Precision = Precision::F32;
+    const BELOW_ONE: Self = 1.0_f32.next_down();
 
     fn bits(self) -> u64 {
         u64::from(self.to_bits())
@@ -46,6 +49,7 @@ impl Float for f32 {
 
 impl Float for f64 {
     const PRECISION: Precision = Precision::F64;
+    const BELOW_ONE: Self = 1.0_f64.next_down();
 
     fn bits(self) -> u64 {
         self.to_bits()

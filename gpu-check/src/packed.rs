@@ -72,9 +72,9 @@ impl<R: Packed> Packed for Placed<R> {
 
 impl<T: Float> Packed for PackedMaterial<T> {
     fn pack(&self, bytes: &mut Vec<u8>) {
-        let Self { reflectance, index, kind } = self;
+        let Self { reflectance, index, extent, kind } = self;
         reflectance.pack(bytes);
-        [*index][..].pack(bytes);
+        [*index, *extent][..].pack(bytes);
         (*kind as u32).pack(bytes);
         0_u32.pack(bytes);
     }

@@ -19,6 +19,8 @@ pub struct PackedMaterial<T> {
     pub reflectance: Vec3<T>,
     /// The refractive index; 0 for materials that are not refractive.
     pub index: T,
+    /// The factor of a scatter vector: 1 for a matte material, the diffusion for a metal one, 0 for a refractive one.
+    pub extent: T,
     /// The kind of the material, which is the variant of [`Material`].
     pub kind: Kind,
 }
@@ -35,7 +37,7 @@ pub enum Kind {
     Refractive = 2,
 }
 
-/// A scene in one precision with its camera, for rendering in deterministic mode.
+/// A scene in one precision with its camera.
 #[derive(Clone, Debug)]
 pub struct Picture<T> {
     /// Number of columns and rows.
@@ -96,12 +98,13 @@ pub(crate) fn depth(config: &Config) -> Result<u32, Error> {
 }
 
 fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
-    let (kind, index) = match *material {
-        Material::Matte { .. } => (Kind::Matte, 0.0),
-        Material::Metal { .. } => (Kind::Metal, 0.0),
-        Material::Refractive { index } => (Kind::Refractive, index),
+    let (kind, index, extent) = match *material {
+        Material::Matte { .. } => (Kind::Matte, 0.0, 1.0),
+        Material::Metal { diffusion, .. } => (Kind::Metal, 0.0, diffusion),
+        Material::Refractive { index } => (Kind::Refractive, index, 0.0),
     };
-    PackedMaterial { reflectance: material.reflectance().map(T::of), index: T::of(index), kind }
+    let reflectance = material.reflectance().map(T::of);
+    PackedMaterial { reflectance, index: T::of(index), extent: T::of(extent), kind }
 }
 
 /// Returns the features that a pipeline for `scene` needs. Materials that no object has are ignored.

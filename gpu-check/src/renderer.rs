@@ -8,7 +8,8 @@ use cpu::Size;
 use cpu::Vec3;
 use shaders::{Features, Library};
 
-use crate::packed::{Packed, buffer};
+use crate::head::{Part, head};
+use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
@@ -18,10 +19,10 @@ pub(crate) const BATCH: u64 = 1 << 18;
 /// Largest number of tests of a ray against an object in one run, if every path has the maximum depth. On a CPU that
 /// acts as a GPU they take seconds. So a large scene is rendered in many runs, each run stays within its time limit,
 /// and the program can report progress between them.
-const TESTS: u64 = 1 << 28;
+pub(crate) const TESTS: u64 = 1 << 28;
 
 /// Smallest number of pixels in one run, unless a limit requires fewer. With fewer, most of a device would be idle.
-const LEAST_BATCH: u64 = 1 << 10;
+pub(crate) const LEAST_BATCH: u64 = 1 << 10;
 
 /// Largest number of iterations of all loops of an invocation together. After 65,535 iterations lavapipe leaves a loop
 /// without an error, so the colours would be wrong.
@@ -113,8 +114,8 @@ impl<'a, T: Float> Renderer<'a, T> {
         let mut rendering = Rendering { size: picture.size, pixels: Vec::new(), time: Duration::ZERO };
         for first in (0..count).step_by(batch as usize) {
             let pixels = batch.min(count - first);
-            let head = |depths: &Range<u32>| head(picture, first as u32, pixels as u32, depths);
-            let heads: Vec<_> = depths.iter().map(head).collect();
+            let part = Part::Pixels { first: first as u32, count: pixels as u32 };
+            let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
             let contents = [
                 Content::Inputs(&heads),
                 Content::Input(&spheres),
@@ -140,40 +141,27 @@ impl<'a, T: Float> Renderer<'a, T> {
             return Ok(steps(depth, step));
         }
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        Ok(steps(depth, surfaces_of_a_run(objects, depth)?))
+        Ok(steps(depth, surfaces_of_a_run(objects, depth, 0)?))
     }
 }
 
-/// Returns how many surfaces of each path one run may loop over, at least one.
+/// Returns how many surfaces of each path one run may loop over, at least one. `tries` is the largest number of vectors
+/// from which the shader chooses a scatter vector in a loop; 0 if it has no such loop.
 ///
 /// # Errors
 /// [`Error::TooManyIterations`] if one surface already takes more than [`MAX_ITERATIONS`].
-pub(crate) fn surfaces_of_a_run(objects: u64, depth: u32) -> Result<u32, Error> {
+pub(crate) fn surfaces_of_a_run(objects: u64, depth: u32, tries: u64) -> Result<u32, Error> {
     // For each surface there is a loop over the objects. In addition the loop over a path's materials is counted, since
     // the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
-    match MAX_ITERATIONS / (objects + u64::from(depth) + 1) {
+    match MAX_ITERATIONS / (objects + u64::from(depth) + 1 + tries) {
         0 => Err(Error::TooManyIterations { objects, depth: depth.into(), limit: MAX_ITERATIONS }),
         surfaces => Ok(surfaces as u32),
     }
 }
 
 /// Divides `0..depth` into ranges of length `step`. Returns at least one range, even if it is empty.
-fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
+pub(crate) fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
     (0..depth.max(1)).step_by(step as usize).map(|first| first..first.saturating_add(step).min(depth)).collect()
-}
-
-/// Returns the bytes of the structure `Picture` in `picture.wgsl`, for a run of `pixels` pixels from pixel `first`, at
-/// the depths `depths`.
-pub(crate) fn head<T: Float>(picture: &Picture<T>, first: u32, pixels: u32, depths: &Range<u32>) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    picture.camera.pack(&mut bytes);
-    picture.background.pack(&mut bytes);
-    // In deterministic mode the two offsets and the three components of the scatter vector are zero.
-    [T::of(0.0); 5][..].pack(&mut bytes);
-    let counts = [picture.spheres.len() as u32, picture.cylinders.len() as u32];
-    let numbers = [picture.size.width() as u32, first, pixels, counts[0], counts[1], depths.start, depths.end, 0];
-    numbers.iter().for_each(|number| number.pack(&mut bytes));
-    bytes
 }
 
 #[cfg(test)]
@@ -197,7 +185,7 @@ mod tests {
         assert_eq!(buffer(&picture.spheres).len(), size("PlacedSphere"));
         assert_eq!(buffer(&picture.cylinders).len(), size("PlacedCylinder"));
         assert_eq!(buffer(&picture.materials).len(), size("PackedMaterial"));
-        assert_eq!(head(&picture, 0, 1, &(0..5)).len(), size("Picture"));
+        assert_eq!(head(&picture, &Part::Pixels { first: 0, count: 1 }, &(0..5)).len(), size("Picture"));
         assert_eq!(size_of::<Vec3<T>>(), size("PackedVec3"));
         assert_eq!(2 * size_of::<Vec3<T>>() + 8, size("PackedPath"));
     }
@@ -210,11 +198,12 @@ mod tests {
 
     #[test]
     fn as_many_objects_and_surfaces_as_the_limit_are_taken_and_one_more_is_refused() {
-        assert!(matches!(surfaces_of_a_run(65_529, 5), Ok(1)));
-        assert!(matches!(surfaces_of_a_run(0, 65_534), Ok(1)));
-        assert!(matches!(surfaces_of_a_run(65_530, 5), Err(Error::TooManyIterations { .. })));
-        assert!(matches!(surfaces_of_a_run(0, 65_535), Err(Error::TooManyIterations { .. })));
-        assert!(matches!(surfaces_of_a_run(4, 5), Ok(6553)));
+        assert!(matches!(surfaces_of_a_run(65_529, 5, 0), Ok(1)));
+        assert!(matches!(surfaces_of_a_run(0, 65_534, 0), Ok(1)));
+        assert!(matches!(surfaces_of_a_run(65_530, 5, 0), Err(Error::TooManyIterations { .. })));
+        assert!(matches!(surfaces_of_a_run(0, 65_535, 0), Err(Error::TooManyIterations { .. })));
+        assert!(matches!(surfaces_of_a_run(4, 5, 0), Ok(6553)));
+        assert!(matches!(surfaces_of_a_run(4, 5, 100), Ok(595)));
     }
 
     #[test]

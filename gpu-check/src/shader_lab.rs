@@ -14,6 +14,7 @@ pub mod guard;
 pub mod pixel;
 pub mod png;
 pub mod progress;
+mod rendered;
 pub mod sources;
 pub mod trial;
 pub mod truth;

@@ -7,9 +7,10 @@ use cpu::Vec3;
 use cpu::internals::math::real::Real;
 use shaders::{Features, Library};
 
+use crate::head::{Part, head};
 use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::renderer::{BATCH, MAX_ITERATIONS, head};
+use crate::renderer::{BATCH, MAX_ITERATIONS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Names of the numbers of a step (one ray of a path and its hit), in the order of `kernels/steps.wgsl`.
@@ -104,7 +105,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
                     step[5] = whole(found.material);
                     store(found.hit.point, &mut step[12..]);
                     store(found.hit.normal, &mut step[15..]);
-                    ray = self.scatter_ray(&ray, found);
+                    ray = self.scatter_ray(&ray, found, Vec3::splat(zero));
                 }
             }
             steps.push(Step(step));
@@ -182,15 +183,14 @@ impl<'a, T: Float> Follower<'a, T> {
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / row).max(1) as usize;
         for start in (first..first + count).step_by(batch) {
             let pixels = batch.min(first + count - start);
-            let head = head(picture, start as u32, pixels as u32, &(0..self.depth));
+            let part = Part::Pixels { first: start as u32, count: pixels as u32 };
+            let head = head(picture, &part, &(0..self.depth));
             let contents = [
                 Content::Input(&head),
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
                 Content::Input(&materials),
-                // The attenuations, pixels and paths. Only `kernels/image` writes these buffers.
-                Content::Scratch(0),
-                Content::Scratch(0),
+                // The attenuations, which this kernel does not use.
                 Content::Scratch(0),
                 Content::Output(pixels as u64 * row),
             ];

@@ -1,4 +1,5 @@
-//! The twin of `shaders/wgsl/trace.wgsl` in Rust: a renderer for any number type. With f32 it gives the bits that the
+//! The twin of `shaders/wgsl/trace.wgsl` in Rust: a renderer for any number type. [`crate::sampled::twin`] adds the
+//! random numbers. With f32 it gives the bits that the
 //! f32 shader must give. With [`crate::running::Running`] it gives a bound on the difference between f32 and f64 in
 //! each pixel.
 
@@ -42,7 +43,13 @@ impl<T: Real<Mask = bool>> Picture<T> {
     pub fn color(&self, index: usize) -> Vec3<T> {
         let width = self.size.width();
         let [row, column] = [index / width, index % width].map(|number| T::of(number as f64));
-        let mut ray = self.camera.ray(row, column, [T::of(0.0); 2]);
+        let zero = T::of(0.0);
+        self.color_along(self.camera.ray(row, column, [zero; 2]), |_| Vec3::splat(zero))
+    }
+
+    /// Returns the linear colour that arrives along the camera ray `ray`. `scatter_vector` returns the next scatter
+    /// vector for the extent that it is given.
+    pub(crate) fn color_along(&self, mut ray: Ray<T>, mut scatter_vector: impl FnMut(T) -> Vec3<T>) -> Vec3<T> {
         let mut attenuations = Vec::new();
         for _ in 0..self.max_depth {
             let Some(surface) = self.closest_hit(&ray) else {
@@ -50,18 +57,21 @@ impl<T: Real<Mask = bool>> Picture<T> {
                 return attenuations.iter().rev().fold(color, |color, reflectance| color.attenuate(*reflectance));
             };
             let material = self.materials[surface.material as usize];
+            let mut vector = Vec3::splat(T::of(0.0));
             if material.kind != Kind::Refractive {
                 attenuations.push(material.reflectance);
+                vector = scatter_vector(material.extent);
             }
-            ray = self.scatter_ray(&ray, &surface);
+            ray = self.scatter_ray(&ray, &surface, vector);
         }
         Vec3::splat(T::of(0.0))
     }
 
-    /// Returns the ray that the surface scatters when `ray` hits it.
-    pub(crate) fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>) -> Ray<T> {
+    /// Returns the ray that the surface scatters when `ray` hits it. A refractive surface does not use the scatter
+    /// vector `vector`.
+    pub(crate) fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>, vector: Vec3<T>) -> Ray<T> {
         let material = self.materials[surface.material as usize];
-        let (hit, vector) = (surface.hit, Vec3::splat(T::of(0.0)));
+        let hit = surface.hit;
         let direction = match material.kind {
             Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
             Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,

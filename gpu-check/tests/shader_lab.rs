@@ -3,6 +3,8 @@
 mod common;
 #[path = "shader_lab/documentation.rs"]
 mod documentation;
+#[path = "shader_lab/samples.rs"]
+mod samples;
 #[cfg(unix)]
 #[path = "shader_lab/unix.rs"]
 mod unix;

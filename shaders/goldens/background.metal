@@ -38,15 +38,22 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct BackgroundCase {
     PackedVec3_ dark;
     PackedVec3_ light;
     PackedVec3_ direction;
 };
-typedef BackgroundCase type_2[1];
-typedef PackedVec3_ type_3[1];
+typedef BackgroundCase type_3[1];
+typedef PackedVec3_ type_4[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 
 real vec3_dot(
     metal::float3 a,
@@ -169,8 +176,8 @@ struct backgroundInput {
 };
 kernel void background(
   metal::uint3 id [[thread_position_in_grid]]
-, device type_2 const& cases [[buffer(0)]]
-, device type_3& results [[buffer(1)]]
+, device type_3 const& cases [[buffer(0)]]
+, device type_4& results [[buffer(1)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
 ) {
     if (id.x >= (1 + (_buffer_sizes.size0 - 0 - 36) / 36)) {

@@ -11,6 +11,8 @@ struct BarrierCase {
 
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer results : register(u1);

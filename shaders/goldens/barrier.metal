@@ -23,6 +23,8 @@ typedef BarrierCase type[1];
 typedef ExactSum type_1[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 
 ExactSum exact_two_sum(
     real a,

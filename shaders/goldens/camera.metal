@@ -40,6 +40,11 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct CameraCase {
     PackedVec3_ position;
     PackedVec3_ origin;
@@ -50,10 +55,12 @@ struct CameraCase {
     real offset_x;
     real offset_y;
 };
-typedef CameraCase type_3[1];
-typedef PackedRay type_4[1];
+typedef CameraCase type_4[1];
+typedef PackedRay type_5[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 
 real vec3_dot(
     metal::float3 a,
@@ -179,8 +186,8 @@ struct cameraInput {
 };
 kernel void camera(
   metal::uint3 id [[thread_position_in_grid]]
-, device type_3 const& cases [[buffer(0)]]
-, device type_4& results [[buffer(1)]]
+, device type_4 const& cases [[buffer(0)]]
+, device type_5& results [[buffer(1)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
 ) {
     if (id.x >= (1 + (_buffer_sizes.size0 - 0 - 64) / 64)) {

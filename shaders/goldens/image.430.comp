@@ -65,6 +65,7 @@ struct Background {
 struct Material {
     vec3 reflectance;
     float index;
+    float extent;
     uint kind;
 };
 struct PackedVec3_ {
@@ -97,6 +98,7 @@ struct PlacedCylinder {
 struct PackedMaterial {
     PackedVec3_ reflectance;
     float index;
+    float extent;
     uint kind;
     uint unused;
 };
@@ -123,12 +125,11 @@ struct Picture {
     uint cylinder_count;
     uint first_depth;
     uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
     uint unused;
-};
-struct PackedPath {
-    PackedRay ray;
-    uint attenuation_count;
-    uint ended;
 };
 struct ClosestHit {
     bool some;
@@ -146,8 +147,15 @@ struct SurfaceHit {
     uint order;
     uint part;
 };
+struct PackedPath {
+    PackedRay ray;
+    uint attenuation_count;
+    uint ended;
+};
 const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;
@@ -538,7 +546,7 @@ CylinderRecord cylinder_load(PlacedCylinder cylinder_8) {
 
 Material material_load(PackedMaterial material) {
     vec3 _e2 = vec3_load(material.reflectance);
-    return Material(_e2, material.index, material.kind);
+    return Material(_e2, material.index, material.extent, material.kind);
 }
 
 Camera picture_camera() {
@@ -675,11 +683,11 @@ SurfaceHit closest_hit(Ray ray_9) {
         vec3 _e96 = sphere_outward(_e95, _e81);
         Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
         uint _e101 = closest_4.index;
-        uint material_2 = _group_0_binding_1_cs[_e101].material;
+        uint material_3 = _group_0_binding_1_cs[_e101].material;
         float _e107 = closest_4.lambda;
         uint _e109 = closest_4.order;
         uint _e111 = closest_4.part;
-        surface = SurfaceHit(true, _e98, material_2, _e107, _e109, _e111);
+        surface = SurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
     }
     if (has_cylinders) {
         bool _e117 = closest_4.is_cylinder;
@@ -696,17 +704,82 @@ SurfaceHit closest_hit(Ray ray_9) {
         vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
         Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
         uint _e133 = closest_4.index;
-        uint material_3 = _group_0_binding_2_cs[_e133].material;
+        uint material_4 = _group_0_binding_2_cs[_e133].material;
         float _e139 = closest_4.lambda;
         uint _e141 = closest_4.order;
         uint _e143 = closest_4.part;
-        surface = SurfaceHit(true, _e130, material_3, _e139, _e141, _e143);
+        surface = SurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
     }
     SurfaceHit _e145 = surface;
     return _e145;
 }
 
-vec3 trace_attenuated(vec3 color, uint first, uint attenuation_count) {
+bool bounce_attenuates(Material material_1) {
+    bool local_18 = false;
+    bool local_19 = false;
+    bool local_20 = false;
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e8 = local_18;
+    if (!(_e8)) {
+        if (has_metal) {
+            local_20 = (material_1.kind == METAL);
+        } else {
+            local_20 = false;
+        }
+        bool _e19 = local_20;
+        local_19 = _e19;
+    } else {
+        local_19 = true;
+    }
+    bool _e21 = local_19;
+    return _e21;
+}
+
+Ray bounce_ray(Ray ray_10, Hit hit, Material material_2, vec3 scatter_vector) {
+    vec3 direction_7 = vec3(0.0);
+    bool local_21 = false;
+    bool local_22 = false;
+    bool local_23 = false;
+    if (has_matte) {
+        local_21 = (material_2.kind == MATTE);
+    } else {
+        local_21 = false;
+    }
+    bool _e12 = local_21;
+    if (_e12) {
+        vec3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_22 = (material_2.kind == METAL);
+    } else {
+        local_22 = false;
+    }
+    bool _e22 = local_22;
+    if (_e22) {
+        vec3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_23 = (material_2.kind == REFRACTIVE);
+    } else {
+        local_23 = false;
+    }
+    bool _e33 = local_23;
+    if (_e33) {
+        float _e36 = scatter_index_ratio(material_2.index, hit.front);
+        vec3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        direction_7 = _e39;
+    }
+    vec3 _e41 = direction_7;
+    return Ray(hit.point, _e41);
+}
+
+vec3 bounce_attenuated(vec3 color, uint first, uint attenuation_count) {
     vec3 attenuated = vec3(0.0);
     uint left = 0u;
     attenuated = color;
@@ -736,53 +809,10 @@ vec3 trace_attenuated(vec3 color, uint first, uint attenuation_count) {
     return _e25;
 }
 
-Ray scatter_ray(Ray ray_10, Hit hit, Material material_1, vec3 scatter_vector) {
-    vec3 direction_7 = vec3(0.0);
-    bool local_18 = false;
-    bool local_19 = false;
-    bool local_20 = false;
-    if (has_matte) {
-        local_18 = (material_1.kind == MATTE);
-    } else {
-        local_18 = false;
-    }
-    bool _e12 = local_18;
-    if (_e12) {
-        vec3 _e14 = scatter_matte(hit.normal, scatter_vector);
-        direction_7 = _e14;
-    }
-    if (has_metal) {
-        local_19 = (material_1.kind == METAL);
-    } else {
-        local_19 = false;
-    }
-    bool _e22 = local_19;
-    if (_e22) {
-        vec3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
-        direction_7 = _e25;
-    }
-    if (has_refraction) {
-        local_20 = (material_1.kind == REFRACTIVE);
-    } else {
-        local_20 = false;
-    }
-    bool _e33 = local_20;
-    if (_e33) {
-        float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
-        direction_7 = _e39;
-    }
-    vec3 _e41 = direction_7;
-    return Ray(hit.point, _e41);
-}
-
 void trace_path(Ray primary, uint slot) {
     Ray ray_11 = Ray(vec3(0.0), vec3(0.0));
     uint attenuation_count_1 = 0u;
     uint depth = 0u;
-    bool local_21 = false;
-    bool local_22 = false;
-    bool local_23 = false;
     ray_11 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
@@ -804,8 +834,8 @@ void trace_path(Ray primary, uint slot) {
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e97 = depth;
-            depth = (_e97 + 1u);
+            uint _e77 = depth;
+            depth = (_e77 + 1u);
         }
         loop_init_3 = false;
         uint _e35 = depth;
@@ -822,7 +852,7 @@ void trace_path(Ray primary, uint slot) {
                 vec3 _e48 = ray_11.direction;
                 vec3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
-                vec3 _e53 = trace_attenuated(_e49, first_1, _e52);
+                vec3 _e53 = bounce_attenuated(_e49, first_1, _e52);
                 PackedVec3_ _e54 = vec3_store(_e53);
                 _group_0_binding_5_cs[slot] = _e54;
                 _group_0_binding_6_cs[slot].ended = 1u;
@@ -830,41 +860,24 @@ void trace_path(Ray primary, uint slot) {
             }
             PackedMaterial _e62 = _group_0_binding_3_cs[_e43.material];
             Material _e63 = material_load(_e62);
-            if (has_matte) {
-                local_21 = (_e63.kind == MATTE);
-            } else {
-                local_21 = false;
+            bool _e64 = bounce_attenuates(_e63);
+            if (_e64) {
+                uint _e66 = attenuation_count_1;
+                _group_0_binding_4_cs[(first_1 + _e66)] = _e43.material;
+                uint _e71 = attenuation_count_1;
+                attenuation_count_1 = (_e71 + 1u);
             }
-            bool _e71 = local_21;
-            if (!(_e71)) {
-                if (has_metal) {
-                    local_23 = (_e63.kind == METAL);
-                } else {
-                    local_23 = false;
-                }
-                bool _e82 = local_23;
-                local_22 = _e82;
-            } else {
-                local_22 = true;
-            }
-            bool _e84 = local_22;
-            if (_e84) {
-                uint _e86 = attenuation_count_1;
-                _group_0_binding_4_cs[(first_1 + _e86)] = _e43.material;
-                uint _e91 = attenuation_count_1;
-                attenuation_count_1 = (_e91 + 1u);
-            }
-            Ray _e93 = ray_11;
-            Ray _e95 = scatter_ray(_e93, _e43.hit, _e63, _e6);
-            ray_11 = _e95;
+            Ray _e73 = ray_11;
+            Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
+            ray_11 = _e75;
         }
     }
-    PackedVec3_ _e102 = vec3_store(vec3(0.0));
-    _group_0_binding_5_cs[slot] = _e102;
-    Ray _e105 = ray_11;
-    PackedRay _e106 = ray_store(_e105);
-    uint _e107 = attenuation_count_1;
-    _group_0_binding_6_cs[slot] = PackedPath(_e106, _e107, 0u);
+    PackedVec3_ _e82 = vec3_store(vec3(0.0));
+    _group_0_binding_5_cs[slot] = _e82;
+    Ray _e85 = ray_11;
+    PackedRay _e86 = ray_store(_e85);
+    uint _e87 = attenuation_count_1;
+    _group_0_binding_6_cs[slot] = PackedPath(_e86, _e87, 0u);
     return;
 }
 

@@ -89,10 +89,10 @@ struct Background {
 struct Material {
     float3 reflectance;
     float index;
+    float extent;
     uint kind;
     int _end_pad_0;
     int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct PackedVec3_ {
@@ -129,6 +129,7 @@ struct PlacedCylinder {
 struct PackedMaterial {
     PackedVec3_ reflectance;
     float index;
+    float extent;
     uint kind;
     uint unused;
 };
@@ -158,13 +159,11 @@ struct Picture {
     uint cylinder_count;
     uint first_depth;
     uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
     uint unused;
-};
-
-struct PackedPath {
-    PackedRay ray;
-    uint attenuation_count;
-    uint ended;
 };
 
 struct ClosestHit {
@@ -188,8 +187,16 @@ struct SurfaceHit {
     uint part;
 };
 
+struct PackedPath {
+    PackedRay ray;
+    uint attenuation_count;
+    uint ended;
+};
+
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 static const uint SIDE = 0u;
 static const uint TOP = 1u;
 static const uint BOTTOM = 2u;
@@ -729,19 +736,20 @@ CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
     return cylinderrecord;
 }
 
-Material ConstructMaterial(float3 arg0, float arg1, uint arg2) {
+Material ConstructMaterial(float3 arg0, float arg1, float arg2, uint arg3) {
     Material ret = (Material)0;
     ret.reflectance = arg0;
     ret.index = arg1;
-    ret.kind = arg2;
+    ret.extent = arg2;
+    ret.kind = arg3;
     return ret;
 }
 
 Material material_load(PackedMaterial material)
 {
     const float3 _e2 = vec3_load(material.reflectance);
-    const Material material_2 = ConstructMaterial(_e2, material.index, material.kind);
-    return material_2;
+    const Material material_3 = ConstructMaterial(_e2, material.index, material.extent, material.kind);
+    return material_3;
 }
 
 Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
@@ -955,11 +963,11 @@ SurfaceHit closest_hit(Ray ray_9)
         const float3 _e96 = sphere_outward(_e95, _e81);
         const Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
         uint _e101 = closest_4.index;
-        uint material_3 = asuint(spheres.Load(24+_e101*28));
+        uint material_4 = asuint(spheres.Load(24+_e101*28));
         float _e107 = closest_4.lambda;
         uint _e109 = closest_4.order;
         uint _e111 = closest_4.part;
-        surface = ConstructSurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
+        surface = ConstructSurfaceHit(true, _e98, material_4, _e107, _e109, _e111);
     }
     if (has_cylinders) {
         bool _e117 = closest_4.is_cylinder;
@@ -976,18 +984,88 @@ SurfaceHit closest_hit(Ray ray_9)
         const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
         const Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
         uint _e133 = closest_4.index;
-        uint material_4 = asuint(cylinders.Load(64+_e133*68));
+        uint material_5 = asuint(cylinders.Load(64+_e133*68));
         float _e139 = closest_4.lambda;
         uint _e141 = closest_4.order;
         uint _e143 = closest_4.part;
-        surface = ConstructSurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
+        surface = ConstructSurfaceHit(true, _e130, material_5, _e139, _e141, _e143);
     }
     SurfaceHit _e145 = surface;
     const SurfaceHit surfacehit_1 = _e145;
     return surfacehit_1;
 }
 
-float3 trace_attenuated(float3 color, uint first, uint attenuation_count)
+bool bounce_attenuates(Material material_1)
+{
+    bool local_18 = (bool)0;
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
+
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e8 = local_18;
+    if (!(_e8)) {
+        if (has_metal) {
+            local_20 = (material_1.kind == METAL);
+        } else {
+            local_20 = false;
+        }
+        bool _e19 = local_20;
+        local_19 = _e19;
+    } else {
+        local_19 = true;
+    }
+    bool _e21 = local_19;
+    return _e21;
+}
+
+Ray bounce_ray(Ray ray_10, Hit hit, Material material_2, float3 scatter_vector)
+{
+    float3 direction_7 = (float3)0;
+    bool local_21 = (bool)0;
+    bool local_22 = (bool)0;
+    bool local_23 = (bool)0;
+
+    if (has_matte) {
+        local_21 = (material_2.kind == MATTE);
+    } else {
+        local_21 = false;
+    }
+    bool _e12 = local_21;
+    if (_e12) {
+        const float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_22 = (material_2.kind == METAL);
+    } else {
+        local_22 = false;
+    }
+    bool _e22 = local_22;
+    if (_e22) {
+        const float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_23 = (material_2.kind == REFRACTIVE);
+    } else {
+        local_23 = false;
+    }
+    bool _e33 = local_23;
+    if (_e33) {
+        const float _e36 = scatter_index_ratio(material_2.index, hit.front);
+        const float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        direction_7 = _e39;
+    }
+    float3 _e41 = direction_7;
+    const Ray ray_14 = ConstructRay(hit.point_, _e41);
+    return ray_14;
+}
+
+float3 bounce_attenuated(float3 color, uint first, uint attenuation_count)
 {
     float3 attenuated = (float3)0;
     uint left = (uint)0;
@@ -1013,56 +1091,13 @@ float3 trace_attenuated(float3 color, uint first, uint attenuation_count)
             float3 _e8 = attenuated;
             uint _e11 = left;
             uint _e16 = asuint(attenuations.Load(((first + _e11) - 1u)*4));
-            PackedVec3_ _e19 = ConstructPackedVec3_(asfloat(materials.Load(0+_e16*24+0)), asfloat(materials.Load(0+_e16*24+4)), asfloat(materials.Load(0+_e16*24+8)));
+            PackedVec3_ _e19 = ConstructPackedVec3_(asfloat(materials.Load(0+_e16*28+0)), asfloat(materials.Load(0+_e16*28+4)), asfloat(materials.Load(0+_e16*28+8)));
             const float3 _e20 = vec3_load(_e19);
             attenuated = (_e8 * _e20);
         }
     }
     float3 _e25 = attenuated;
     return _e25;
-}
-
-Ray scatter_ray(Ray ray_10, Hit hit, Material material_1, float3 scatter_vector)
-{
-    float3 direction_7 = (float3)0;
-    bool local_18 = (bool)0;
-    bool local_19 = (bool)0;
-    bool local_20 = (bool)0;
-
-    if (has_matte) {
-        local_18 = (material_1.kind == MATTE);
-    } else {
-        local_18 = false;
-    }
-    bool _e12 = local_18;
-    if (_e12) {
-        const float3 _e14 = scatter_matte(hit.normal, scatter_vector);
-        direction_7 = _e14;
-    }
-    if (has_metal) {
-        local_19 = (material_1.kind == METAL);
-    } else {
-        local_19 = false;
-    }
-    bool _e22 = local_19;
-    if (_e22) {
-        const float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
-        direction_7 = _e25;
-    }
-    if (has_refraction) {
-        local_20 = (material_1.kind == REFRACTIVE);
-    } else {
-        local_20 = false;
-    }
-    bool _e33 = local_20;
-    if (_e33) {
-        const float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
-        direction_7 = _e39;
-    }
-    float3 _e41 = direction_7;
-    const Ray ray_14 = ConstructRay(hit.point_, _e41);
-    return ray_14;
 }
 
 PackedPath ConstructPackedPath(PackedRay arg0, uint arg1, uint arg2) {
@@ -1077,12 +1112,13 @@ float3 ZeroValuefloat3() {
     return (float3)0;
 }
 
-PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, uint arg3) {
+PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
     PackedMaterial ret = (PackedMaterial)0;
     ret.reflectance = arg0;
     ret.index = arg1;
-    ret.kind = arg2;
-    ret.unused = arg3;
+    ret.extent = arg2;
+    ret.kind = arg3;
+    ret.unused = arg4;
     return ret;
 }
 
@@ -1091,9 +1127,6 @@ void trace_path(Ray primary, uint slot)
     Ray ray_11 = (Ray)0;
     uint attenuation_count_1 = 0u;
     uint depth = (uint)0;
-    bool local_21 = (bool)0;
-    bool local_22 = (bool)0;
-    bool local_23 = (bool)0;
 
     ray_11 = primary;
     PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
@@ -1119,8 +1152,8 @@ void trace_path(Ray primary, uint slot)
         if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            uint _e97 = depth;
-            depth = (_e97 + 1u);
+            uint _e77 = depth;
+            depth = (_e77 + 1u);
         }
         loop_init_3 = false;
         uint _e35 = depth;
@@ -1137,7 +1170,7 @@ void trace_path(Ray primary, uint slot)
                 float3 _e48 = ray_11.direction;
                 const float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
-                const float3 _e53 = trace_attenuated(_e49, first_1, _e52);
+                const float3 _e53 = bounce_attenuated(_e49, first_1, _e52);
                 const PackedVec3_ _e54 = vec3_store(_e53);
                 {
                     PackedVec3_ _value5 = _e54;
@@ -1148,49 +1181,32 @@ void trace_path(Ray primary, uint slot)
                 paths.Store(28+slot*32, asuint(1u));
                 return;
             }
-            PackedMaterial _e62 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e43.material*24+0+0)), asfloat(materials.Load(_e43.material*24+0+4)), asfloat(materials.Load(_e43.material*24+0+8))), asfloat(materials.Load(_e43.material*24+12)), asuint(materials.Load(_e43.material*24+16)), asuint(materials.Load(_e43.material*24+20)));
+            PackedMaterial _e62 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e43.material*28+0+0)), asfloat(materials.Load(_e43.material*28+0+4)), asfloat(materials.Load(_e43.material*28+0+8))), asfloat(materials.Load(_e43.material*28+12)), asfloat(materials.Load(_e43.material*28+16)), asuint(materials.Load(_e43.material*28+20)), asuint(materials.Load(_e43.material*28+24)));
             const Material _e63 = material_load(_e62);
-            if (has_matte) {
-                local_21 = (_e63.kind == MATTE);
-            } else {
-                local_21 = false;
+            const bool _e64 = bounce_attenuates(_e63);
+            if (_e64) {
+                uint _e66 = attenuation_count_1;
+                attenuations.Store((first_1 + _e66)*4, asuint(_e43.material));
+                uint _e71 = attenuation_count_1;
+                attenuation_count_1 = (_e71 + 1u);
             }
-            bool _e71 = local_21;
-            if (!(_e71)) {
-                if (has_metal) {
-                    local_23 = (_e63.kind == METAL);
-                } else {
-                    local_23 = false;
-                }
-                bool _e82 = local_23;
-                local_22 = _e82;
-            } else {
-                local_22 = true;
-            }
-            bool _e84 = local_22;
-            if (_e84) {
-                uint _e86 = attenuation_count_1;
-                attenuations.Store((first_1 + _e86)*4, asuint(_e43.material));
-                uint _e91 = attenuation_count_1;
-                attenuation_count_1 = (_e91 + 1u);
-            }
-            Ray _e93 = ray_11;
-            const Ray _e95 = scatter_ray(_e93, _e43.hit, _e63, _e6);
-            ray_11 = _e95;
+            Ray _e73 = ray_11;
+            const Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
+            ray_11 = _e75;
         }
     }
-    const PackedVec3_ _e102 = vec3_store(ZeroValuefloat3());
+    const PackedVec3_ _e82 = vec3_store(ZeroValuefloat3());
     {
-        PackedVec3_ _value2 = _e102;
+        PackedVec3_ _value2 = _e82;
         pixels.Store(slot*12+0, asuint(_value2.x));
         pixels.Store(slot*12+4, asuint(_value2.y));
         pixels.Store(slot*12+8, asuint(_value2.z));
     }
-    Ray _e105 = ray_11;
-    const PackedRay _e106 = ray_store(_e105);
-    uint _e107 = attenuation_count_1;
+    Ray _e85 = ray_11;
+    const PackedRay _e86 = ray_store(_e85);
+    uint _e87 = attenuation_count_1;
     {
-        PackedPath _value2 = ConstructPackedPath(_e106, _e107, 0u);
+        PackedPath _value2 = ConstructPackedPath(_e86, _e87, 0u);
         {
             PackedRay _value3 = _value2.ray;
             {

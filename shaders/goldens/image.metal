@@ -81,8 +81,9 @@ struct Background {
 struct Material {
     metal::packed_float3 reflectance;
     real index;
+    real extent;
     uint kind;
-    char _pad3[12];
+    char _pad4[8];
 };
 struct PackedVec3_ {
     real x;
@@ -114,6 +115,7 @@ struct PlacedCylinder {
 struct PackedMaterial {
     PackedVec3_ reflectance;
     real index;
+    real extent;
     uint kind;
     uint unused;
 };
@@ -140,19 +142,15 @@ struct Picture {
     uint cylinder_count;
     uint first_depth;
     uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
     uint unused;
-};
-struct PackedPath {
-    PackedRay ray;
-    uint attenuation_count;
-    uint ended;
 };
 typedef PlacedSphere type_4[1];
 typedef PlacedCylinder type_5[1];
 typedef PackedMaterial type_6[1];
-typedef uint type_7[1];
-typedef PackedVec3_ type_8[1];
-typedef PackedPath type_9[1];
 struct ClosestHit {
     bool some;
     char _pad1[3];
@@ -172,8 +170,18 @@ struct SurfaceHit {
     uint order;
     uint part;
 };
+typedef uint type_7[1];
+struct PackedPath {
+    PackedRay ray;
+    uint attenuation_count;
+    uint ended;
+};
+typedef PackedVec3_ type_8[1];
+typedef PackedPath type_9[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
 constant uint BOTTOM = 2u;
@@ -668,7 +676,7 @@ Material material_load(
     PackedMaterial material
 ) {
     metal::float3 _e2 = vec3_load(material.reflectance);
-    return Material {_e2, material.index, material.kind};
+    return Material {_e2, material.index, material.extent, material.kind};
 }
 
 Camera picture_camera(
@@ -825,11 +833,11 @@ SurfaceHit closest_hit(
         metal::float3 _e96 = sphere_outward(_e95, _e81);
         Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
         uint _e101 = closest_4.index;
-        uint material_2 = spheres[_e101].material;
+        uint material_3 = spheres[_e101].material;
         real _e107 = closest_4.lambda;
         uint _e109 = closest_4.order;
         uint _e111 = closest_4.part;
-        surface = SurfaceHit {true, {}, _e98, material_2, _e107, _e109, _e111};
+        surface = SurfaceHit {true, {}, _e98, material_3, _e107, _e109, _e111};
     }
     if (has_cylinders) {
         bool _e117 = closest_4.is_cylinder;
@@ -846,17 +854,89 @@ SurfaceHit closest_hit(
         metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
         Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
         uint _e133 = closest_4.index;
-        uint material_3 = cylinders[_e133].material;
+        uint material_4 = cylinders[_e133].material;
         real _e139 = closest_4.lambda;
         uint _e141 = closest_4.order;
         uint _e143 = closest_4.part;
-        surface = SurfaceHit {true, {}, _e130, material_3, _e139, _e141, _e143};
+        surface = SurfaceHit {true, {}, _e130, material_4, _e139, _e141, _e143};
     }
     SurfaceHit _e145 = surface;
     return _e145;
 }
 
-metal::float3 trace_attenuated(
+bool bounce_attenuates(
+    Material material_1
+) {
+    bool local_18 = {};
+    bool local_19 = {};
+    bool local_20 = {};
+    if (has_matte) {
+        local_18 = material_1.kind == MATTE;
+    } else {
+        local_18 = false;
+    }
+    bool _e8 = local_18;
+    if (!(_e8)) {
+        if (has_metal) {
+            local_20 = material_1.kind == METAL;
+        } else {
+            local_20 = false;
+        }
+        bool _e19 = local_20;
+        local_19 = _e19;
+    } else {
+        local_19 = true;
+    }
+    bool _e21 = local_19;
+    return _e21;
+}
+
+Ray bounce_ray(
+    Ray ray_10,
+    Hit hit,
+    Material material_2,
+    metal::float3 scatter_vector
+) {
+    metal::float3 direction_7 = {};
+    bool local_21 = {};
+    bool local_22 = {};
+    bool local_23 = {};
+    if (has_matte) {
+        local_21 = material_2.kind == MATTE;
+    } else {
+        local_21 = false;
+    }
+    bool _e12 = local_21;
+    if (_e12) {
+        metal::float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_22 = material_2.kind == METAL;
+    } else {
+        local_22 = false;
+    }
+    bool _e22 = local_22;
+    if (_e22) {
+        metal::float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_23 = material_2.kind == REFRACTIVE;
+    } else {
+        local_23 = false;
+    }
+    bool _e33 = local_23;
+    if (_e33) {
+        real _e36 = scatter_index_ratio(material_2.index, hit.front);
+        metal::float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        direction_7 = _e39;
+    }
+    metal::float3 _e41 = direction_7;
+    return Ray {hit.point, _e41};
+}
+
+metal::float3 bounce_attenuated(
     metal::float3 color,
     uint first,
     uint attenuation_count,
@@ -896,51 +976,6 @@ metal::float3 trace_attenuated(
     return _e25;
 }
 
-Ray scatter_ray(
-    Ray ray_10,
-    Hit hit,
-    Material material_1,
-    metal::float3 scatter_vector
-) {
-    metal::float3 direction_7 = {};
-    bool local_18 = {};
-    bool local_19 = {};
-    bool local_20 = {};
-    if (has_matte) {
-        local_18 = material_1.kind == MATTE;
-    } else {
-        local_18 = false;
-    }
-    bool _e12 = local_18;
-    if (_e12) {
-        metal::float3 _e14 = scatter_matte(hit.normal, scatter_vector);
-        direction_7 = _e14;
-    }
-    if (has_metal) {
-        local_19 = material_1.kind == METAL;
-    } else {
-        local_19 = false;
-    }
-    bool _e22 = local_19;
-    if (_e22) {
-        metal::float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
-        direction_7 = _e25;
-    }
-    if (has_refraction) {
-        local_20 = material_1.kind == REFRACTIVE;
-    } else {
-        local_20 = false;
-    }
-    bool _e33 = local_20;
-    if (_e33) {
-        real _e36 = scatter_index_ratio(material_1.index, hit.front);
-        metal::float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
-        direction_7 = _e39;
-    }
-    metal::float3 _e41 = direction_7;
-    return Ray {hit.point, _e41};
-}
-
 void trace_path(
     Ray primary,
     uint slot,
@@ -956,9 +991,6 @@ void trace_path(
     Ray ray_11 = {};
     uint attenuation_count_1 = 0u;
     uint depth = {};
-    bool local_21 = {};
-    bool local_22 = {};
-    bool local_23 = {};
     ray_11 = primary;
     PackedVec3_ _e5 = picture.scatter_vector;
     metal::float3 _e6 = vec3_load(_e5);
@@ -983,8 +1015,8 @@ void trace_path(
         if (metal::all(loop_bound_3 == uint2(0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            uint _e97 = depth;
-            depth = _e97 + 1u;
+            uint _e77 = depth;
+            depth = _e77 + 1u;
         }
         loop_init_3 = false;
         uint _e35 = depth;
@@ -1001,7 +1033,7 @@ void trace_path(
                 metal::float3 _e48 = ray_11.direction;
                 metal::float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
-                metal::float3 _e53 = trace_attenuated(_e49, first_1, _e52, materials, attenuations, _buffer_sizes);
+                metal::float3 _e53 = bounce_attenuated(_e49, first_1, _e52, materials, attenuations, _buffer_sizes);
                 PackedVec3_ _e54 = vec3_store(_e53);
                 pixels[slot] = _e54;
                 paths[slot].ended = 1u;
@@ -1009,41 +1041,24 @@ void trace_path(
             }
             PackedMaterial _e62 = materials[_e43.material];
             Material _e63 = material_load(_e62);
-            if (has_matte) {
-                local_21 = _e63.kind == MATTE;
-            } else {
-                local_21 = false;
+            bool _e64 = bounce_attenuates(_e63);
+            if (_e64) {
+                uint _e66 = attenuation_count_1;
+                attenuations[first_1 + _e66] = _e43.material;
+                uint _e71 = attenuation_count_1;
+                attenuation_count_1 = _e71 + 1u;
             }
-            bool _e71 = local_21;
-            if (!(_e71)) {
-                if (has_metal) {
-                    local_23 = _e63.kind == METAL;
-                } else {
-                    local_23 = false;
-                }
-                bool _e82 = local_23;
-                local_22 = _e82;
-            } else {
-                local_22 = true;
-            }
-            bool _e84 = local_22;
-            if (_e84) {
-                uint _e86 = attenuation_count_1;
-                attenuations[first_1 + _e86] = _e43.material;
-                uint _e91 = attenuation_count_1;
-                attenuation_count_1 = _e91 + 1u;
-            }
-            Ray _e93 = ray_11;
-            Ray _e95 = scatter_ray(_e93, _e43.hit, _e63, _e6);
-            ray_11 = _e95;
+            Ray _e73 = ray_11;
+            Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
+            ray_11 = _e75;
         }
     }
-    PackedVec3_ _e102 = vec3_store(metal::float3 {});
-    pixels[slot] = _e102;
-    Ray _e105 = ray_11;
-    PackedRay _e106 = ray_store(_e105);
-    uint _e107 = attenuation_count_1;
-    paths[slot] = PackedPath {_e106, _e107, 0u};
+    PackedVec3_ _e82 = vec3_store(metal::float3 {});
+    pixels[slot] = _e82;
+    Ray _e85 = ray_11;
+    PackedRay _e86 = ray_store(_e85);
+    uint _e87 = attenuation_count_1;
+    paths[slot] = PackedPath {_e86, _e87, 0u};
     return;
 }
 uint naga_div(uint lhs, uint rhs) {

@@ -25,16 +25,23 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct MatteCase {
     PackedVec3_ normal;
     PackedVec3_ vector;
 };
 const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
 
-layout(std430, binding = 0) readonly buffer type_2_block_0Compute { MatteCase _group_0_binding_0_cs[]; };
+layout(std430, binding = 0) readonly buffer type_3_block_0Compute { MatteCase _group_0_binding_0_cs[]; };
 
-layout(std430, binding = 1) buffer type_3_block_1Compute { PackedVec3_ _group_0_binding_1_cs[]; };
+layout(std430, binding = 1) buffer type_4_block_1Compute { PackedVec3_ _group_0_binding_1_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {

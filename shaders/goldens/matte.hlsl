@@ -28,6 +28,12 @@ struct PackedRay {
     PackedVec3_ direction;
 };
 
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+
 struct MatteCase {
     PackedVec3_ normal;
     PackedVec3_ vector_;
@@ -35,6 +41,8 @@ struct MatteCase {
 
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer results : register(u1);

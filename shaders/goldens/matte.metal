@@ -34,14 +34,21 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct MatteCase {
     PackedVec3_ normal;
     PackedVec3_ vector;
 };
-typedef MatteCase type_2[1];
-typedef PackedVec3_ type_3[1];
+typedef MatteCase type_3[1];
+typedef PackedVec3_ type_4[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 
 real vec3_dot(
     metal::float3 a,
@@ -218,8 +225,8 @@ struct matteInput {
 };
 kernel void matte(
   metal::uint3 id [[thread_position_in_grid]]
-, device type_2 const& cases [[buffer(0)]]
-, device type_3& results [[buffer(1)]]
+, device type_3 const& cases [[buffer(0)]]
+, device type_4& results [[buffer(1)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(2)]]
 ) {
     if (id.x >= (1 + (_buffer_sizes.size0 - 0 - 24) / 24)) {

@@ -70,6 +70,11 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct HitReport {
     float some;
     float lambda;
@@ -85,6 +90,8 @@ struct ProjectedSphereCase {
 };
 const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;

@@ -90,6 +90,12 @@ struct PackedRay {
     PackedVec3_ direction;
 };
 
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+
 struct HitReport {
     float some;
     float lambda;
@@ -107,6 +113,8 @@ struct ProjectedSphereCase {
 
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 static const uint SIDE = 0u;
 static const uint TOP = 1u;
 static const uint BOTTOM = 2u;

@@ -83,6 +83,11 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct HitReport {
     real some;
     real lambda;
@@ -100,6 +105,8 @@ typedef ProjectedSphereCase type_3[1];
 typedef HitReport type_4[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
 constant uint BOTTOM = 2u;

@@ -28,6 +28,12 @@ struct PackedRay {
     PackedVec3_ direction;
 };
 
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+
 struct RefractionCase {
     PackedVec3_ direction;
     PackedVec3_ normal;
@@ -36,6 +42,8 @@ struct RefractionCase {
 
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer results : register(u1);

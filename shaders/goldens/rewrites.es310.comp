@@ -21,6 +21,8 @@ struct RewriteReport {
 };
 const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
 
 layout(std430, binding = 0) readonly buffer type_block_0Compute { RewriteCase _group_0_binding_0_cs[]; };
 

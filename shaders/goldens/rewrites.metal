@@ -28,6 +28,8 @@ typedef RewriteCase type[1];
 typedef RewriteReport type_1[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 
 struct rewritesInput {
 };

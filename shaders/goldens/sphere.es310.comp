@@ -40,6 +40,11 @@ struct PackedRay {
     PackedVec3_ origin;
     PackedVec3_ direction;
 };
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
 struct HitReport {
     float some;
     float lambda;
@@ -55,6 +60,8 @@ struct SphereCase {
 };
 const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
 
 layout(std430, binding = 0) readonly buffer type_3_block_0Compute { SphereCase _group_0_binding_0_cs[]; };
 

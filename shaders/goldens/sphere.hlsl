@@ -47,6 +47,12 @@ struct PackedRay {
     PackedVec3_ direction;
 };
 
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+
 struct HitReport {
     float some;
     float lambda;
@@ -64,6 +70,8 @@ struct SphereCase {
 
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer reports : register(u1);

@@ -65,6 +65,7 @@ struct Background {
 struct Material {
     vec3 reflectance;
     float index;
+    float extent;
     uint kind;
 };
 struct PackedVec3_ {
@@ -93,6 +94,7 @@ struct PlacedCylinder {
 struct PackedMaterial {
     PackedVec3_ reflectance;
     float index;
+    float extent;
     uint kind;
     uint unused;
 };
@@ -119,6 +121,10 @@ struct Picture {
     uint cylinder_count;
     uint first_depth;
     uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
     uint unused;
 };
 struct ClosestHit {
@@ -152,6 +158,8 @@ struct Step {
 };
 const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;
@@ -173,7 +181,7 @@ layout(std430, binding = 2) readonly buffer type_5_block_2Compute { PlacedCylind
 
 layout(std430, binding = 3) readonly buffer type_6_block_3Compute { PackedMaterial _group_0_binding_3_cs[]; };
 
-layout(std430, binding = 7) buffer type_7_block_4Compute { Step _group_0_binding_7_cs[]; };
+layout(std430, binding = 5) buffer type_7_block_4Compute { Step _group_0_binding_5_cs[]; };
 
 
 float vec3_dot(vec3 a, vec3 b) {
@@ -526,7 +534,7 @@ CylinderRecord cylinder_load(PlacedCylinder cylinder_8) {
 
 Material material_load(PackedMaterial material) {
     vec3 _e2 = vec3_load(material.reflectance);
-    return Material(_e2, material.index, material.kind);
+    return Material(_e2, material.index, material.extent, material.kind);
 }
 
 Camera picture_camera() {
@@ -694,7 +702,7 @@ SurfaceHit closest_hit(Ray ray_8) {
     return _e145;
 }
 
-Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
+Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
     bool local_19 = false;
@@ -796,7 +804,7 @@ void main() {
                     Ray _e85 = ray;
                     PackedMaterial _e90 = _group_0_binding_3_cs[_e56.material];
                     Material _e91 = material_load(_e90);
-                    Ray _e92 = scatter_ray(_e85, _e56.hit, _e91, _e21);
+                    Ray _e92 = bounce_ray(_e85, _e56.hit, _e91, _e21);
                     ray = _e92;
                 } else {
                     Background _e94 = picture_background();
@@ -809,7 +817,7 @@ void main() {
             }
             uint _e104 = depth;
             Step _e107 = step_;
-            _group_0_binding_7_cs[((id.x * max_depth) + _e104)] = _e107;
+            _group_0_binding_5_cs[((id.x * max_depth) + _e104)] = _e107;
         }
     }
     return;

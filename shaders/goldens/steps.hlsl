@@ -89,10 +89,10 @@ struct Background {
 struct Material {
     float3 reflectance;
     float index;
+    float extent;
     uint kind;
     int _end_pad_0;
     int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct PackedVec3_ {
@@ -124,6 +124,7 @@ struct PlacedCylinder {
 struct PackedMaterial {
     PackedVec3_ reflectance;
     float index;
+    float extent;
     uint kind;
     uint unused;
 };
@@ -153,6 +154,10 @@ struct Picture {
     uint cylinder_count;
     uint first_depth;
     uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
     uint unused;
 };
 
@@ -193,6 +198,8 @@ struct Step {
 
 static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
 static const uint SIDE = 0u;
 static const uint TOP = 1u;
 static const uint BOTTOM = 2u;
@@ -210,7 +217,7 @@ ByteAddressBuffer picture : register(t0);
 ByteAddressBuffer spheres : register(t1);
 ByteAddressBuffer cylinders : register(t2);
 ByteAddressBuffer materials : register(t3);
-RWByteAddressBuffer ways : register(u7);
+RWByteAddressBuffer ways : register(u5);
 
 float vec3_dot(float3 a, float3 b)
 {
@@ -707,18 +714,19 @@ CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
     return cylinderrecord;
 }
 
-Material ConstructMaterial(float3 arg0, float arg1, uint arg2) {
+Material ConstructMaterial(float3 arg0, float arg1, float arg2, uint arg3) {
     Material ret = (Material)0;
     ret.reflectance = arg0;
     ret.index = arg1;
-    ret.kind = arg2;
+    ret.extent = arg2;
+    ret.kind = arg3;
     return ret;
 }
 
 Material material_load(PackedMaterial material)
 {
     const float3 _e2 = vec3_load(material.reflectance);
-    const Material material_2 = ConstructMaterial(_e2, material.index, material.kind);
+    const Material material_2 = ConstructMaterial(_e2, material.index, material.extent, material.kind);
     return material_2;
 }
 
@@ -965,7 +973,7 @@ SurfaceHit closest_hit(Ray ray_8)
     return surfacehit_1;
 }
 
-Ray scatter_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
+Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
@@ -1020,12 +1028,13 @@ Step ZeroValueStep() {
     return (Step)0;
 }
 
-PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, uint arg2, uint arg3) {
+PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
     PackedMaterial ret = (PackedMaterial)0;
     ret.reflectance = arg0;
     ret.index = arg1;
-    ret.kind = arg2;
-    ret.unused = arg3;
+    ret.extent = arg2;
+    ret.kind = arg3;
+    ret.unused = arg4;
     return ret;
 }
 
@@ -1094,9 +1103,9 @@ void steps(uint3 id : SV_DispatchThreadID)
                     const PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
                     step_.normal = _e84;
                     Ray _e85 = ray;
-                    PackedMaterial _e90 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e56.material*24+0+0)), asfloat(materials.Load(_e56.material*24+0+4)), asfloat(materials.Load(_e56.material*24+0+8))), asfloat(materials.Load(_e56.material*24+12)), asuint(materials.Load(_e56.material*24+16)), asuint(materials.Load(_e56.material*24+20)));
+                    PackedMaterial _e90 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e56.material*28+0+0)), asfloat(materials.Load(_e56.material*28+0+4)), asfloat(materials.Load(_e56.material*28+0+8))), asfloat(materials.Load(_e56.material*28+12)), asfloat(materials.Load(_e56.material*28+16)), asuint(materials.Load(_e56.material*28+20)), asuint(materials.Load(_e56.material*28+24)));
                     const Material _e91 = material_load(_e90);
-                    const Ray _e92 = scatter_ray(_e85, _e56.hit, _e91, _e21);
+                    const Ray _e92 = bounce_ray(_e85, _e56.hit, _e91, _e21);
                     ray = _e92;
                 } else {
                     const Background _e94 = picture_background();

@@ -79,8 +79,9 @@ struct Background {
 struct Material {
     metal::packed_float3 reflectance;
     real index;
+    real extent;
     uint kind;
-    char _pad3[12];
+    char _pad4[8];
 };
 struct PackedVec3_ {
     real x;
@@ -108,6 +109,7 @@ struct PlacedCylinder {
 struct PackedMaterial {
     PackedVec3_ reflectance;
     real index;
+    real extent;
     uint kind;
     uint unused;
 };
@@ -134,6 +136,10 @@ struct Picture {
     uint cylinder_count;
     uint first_depth;
     uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
     uint unused;
 };
 typedef PlacedSphere type_4[1];
@@ -174,6 +180,8 @@ struct Step {
 typedef Step type_7[1];
 constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
 constant uint BOTTOM = 2u;
@@ -652,7 +660,7 @@ Material material_load(
     PackedMaterial material
 ) {
     metal::float3 _e2 = vec3_load(material.reflectance);
-    return Material {_e2, material.index, material.kind};
+    return Material {_e2, material.index, material.extent, material.kind};
 }
 
 Camera picture_camera(
@@ -840,7 +848,7 @@ SurfaceHit closest_hit(
     return _e145;
 }
 
-Ray scatter_ray(
+Ray bounce_ray(
     Ray ray_9,
     Hit hit,
     Material material_1,
@@ -901,8 +909,8 @@ kernel void steps(
 , device type_4 const& spheres [[buffer(1)]]
 , device type_5 const& cylinders [[buffer(2)]]
 , device type_6 const& materials [[buffer(3)]]
-, device type_7& ways [[buffer(7)]]
-, constant _mslBufferSizes& _buffer_sizes [[buffer(8)]]
+, device type_7& ways [[buffer(5)]]
+, constant _mslBufferSizes& _buffer_sizes [[buffer(6)]]
 ) {
     Ray ray = {};
     bool ended = false;
@@ -967,7 +975,7 @@ kernel void steps(
                     Ray _e85 = ray;
                     PackedMaterial _e90 = materials[_e56.material];
                     Material _e91 = material_load(_e90);
-                    Ray _e92 = scatter_ray(_e85, _e56.hit, _e91, _e21);
+                    Ray _e92 = bounce_ray(_e85, _e56.hit, _e91, _e21);
                     ray = _e92;
                 } else {
                     Background _e94 = picture_background(picture);

@@ -44,7 +44,11 @@ modules! {
     "layout" in "wgsl/layout.wgsl" needs ["ray"];
     "picture" in "wgsl/picture.wgsl" needs ["layout" "sphere" "cylinder" "camera" "background" "material"];
     "closest_hit" in "wgsl/closest_hit.wgsl" needs ["picture" "features"];
-    "trace" in "wgsl/trace.wgsl" needs ["closest_hit" "scatter"];
+    "bounce" in "wgsl/bounce.wgsl" needs ["closest_hit" "scatter"];
+    "trace" in "wgsl/trace.wgsl" needs ["bounce"];
+    "uniform" in "wgsl/uniform.wgsl" needs [];
+    "scatter_vectors" in "wgsl/scatter_vectors.wgsl" needs ["picture" "uniform"];
+    "trace_samples" in "wgsl/trace_samples.wgsl" needs ["bounce" "scatter_vectors"];
     "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
     "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
     "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];
@@ -59,7 +63,10 @@ modules! {
     "kernels/barrier" in "wgsl/kernels/barrier.wgsl" needs ["exact"];
     "kernels/rewrites" in "wgsl/kernels/rewrites.wgsl" needs [];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
-    "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["trace"];
+    "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["bounce"];
+    "kernels/samples" in "wgsl/kernels/samples.wgsl" needs ["trace_samples"];
+    "kernels/means" in "wgsl/kernels/means.wgsl" needs ["layout"];
+    "kernels/draws" in "wgsl/kernels/draws.wgsl" needs ["uniform"];
 }
 
 /// The two modules that define the number type `real`.

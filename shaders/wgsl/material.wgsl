@@ -11,5 +11,7 @@ struct Material {
     // The index of a refractive material: the sine of the angle of incidence divided by the sine of the angle of
     // refraction, for light that enters. It is 0 for other materials.
     index: real,
+    // The factor of a scatter vector: 1 for a matte material, the diffusion for a metal one, 0 for a refractive one.
+    extent: real,
     kind: u32,
 }

@@ -43,12 +43,13 @@ fn cylinder_load(cylinder: PlacedCylinder) -> CylinderRecord {
 struct PackedMaterial {
     reflectance: PackedVec3,
     index: real,
+    extent: real,
     kind: u32,
     unused: u32,
 }
 
 fn material_load(material: PackedMaterial) -> Material {
-    return Material(vec3_load(material.reflectance), material.index, material.kind);
+    return Material(vec3_load(material.reflectance), material.index, material.extent, material.kind);
 }
 
 // cpu::internals::Camera<T>
@@ -65,7 +66,8 @@ struct PackedBackground {
     light: PackedVec3,
 }
 
-// gpu_check::picture::Picture<T> without its lists, and the pixels and depths of one run; gpu_check::renderer packs it.
+// gpu_check::picture::Picture<T> without its lists, and the pixels, samples and depths of one run; gpu_check::head packs
+// it. Only trace.wgsl uses `pixel_count`, and only trace_samples.wgsl the four fields from `sample_count` on.
 struct Picture {
     camera: PackedCamera,
     background: PackedBackground,
@@ -82,27 +84,19 @@ struct Picture {
     // This run traces the depths from `first_depth` to below `end_depth`. Long paths need several runs (trace.wgsl).
     first_depth: u32,
     end_depth: u32,
+    // The number of samples of this run. The first of them is sample number `first_sample` of pixel `first_pixel`.
+    sample_count: u32,
+    first_sample: u32,
+    samples_per_pixel: u32,
+    // The convention of the scatter vectors: a constant of scatter_vectors.wgsl.
+    convention: u32,
     unused: u32,
-}
-
-// The state of a path between two runs: its next ray, and the number of its attenuations so far. `ended` is 1 if the
-// path has ended and the colour of its pixel has been written.
-struct PackedPath {
-    ray: PackedRay,
-    attenuation_count: u32,
-    ended: u32,
 }
 
 @group(0) @binding(0) var<storage, read> picture: Picture;
 @group(0) @binding(1) var<storage, read> spheres: array<PlacedSphere>;
 @group(0) @binding(2) var<storage, read> cylinders: array<PlacedCylinder>;
 @group(0) @binding(3) var<storage, read> materials: array<PackedMaterial>;
-// The materials that attenuate each invocation's path, from the first hit on. Each invocation has max_depth entries.
-@group(0) @binding(4) var<storage, read_write> attenuations: array<u32>;
-// The linear colour of each pixel.
-@group(0) @binding(5) var<storage, read_write> pixels: array<PackedVec3>;
-// The state of each invocation's path between two runs.
-@group(0) @binding(6) var<storage, read_write> paths: array<PackedPath>;
 
 fn picture_camera() -> Camera {
     return Camera(

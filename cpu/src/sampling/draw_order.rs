@@ -10,9 +10,9 @@
 //! Numbers that can change no byte are not drawn. There are three such cases: deterministic mode; background pixels
 //! with bytes that are known without a ray ([`PixelJitter::pass_over`]); and scenes in which `needs_samples` of
 //! `render/prepared.rs` finds no material for which a scatter sample matters at this maximum depth. The reference's
-//! copy of the rule is in `reference.rs` (`render_counted` and `scatter`). WGSL has no copy, because its random numbers
-//! come from the CPU. `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by this
-//! rule.
+//! copy of the rule is in `reference.rs` (`render_observed` and `scatter`), and the copy in WGSL is in
+//! `trace_samples.wgsl`. `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by
+//! this rule.
 
 use crate::sampling::block::BlockUniform;
 use crate::{counters::Counter, counters::add, simd::SimdF64, simd::columns::Columns};

@@ -1,6 +1,6 @@
 //! The random vectors with which surfaces scatter light, in three conventions (specification, section 11).
 
-use crate::{math::vec3::Vec3, sampling::uniform::Uniform};
+use crate::{math::vec3::Vec3, sampling::draw_order::DRAWS_OF_SCATTER_SAMPLE, sampling::uniform::Uniform};
 
 /// The convention by which the random vectors of scattering are drawn (specification, section 11). It decides the bytes
 /// of every picture with matte or rough metal surfaces. The programs use [`Scatter::Statement`].
@@ -36,19 +36,29 @@ pub(crate) fn unit_vector(mut draw: impl FnMut() -> Vec3) -> Vec3 {
 pub struct ScatterVectors {
     convention: Scatter,
     draws: Uniform,
+    words: u64,
 }
 
 impl ScatterVectors {
     /// Returns the stream of the given convention, with a generator that starts from `seed`.
     pub fn new(convention: Scatter, seed: u64) -> Self {
-        Self { convention, draws: Uniform::new(seed) }
+        Self { convention, draws: Uniform::new(seed), words: 0 }
+    }
+
+    /// Returns how many words of the generator all vectors so far have taken. A draw takes one word, so this is the
+    /// place in the stream at which the next vector starts.
+    pub const fn words(&self) -> u64 {
+        self.words
     }
 
     /// Returns the next vector. `extent` is 1 for a matte surface, and the diffusion for a metal one. It is half the
     /// side of the cube in the statement's convention, and the vector's length in the published one.
     #[inline]
     pub fn next(&mut self, extent: f64) -> Vec3 {
-        let mut in_cube = |half: f64| Vec3::from([(); 3].map(|()| self.draws.draw(-half, half)));
+        let mut in_cube = |half: f64| {
+            self.words += DRAWS_OF_SCATTER_SAMPLE as u64;
+            Vec3::from([(); DRAWS_OF_SCATTER_SAMPLE].map(|()| self.draws.draw(-half, half)))
+        };
         match self.convention {
             Scatter::Statement => in_cube(extent),
             Scatter::Published => unit_vector(|| in_cube(1.0)) * extent,
@@ -84,7 +94,7 @@ mod tests {
     fn a_published_vector_is_the_first_draw_in_the_ball_scaled_to_the_given_length() {
         let (mut vectors, mut draws) = (ScatterVectors::new(Scatter::Published, 13), Uniform::new(13));
         let mut rejected = 0;
-        for _ in 0..1000 {
+        for count in 1..=1000 {
             let expected = loop {
                 let [x, y, z] = [(); 3].map(|()| draws.draw(-1.0, 1.0));
                 let squared: f64 = x * x + y * y + z * z;
@@ -94,6 +104,7 @@ mod tests {
                 rejected += 1;
             };
             assert_eq!(vectors.next(2.0), expected);
+            assert_eq!(vectors.words(), 3 * (count + rejected), "three words for each vector, accepted or rejected");
         }
         assert!(rejected > 0, "the cube is larger than the ball");
     }

@@ -1,11 +1,13 @@
 //! Runs the suite's checks with fewer cases, one after the other, until one of them notices an error.
 
 use cpu::{Scatter, Vec3, reference};
-use shaders::{Library, Precision};
+use shaders::{Features, Library, Precision};
 
 use super::Mutant;
-use crate::difference::difference;
+use crate::difference::{Difference, difference};
 use crate::kernels::KERNELS;
+use crate::sampled::crafted::{self, Crafted};
+use crate::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use crate::scenes::{self, Case};
 use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
 
@@ -15,6 +17,12 @@ const RANDOM_CASES: usize = 1 << 14;
 const RANDOM_SCENES: u64 = 6;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 500_000;
+/// Number of random scenes whose pictures have random numbers.
+const SAMPLED_SCENES: u64 = 4;
+/// Maximum depth of these pictures. It is one number, so that one pipeline renders all of them.
+const SAMPLED_DEPTH: u32 = 6;
+/// Limit on the number of samples times objects of these pictures.
+const SAMPLED_TESTS: usize = 200_000;
 
 /// The cases and pictures of the checks, prepared once for all mutants.
 #[derive(Debug)]
@@ -22,6 +30,8 @@ pub struct Examiner<'a> {
     gpu: &'a Gpu,
     kernels: Vec<(&'static Kernel, Vec<f64>)>,
     pictures: Vec<(Case, Vec<Vec3>)>,
+    sampled: Vec<(Case, Recording)>,
+    crafted: Vec<Crafted>,
 }
 
 impl<'a> Examiner<'a> {
@@ -34,7 +44,8 @@ impl<'a> Examiner<'a> {
         let kernels = KERNELS.iter().map(|kernel| (kernel, cases(kernel))).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
         let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
-        Ok(Self { gpu, kernels, pictures })
+        let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
+        Ok(Self { gpu, kernels, pictures, sampled: recorded.collect::<Result<_, _>>()?, crafted: crafted::all()? })
     }
 
     /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
@@ -60,9 +71,19 @@ impl<'a> Examiner<'a> {
                 }
             }
         }
-        if !runs("kernels/image", module)? {
-            return Ok(None);
+        if runs("kernels/image", module)?
+            && let Some(noticed) = self.examine_pictures(library)?
+        {
+            return Ok(Some(noticed));
         }
+        if runs("kernels/samples", module)? || runs("kernels/means", module)? {
+            return self.examine_samples(library);
+        }
+        Ok(None)
+    }
+
+    /// Examines pictures in deterministic mode.
+    fn examine_pictures(&self, library: &Library) -> Result<Option<String>, Error> {
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
             // The picture is rendered in several runs, so that an error in continuing the paths is noticed.
@@ -75,6 +96,42 @@ impl<'a> Examiner<'a> {
         }
         Ok(None)
     }
+
+    /// Examines pictures with random numbers. They are rendered in several runs, which begin and end within a pixel.
+    fn examine_samples(&self, library: &Library) -> Result<Option<String>, Error> {
+        let renderer = |depth: u32| SampleRenderer::<f64>::new(self.gpu, library, &Features::all(depth));
+        let noticed = |name: &str, rendering: &SampledRendering<f64>, recording: &Recording| {
+            let (found, disagreeing) = (difference(&rendering.pixels, &recording.means), rendering.disagreeing);
+            let Difference { differing, pixels, .. } = found;
+            let text = format!("samples of {name}, {differing} of {pixels} pixels, words of {disagreeing} paths");
+            (differing > 0 || disagreeing > 0).then_some(text)
+        };
+        let long = renderer(SAMPLED_DEPTH)?.in_steps_of(1_000, 2);
+        for (case, recording) in &self.sampled {
+            let rendering = long.render(&Picture::new(&case.config, &case.scene)?, recording)?;
+            if let Some(text) = noticed(&case.name, &rendering, recording) {
+                return Ok(Some(text));
+            }
+        }
+        let short = renderer(crafted::MAX_DEPTH)?;
+        for Crafted { name, picture, recording, streams } in &self.crafted {
+            let rendering = short.render_from(picture, recording, streams.clone(), |_, _| ())?;
+            if let Some(text) = noticed(name, &rendering, recording) {
+                return Ok(Some(text));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// Returns a random scene with few pixels and 7 samples for each, and its recording.
+fn record(seed: u64, convention: Convention) -> Result<(Case, Recording), Error> {
+    let mut case = scenes::random(seed);
+    case.config.samples_per_pixel = 7;
+    case.config.max_depth = SAMPLED_DEPTH.into();
+    let case = case.within(SAMPLED_TESTS / 7);
+    let recording = Recording::new(&case.config, &case.scene, convention)?;
+    Ok((case, recording))
 }
 
 /// Returns the case, and the linear colours of its picture by the reference.

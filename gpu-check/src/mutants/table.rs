@@ -118,6 +118,7 @@ mutants! {
     "picture":
         "sphere.radius, sphere.radius_squared" => "sphere.radius_squared, sphere.radius",
         "vec3_load(cylinder.bottom)" => "vec3_load(cylinder.top)",
+        "material.index, material.extent" => "material.index, real(1.0)",
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
     "closest_hit":
@@ -125,17 +126,80 @@ mutants! {
         "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
         "closest.part, point" => "TOP, point",
     ;
-    "trace":
-        "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
+    "bounce":
+        "|| (has_metal" => "&& (has_metal",
         "left - 1u" => "left",
         "material.index, hit.front" => "material.index, !hit.front",
+        "Ray(hit.point, direction)" => "Ray(ray.origin, direction)",
+        "scatter_metal(ray.direction, hit.normal, scatter_vector)" => "scatter_mirror(ray.direction, hit.normal)",
+        "scatter_matte(hit.normal, scatter_vector)" => "hit.normal + scatter_vector",
+    ;
+    "trace":
+        "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
         "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
         "attenuation_count = paths[slot].attenuation_count" => "attenuation_count = 0u",
         "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
-        "Ray(hit.point, direction)" => "Ray(ray.origin, direction)",
+    ;
+    "uniform":
+        "real(word.y) * real(4294967296.0) + real(word.x)" => "real(word.x) * real(4294967296.0) + real(word.y)",
+        " + real(word.x)" => "",
+        "real(18446744073709551616.0)" => "real(9223372036854775808.0)",
+        "return select(BELOW_ONE, quotient, quotient < BELOW_ONE)" => "return quotient",
+        "* (high - low) + low" => "* (high - low) - low",
+        "* (high - low) + low" => "* high + low",
+    ;
+    "scatter_vectors":
+        "STATEMENT: u32 = 1u" => "STATEMENT: u32 = 2u",
+        "scatter_word(word), -half" => "scatter_word(word + 2u), -half",
+        "scatter_word(word + 1u)" => "scatter_word(word + 2u)",
+        "scatter_word(word + 2u)" => "scatter_word(word + 1u)",
+        "scatter_word(word + 1u), -half, half" => "scatter_word(word + 1u), real(0.0), half",
+        "scatter_vector_in_cube(word, extent)" => "scatter_vector_in_cube(word, real(1.0))",
+        "extent), word + 3u" => "extent), word + 2u",
+        "scatter_vector_in_cube(next, real(1.0))" => "scatter_vector_in_cube(next, extent)",
+        "scatter_vector_in_cube(next," => "scatter_vector_in_cube(word,",
+        "next += 3u" => "next += 1u",
+        "LEAST_SQUARED < length_squared &&" => "",
+        "length_squared <= real(1.0)" => "length_squared < real(1.0)",
+        "length_squared <= real(1.0)" => "length_squared <= real(3.0)",
+        "/ sqrt(length_squared)" => "/ length_squared",
+        "vector / sqrt(length_squared) * extent" => "vector / sqrt(length_squared)",
+        "vector / sqrt(length_squared) * extent" => "vector * extent",
+        "tries < MAX_TRIES" => "tries + 1u < MAX_TRIES",
+        "first + (index - first)" => "first + 1u + (index - first)",
+    ;
+    "trace_samples":
+        "words[3u * slot], -half" => "words[3u * slot + 1u], -half",
+        "words[3u * slot + 1u], -half" => "words[3u * slot], -half",
+        "let half = real(0.5)" => "let half = real(1.0)",
+        "(picture.first_sample + slot) /" => "slot /",
+        "vec2<real>(x, y)" => "vec2<real>(y, x)",
+        "let first_word = words[3u * slot + 2u].x" => "let first_word = words[2u].x",
+        "let first = slot * max_depth" => "let first = 0u",
+        "next_word = sample_paths[slot].next_word" => "next_word = first_word",
+        "attenuation_count = sample_paths[slot].attenuation_count" => "attenuation_count = 0u",
+        "sample_paths[slot].ended != 0u" => "sample_paths[slot].ended != 1u",
+        "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
+        "if bounce_attenuates(material)" => "if material.kind == MATTE",
+        "if bounce_attenuates(material)" => "if bounce_attenuates(material) && depth + 1u < max_depth",
+        "scatter_vector_next(next_word, material.extent)" => "scatter_vector_next(next_word, real(1.0))",
+        "vector = scatter_vector.vector" => "vector = scatter_vector.vector.zyx",
+        "next_word = scatter_vector.next_word" => "next_word = next_word",
+        "vec3_store(vec3<real>()), next_word" => "vec3_store(vec3<real>(real(1.0))), next_word",
+        "vec3_store(vec3<real>()), next_word - first_word" => "vec3_store(vec3<real>()), next_word - first_word - 1u",
     ;
     "kernels/image":
         "pixel / picture.width" => "pixel % picture.width",
         "picture.first_pixel + id.x" => "picture.first_pixel",
+    ;
+    "kernels/means":
+        "samples[sample - accumulation.first_sample]" => "samples[end - 1u - sample + begin - accumulation.first_sample]",
+        "samples[sample - accumulation.first_sample]" => "samples[sample]",
+        "var sample = begin" => "var sample = begin + 1u",
+        "sample < end" => "sample + 1u < end",
+        "accumulation.starts[min(id.x, 1u)]" => "accumulation.starts[1u]",
+        "accumulation.starts[min(id.x, 1u)]" => "accumulation.starts[0u]",
+        "if end == pixel_end" => "if end <= pixel_end",
+        "sum / real(accumulation.samples_per_pixel)" => "sum * (real(1.0) / real(accumulation.samples_per_pixel))",
     ;
 }

@@ -7,6 +7,7 @@ use shaders::{Features, Precision};
 
 use super::png;
 use super::view::View;
+use crate::sampled::Convention;
 
 /// The help text of the program.
 pub const USAGE: &str = "\
@@ -18,6 +19,8 @@ MODULES is a WGSL file or a folder of them. Each stands in for the module of sha
 its first line names, as in: // module: kernels/image
 
   --f32                   calculate in f32 (default: f64)
+  --samples               render as the programs do: with random numbers and samples_per_pixel samples
+  --scatter CONVENTION    with --samples: the scatter vectors of the statement (default) or the published pictures
   --set NAME=VALUE        a pipeline constant: has_spheres, has_cylinders, has_matte, has_metal, has_refraction,
                           max_depth, or one that your module declares with `override`
   --show VIEW             lambda, normal, object, side, steps or difference, in false colours
@@ -74,6 +77,8 @@ pub struct Options {
     pub out: PathBuf,
     /// The number type that `real` stands for.
     pub precision: Precision,
+    /// The convention of the scatter vectors for a picture with random numbers; `None` for deterministic mode.
+    pub samples: Option<Convention>,
     /// Names and values of pipeline constants.
     pub constants: Vec<(String, f64)>,
     /// The view to show instead of the picture.
@@ -98,6 +103,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
     let (mut precision, mut port) = (Precision::F64, None);
     let (mut constants, mut view, mut pixel) = (Vec::new(), None, None);
+    let (mut samples, mut scatter) = (false, None);
     let (mut watch, mut check, mut sync) = (false, false, true);
     while let Some(argument) = arguments.next() {
         let name = shown(&argument);
@@ -114,6 +120,8 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
             }
             Some("--f32") => precision = Precision::F32,
             Some("--f64") => precision = Precision::F64,
+            Some("--samples") => samples = true,
+            Some("--scatter") => scatter = Some(convention(&shown(&value("a convention")?))?),
             Some("--set") => constants.push(constant(&shown(&value("NAME=VALUE")?))?),
             Some("--show") => view = Some(shown(&value("a view")?).parse::<View>()?),
             Some("--pixel") => {
@@ -147,8 +155,48 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     if from_input == 1 && watch {
         return Err("--watch needs files, and - is standard input".to_owned());
     }
+    let samples = sampled(samples, scatter, view, pixel.is_some())?;
     let [modules, config, scene] = [modules, config, scene].map(input);
-    Ok(Command::Render(Options { modules, config, scene, out, precision, constants, view, pixel, watch, check, sync }))
+    Ok(Command::Render(Options {
+        modules,
+        config,
+        scene,
+        out,
+        precision,
+        samples,
+        constants,
+        view,
+        pixel,
+        watch,
+        check,
+        sync,
+    }))
+}
+
+/// Returns the convention of a picture with random numbers, or `None` for deterministic mode. `samples` tells whether
+/// the command line has `--samples`, and `scatter` is the value of `--scatter`.
+fn sampled(
+    samples: bool,
+    scatter: Option<Convention>,
+    view: Option<View>,
+    is_pixel_followed: bool,
+) -> Result<Option<Convention>, String> {
+    let is_step_view = view.is_some_and(|view| view != View::Difference);
+    match (samples, scatter) {
+        (true, _) if is_pixel_followed => Err("--pixel follows one ray, so it does not go with --samples".to_owned()),
+        (true, _) if is_step_view => Err("with --samples, --show shows only the difference".to_owned()),
+        (true, scatter) => Ok(Some(scatter.unwrap_or(Convention::Statement))),
+        (false, Some(_)) => Err("--scatter needs --samples: without it there are no random numbers".to_owned()),
+        (false, None) => Ok(None),
+    }
+}
+
+fn convention(text: &str) -> Result<Convention, String> {
+    match text {
+        "statement" => Ok(Convention::Statement),
+        "published" => Ok(Convention::Published),
+        _ => Err(format!("--scatter: [{text}] is neither statement nor published")),
+    }
 }
 
 /// Returns an argument as text. Replacement characters stand for bytes that are not UTF-8.
@@ -172,7 +220,7 @@ fn unknown(option: &str) -> String {
 }
 
 /// Names of all options.
-const OPTIONS: [&str; 14] = [
+const OPTIONS: [&str; 16] = [
     "--help",
     "--template",
     "--config",
@@ -181,6 +229,8 @@ const OPTIONS: [&str; 14] = [
     "--serve",
     "--f32",
     "--f64",
+    "--samples",
+    "--scatter",
     "--set",
     "--show",
     "--pixel",

@@ -1,7 +1,6 @@
 //! A trial: one rendering with the user's modules, the pictures that it writes, and its report.
 
 use std::fmt::Write as _;
-use std::time::Instant;
 
 use cpu::{Config, Scene, Vec3};
 use shaders::Features;
@@ -11,13 +10,14 @@ use super::differences::differences;
 use super::files::{self, UserModule};
 use super::png::{Place, Places};
 use super::progress::Progress;
+use super::rendered::{self, Rendered};
 use super::truth::{Truth, check_size};
 use super::view::{View, mark};
 use super::{guard, pixel, png};
 use crate::difference::difference;
+use crate::sampled::recording::check_samples;
 use crate::steps::{Follower, check_iterations};
-use crate::terminal;
-use crate::{Error, Float, Gpu, Picture, Renderer, features_of};
+use crate::{Error, Float, Gpu, Picture, features_of};
 
 /// The inputs of a trial, which is one rendering with the user's modules.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +67,9 @@ impl Held for f32 {
 /// the paths are too long for one run.
 pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Error> {
     check_size(config)?;
+    if options.samples.is_some() {
+        check_samples(config)?;
+    }
     let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
     if let Some([x, y]) = options.pixel
         && (x >= size.width() || y >= size.height())
@@ -101,19 +104,13 @@ impl Trial<'_> {
         let library = files::library(modules)?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
-        guard::check(&library.compose("kernels/image", T::PRECISION)?, &constants(&features, &own))?;
+        let kernel = rendered::check_modules(&library, modules, truth, T::PRECISION)?;
+        guard::check(&library.compose(kernel, T::PRECISION)?, &constants(&features, &own))?;
         // This process parses the modules only after the separate process has done so within its limits.
-        self.check_constants::<T>(&own)?;
-        let start = Instant::now();
-        let renderer = Renderer::<T>::with_constants(gpu, &library, &features, &own)?;
-        let compiled = start.elapsed();
+        self.check_constants::<T>(kernel, &own)?;
         let picture = Picture::<T>::new(&truth.config, &truth.scene)?;
-        let mut progress = Progress::start("WGSL renders");
-        let rendering = renderer.render_telling(&picture, |done, of| {
-            if let Some(text) = progress.tell(done, of) {
-                terminal::note(&text);
-            }
-        })?;
+        let Rendered { rendering, compiled, words } =
+            rendered::render(gpu, &library, (&features, &own), &picture, truth)?;
         let mut report = format!("in {} on {gpu}\n", T::PRECISION);
         for UserModule { name, path, .. } in modules {
             let _ = writeln!(report, "{} stands in for [{name}]", files::shown(path));
@@ -127,6 +124,9 @@ impl Trial<'_> {
             rendering.time,
             truth.time,
         );
+        if let Some((text, _)) = &words {
+            report.push_str(text);
+        }
         let held = T::picture(truth);
         let apart = difference(&rendering.pixels, held);
         let _ = writeln!(report, "from the CPU in {}: {apart}", T::PRECISION);
@@ -159,7 +159,10 @@ impl Trial<'_> {
             report.push_str(&self.follow(index, &features, &own, &picture)?);
             report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));
         }
-        Ok(Outcome { report, differs: apart.differing > 0 })
+        // In f32 a path may take other words than in f64, from which the recording is made.
+        let is_wide = size_of::<T>() == size_of::<f64>();
+        let disagrees = is_wide && words.is_some_and(|(_, disagreeing)| disagreeing > 0);
+        Ok(Outcome { report, differs: apart.differing > 0 || disagrees })
     }
 
     /// Writes two pictures: the view by WGSL, and panels with the view by WGSL, by the CPU, and the pixels that differ.
@@ -228,8 +231,8 @@ impl Trial<'_> {
     }
 
     /// Returns an error if `own` has a constant that no module declares.
-    fn check_constants<T: Held>(&self, own: &[(&str, f64)]) -> Result<(), Error> {
-        let shader = files::library(self.modules)?.compose("kernels/image", T::PRECISION)?.validate()?;
+    fn check_constants<T: Held>(&self, kernel: &str, own: &[(&str, f64)]) -> Result<(), Error> {
+        let shader = files::library(self.modules)?.compose(kernel, T::PRECISION)?.validate()?;
         let known: Vec<_> =
             shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
         match own.iter().find(|(name, _)| !known.contains(name)) {

@@ -8,6 +8,7 @@ use cpu::{Config, Scatter, Scene, Vec3, reference};
 use super::progress::Progress;
 use crate::picture::depth;
 use crate::renderer::surfaces_of_a_run;
+use crate::sampled::{Convention, Recording};
 use crate::{Error, Picture};
 
 /// The start of each report on the progress of the CPU's rendering.
@@ -36,11 +37,12 @@ pub fn check_size(config: &Config) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::TooLarge`] or [`Error::TooManyIterations`].
-fn check_depth(config: &Config, scene: &Scene) -> Result<(), Error> {
-    surfaces_of_a_run(scene.objects.len() as u64, depth(config)?).map(drop)
+fn check_depth(config: &Config, scene: &Scene, samples: Option<Convention>) -> Result<(), Error> {
+    let tries = samples.map_or(0, Convention::tries);
+    surfaces_of_a_run(scene.objects.len() as u64, depth(config)?, tries).map(drop)
 }
 
-/// A configuration, a scene, and their picture by the CPU in deterministic mode.
+/// A configuration, a scene, and their picture by the CPU.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// The configuration.
@@ -49,6 +51,9 @@ pub struct Truth {
     pub scene: Scene,
     /// The picture's linear colours in f64, rendered by the reference.
     pub wide: Vec<Vec3>,
+    /// The recording of a picture with random numbers, without its means, which are in `wide`; `None` in deterministic
+    /// mode.
+    pub recording: Option<Recording>,
     /// The scene in f32, and its linear colours in f32 after the first call of [`Self::single`].
     single: (Picture<f32>, OnceCell<Vec<Vec3<f32>>>),
     /// The time to compute `wide` on one core.
@@ -56,25 +61,37 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Renders the picture in f64 by the reference.
+    /// Renders the picture in f64 by the reference: in deterministic mode, or with random numbers if `samples` is the
+    /// convention of the scatter vectors.
     ///
     /// # Errors
-    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has more than
-    /// [`MAX_PIXELS`], [`Error::TooLarge`] or [`Error::TooManyIterations`] when its depth is too large for a device.
-    pub fn new(config: Config, scene: Scene) -> Result<Self, Error> {
+    /// [`Error::Scene`] when the configuration makes no picture, [`Error::Request`] when it has too many pixels or
+    /// samples, [`Error::TooLarge`] or [`Error::TooManyIterations`] when its depth is too large for a device.
+    pub fn new(config: Config, scene: Scene, samples: Option<Convention>) -> Result<Self, Error> {
         check_size(&config)?;
-        check_depth(&config, &scene)?;
+        check_depth(&config, &scene, samples)?;
         let mut wide = Vec::new();
         let start = Instant::now();
         let size = config.image_size().map_err(cpu::internals::input::error::Error::from)?;
         let mut progress = Progress::start(WORDS);
-        reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| {
-            wide.push(color);
-            progress.note_row(wide.len(), size);
-        })?;
+        let recording = match samples {
+            Some(convention) => {
+                let tell = |pixels, size| progress.note_row(pixels, size);
+                let mut recording = Recording::telling(&config, &scene, convention, tell)?;
+                wide = std::mem::take(&mut recording.means);
+                Some(recording)
+            }
+            None => {
+                reference::render_linear(&config, &scene, Scatter::Deterministic, |_, color| {
+                    wide.push(color);
+                    progress.note_row(wide.len(), size);
+                })?;
+                None
+            }
+        };
         let time = start.elapsed();
         let single = (Picture::<f32>::new(&config, &scene)?, OnceCell::new());
-        Ok(Self { config, scene, wide, single, time })
+        Ok(Self { config, scene, wide, recording, single, time })
     }
 
     /// Returns the linear colours with every formula in f32, which is the best that a device can give in f32. They are
@@ -83,6 +100,9 @@ impl Truth {
         let (picture, colors) = &self.single;
         colors.get_or_init(|| {
             let mut progress = Progress::start(WORDS);
+            if let Some(recording) = &self.recording {
+                return picture.means(recording, |pixels| progress.note_row(pixels, picture.size));
+            }
             let mut colors = Vec::with_capacity(picture.size.pixels());
             for index in 0..picture.size.pixels() {
                 colors.push(picture.color(index));
@@ -116,10 +136,10 @@ mod tests {
             (u64::from(u32::MAX), "1 objects to a depth of 4294967295 are more than one run can loop over"),
             (65_534, "1 objects to a depth of 65534 are more than one run can loop over (65535 in all)"),
         ] {
-            let error = Truth::new(config(depth), scene()).expect_err("it is too deep").to_string();
+            let error = Truth::new(config(depth), scene(), None).expect_err("it is too deep").to_string();
             assert!(error.starts_with(message), "{error}");
         }
-        let deepest = Truth::new(config(65_533), scene()).expect("a run may loop over this");
+        let deepest = Truth::new(config(65_533), scene(), None).expect("a run may loop over this");
         assert_eq!(deepest.wide, [Vec3::new(0.0, 0.0, 0.0)], "no path ends before the maximum depth");
     }
 }

@@ -62,7 +62,7 @@ impl Lab {
             // Checked before the CPU renders, which with many objects takes half a minute.
             trial::check(&self.options, &config, &scene)?;
             terminal::note("the CPU renders by the definition ...");
-            self.truth = Some(Truth::new(config, scene)?);
+            self.truth = Some(Truth::new(config, scene, self.options.samples)?);
             self.texts = Some(sources.texts.clone());
         }
         if self.gpu.is_none() {

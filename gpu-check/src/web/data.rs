@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use cpu::{Config, Scene};
 use shaders::{Library, Precision};
 
+use crate::head::{Part, head};
 use crate::kernels::KERNELS;
 use crate::packed::buffer;
-use crate::renderer::head;
 use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
 
 /// Number of random cases of each formula. They follow its edge cases.
@@ -24,6 +24,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
     let library = Library::standard();
     let rendering = Renderer::<f32>::new(gpu, &library, &features)?.render(&picture)?;
     let (width, height, pixels) = (picture.size.width(), picture.size.height(), picture.size.pixels());
+    let all = Part::Pixels { first: 0, count: pixels as u32 };
     let constants: Vec<_> = features.constants().iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
     // Rust's {:?} of a text is valid JSON if the text has no control characters other than line ends and tabs.
     let facts = format!(
@@ -40,7 +41,7 @@ pub fn collect(gpu: &Gpu, config: &Config, scene: &Scene) -> Result<BTreeMap<Str
         ("picture".to_owned(), facts.into_bytes()),
         ("parts".to_owned(), list(parts)),
         ("kernels".to_owned(), list(KERNELS.iter().map(facts_of))),
-        ("head".to_owned(), head(&picture, 0, pixels as u32, &(0..features.max_depth))),
+        ("head".to_owned(), head(&picture, &all, &(0..features.max_depth))),
         ("spheres".to_owned(), buffer(&picture.spheres)),
         ("cylinders".to_owned(), buffer(&picture.cylinders)),
         ("materials".to_owned(), buffer(&picture.materials)),

@@ -9,6 +9,40 @@ fn block<'a>(text: &'a str, start: &str) -> Vec<&'a str> {
     found.next().unwrap_or_else(|| panic!("docs/shader-lab.md shows no [{start}]"))
 }
 
+/// Fails if a line of a page's output was not printed. Lines with times and versions may differ.
+fn check_lines(lines: &[&str], said: &str) {
+    let stable = |line: &&&str| !line.starts_with("in f64 on") && !line.contains(" to compile; ");
+    assert!(lines.iter().filter(stable).count() >= 4, "{lines:?}");
+    for line in lines.iter().filter(stable) {
+        assert!(
+            said.contains(&format!("{line}\n")),
+            "docs/shader-lab.md has [{line}], but the command prints:\n{said}"
+        );
+    }
+}
+
+#[test]
+fn the_figures_of_the_example_with_random_numbers_are_what_its_command_prints() {
+    if !common::gpu().is_lavapipe() {
+        println!("the figures are lavapipe's, so nothing was compared");
+        return;
+    }
+    let docs = fs::read_to_string(repository("docs/shader-lab.md")).expect("it is committed");
+    let (from, to) = ("vector / sqrt(length_squared) * extent", "vector * (real(1.0) / sqrt(length_squared)) * extent");
+    assert!(docs.contains(&format!("return ScatterVector({to}, next);")));
+    assert!(docs.contains("scatter_vectors.wgsl --samples --scatter published"));
+    let folder = Folder::new();
+    let text = standard("scatter_vectors");
+    assert_eq!(text.matches(from).count(), 1);
+    fs::write(folder.file("scatter_vectors.wgsl"), text.replace(from, to)).expect("the folder is writable");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
+    command.current_dir(&folder).args("scatter_vectors.wgsl --samples --scatter published --config".split(' '));
+    command.arg(repository("scenes/grid/config.txt")).arg("--scene").arg(repository("scenes/grid/scene.txt"));
+    let output = command.args(["--out", "out.png"]).output().expect("the program starts");
+    let said = String::from_utf8(output.stdout).expect("it is text");
+    check_lines(&block(&docs, "8 samples for each pixel, "), &said);
+}
+
 #[test]
 fn the_figures_of_the_documentation_are_what_its_commands_print() {
     if !common::gpu().is_lavapipe() {
@@ -35,16 +69,7 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
         String::from_utf8(output.stdout).expect("it is text")
     };
     let said = shown(&[]);
-    // Lines with times and versions may differ from the page. All other lines must be printed.
-    let stable = |line: &&&str| !line.starts_with("in f64 on") && !line.contains(" to compile; ");
-    let lines = block(&docs, "from the CPU in f64: ");
-    assert!(lines.iter().filter(stable).count() >= 4, "{lines:?}");
-    for line in lines.iter().filter(stable) {
-        assert!(
-            said.contains(&format!("{line}\n")),
-            "docs/shader-lab.md has [{line}], but the command prints:\n{said}"
-        );
-    }
+    check_lines(&block(&docs, "from the CPU in f64: "), &said);
     let (_, pixel) = docs.split_once("`--pixel ").expect("the page has an example");
     let (pixel, _) = pixel.split_once('`').expect("it ends");
     let views = shown(&["--show", "lambda"]);

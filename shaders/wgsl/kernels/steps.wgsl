@@ -19,7 +19,7 @@ struct Step {
 }
 
 // Each invocation writes `max_depth` steps.
-@group(0) @binding(7) var<storage, read_write> ways: array<Step>;
+@group(0) @binding(5) var<storage, read_write> ways: array<Step>;
 
 @compute @workgroup_size(64)
 fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
@@ -48,7 +48,7 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
                 step.material = real(surface.material);
                 step.point = vec3_store(surface.hit.point);
                 step.normal = vec3_store(surface.hit.normal);
-                ray = scatter_ray(ray, surface.hit, material_load(materials[surface.material]), scatter_vector);
+                ray = bounce_ray(ray, surface.hit, material_load(materials[surface.material]), scatter_vector);
             } else {
                 step.light = vec3_store(background_color(picture_background(), ray.direction));
                 ended = true;

@@ -68,3 +68,20 @@ fn a_depth_that_is_no_count_is_refused() {
     let message = options("--set max_depth=1.5").apply(Features::all(5)).expect_err("it is a fraction");
     assert!(message.starts_with("--set max_depth: 1.5 is not a whole number"), "{message}");
 }
+
+#[test]
+fn random_numbers_need_one_option_and_their_convention_another() {
+    assert_eq!(options("").samples, None);
+    assert_eq!(options("--samples").samples, Some(Convention::Statement));
+    assert_eq!(options("--scatter published --samples").samples, Some(Convention::Published));
+    assert!(options("--samples --show difference").samples.is_some());
+    for (text, message) in [
+        ("--scatter statement", "--scatter needs --samples"),
+        ("--samples --scatter mine", "--scatter: [mine] is neither statement nor published"),
+        ("--samples --pixel 1 2", "--pixel follows one ray"),
+        ("--samples --show lambda", "with --samples, --show shows only the difference"),
+    ] {
+        let fault = parsed(&format!("{NEEDED} {text}")).expect_err("it is refused");
+        assert!(fault.starts_with(message), "{fault}");
+    }
+}

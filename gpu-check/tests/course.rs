@@ -1,0 +1,95 @@
+//! Renders the course's cases in WGSL, and compares their means with the reference's and their files with the course's.
+//!
+//! By default the published pictures of the cases 1 and 2 are rendered. `RENDER_SAMPLED_PICTURES=all` renders all four
+//! cases in both conventions, which tests/extensive does. Pictures that are not rendered are shown as ignored.
+//!
+//! The files are made without code of the renderer too: the power is the standard library's, and the text is written
+//! here. What the shader shares with the renderer is the parser, the camera's window, the records of objects, and the
+//! crate of the generator.
+
+mod common;
+#[path = "common/sampled.rs"]
+mod sampled;
+
+use std::fmt::Write;
+
+use cpu::{Config, Scene, Vec3};
+use gpu_check::features_of;
+use gpu_check::sampled::{Convention, SampledRendering};
+use gpu_check::scenes::Case;
+use libtest_mimic::{Arguments, Failed, Trial};
+use sampled::{Pipelines, Tally, is_everything, record};
+use test_support::digest;
+use test_support::golden::{self, Golden};
+
+fn main() {
+    let folder = golden::reference_folder();
+    let missing = (!folder.is_dir()).then(|| format!("needs RENDER_REFERENCE_DIR: no folder {}", folder.display()));
+    let goldens = golden::reference(&folder).into_iter();
+    let pictures = goldens.map(|golden| {
+        let is_quick = ["published/1.ppm", "published/2.ppm"].contains(&&*golden.name);
+        let not_all = (!is_quick && !is_everything()).then(|| "needs RENDER_SAMPLED_PICTURES=all".to_owned());
+        let trial = Trial::test(golden.name.clone(), move || compare(&golden));
+        match missing.clone().or(not_all) {
+            Some(reason) => trial.with_kind(reason).with_ignored_flag(true),
+            None => trial,
+        }
+    });
+    let bytes = Trial::test("a byte is the truncated power", a_byte_is_the_truncated_power);
+    libtest_mimic::run(&Arguments::from_args(), pictures.chain([bytes]).collect()).exit();
+}
+
+/// Returns the text of the P3 file.
+fn ppm(rendering: &SampledRendering<f64>, gamma: f64) -> String {
+    let mut text = format!("P3\n{} {}\n255\n", rendering.size.width(), rendering.size.height());
+    for mean in &rendering.pixels {
+        let [red, green, blue] = mean.to_array().map(|channel| byte(channel, gamma));
+        writeln!(text, "{red} {green} {blue}").expect("a text takes all lines");
+    }
+    text
+}
+
+/// Returns the byte of a channel. The power of the standard library is off by less than one unit in the last place. If
+/// such an error could change the byte, the test fails, and the power must be computed more precisely.
+fn byte(mean: f64, gamma: f64) -> u8 {
+    let of_power = |power: f64| (255.0 * power) as u8;
+    let power = mean.powf(1.0 / gamma);
+    // The powers of 0 and 1 are exact.
+    if mean != 0.0 && mean != 1.0 {
+        let near = [power.next_down(), power.next_up()].map(of_power);
+        assert_eq!(near, [of_power(power); 2], "the power {power} is too close to a boundary between bytes");
+    }
+    of_power(power)
+}
+
+fn a_byte_is_the_truncated_power() -> Result<(), Failed> {
+    let bytes = [0.0, 1.0, 2.0, 0.5, f64::MIN_POSITIVE].map(|mean| byte(mean, 2.0));
+    assert_eq!(bytes, [0, 255, 255, 180, 0]);
+    let size = cpu::Size::new(1, 1)?;
+    let pixels = vec![Vec3::new(0.25, 0.0, 1.0)];
+    let rendering =
+        SampledRendering { size, pixels, disagreeing: 0, first_disagreeing: None, time: std::time::Duration::ZERO };
+    assert_eq!(ppm(&rendering, 2.0), "P3\n1 1\n255\n127 0 255\n");
+    Ok(())
+}
+
+/// Renders a picture of the course's cases.
+fn compare(golden: &Golden) -> Result<(), Failed> {
+    let gpu = common::gpu();
+    let convention = Convention::ALL.into_iter().find(|convention| convention.scatter() == golden.scatter);
+    let convention = convention.ok_or("the picture has another convention")?;
+    let (config, scene) = (Config::read(&golden.config)?, Scene::read(&golden.scene)?);
+    let case = Case { name: golden.name.clone(), config, scene };
+    let features = features_of(&case.config, &case.scene)?;
+    let recording = record(&case, convention);
+    let rendering = Pipelines::<f64>::new(&gpu).render(&case, &features, &recording);
+    let mut tally = Tally::default();
+    tally.add(&golden.name, &rendering, &recording);
+    let Tally { pixels, samples, words, faults, .. } = tally;
+    println!("{}: {pixels} pixels, {samples} samples, {words} words of scatter vectors", golden.name);
+    println!("the reference took {:.1?}, the device {:.1?}", recording.time, rendering.time);
+    assert_eq!(faults, Vec::<String>::new());
+    let file = ppm(&rendering, case.config.gamma);
+    assert_eq!(golden.digest()?, digest::sha256(file.as_bytes()), "{}", golden.name);
+    Ok(())
+}

@@ -1,0 +1,169 @@
+//! Compares whole pictures with random numbers in WGSL with pictures in Rust: the small scenes, the repository's scenes,
+//! and random scenes, in both conventions of the scatter vectors.
+//!
+//! `RENDER_SAMPLED_PICTURES=all` renders the repository's scenes in full size, which tests/extensive does. By default
+//! those with many objects or samples are smaller.
+
+mod common;
+#[path = "samples/draws.rs"]
+mod draws;
+#[path = "common/sampled.rs"]
+mod sampled;
+
+use gpu_check::difference::{Difference, difference};
+use gpu_check::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
+use gpu_check::scenes::{self, Case};
+use gpu_check::{Gpu, Picture, features_of};
+use sampled::{Pipelines, Tally, is_everything, record};
+use shaders::{Features, Library};
+
+const RANDOM_SCENES: u64 = 200;
+/// Limit on the number of samples times objects of one picture; see [`Case::within`].
+const TESTS: usize = 15_000_000;
+/// Limit for random scenes.
+const RANDOM_TESTS: usize = 1_000_000;
+
+/// Returns the scenes of `folder`; with at most `tests` tests of objects, unless everything is rendered.
+fn in_folder(folder: &str, tests: usize) -> Vec<Case> {
+    let cases = scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}"));
+    cases.into_iter().map(|case| if is_everything() { case } else { within(case, tests) }).collect()
+}
+
+/// Returns the case with fewer pixels if its samples times its objects are more than `tests`.
+fn within(case: Case, tests: usize) -> Case {
+    let samples = case.config.samples_per_pixel as usize;
+    case.within(tests / samples)
+}
+
+/// Returns a random scene of [`scenes::random`] with 1 to 4 samples for each pixel, and with other seeds.
+fn random(seed: u64) -> Case {
+    let mut case = scenes::random(seed);
+    case.config.samples_per_pixel = 1 + seed % 4;
+    (case.config.ray_rng_seed, case.config.material_rng_seed) = (seed + 1, 2 * seed + 7);
+    within(case, RANDOM_TESTS)
+}
+
+/// Compares pictures of `cases` in both conventions with the reference's.
+fn compare(gpu: &Gpu, cases: &[Case], features: impl Fn(&Case) -> Features) -> Tally {
+    let (mut tally, mut pipelines) = (Tally::default(), Pipelines::<f64>::new(gpu));
+    for case in cases {
+        for convention in Convention::ALL {
+            let recording = record(case, convention);
+            tally.add(&case.name, &pipelines.render(case, &features(case), &recording), &recording);
+        }
+    }
+    tally
+}
+
+/// Fails if a picture differs, or if fewer samples were compared than `least`.
+#[track_caller]
+fn check(tally: &Tally, least: usize) {
+    let Tally { pictures, pixels, samples, words, not_black, faults } = tally;
+    println!("f64 with random numbers: {pictures} pictures, {pixels} pixels, {not_black} of them not black");
+    println!("{samples} samples, {words} words of scatter vectors");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(*samples >= least, "{samples} samples are too few");
+    assert!(*words as usize > samples / 2 && not_black * 2 > *pixels, "the pictures are all but empty");
+}
+
+#[test]
+fn pictures_of_the_repositorys_scenes_are_the_references_to_the_bit() {
+    let gpu = common::gpu();
+    let mut cases = in_folder("tests/cases", usize::MAX);
+    assert_eq!(cases.len(), 16);
+    cases.extend(in_folder("scenes", TESTS));
+    assert!(cases.len() >= 22, "{}", cases.len());
+    let features = |case: &Case| features_of(&case.config, &case.scene).expect("it is not deep");
+    check(&compare(&gpu, &cases, features), 500_000);
+}
+
+#[test]
+fn pictures_of_random_and_edge_scenes_are_the_references_to_the_bit() {
+    let gpu = common::gpu();
+    let edges = scenes::edges().into_iter().map(|case| within(case, RANDOM_TESTS));
+    let cases: Vec<_> = (0..RANDOM_SCENES).map(random).chain(edges).collect();
+    // All features are on, so that few pipelines have to be compiled.
+    check(&compare(&gpu, &cases, |case| Features::all(case.config.max_depth as u32)), 500_000);
+}
+
+#[test]
+fn samples_and_paths_in_several_runs_give_the_reference_to_the_bit() {
+    let gpu = common::gpu();
+    let mut tally = Tally::default();
+    for seed in [1, 6, 11, 14] {
+        let case = within(random(seed), RANDOM_TESTS / 4);
+        let features = features_of(&case.config, &case.scene).expect("it is not deep");
+        let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+        let recording = record(&case, Convention::ALL[seed as usize % 2]);
+        for (samples, surfaces) in [(333, 1), (64, 3), (1, 50)] {
+            let first = if samples == 1 { 5 } else { usize::MAX };
+            let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features).expect("it is valid");
+            let recording = first_pixels(&recording, first);
+            let rendering = renderer.in_steps_of(samples, surfaces).render(&picture, &recording).expect("it is small");
+            tally.add(
+                &format!("{}, {samples} samples and {surfaces} surfaces a run", case.name),
+                &rendering,
+                &recording,
+            );
+        }
+    }
+    check(&tally, 10_000);
+}
+
+/// Returns the part of a recording that has the first `pixels` pixels.
+fn first_pixels(recording: &Recording, pixels: usize) -> Recording {
+    let mut part = recording.clone();
+    part.means.truncate(pixels);
+    part.words.truncate(pixels.saturating_mul(recording.samples_per_pixel as usize));
+    part
+}
+
+#[test]
+fn a_wrong_recording_is_noticed() {
+    let gpu = common::gpu();
+    let case = random(3);
+    let features = features_of(&case.config, &case.scene).expect("it is not deep");
+    let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let renderer = SampleRenderer::<f64>::new(&gpu, &Library::standard(), &features).expect("it is valid");
+    let mut recording = record(&case, Convention::Statement);
+    let sample = recording.words.iter().position(|count| *count >= 3).expect("a path hits a rough surface");
+    recording.words[sample] -= 3;
+    let rendering = renderer.render(&picture, &recording).expect("it is small");
+    let (first, recorded, actual) = rendering.first_disagreeing.expect("it is noticed");
+    assert_eq!((first, actual), (sample as u64, recorded + 3));
+    assert!(difference(&rendering.pixels, &recording.means).differing > 0, "later paths start at wrong places");
+}
+
+#[test]
+fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
+    let gpu = common::gpu();
+    let (mut pipelines, mut squares, mut pixels, mut samples, mut disagreeing) = (Pipelines::new(&gpu), 0.0, 0, 0, 0);
+    let mut cases = in_folder("tests/cases", TESTS / 10);
+    cases.extend(in_folder("scenes", TESTS / 10));
+    cases.extend((0..20).map(random));
+    for case in &cases {
+        for convention in Convention::ALL {
+            let recording = record(case, convention);
+            let features = Features::all(case.config.max_depth as u32);
+            let rendering: SampledRendering<f32> = pipelines.render(case, &features, &recording);
+            let twin = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid").means(&recording, |_| ());
+            let found = difference(&rendering.pixels, &twin);
+            assert_eq!(found.differing, 0, "{}, {convention:?}: {found} from f32 in Rust", case.name);
+            let Difference { rmse, .. } = difference(&rendering.pixels, &recording.means);
+            println!(
+                "{}, {convention:?}: RMSE {rmse:.1e} from f64, {} paths take other words",
+                case.name, rendering.disagreeing
+            );
+            squares += rmse * rmse * found.pixels as f64;
+            pixels += found.pixels;
+            samples += recording.words.len();
+            disagreeing += rendering.disagreeing;
+        }
+    }
+    let rmse = (squares / pixels as f64).sqrt();
+    println!(
+        "f32 with random numbers: {pixels} pixels, RMSE {rmse:.1e}; {disagreeing} of {samples} paths take other words"
+    );
+    assert!(rmse > 0.0 && rmse < 0.02, "{rmse}");
+    assert!(disagreeing * 100 < samples as u64, "{disagreeing} of {samples}");
+}

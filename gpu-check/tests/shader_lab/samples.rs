@@ -1,0 +1,90 @@
+//! Runs `shader-lab --samples`: pictures with random numbers.
+
+use super::*;
+
+/// The configuration of these tests, in the place of the one that [`command`] writes.
+const CONFIG: &str = "image_width: 48\nmax_depth: 8\nsamples_per_pixel: 3\n";
+
+fn sampled(folder: &Path, arguments: &str) -> Output {
+    let mut command = command(folder, &format!("{arguments} --samples"));
+    fs::write(folder.join("config.txt"), CONFIG).expect("the folder is writable");
+    command.output().expect("the program starts")
+}
+
+fn words(output: &Output) -> String {
+    format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
+}
+
+#[test]
+fn a_picture_with_random_numbers_differs_in_no_bit_in_either_convention() {
+    common::gpu();
+    let folder = Folder::new();
+    fs::write(folder.file("uniform.wgsl"), standard("uniform")).expect("the folder is writable");
+    let mut pictures = Vec::new();
+    for convention in ["statement", "published"] {
+        let output = sampled(folder.path(), &format!("uniform.wgsl --check --scatter {convention}"));
+        let text = words(&output);
+        assert_eq!(output.status.code(), Some(0), "{text}");
+        assert!(text.contains("uniform.wgsl stands in for [uniform]\n"), "{text}");
+        assert!(text.contains("from the CPU in f64: 0 of 1296 pixels differ, RMSE 0.0e0"), "{text}");
+        let counts = format!(
+            "3 samples for each pixel, scatter convention [{convention}]; 0 of 3888 paths take another number of words\n"
+        );
+        assert!(text.contains(&counts), "{text}");
+        pictures.push(fs::read(folder.file("out.png")).expect("it was written"));
+    }
+    assert!(pictures[0] != pictures[1], "the conventions give different pictures");
+}
+
+#[test]
+fn an_f32_picture_with_random_numbers_is_its_twin_and_has_an_rmse_from_f64() {
+    common::gpu();
+    let folder = Folder::new();
+    fs::write(folder.file("uniform.wgsl"), standard("uniform")).expect("the folder is writable");
+    let output = sampled(folder.path(), "uniform.wgsl --f32 --check");
+    let text = words(&output);
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert!(text.contains("from the CPU in f32: 0 of 1296 pixels differ, RMSE 0.0e0"), "{text}");
+    let (_, rmse) = text.split_once("from the CPU in f64: ").expect("there is a second comparison");
+    let (_, rmse) = rmse.split_once("RMSE ").expect("it has an error");
+    let rmse: f64 = rmse.split(',').next().expect("a number").parse().expect("it is one");
+    assert!(rmse > 1e-9 && rmse < 0.05, "{text}");
+}
+
+#[test]
+fn a_wrong_component_of_the_random_vector_is_noticed() {
+    common::gpu();
+    let folder = Folder::new();
+    let wrong = standard("scatter_vectors").replace("scatter_word(word + 1u)", "scatter_word(word + 2u)");
+    fs::write(folder.file("scatter_vectors.wgsl"), wrong).expect("the folder is writable");
+    let output = sampled(folder.path(), "scatter_vectors.wgsl --check");
+    let text = words(&output);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(!text.contains(": 0 of 1296 pixels differ"), "{text}");
+}
+
+#[test]
+fn a_module_that_such_a_picture_does_not_use_is_refused() {
+    common::gpu();
+    let folder = Folder::new();
+    fs::write(folder.file("my.wgsl"), TEMPLATE).expect("the folder is writable");
+    let output = sampled(folder.path(), "my.wgsl");
+    let text = words(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(
+        text.contains("Error: --samples renders with [kernels/samples], which does not use [kernels/image]"),
+        "{text}"
+    );
+}
+
+#[test]
+fn too_many_samples_are_refused_before_they_are_rendered() {
+    let folder = Folder::new();
+    fs::write(folder.file("uniform.wgsl"), standard("uniform")).expect("the folder is writable");
+    let mut command = command(folder.path(), "uniform.wgsl --samples");
+    fs::write(folder.file("config.txt"), format!("{CONFIG}samples_per_pixel: 1000000\n")).expect("writable");
+    let output = command.output().expect("the program starts");
+    let text = words(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("Error: the picture has 1296000000 samples, more than 268435456; lower "), "{text}");
+}

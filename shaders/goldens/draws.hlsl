@@ -1,0 +1,47 @@
+struct DrawCase {
+    float low;
+    float high;
+    uint2 word;
+};
+
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
+
+ByteAddressBuffer cases : register(t0);
+RWByteAddressBuffer results : register(u1);
+
+float uniform_canonical(uint2 word)
+{
+    float whole = ((float(word.y) * 4294967300.0) + float(word.x));
+    float quotient = (whole / 1.8446744e19);
+    return ((quotient < BELOW_ONE) ? quotient : BELOW_ONE);
+}
+
+float uniform_draw(uint2 word_1, float low, float high)
+{
+    const float _e3 = uniform_canonical(word_1);
+    return ((_e3 * (high - low)) + low);
+}
+
+uint NagaBufferLength(ByteAddressBuffer buffer)
+{
+    uint ret;
+    buffer.GetDimensions(ret);
+    return ret;
+}
+
+[numthreads(64, 1, 1)]
+void draws(uint3 id : SV_DispatchThreadID)
+{
+    if ((id.x >= ((NagaBufferLength(cases) - 0) / 16))) {
+        return;
+    }
+    uint2 _e12 = asuint(cases.Load2(8+id.x*16));
+    float _e17 = asfloat(cases.Load(0+id.x*16));
+    float _e22 = asfloat(cases.Load(4+id.x*16));
+    const float _e23 = uniform_draw(_e12, _e17, _e22);
+    results.Store(id.x*4, asuint(_e23));
+    return;
+}

@@ -1,0 +1,180 @@
+#version 430 core
+#extension GL_ARB_compute_shader : require
+#extension GL_ARB_shader_storage_buffer_object : require
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+
+struct Ray {
+    vec3 origin;
+    vec3 direction;
+};
+struct Root {
+    bool some;
+    float lambda;
+};
+struct Hit {
+    vec3 point;
+    vec3 normal;
+    bool front;
+};
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+struct Accumulation {
+    PackedVec3_ starts[2];
+    uint first_sample;
+    uint sample_count;
+    uint samples_per_pixel;
+    uint unused;
+};
+const float SHORT_SQUARED = 0.0;
+const float SHORT_SCALE = 1.0;
+const float BELOW_ONE = 0.99999994;
+const float LEAST_SQUARED = 0.0;
+
+layout(std430, binding = 0) readonly buffer Accumulation_block_0Compute { Accumulation _group_0_binding_0_cs; };
+
+layout(std430, binding = 1) readonly buffer type_4_block_1Compute { TracedSample _group_0_binding_1_cs[]; };
+
+layout(std430, binding = 2) buffer type_5_block_2Compute { PackedVec3_ _group_0_binding_2_cs[]; };
+
+
+float vec3_dot(vec3 a, vec3 b) {
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(vec3 v) {
+    float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+vec3 vec3_unit(vec3 v_1) {
+    float _e1 = vec3_length(v_1);
+    return (v_1 / vec3(_e1));
+}
+
+vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
+    float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(vec3 v_3) {
+    bool local = false;
+    bool local_1 = false;
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+vec3 ray_at(Ray ray, float lambda) {
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1) {
+    return (0.001 <= lambda_1);
+}
+
+Root root_none() {
+    return Root(false, 0.0);
+}
+
+Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
+    float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        return Hit(point, outward, front);
+    }
+    return Hit(point, -(outward), front);
+}
+
+vec3 vec3_load(PackedVec3_ v_4) {
+    return vec3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(vec3 v_5) {
+    return PackedVec3_(v_5.x, v_5.y, v_5.z);
+}
+
+Ray ray_load(PackedRay ray_1) {
+    vec3 _e2 = vec3_load(ray_1.origin);
+    vec3 _e4 = vec3_load(ray_1.direction);
+    return Ray(_e2, _e4);
+}
+
+PackedRay ray_store(Ray ray_2) {
+    PackedVec3_ _e2 = vec3_store(ray_2.origin);
+    PackedVec3_ _e4 = vec3_store(ray_2.direction);
+    return PackedRay(_e2, _e4);
+}
+
+void main() {
+    uvec3 id = gl_GlobalInvocationID;
+    vec3 sum = vec3(0.0);
+    uint sample_ = 0u;
+    if ((id.x >= uint(_group_0_binding_2_cs.length()))) {
+        return;
+    }
+    uint _e8 = _group_0_binding_0_cs.samples_per_pixel;
+    uint _e12 = _group_0_binding_0_cs.first_sample;
+    uint begin = max((id.x * _e8), _e12);
+    uint _e19 = _group_0_binding_0_cs.samples_per_pixel;
+    uint pixel_end = ((id.x + 1u) * _e19);
+    uint _e23 = _group_0_binding_0_cs.first_sample;
+    uint _e26 = _group_0_binding_0_cs.sample_count;
+    uint end = min(pixel_end, (_e23 + _e26));
+    PackedVec3_ _e35 = _group_0_binding_0_cs.starts[min(id.x, 1u)];
+    vec3 _e36 = vec3_load(_e35);
+    sum = _e36;
+    sample_ = begin;
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e54 = sample_;
+            sample_ = (_e54 + 1u);
+        }
+        loop_init = false;
+        uint _e39 = sample_;
+        if ((_e39 < end)) {
+        } else {
+            break;
+        }
+        {
+            vec3 _e41 = sum;
+            uint _e43 = sample_;
+            uint _e46 = _group_0_binding_0_cs.first_sample;
+            PackedVec3_ _e50 = _group_0_binding_1_cs[(_e43 - _e46)].color;
+            vec3 _e51 = vec3_load(_e50);
+            sum = (_e41 + _e51);
+        }
+    }
+    if ((end == pixel_end)) {
+        vec3 _e57 = sum;
+        uint _e60 = _group_0_binding_0_cs.samples_per_pixel;
+        sum = (_e57 / vec3(float(_e60)));
+    }
+    vec3 _e67 = sum;
+    PackedVec3_ _e68 = vec3_store(_e67);
+    _group_0_binding_2_cs[id.x] = _e68;
+    return;
+}
+

@@ -1,0 +1,1427 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct SphereRecord {
+    float3 center_;
+    float radius;
+    float radius_squared;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+struct SphereView {
+    float3 r_c;
+    float c;
+};
+
+struct SphereQuadratic {
+    float h;
+    float discriminant;
+};
+
+struct CylinderRecord {
+    float3 center_;
+    int _pad1_0;
+    float3 axis;
+    int _pad2_0;
+    float3 top;
+    int _pad3_0;
+    float3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderView {
+    float3 r_c;
+    float c;
+};
+
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+
+struct Camera {
+    float3 position;
+    int _pad1_0;
+    float3 origin;
+    int _pad2_0;
+    float3 delta_x;
+    int _pad3_0;
+    float3 delta_y;
+    int _end_pad_0;
+};
+
+struct Background {
+    float3 dark;
+    int _pad1_0;
+    float3 light;
+    int _end_pad_0;
+};
+
+struct Material {
+    float3 reflectance;
+    float index;
+    float extent;
+    uint kind;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+
+struct PlacedSphere {
+    PackedVec3_ center_;
+    float radius;
+    float radius_squared;
+    uint order;
+    uint material;
+};
+
+struct PlacedCylinder {
+    PackedVec3_ center_;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    uint order;
+    uint material;
+};
+
+struct PackedMaterial {
+    PackedVec3_ reflectance;
+    float index;
+    float extent;
+    uint kind;
+    uint unused;
+};
+
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    float offset_x;
+    float offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
+    uint unused;
+};
+
+struct ClosestHit {
+    bool some;
+    float lambda;
+    uint order;
+    bool is_cylinder;
+    uint index;
+    uint part;
+};
+
+struct SurfaceHit {
+    bool some;
+    int _pad1_0;
+    int _pad1_1;
+    int _pad1_2;
+    Hit hit;
+    uint material;
+    float lambda;
+    uint order;
+    uint part;
+};
+
+struct ScatterVector {
+    float3 vector_;
+    uint next_word;
+};
+
+struct PackedSamplePath {
+    PackedRay ray;
+    uint attenuation_count;
+    uint ended;
+    uint next_word;
+    uint unused;
+};
+
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
+static const uint SIDE = 0u;
+static const uint TOP = 1u;
+static const uint BOTTOM = 2u;
+static const uint MATTE = 0u;
+static const uint METAL = 1u;
+static const uint REFRACTIVE = 2u;
+static const uint STATEMENT = 1u;
+static const uint PUBLISHED = 2u;
+static const uint MAX_TRIES = 100u;
+static const bool has_spheres = true;
+static const bool has_cylinders = true;
+static const bool has_matte = true;
+static const bool has_metal = true;
+static const bool has_refraction = true;
+static const uint max_depth = 5u;
+
+ByteAddressBuffer picture : register(t0);
+ByteAddressBuffer spheres : register(t1);
+ByteAddressBuffer cylinders : register(t2);
+ByteAddressBuffer materials : register(t3);
+RWByteAddressBuffer attenuations : register(u4);
+ByteAddressBuffer words : register(t7);
+RWByteAddressBuffer traced_samples : register(u5);
+RWByteAddressBuffer sample_paths : register(u6);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_unit(float3 v_1)
+{
+    const float _e1 = vec3_length(v_1);
+    return (v_1 / (_e1).xxx);
+}
+
+float3 vec3_perpendicular_to(float3 v_2, float3 axis)
+{
+    const float _e2 = vec3_dot(v_2, axis);
+    return (v_2 - (axis * _e2));
+}
+
+bool vec3_is_negligible(float3 v_3)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    if ((abs(v_3.x) < 1e-8)) {
+        local = (abs(v_3.y) < 1e-8);
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = (abs(v_3.z) < 1e-8);
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+float3 ray_at(Ray ray, float lambda)
+{
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front_1 = (_e3 < 0.0);
+    if (front_1) {
+        const Hit hit_1 = ConstructHit(point_, outward, front_1);
+        return hit_1;
+    }
+    const Hit hit_2 = ConstructHit(point_, -(outward), front_1);
+    return hit_2;
+}
+
+SphereView ConstructSphereView(float3 arg0, float arg1) {
+    SphereView ret = (SphereView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, float3 origin)
+{
+    float3 r_c = (sphere.center_ - origin);
+    const float _e4 = vec3_dot(r_c, r_c);
+    const SphereView sphereview = ConstructSphereView(r_c, (_e4 - sphere.radius_squared));
+    return sphereview;
+}
+
+SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
+    SphereQuadratic ret = (SphereQuadratic)0;
+    ret.h = arg0;
+    ret.discriminant = arg1;
+    return ret;
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
+{
+    const float _e4 = vec3_dot(direction_1, view.r_c);
+    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+    return spherequadratic;
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant)
+{
+    float root_1 = sqrt(discriminant);
+    float near = ((h - root_1) / a_2);
+    float far = ((h + root_1) / a_2);
+    const bool _e8 = in_range(near);
+    float lambda_6 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_6);
+    const Root root_2 = ConstructRoot(_e10, lambda_6);
+    return root_2;
+}
+
+float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
+{
+    return ((point_1 - sphere_1.center_) / (sphere_1.radius).xxx);
+}
+
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
+{
+    const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    const SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        const Root _e12 = root_none();
+        const Root root_3 = _e12;
+        return root_3;
+    }
+    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_4 = _e15;
+    return root_4;
+}
+
+bool tie_later_is_closer(float lambda_2, float closest)
+{
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+
+    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = (order >= closest_order);
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared));
+    return cylinderview;
+}
+
+CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
+    CylinderQuadratic ret = (CylinderQuadratic)0;
+    ret.a = arg0;
+    ret.h = arg1;
+    ret.discriminant = arg2;
+    return ret;
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, float3 along)
+{
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view_1.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
+    return cylinderquadratic;
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4)
+{
+    const float3 _e3 = ray_at(ray_2, lambda_4);
+    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
+{
+    bool local_4 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
+
+    float root_5 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    const bool _e15 = in_range(near_1);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_4 = _e18;
+    } else {
+        local_4 = false;
+    }
+    bool near_counts = local_4;
+    const bool _e21 = in_range(far_1);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_5 = _e24;
+    } else {
+        local_5 = false;
+    }
+    bool far_counts = local_5;
+    if (!(near_counts)) {
+        local_6 = far_counts;
+    } else {
+        local_6 = true;
+    }
+    bool _e31 = local_6;
+    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
+    return root_6;
+}
+
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_)
+{
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+
+    const float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    const float _e9 = vec3_dot((center_ - ray_4.origin), cylinder_4.axis);
+    float lambda_7 = (_e9 / _e5);
+    const float3 _e11 = ray_at(ray_4, lambda_7);
+    const float _e13 = vec3_length((_e11 - center_));
+    bool on_disc = (_e13 <= cylinder_4.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        const bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
+    } else {
+        local_7 = false;
+    }
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
+    } else {
+        local_8 = false;
+    }
+    bool _e28 = local_8;
+    const Root root_7 = ConstructRoot(_e28, lambda_7);
+    return root_7;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
+    CylinderRoot ret = (CylinderRoot)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    return ret;
+}
+
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side)
+{
+    CylinderRoot closest_2 = (CylinderRoot)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
+
+    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
+    const Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
+        } else {
+            local_10 = true;
+        }
+        bool _e24 = local_10;
+        local_9 = _e24;
+    } else {
+        local_9 = false;
+    }
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
+    }
+    const Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
+        } else {
+            local_12 = true;
+        }
+        bool _e47 = local_12;
+        local_11 = _e47;
+    } else {
+        local_11 = false;
+    }
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
+    }
+    CylinderRoot _e54 = closest_2;
+    const CylinderRoot cylinderroot = _e54;
+    return cylinderroot;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6)
+{
+    Root side_1 = (Root)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
+    const CylinderRoot cylinderroot_1 = _e13;
+    return cylinderroot_1;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray camera_ray(Camera camera, float row, float column, float2 offset)
+{
+    float x = offset.x;
+    float y = offset.y;
+    float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
+    const Ray ray_12 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_12;
+}
+
+float3 background_color(Background background, float3 direction_2)
+{
+    const float _e3 = vec3_length(direction_2);
+    float m = (((direction_2.y / _e3) + 1.0) / 2.0);
+    return ((background.light * (1.0 - m)) + (background.dark * m));
+}
+
+float3 scatter_matte(float3 normal, float3 vector_)
+{
+    float3 direction_8 = (normal + vector_);
+    const bool _e3 = vec3_is_negligible(direction_8);
+    if (_e3) {
+        return normal;
+    }
+    return direction_8;
+}
+
+float3 scatter_reflect(float3 direction_3, float3 normal_1)
+{
+    const float _e2 = vec3_dot(direction_3, normal_1);
+    return (direction_3 - (normal_1 * (_e2 * 2.0)));
+}
+
+float3 scatter_mirror(float3 direction_4, float3 normal_2)
+{
+    const float3 _e2 = scatter_reflect(direction_4, normal_2);
+    const float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+float3 scatter_metal(float3 direction_5, float3 normal_3, float3 vector_1)
+{
+    const float3 _e3 = scatter_mirror(direction_5, normal_3);
+    return (_e3 + vector_1);
+}
+
+float scatter_index_ratio(float index, bool front)
+{
+    return (front ? (1.0 / index) : index);
+}
+
+float3 scatter_refract(float3 direction_6, float3 normal_4, float ratio)
+{
+    const float3 _e4 = vec3_unit(direction_6);
+    const float _e5 = vec3_dot(_e4, normal_4);
+    float product = -(_e5);
+    float cos_ = ((product < 1.0) ? product : 1.0);
+    float sin_ = sqrt((1.0 - (cos_ * cos_)));
+    const float3 _e12 = scatter_reflect(_e4, normal_4);
+    float3 p = ((_e4 + (normal_4 * cos_)) * ratio);
+    const float _e16 = vec3_dot(p, p);
+    float3 refracted = (p - (normal_4 * sqrt(abs((1.0 - _e16)))));
+    bool beyond = (1.0 < (ratio * sin_));
+    return (beyond ? _e12 : refracted);
+}
+
+float3 vec3_load(PackedVec3_ v_4)
+{
+    return float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_5)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_5.x, v_5.y, v_5.z);
+    return packedvec3_;
+}
+
+Ray ray_load(PackedRay ray_7)
+{
+    const float3 _e2 = vec3_load(ray_7.origin);
+    const float3 _e4 = vec3_load(ray_7.direction);
+    const Ray ray_13 = ConstructRay(_e2, _e4);
+    return ray_13;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+PackedRay ray_store(Ray ray_8)
+{
+    const PackedVec3_ _e2 = vec3_store(ray_8.origin);
+    const PackedVec3_ _e4 = vec3_store(ray_8.direction);
+    const PackedRay packedray = ConstructPackedRay(_e2, _e4);
+    return packedray;
+}
+
+SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
+    SphereRecord ret = (SphereRecord)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    return ret;
+}
+
+SphereRecord sphere_load(PlacedSphere sphere_3)
+{
+    const float3 _e2 = vec3_load(sphere_3.center_);
+    const SphereRecord sphererecord = ConstructSphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
+    return sphererecord;
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
+{
+    const float3 _e2 = vec3_load(cylinder_8.center_);
+    const float3 _e4 = vec3_load(cylinder_8.axis);
+    const float3 _e6 = vec3_load(cylinder_8.top);
+    const float3 _e8 = vec3_load(cylinder_8.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
+    return cylinderrecord;
+}
+
+Material ConstructMaterial(float3 arg0, float arg1, float arg2, uint arg3) {
+    Material ret = (Material)0;
+    ret.reflectance = arg0;
+    ret.index = arg1;
+    ret.extent = arg2;
+    ret.kind = arg3;
+    return ret;
+}
+
+Material material_load(PackedMaterial material)
+{
+    const float3 _e2 = vec3_load(material.reflectance);
+    const Material material_3 = ConstructMaterial(_e2, material.index, material.extent, material.kind);
+    return material_3;
+}
+
+Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
+    Camera ret = (Camera)0;
+    ret.position = arg0;
+    ret.origin = arg1;
+    ret.delta_x = arg2;
+    ret.delta_y = arg3;
+    return ret;
+}
+
+Camera picture_camera()
+{
+    PackedVec3_ _e3 = ConstructPackedVec3_(asfloat(picture.Load(0+0+0)), asfloat(picture.Load(0+0+4)), asfloat(picture.Load(0+0+8)));
+    const float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = ConstructPackedVec3_(asfloat(picture.Load(12+0+0)), asfloat(picture.Load(12+0+4)), asfloat(picture.Load(12+0+8)));
+    const float3 _e9 = vec3_load(_e8);
+    PackedVec3_ _e13 = ConstructPackedVec3_(asfloat(picture.Load(24+0+0)), asfloat(picture.Load(24+0+4)), asfloat(picture.Load(24+0+8)));
+    const float3 _e14 = vec3_load(_e13);
+    PackedVec3_ _e18 = ConstructPackedVec3_(asfloat(picture.Load(36+0+0)), asfloat(picture.Load(36+0+4)), asfloat(picture.Load(36+0+8)));
+    const float3 _e19 = vec3_load(_e18);
+    const Camera camera_1 = ConstructCamera(_e4, _e9, _e14, _e19);
+    return camera_1;
+}
+
+Background ConstructBackground(float3 arg0, float3 arg1) {
+    Background ret = (Background)0;
+    ret.dark = arg0;
+    ret.light = arg1;
+    return ret;
+}
+
+Background picture_background()
+{
+    PackedVec3_ _e3 = ConstructPackedVec3_(asfloat(picture.Load(0+48+0)), asfloat(picture.Load(0+48+4)), asfloat(picture.Load(0+48+8)));
+    const float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = ConstructPackedVec3_(asfloat(picture.Load(12+48+0)), asfloat(picture.Load(12+48+4)), asfloat(picture.Load(12+48+8)));
+    const float3 _e9 = vec3_load(_e8);
+    const Background background_1 = ConstructBackground(_e4, _e9);
+    return background_1;
+}
+
+bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1)
+{
+    bool local_13 = (bool)0;
+
+    if (!(!(closest_3.some))) {
+        const bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+        local_13 = _e10;
+    } else {
+        local_13 = true;
+    }
+    bool _e12 = local_13;
+    return _e12;
+}
+
+ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
+    ClosestHit ret = (ClosestHit)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.order = arg2;
+    ret.is_cylinder = arg3;
+    ret.index = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
+    SurfaceHit ret = (SurfaceHit)0;
+    ret.some = arg0;
+    ret.hit = arg1;
+    ret.material = arg2;
+    ret.lambda = arg3;
+    ret.order = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
+    PlacedSphere ret = (PlacedSphere)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    ret.order = arg3;
+    ret.material = arg4;
+    return ret;
+}
+
+PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2, PackedVec3_ arg3, float arg4, float arg5, float arg6, uint arg7, uint arg8) {
+    PlacedCylinder ret = (PlacedCylinder)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    ret.order = arg7;
+    ret.material = arg8;
+    return ret;
+}
+
+SurfaceHit closest_hit(Ray ray_9)
+{
+    ClosestHit closest_4 = (ClosestHit)0;
+    uint index_1 = 0u;
+    bool local_14 = (bool)0;
+    uint index_2 = 0u;
+    bool local_15 = (bool)0;
+    SurfaceHit surface = (SurfaceHit)0;
+    bool local_16 = (bool)0;
+    bool local_17 = (bool)0;
+
+    if (has_spheres) {
+        uint2 loop_bound = uint2(4294967295u, 4294967295u);
+        bool loop_init = true;
+        while(true) {
+            if (all(loop_bound == uint2(0u, 0u))) { break; }
+            loop_bound -= uint2(loop_bound.y == 0u, 1u);
+            if (!loop_init) {
+                uint _e36 = index_1;
+                index_1 = (_e36 + 1u);
+            }
+            loop_init = false;
+            uint _e5 = index_1;
+            uint _e8 = asuint(picture.Load(104));
+            if ((_e5 < _e8)) {
+            } else {
+                break;
+            }
+            {
+                uint _e11 = index_1;
+                PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
+                const SphereRecord _e14 = sphere_load(_e13);
+                const Root _e15 = sphere_intersect(_e14, ray_9);
+                uint _e17 = index_1;
+                uint order_2 = asuint(spheres.Load(20+_e17*28));
+                if (_e15.some) {
+                    ClosestHit _e24 = closest_4;
+                    const bool _e26 = is_closer(_e24, _e15.lambda, order_2);
+                    local_14 = _e26;
+                } else {
+                    local_14 = false;
+                }
+                bool _e28 = local_14;
+                if (_e28) {
+                    uint _e32 = index_1;
+                    closest_4 = ConstructClosestHit(true, _e15.lambda, order_2, false, _e32, SIDE);
+                }
+            }
+        }
+    }
+    if (has_cylinders) {
+        uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+        bool loop_init_1 = true;
+        while(true) {
+            if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
+            loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+            if (!loop_init_1) {
+                uint _e72 = index_2;
+                index_2 = (_e72 + 1u);
+            }
+            loop_init_1 = false;
+            uint _e41 = index_2;
+            uint _e44 = asuint(picture.Load(108));
+            if ((_e41 < _e44)) {
+            } else {
+                break;
+            }
+            {
+                uint _e47 = index_2;
+                PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
+                const CylinderRecord _e50 = cylinder_load(_e49);
+                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_9);
+                uint _e53 = index_2;
+                uint order_3 = asuint(cylinders.Load(60+_e53*68));
+                if (_e51.some) {
+                    ClosestHit _e60 = closest_4;
+                    const bool _e62 = is_closer(_e60, _e51.lambda, order_3);
+                    local_15 = _e62;
+                } else {
+                    local_15 = false;
+                }
+                bool _e64 = local_15;
+                if (_e64) {
+                    uint _e68 = index_2;
+                    closest_4 = ConstructClosestHit(true, _e51.lambda, order_3, true, _e68, _e51.part);
+                }
+            }
+        }
+    }
+    bool _e76 = closest_4.some;
+    if (!(_e76)) {
+        SurfaceHit _e78 = surface;
+        const SurfaceHit surfacehit = _e78;
+        return surfacehit;
+    }
+    float _e80 = closest_4.lambda;
+    const float3 _e81 = ray_at(ray_9, _e80);
+    if (has_spheres) {
+        bool _e86 = closest_4.is_cylinder;
+        local_16 = !(_e86);
+    } else {
+        local_16 = false;
+    }
+    bool _e89 = local_16;
+    if (_e89) {
+        uint _e92 = closest_4.index;
+        PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
+        const SphereRecord _e95 = sphere_load(_e94);
+        const float3 _e96 = sphere_outward(_e95, _e81);
+        const Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
+        uint _e101 = closest_4.index;
+        uint material_4 = asuint(spheres.Load(24+_e101*28));
+        float _e107 = closest_4.lambda;
+        uint _e109 = closest_4.order;
+        uint _e111 = closest_4.part;
+        surface = ConstructSurfaceHit(true, _e98, material_4, _e107, _e109, _e111);
+    }
+    if (has_cylinders) {
+        bool _e117 = closest_4.is_cylinder;
+        local_17 = _e117;
+    } else {
+        local_17 = false;
+    }
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = closest_4.index;
+        PlacedCylinder _e124 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+0+0)), asfloat(cylinders.Load(_e122*68+0+4)), asfloat(cylinders.Load(_e122*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+12+0)), asfloat(cylinders.Load(_e122*68+12+4)), asfloat(cylinders.Load(_e122*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+24+0)), asfloat(cylinders.Load(_e122*68+24+4)), asfloat(cylinders.Load(_e122*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+36+0)), asfloat(cylinders.Load(_e122*68+36+4)), asfloat(cylinders.Load(_e122*68+36+8))), asfloat(cylinders.Load(_e122*68+48)), asfloat(cylinders.Load(_e122*68+52)), asfloat(cylinders.Load(_e122*68+56)), asuint(cylinders.Load(_e122*68+60)), asuint(cylinders.Load(_e122*68+64)));
+        const CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = closest_4.part;
+        const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        const Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
+        uint _e133 = closest_4.index;
+        uint material_5 = asuint(cylinders.Load(64+_e133*68));
+        float _e139 = closest_4.lambda;
+        uint _e141 = closest_4.order;
+        uint _e143 = closest_4.part;
+        surface = ConstructSurfaceHit(true, _e130, material_5, _e139, _e141, _e143);
+    }
+    SurfaceHit _e145 = surface;
+    const SurfaceHit surfacehit_1 = _e145;
+    return surfacehit_1;
+}
+
+bool bounce_attenuates(Material material_1)
+{
+    bool local_18 = (bool)0;
+    bool local_19 = (bool)0;
+    bool local_20 = (bool)0;
+
+    if (has_matte) {
+        local_18 = (material_1.kind == MATTE);
+    } else {
+        local_18 = false;
+    }
+    bool _e8 = local_18;
+    if (!(_e8)) {
+        if (has_metal) {
+            local_20 = (material_1.kind == METAL);
+        } else {
+            local_20 = false;
+        }
+        bool _e19 = local_20;
+        local_19 = _e19;
+    } else {
+        local_19 = true;
+    }
+    bool _e21 = local_19;
+    return _e21;
+}
+
+Ray bounce_ray(Ray ray_10, Hit hit, Material material_2, float3 scatter_vector)
+{
+    float3 direction_7 = (float3)0;
+    bool local_21 = (bool)0;
+    bool local_22 = (bool)0;
+    bool local_23 = (bool)0;
+
+    if (has_matte) {
+        local_21 = (material_2.kind == MATTE);
+    } else {
+        local_21 = false;
+    }
+    bool _e12 = local_21;
+    if (_e12) {
+        const float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_22 = (material_2.kind == METAL);
+    } else {
+        local_22 = false;
+    }
+    bool _e22 = local_22;
+    if (_e22) {
+        const float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_23 = (material_2.kind == REFRACTIVE);
+    } else {
+        local_23 = false;
+    }
+    bool _e33 = local_23;
+    if (_e33) {
+        const float _e36 = scatter_index_ratio(material_2.index, hit.front);
+        const float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        direction_7 = _e39;
+    }
+    float3 _e41 = direction_7;
+    const Ray ray_14 = ConstructRay(hit.point_, _e41);
+    return ray_14;
+}
+
+float3 bounce_attenuated(float3 color, uint first, uint attenuation_count)
+{
+    float3 attenuated = (float3)0;
+    uint left = (uint)0;
+
+    attenuated = color;
+    left = attenuation_count;
+    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
+    bool loop_init_2 = true;
+    while(true) {
+        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
+        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
+        if (!loop_init_2) {
+            uint _e23 = left;
+            left = (_e23 - 1u);
+        }
+        loop_init_2 = false;
+        uint _e5 = left;
+        if ((_e5 > 0u)) {
+        } else {
+            break;
+        }
+        {
+            float3 _e8 = attenuated;
+            uint _e11 = left;
+            uint _e16 = asuint(attenuations.Load(((first + _e11) - 1u)*4));
+            PackedVec3_ _e19 = ConstructPackedVec3_(asfloat(materials.Load(0+_e16*28+0)), asfloat(materials.Load(0+_e16*28+4)), asfloat(materials.Load(0+_e16*28+8)));
+            const float3 _e20 = vec3_load(_e19);
+            attenuated = (_e8 * _e20);
+        }
+    }
+    float3 _e25 = attenuated;
+    return _e25;
+}
+
+float uniform_canonical(uint2 word)
+{
+    float whole = ((float(word.y) * 4294967300.0) + float(word.x));
+    float quotient = (whole / 1.8446744e19);
+    return ((quotient < BELOW_ONE) ? quotient : BELOW_ONE);
+}
+
+float uniform_draw(uint2 word_1, float low, float high)
+{
+    const float _e3 = uniform_canonical(word_1);
+    return ((_e3 * (high - low)) + low);
+}
+
+uint naga_mod(uint lhs, uint rhs) {
+    return lhs % (rhs == 0u ? 1u : rhs);
+}
+
+uint NagaBufferLength(ByteAddressBuffer buffer)
+{
+    uint ret;
+    buffer.GetDimensions(ret);
+    return ret;
+}
+
+uint2 scatter_word(uint index_3)
+{
+    uint _e4 = asuint(picture.Load(120));
+    uint first_1 = (3u * _e4);
+    uint2 _e14 = asuint(words.Load2((first_1 + naga_mod((index_3 - first_1), (((NagaBufferLength(words) - 0) / 8) - first_1)))*8));
+    return _e14;
+}
+
+float3 scatter_vector_in_cube(uint word_2, float half_)
+{
+    const uint2 _e2 = scatter_word(word_2);
+    const float _e4 = uniform_draw(_e2, -(half_), half_);
+    const uint2 _e7 = scatter_word((word_2 + 1u));
+    const float _e9 = uniform_draw(_e7, -(half_), half_);
+    const uint2 _e12 = scatter_word((word_2 + 2u));
+    const float _e14 = uniform_draw(_e12, -(half_), half_);
+    return float3(_e4, _e9, _e14);
+}
+
+ScatterVector ConstructScatterVector(float3 arg0, uint arg1) {
+    ScatterVector ret = (ScatterVector)0;
+    ret.vector_ = arg0;
+    ret.next_word = arg1;
+    return ret;
+}
+
+float3 ZeroValuefloat3() {
+    return (float3)0;
+}
+
+ScatterVector scatter_vector_published(uint word_3, float extent)
+{
+    uint next = (uint)0;
+    uint tries = 0u;
+    bool local_24 = (bool)0;
+
+    next = word_3;
+    uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
+    bool loop_init_3 = true;
+    while(true) {
+        if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
+        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
+        if (!loop_init_3) {
+            uint _e30 = tries;
+            tries = (_e30 + 1u);
+        }
+        loop_init_3 = false;
+        uint _e5 = tries;
+        if ((_e5 < MAX_TRIES)) {
+        } else {
+            break;
+        }
+        {
+            uint _e8 = next;
+            const float3 _e10 = scatter_vector_in_cube(_e8, 1.0);
+            const float _e11 = vec3_dot(_e10, _e10);
+            uint _e12 = next;
+            next = (_e12 + 3u);
+            if ((LEAST_SQUARED < _e11)) {
+                local_24 = (_e11 <= 1.0);
+            } else {
+                local_24 = false;
+            }
+            bool _e22 = local_24;
+            if (_e22) {
+                uint _e27 = next;
+                const ScatterVector scattervector = ConstructScatterVector(((_e10 / (sqrt(_e11)).xxx) * extent), _e27);
+                return scattervector;
+            }
+        }
+    }
+    uint _e33 = next;
+    const ScatterVector scattervector_1 = ConstructScatterVector(ZeroValuefloat3(), _e33);
+    return scattervector_1;
+}
+
+ScatterVector scatter_vector_next(uint word_4, float extent_1)
+{
+    uint _e4 = asuint(picture.Load(132));
+    if ((_e4 == STATEMENT)) {
+        const float3 _e7 = scatter_vector_in_cube(word_4, extent_1);
+        const ScatterVector scattervector_2 = ConstructScatterVector(_e7, (word_4 + 3u));
+        return scattervector_2;
+    }
+    const ScatterVector _e11 = scatter_vector_published(word_4, extent_1);
+    const ScatterVector scattervector_3 = _e11;
+    return scattervector_3;
+}
+
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / (rhs == 0u ? 1u : rhs);
+}
+
+Ray sample_camera_ray(uint slot)
+{
+    uint _e3 = asuint(picture.Load(96));
+    uint _e6 = asuint(picture.Load(124));
+    uint _e10 = asuint(picture.Load(128));
+    uint pixel = (_e3 + naga_div((_e6 + slot), _e10));
+    uint2 _e18 = asuint(words.Load2((3u * slot)*8));
+    const float _e20 = uniform_draw(_e18, -0.5, 0.5);
+    uint2 _e27 = asuint(words.Load2(((3u * slot) + 1u)*8));
+    const float _e29 = uniform_draw(_e27, -0.5, 0.5);
+    uint _e32 = asuint(picture.Load(92));
+    float row_1 = float(naga_div(pixel, _e32));
+    uint _e37 = asuint(picture.Load(92));
+    float column_1 = float(naga_mod(pixel, _e37));
+    const Camera _e40 = picture_camera();
+    const Ray _e42 = camera_ray(_e40, row_1, column_1, float2(_e20, _e29));
+    const Ray ray_15 = _e42;
+    return ray_15;
+}
+
+TracedSample ConstructTracedSample(PackedVec3_ arg0, uint arg1, uint arg2) {
+    TracedSample ret = (TracedSample)0;
+    ret.color = arg0;
+    ret.words = arg1;
+    ret.unused = arg2;
+    return ret;
+}
+
+PackedSamplePath ConstructPackedSamplePath(PackedRay arg0, uint arg1, uint arg2, uint arg3, uint arg4) {
+    PackedSamplePath ret = (PackedSamplePath)0;
+    ret.ray = arg0;
+    ret.attenuation_count = arg1;
+    ret.ended = arg2;
+    ret.next_word = arg3;
+    ret.unused = arg4;
+    return ret;
+}
+
+PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
+    PackedMaterial ret = (PackedMaterial)0;
+    ret.reflectance = arg0;
+    ret.index = arg1;
+    ret.extent = arg2;
+    ret.kind = arg3;
+    ret.unused = arg4;
+    return ret;
+}
+
+void trace_sample(uint slot_1)
+{
+    Ray ray_11 = (Ray)0;
+    uint next_word = (uint)0;
+    uint attenuation_count_1 = 0u;
+    uint depth = (uint)0;
+    float3 vector_2 = (float3)0;
+
+    uint first_word = asuint(words.Load(0+((3u * slot_1) + 2u)*8));
+    uint first_2 = (slot_1 * max_depth);
+    next_word = first_word;
+    uint _e17 = asuint(picture.Load(112));
+    if ((_e17 > 0u)) {
+        uint _e23 = asuint(sample_paths.Load(28+slot_1*40));
+        if ((_e23 != 0u)) {
+            return;
+        }
+        PackedRay _e29 = ConstructPackedRay(ConstructPackedVec3_(asfloat(sample_paths.Load(0+slot_1*40+0+0)), asfloat(sample_paths.Load(0+slot_1*40+0+4)), asfloat(sample_paths.Load(0+slot_1*40+0+8))), ConstructPackedVec3_(asfloat(sample_paths.Load(0+slot_1*40+12+0)), asfloat(sample_paths.Load(0+slot_1*40+12+4)), asfloat(sample_paths.Load(0+slot_1*40+12+8))));
+        const Ray _e30 = ray_load(_e29);
+        ray_11 = _e30;
+        uint _e34 = asuint(sample_paths.Load(32+slot_1*40));
+        next_word = _e34;
+        uint _e38 = asuint(sample_paths.Load(24+slot_1*40));
+        attenuation_count_1 = _e38;
+    } else {
+        const Ray _e39 = sample_camera_ray(slot_1);
+        ray_11 = _e39;
+    }
+    uint _e42 = asuint(picture.Load(112));
+    depth = _e42;
+    uint2 loop_bound_4 = uint2(4294967295u, 4294967295u);
+    bool loop_init_4 = true;
+    while(true) {
+        if (all(loop_bound_4 == uint2(0u, 0u))) { break; }
+        loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
+        if (!loop_init_4) {
+            uint _e98 = depth;
+            depth = (_e98 + 1u);
+        }
+        loop_init_4 = false;
+        uint _e44 = depth;
+        uint _e48 = asuint(picture.Load(116));
+        if ((_e44 < min(max_depth, _e48))) {
+        } else {
+            break;
+        }
+        {
+            Ray _e51 = ray_11;
+            const SurfaceHit _e52 = closest_hit(_e51);
+            if (!(_e52.some)) {
+                const Background _e55 = picture_background();
+                float3 _e57 = ray_11.direction;
+                const float3 _e58 = background_color(_e55, _e57);
+                uint _e59 = attenuation_count_1;
+                const float3 _e60 = bounce_attenuated(_e58, first_2, _e59);
+                const PackedVec3_ _e63 = vec3_store(_e60);
+                uint _e64 = next_word;
+                {
+                    TracedSample _value5 = ConstructTracedSample(_e63, (_e64 - first_word), 0u);
+                    {
+                        PackedVec3_ _value6 = _value5.color;
+                        traced_samples.Store(slot_1*20+0+0, asuint(_value6.x));
+                        traced_samples.Store(slot_1*20+0+4, asuint(_value6.y));
+                        traced_samples.Store(slot_1*20+0+8, asuint(_value6.z));
+                    }
+                    traced_samples.Store(slot_1*20+12, asuint(_value5.words));
+                    traced_samples.Store(slot_1*20+16, asuint(_value5.unused));
+                }
+                sample_paths.Store(28+slot_1*40, asuint(1u));
+                return;
+            }
+            PackedMaterial _e75 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e52.material*28+0+0)), asfloat(materials.Load(_e52.material*28+0+4)), asfloat(materials.Load(_e52.material*28+0+8))), asfloat(materials.Load(_e52.material*28+12)), asfloat(materials.Load(_e52.material*28+16)), asuint(materials.Load(_e52.material*28+20)), asuint(materials.Load(_e52.material*28+24)));
+            const Material _e76 = material_load(_e75);
+            vector_2 = ZeroValuefloat3();
+            const bool _e79 = bounce_attenuates(_e76);
+            if (_e79) {
+                uint _e81 = attenuation_count_1;
+                attenuations.Store((first_2 + _e81)*4, asuint(_e52.material));
+                uint _e86 = attenuation_count_1;
+                attenuation_count_1 = (_e86 + 1u);
+                uint _e88 = next_word;
+                const ScatterVector _e90 = scatter_vector_next(_e88, _e76.extent);
+                vector_2 = _e90.vector_;
+                next_word = _e90.next_word;
+            }
+            Ray _e93 = ray_11;
+            float3 _e95 = vector_2;
+            const Ray _e96 = bounce_ray(_e93, _e52.hit, _e76, _e95);
+            ray_11 = _e96;
+        }
+    }
+    const PackedVec3_ _e103 = vec3_store(ZeroValuefloat3());
+    uint _e104 = next_word;
+    {
+        TracedSample _value2 = ConstructTracedSample(_e103, (_e104 - first_word), 0u);
+        {
+            PackedVec3_ _value3 = _value2.color;
+            traced_samples.Store(slot_1*20+0+0, asuint(_value3.x));
+            traced_samples.Store(slot_1*20+0+4, asuint(_value3.y));
+            traced_samples.Store(slot_1*20+0+8, asuint(_value3.z));
+        }
+        traced_samples.Store(slot_1*20+12, asuint(_value2.words));
+        traced_samples.Store(slot_1*20+16, asuint(_value2.unused));
+    }
+    Ray _e110 = ray_11;
+    const PackedRay _e111 = ray_store(_e110);
+    uint _e112 = attenuation_count_1;
+    uint _e114 = next_word;
+    {
+        PackedSamplePath _value2 = ConstructPackedSamplePath(_e111, _e112, 0u, _e114, 0u);
+        {
+            PackedRay _value3 = _value2.ray;
+            {
+                PackedVec3_ _value4 = _value3.origin;
+                sample_paths.Store(slot_1*40+0+0+0, asuint(_value4.x));
+                sample_paths.Store(slot_1*40+0+0+4, asuint(_value4.y));
+                sample_paths.Store(slot_1*40+0+0+8, asuint(_value4.z));
+            }
+            {
+                PackedVec3_ _value4 = _value3.direction;
+                sample_paths.Store(slot_1*40+0+12+0, asuint(_value4.x));
+                sample_paths.Store(slot_1*40+0+12+4, asuint(_value4.y));
+                sample_paths.Store(slot_1*40+0+12+8, asuint(_value4.z));
+            }
+        }
+        sample_paths.Store(slot_1*40+24, asuint(_value2.attenuation_count));
+        sample_paths.Store(slot_1*40+28, asuint(_value2.ended));
+        sample_paths.Store(slot_1*40+32, asuint(_value2.next_word));
+        sample_paths.Store(slot_1*40+36, asuint(_value2.unused));
+    }
+    return;
+}
+
+[numthreads(64, 1, 1)]
+void samples(uint3 id : SV_DispatchThreadID)
+{
+    uint _e4 = asuint(picture.Load(120));
+    if ((id.x >= _e4)) {
+        return;
+    }
+    trace_sample(id.x);
+    return;
+}

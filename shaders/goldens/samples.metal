@@ -1,0 +1,1256 @@
+// language: metal2.0
+#include <metal_stdlib>
+#include <simd/simd.h>
+
+using metal::uint;
+
+struct _mslBufferSizes {
+    uint size1;
+    uint size2;
+    uint size3;
+    uint size4;
+    uint size5;
+    uint size6;
+    uint size7;
+};
+
+typedef float real;
+struct Ray {
+    metal::float3 origin;
+    metal::float3 direction;
+};
+struct Root {
+    bool some;
+    char _pad1[3];
+    real lambda;
+};
+struct Hit {
+    metal::float3 point;
+    metal::packed_float3 normal;
+    bool front;
+    char _pad3[3];
+};
+struct SphereRecord {
+    metal::packed_float3 center;
+    real radius;
+    real radius_squared;
+    char _pad3[12];
+};
+struct SphereView {
+    metal::packed_float3 r_c;
+    real c;
+};
+struct SphereQuadratic {
+    real h;
+    real discriminant;
+};
+struct CylinderRecord {
+    metal::float3 center;
+    metal::float3 axis;
+    metal::float3 top;
+    metal::packed_float3 bottom;
+    real radius;
+    real radius_squared;
+    real half_height;
+    char _pad7[8];
+};
+struct CylinderView {
+    metal::packed_float3 r_c;
+    real c;
+};
+struct CylinderQuadratic {
+    real a;
+    real h;
+    real discriminant;
+};
+struct CylinderRoot {
+    bool some;
+    char _pad1[3];
+    real lambda;
+    uint part;
+};
+struct Camera {
+    metal::float3 position;
+    metal::float3 origin;
+    metal::float3 delta_x;
+    metal::float3 delta_y;
+};
+struct Background {
+    metal::float3 dark;
+    metal::float3 light;
+};
+struct Material {
+    metal::packed_float3 reflectance;
+    real index;
+    real extent;
+    uint kind;
+    char _pad4[8];
+};
+struct PackedVec3_ {
+    real x;
+    real y;
+    real z;
+};
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+struct TracedSample {
+    PackedVec3_ color;
+    uint words;
+    uint unused;
+};
+struct PlacedSphere {
+    PackedVec3_ center;
+    real radius;
+    real radius_squared;
+    uint order;
+    uint material;
+};
+struct PlacedCylinder {
+    PackedVec3_ center;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    real radius;
+    real radius_squared;
+    real half_height;
+    uint order;
+    uint material;
+};
+struct PackedMaterial {
+    PackedVec3_ reflectance;
+    real index;
+    real extent;
+    uint kind;
+    uint unused;
+};
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    real offset_x;
+    real offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
+    uint unused;
+};
+typedef PlacedSphere type_4[1];
+typedef PlacedCylinder type_5[1];
+typedef PackedMaterial type_6[1];
+struct ClosestHit {
+    bool some;
+    char _pad1[3];
+    real lambda;
+    uint order;
+    bool is_cylinder;
+    char _pad4[3];
+    uint index;
+    uint part;
+};
+struct SurfaceHit {
+    bool some;
+    char _pad1[15];
+    Hit hit;
+    uint material;
+    real lambda;
+    uint order;
+    uint part;
+};
+typedef uint type_7[1];
+typedef metal::uint2 type_9[1];
+struct ScatterVector {
+    metal::packed_float3 vector;
+    uint next_word;
+};
+struct PackedSamplePath {
+    PackedRay ray;
+    uint attenuation_count;
+    uint ended;
+    uint next_word;
+    uint unused;
+};
+typedef TracedSample type_10[1];
+typedef PackedSamplePath type_11[1];
+constant real SHORT_SQUARED = 0.0;
+constant real SHORT_SCALE = 1.0;
+constant real BELOW_ONE = 0.99999994;
+constant real LEAST_SQUARED = 0.0;
+constant uint SIDE = 0u;
+constant uint TOP = 1u;
+constant uint BOTTOM = 2u;
+constant uint MATTE = 0u;
+constant uint METAL = 1u;
+constant uint REFRACTIVE = 2u;
+constant uint STATEMENT = 1u;
+constant uint PUBLISHED = 2u;
+constant uint MAX_TRIES = 100u;
+constant bool has_spheres = true;
+constant bool has_cylinders = true;
+constant bool has_matte = true;
+constant bool has_metal = true;
+constant bool has_refraction = true;
+constant uint max_depth = 5u;
+
+real vec3_dot(
+    metal::float3 a,
+    metal::float3 b
+) {
+    return ((a.x * b.x) + (a.y * b.y)) + (a.z * b.z);
+}
+
+real vec3_length(
+    metal::float3 v
+) {
+    real _e1 = vec3_dot(v, v);
+    return metal::sqrt(_e1);
+}
+
+metal::float3 vec3_unit(
+    metal::float3 v_1
+) {
+    real _e1 = vec3_length(v_1);
+    return v_1 / metal::float3(_e1);
+}
+
+metal::float3 vec3_perpendicular_to(
+    metal::float3 v_2,
+    metal::float3 axis
+) {
+    real _e2 = vec3_dot(v_2, axis);
+    return v_2 - (axis * _e2);
+}
+
+bool vec3_is_negligible(
+    metal::float3 v_3
+) {
+    bool local = {};
+    bool local_1 = {};
+    if (metal::abs(v_3.x) < 0.00000001) {
+        local = metal::abs(v_3.y) < 0.00000001;
+    } else {
+        local = false;
+    }
+    bool _e11 = local;
+    if (_e11) {
+        local_1 = metal::abs(v_3.z) < 0.00000001;
+    } else {
+        local_1 = false;
+    }
+    bool _e18 = local_1;
+    return _e18;
+}
+
+metal::float3 ray_at(
+    Ray ray,
+    real lambda
+) {
+    return ray.origin + (ray.direction * lambda);
+}
+
+bool in_range(
+    real lambda_1
+) {
+    return 0.001 <= lambda_1;
+}
+
+Root root_none(
+) {
+    return Root {false, {}, 0.0};
+}
+
+Hit hit_facing(
+    metal::float3 direction,
+    metal::float3 point,
+    metal::float3 outward
+) {
+    real _e3 = vec3_dot(direction, outward);
+    bool front_1 = _e3 < 0.0;
+    if (front_1) {
+        return Hit {point, outward, front_1};
+    }
+    return Hit {point, -(outward), front_1};
+}
+
+SphereView sphere_seen_from(
+    SphereRecord sphere,
+    metal::float3 origin
+) {
+    metal::float3 r_c = sphere.center - origin;
+    real _e4 = vec3_dot(r_c, r_c);
+    return SphereView {r_c, _e4 - sphere.radius_squared};
+}
+
+SphereQuadratic sphere_quadratic(
+    SphereView view,
+    metal::float3 direction_1,
+    real a_1
+) {
+    real _e4 = vec3_dot(direction_1, view.r_c);
+    return SphereQuadratic {_e4, (_e4 * _e4) - (a_1 * view.c)};
+}
+
+Root sphere_first_root(
+    real a_2,
+    real h,
+    real discriminant
+) {
+    float root = metal::sqrt(discriminant);
+    real near = (h - root) / a_2;
+    real far = (h + root) / a_2;
+    bool _e8 = in_range(near);
+    real lambda_6 = _e8 ? near : far;
+    bool _e10 = in_range(lambda_6);
+    return Root {_e10, {}, lambda_6};
+}
+
+metal::float3 sphere_outward(
+    SphereRecord sphere_1,
+    metal::float3 point_1
+) {
+    return (point_1 - sphere_1.center) / metal::float3(sphere_1.radius);
+}
+
+Root sphere_intersect(
+    SphereRecord sphere_2,
+    Ray ray_1
+) {
+    real _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if (_e8.discriminant < 0.0) {
+        Root _e12 = root_none();
+        return _e12;
+    }
+    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return _e15;
+}
+
+bool tie_later_is_closer(
+    real lambda_2,
+    real closest
+) {
+    return lambda_2 <= closest;
+}
+
+bool tie_is_closer(
+    real lambda_3,
+    uint order,
+    real closest_1,
+    uint closest_order
+) {
+    bool local_2 = {};
+    bool local_3 = {};
+    bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_3 = order >= closest_order;
+        } else {
+            local_3 = true;
+        }
+        bool _e13 = local_3;
+        local_2 = _e13;
+    } else {
+        local_2 = false;
+    }
+    bool _e15 = local_2;
+    return _e15;
+}
+
+CylinderView cylinder_seen_from(
+    CylinderRecord cylinder,
+    metal::float3 origin_1
+) {
+    metal::float3 _e5 = vec3_perpendicular_to(origin_1 - cylinder.center, cylinder.axis);
+    real _e6 = vec3_dot(_e5, _e5);
+    return CylinderView {_e5, _e6 - cylinder.radius_squared};
+}
+
+CylinderQuadratic cylinder_quadratic(
+    CylinderRecord cylinder_1,
+    CylinderView view_1,
+    metal::float3 along
+) {
+    metal::float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    real _e5 = vec3_dot(_e4, _e4);
+    real _e7 = vec3_dot(view_1.r_c, _e4);
+    return CylinderQuadratic {_e5, _e7, (_e7 * _e7) - (_e5 * view_1.c)};
+}
+
+bool cylinder_within_height(
+    CylinderRecord cylinder_2,
+    Ray ray_2,
+    real lambda_4
+) {
+    metal::float3 _e3 = ray_at(ray_2, lambda_4);
+    real _e7 = vec3_dot(_e3 - cylinder_2.center, cylinder_2.axis);
+    return metal::abs(_e7) <= cylinder_2.half_height;
+}
+
+Root cylinder_side(
+    CylinderRecord cylinder_3,
+    Ray ray_3,
+    CylinderQuadratic quadratic
+) {
+    bool local_4 = {};
+    bool local_5 = {};
+    bool local_6 = {};
+    float root_1 = metal::sqrt(quadratic.discriminant);
+    real near_1 = (-(quadratic.h) - root_1) / quadratic.a;
+    real far_1 = (-(quadratic.h) + root_1) / quadratic.a;
+    bool _e15 = in_range(near_1);
+    if (_e15) {
+        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_4 = _e18;
+    } else {
+        local_4 = false;
+    }
+    bool near_counts = local_4;
+    bool _e21 = in_range(far_1);
+    if (_e21) {
+        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_5 = _e24;
+    } else {
+        local_5 = false;
+    }
+    bool far_counts = local_5;
+    if (!(near_counts)) {
+        local_6 = far_counts;
+    } else {
+        local_6 = true;
+    }
+    bool _e31 = local_6;
+    return Root {_e31, {}, near_counts ? near_1 : far_1};
+}
+
+Root cylinder_cap(
+    CylinderRecord cylinder_4,
+    Ray ray_4,
+    metal::float3 center
+) {
+    bool local_7 = {};
+    bool local_8 = {};
+    real _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    real _e9 = vec3_dot(center - ray_4.origin, cylinder_4.axis);
+    real lambda_7 = _e9 / _e5;
+    metal::float3 _e11 = ray_at(ray_4, lambda_7);
+    real _e13 = vec3_length(_e11 - center);
+    bool on_disc = _e13 <= cylinder_4.radius;
+    if (!((metal::abs(_e5) < 0.00000001))) {
+        bool _e22 = in_range(lambda_7);
+        local_7 = _e22;
+    } else {
+        local_7 = false;
+    }
+    bool _e24 = local_7;
+    if (_e24) {
+        local_8 = on_disc;
+    } else {
+        local_8 = false;
+    }
+    bool _e28 = local_8;
+    return Root {_e28, {}, lambda_7};
+}
+
+metal::float3 cylinder_outward(
+    CylinderRecord cylinder_5,
+    uint part,
+    metal::float3 point_2
+) {
+    switch(part) {
+        case 0u: {
+            metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot cylinder_with_caps(
+    CylinderRecord cylinder_6,
+    Ray ray_5,
+    Root side
+) {
+    CylinderRoot closest_2 = {};
+    bool local_9 = {};
+    bool local_10 = {};
+    bool local_11 = {};
+    bool local_12 = {};
+    closest_2 = CylinderRoot {side.some, {}, side.lambda, SIDE};
+    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            real _e21 = closest_2.lambda;
+            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_10 = _e22;
+        } else {
+            local_10 = true;
+        }
+        bool _e24 = local_10;
+        local_9 = _e24;
+    } else {
+        local_9 = false;
+    }
+    bool _e26 = local_9;
+    if (_e26) {
+        closest_2 = CylinderRoot {true, {}, _e9.lambda, TOP};
+    }
+    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            real _e44 = closest_2.lambda;
+            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_12 = _e45;
+        } else {
+            local_12 = true;
+        }
+        bool _e47 = local_12;
+        local_11 = _e47;
+    } else {
+        local_11 = false;
+    }
+    bool _e49 = local_11;
+    if (_e49) {
+        closest_2 = CylinderRoot {true, {}, _e32.lambda, BOTTOM};
+    }
+    CylinderRoot _e54 = closest_2;
+    return _e54;
+}
+
+CylinderRoot cylinder_intersect(
+    CylinderRecord cylinder_7,
+    Ray ray_6
+) {
+    Root side_1 = {};
+    CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
+    CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
+    return _e13;
+}
+
+Ray camera_ray(
+    Camera camera,
+    real row,
+    real column,
+    metal::float2 offset
+) {
+    float x = offset.x;
+    float y = offset.y;
+    metal::float3 window_point = (camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y));
+    return Ray {camera.position, window_point - camera.position};
+}
+
+metal::float3 background_color(
+    Background background,
+    metal::float3 direction_2
+) {
+    real _e3 = vec3_length(direction_2);
+    float m = ((direction_2.y / _e3) + 1.0) / 2.0;
+    return (background.light * (1.0 - m)) + (background.dark * m);
+}
+
+metal::float3 scatter_matte(
+    metal::float3 normal,
+    metal::float3 vector
+) {
+    metal::float3 direction_8 = normal + vector;
+    bool _e3 = vec3_is_negligible(direction_8);
+    if (_e3) {
+        return normal;
+    }
+    return direction_8;
+}
+
+metal::float3 scatter_reflect(
+    metal::float3 direction_3,
+    metal::float3 normal_1
+) {
+    real _e2 = vec3_dot(direction_3, normal_1);
+    return direction_3 - (normal_1 * (_e2 * 2.0));
+}
+
+metal::float3 scatter_mirror(
+    metal::float3 direction_4,
+    metal::float3 normal_2
+) {
+    metal::float3 _e2 = scatter_reflect(direction_4, normal_2);
+    metal::float3 _e3 = vec3_unit(_e2);
+    return _e3;
+}
+
+metal::float3 scatter_metal(
+    metal::float3 direction_5,
+    metal::float3 normal_3,
+    metal::float3 vector_1
+) {
+    metal::float3 _e3 = scatter_mirror(direction_5, normal_3);
+    return _e3 + vector_1;
+}
+
+real scatter_index_ratio(
+    real index,
+    bool front
+) {
+    return front ? (1.0 / index) : index;
+}
+
+metal::float3 scatter_refract(
+    metal::float3 direction_6,
+    metal::float3 normal_4,
+    real ratio
+) {
+    metal::float3 _e4 = vec3_unit(direction_6);
+    real _e5 = vec3_dot(_e4, normal_4);
+    real product = -(_e5);
+    real cos = (product < 1.0) ? product : 1.0;
+    float sin = metal::sqrt(1.0 - (cos * cos));
+    metal::float3 _e12 = scatter_reflect(_e4, normal_4);
+    metal::float3 p = (_e4 + (normal_4 * cos)) * ratio;
+    real _e16 = vec3_dot(p, p);
+    metal::float3 refracted = p - (normal_4 * metal::sqrt(metal::abs(1.0 - _e16)));
+    bool beyond = 1.0 < (ratio * sin);
+    return beyond ? _e12 : refracted;
+}
+
+metal::float3 vec3_load(
+    PackedVec3_ v_4
+) {
+    return metal::float3(v_4.x, v_4.y, v_4.z);
+}
+
+PackedVec3_ vec3_store(
+    metal::float3 v_5
+) {
+    return PackedVec3_ {v_5.x, v_5.y, v_5.z};
+}
+
+Ray ray_load(
+    PackedRay ray_7
+) {
+    metal::float3 _e2 = vec3_load(ray_7.origin);
+    metal::float3 _e4 = vec3_load(ray_7.direction);
+    return Ray {_e2, _e4};
+}
+
+PackedRay ray_store(
+    Ray ray_8
+) {
+    PackedVec3_ _e2 = vec3_store(ray_8.origin);
+    PackedVec3_ _e4 = vec3_store(ray_8.direction);
+    return PackedRay {_e2, _e4};
+}
+
+SphereRecord sphere_load(
+    PlacedSphere sphere_3
+) {
+    metal::float3 _e2 = vec3_load(sphere_3.center);
+    return SphereRecord {_e2, sphere_3.radius, sphere_3.radius_squared};
+}
+
+CylinderRecord cylinder_load(
+    PlacedCylinder cylinder_8
+) {
+    metal::float3 _e2 = vec3_load(cylinder_8.center);
+    metal::float3 _e4 = vec3_load(cylinder_8.axis);
+    metal::float3 _e6 = vec3_load(cylinder_8.top);
+    metal::float3 _e8 = vec3_load(cylinder_8.bottom);
+    return CylinderRecord {_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height};
+}
+
+Material material_load(
+    PackedMaterial material
+) {
+    metal::float3 _e2 = vec3_load(material.reflectance);
+    return Material {_e2, material.index, material.extent, material.kind};
+}
+
+Camera picture_camera(
+    device Picture const& picture
+) {
+    PackedVec3_ _e3 = picture.camera.position;
+    metal::float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = picture.camera.origin;
+    metal::float3 _e9 = vec3_load(_e8);
+    PackedVec3_ _e13 = picture.camera.delta_x;
+    metal::float3 _e14 = vec3_load(_e13);
+    PackedVec3_ _e18 = picture.camera.delta_y;
+    metal::float3 _e19 = vec3_load(_e18);
+    return Camera {_e4, _e9, _e14, _e19};
+}
+
+Background picture_background(
+    device Picture const& picture
+) {
+    PackedVec3_ _e3 = picture.background.dark;
+    metal::float3 _e4 = vec3_load(_e3);
+    PackedVec3_ _e8 = picture.background.light;
+    metal::float3 _e9 = vec3_load(_e8);
+    return Background {_e4, _e9};
+}
+
+bool is_closer(
+    ClosestHit closest_3,
+    real lambda_5,
+    uint order_1
+) {
+    bool local_13 = {};
+    if (!(!(closest_3.some))) {
+        bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+        local_13 = _e10;
+    } else {
+        local_13 = true;
+    }
+    bool _e12 = local_13;
+    return _e12;
+}
+
+SurfaceHit closest_hit(
+    Ray ray_9,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    ClosestHit closest_4 = {};
+    uint index_1 = 0u;
+    bool local_14 = {};
+    uint index_2 = 0u;
+    bool local_15 = {};
+    SurfaceHit surface = {};
+    bool local_16 = {};
+    bool local_17 = {};
+    if (has_spheres) {
+        uint2 loop_bound = uint2(4294967295u);
+        bool loop_init = true;
+        while(true) {
+            if (metal::all(loop_bound == uint2(0u))) { break; }
+            loop_bound -= uint2(loop_bound.y == 0u, 1u);
+            if (!loop_init) {
+                uint _e36 = index_1;
+                index_1 = _e36 + 1u;
+            }
+            loop_init = false;
+            uint _e5 = index_1;
+            uint _e8 = picture.sphere_count;
+            if (_e5 < _e8) {
+            } else {
+                break;
+            }
+            {
+                uint _e11 = index_1;
+                PlacedSphere _e13 = spheres[_e11];
+                SphereRecord _e14 = sphere_load(_e13);
+                Root _e15 = sphere_intersect(_e14, ray_9);
+                uint _e17 = index_1;
+                uint order_2 = spheres[_e17].order;
+                if (_e15.some) {
+                    ClosestHit _e24 = closest_4;
+                    bool _e26 = is_closer(_e24, _e15.lambda, order_2);
+                    local_14 = _e26;
+                } else {
+                    local_14 = false;
+                }
+                bool _e28 = local_14;
+                if (_e28) {
+                    uint _e32 = index_1;
+                    closest_4 = ClosestHit {true, {}, _e15.lambda, order_2, false, {}, _e32, SIDE};
+                }
+            }
+        }
+    }
+    if (has_cylinders) {
+        uint2 loop_bound_1 = uint2(4294967295u);
+        bool loop_init_1 = true;
+        while(true) {
+            if (metal::all(loop_bound_1 == uint2(0u))) { break; }
+            loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+            if (!loop_init_1) {
+                uint _e72 = index_2;
+                index_2 = _e72 + 1u;
+            }
+            loop_init_1 = false;
+            uint _e41 = index_2;
+            uint _e44 = picture.cylinder_count;
+            if (_e41 < _e44) {
+            } else {
+                break;
+            }
+            {
+                uint _e47 = index_2;
+                PlacedCylinder _e49 = cylinders[_e47];
+                CylinderRecord _e50 = cylinder_load(_e49);
+                CylinderRoot _e51 = cylinder_intersect(_e50, ray_9);
+                uint _e53 = index_2;
+                uint order_3 = cylinders[_e53].order;
+                if (_e51.some) {
+                    ClosestHit _e60 = closest_4;
+                    bool _e62 = is_closer(_e60, _e51.lambda, order_3);
+                    local_15 = _e62;
+                } else {
+                    local_15 = false;
+                }
+                bool _e64 = local_15;
+                if (_e64) {
+                    uint _e68 = index_2;
+                    closest_4 = ClosestHit {true, {}, _e51.lambda, order_3, true, {}, _e68, _e51.part};
+                }
+            }
+        }
+    }
+    bool _e76 = closest_4.some;
+    if (!(_e76)) {
+        SurfaceHit _e78 = surface;
+        return _e78;
+    }
+    real _e80 = closest_4.lambda;
+    metal::float3 _e81 = ray_at(ray_9, _e80);
+    if (has_spheres) {
+        bool _e86 = closest_4.is_cylinder;
+        local_16 = !(_e86);
+    } else {
+        local_16 = false;
+    }
+    bool _e89 = local_16;
+    if (_e89) {
+        uint _e92 = closest_4.index;
+        PlacedSphere _e94 = spheres[_e92];
+        SphereRecord _e95 = sphere_load(_e94);
+        metal::float3 _e96 = sphere_outward(_e95, _e81);
+        Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
+        uint _e101 = closest_4.index;
+        uint material_3 = spheres[_e101].material;
+        real _e107 = closest_4.lambda;
+        uint _e109 = closest_4.order;
+        uint _e111 = closest_4.part;
+        surface = SurfaceHit {true, {}, _e98, material_3, _e107, _e109, _e111};
+    }
+    if (has_cylinders) {
+        bool _e117 = closest_4.is_cylinder;
+        local_17 = _e117;
+    } else {
+        local_17 = false;
+    }
+    bool _e119 = local_17;
+    if (_e119) {
+        uint _e122 = closest_4.index;
+        PlacedCylinder _e124 = cylinders[_e122];
+        CylinderRecord _e125 = cylinder_load(_e124);
+        uint _e127 = closest_4.part;
+        metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
+        Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
+        uint _e133 = closest_4.index;
+        uint material_4 = cylinders[_e133].material;
+        real _e139 = closest_4.lambda;
+        uint _e141 = closest_4.order;
+        uint _e143 = closest_4.part;
+        surface = SurfaceHit {true, {}, _e130, material_4, _e139, _e141, _e143};
+    }
+    SurfaceHit _e145 = surface;
+    return _e145;
+}
+
+bool bounce_attenuates(
+    Material material_1
+) {
+    bool local_18 = {};
+    bool local_19 = {};
+    bool local_20 = {};
+    if (has_matte) {
+        local_18 = material_1.kind == MATTE;
+    } else {
+        local_18 = false;
+    }
+    bool _e8 = local_18;
+    if (!(_e8)) {
+        if (has_metal) {
+            local_20 = material_1.kind == METAL;
+        } else {
+            local_20 = false;
+        }
+        bool _e19 = local_20;
+        local_19 = _e19;
+    } else {
+        local_19 = true;
+    }
+    bool _e21 = local_19;
+    return _e21;
+}
+
+Ray bounce_ray(
+    Ray ray_10,
+    Hit hit,
+    Material material_2,
+    metal::float3 scatter_vector
+) {
+    metal::float3 direction_7 = {};
+    bool local_21 = {};
+    bool local_22 = {};
+    bool local_23 = {};
+    if (has_matte) {
+        local_21 = material_2.kind == MATTE;
+    } else {
+        local_21 = false;
+    }
+    bool _e12 = local_21;
+    if (_e12) {
+        metal::float3 _e14 = scatter_matte(hit.normal, scatter_vector);
+        direction_7 = _e14;
+    }
+    if (has_metal) {
+        local_22 = material_2.kind == METAL;
+    } else {
+        local_22 = false;
+    }
+    bool _e22 = local_22;
+    if (_e22) {
+        metal::float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        direction_7 = _e25;
+    }
+    if (has_refraction) {
+        local_23 = material_2.kind == REFRACTIVE;
+    } else {
+        local_23 = false;
+    }
+    bool _e33 = local_23;
+    if (_e33) {
+        real _e36 = scatter_index_ratio(material_2.index, hit.front);
+        metal::float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        direction_7 = _e39;
+    }
+    metal::float3 _e41 = direction_7;
+    return Ray {hit.point, _e41};
+}
+
+metal::float3 bounce_attenuated(
+    metal::float3 color,
+    uint first,
+    uint attenuation_count,
+    device type_6 const& materials,
+    device type_7 const& attenuations,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    metal::float3 attenuated = {};
+    uint left = {};
+    attenuated = color;
+    left = attenuation_count;
+    uint2 loop_bound_2 = uint2(4294967295u);
+    bool loop_init_2 = true;
+    while(true) {
+        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
+        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
+        if (!loop_init_2) {
+            uint _e23 = left;
+            left = _e23 - 1u;
+        }
+        loop_init_2 = false;
+        uint _e5 = left;
+        if (_e5 > 0u) {
+        } else {
+            break;
+        }
+        {
+            metal::float3 _e8 = attenuated;
+            uint _e11 = left;
+            uint _e16 = attenuations[(first + _e11) - 1u];
+            PackedVec3_ _e19 = materials[_e16].reflectance;
+            metal::float3 _e20 = vec3_load(_e19);
+            attenuated = _e8 * _e20;
+        }
+    }
+    metal::float3 _e25 = attenuated;
+    return _e25;
+}
+
+real uniform_canonical(
+    metal::uint2 word
+) {
+    float whole = (static_cast<float>(word.y) * 4294967300.0) + static_cast<float>(word.x);
+    float quotient = whole / 18446744000000000000.0;
+    return (quotient < BELOW_ONE) ? quotient : BELOW_ONE;
+}
+
+real uniform_draw(
+    metal::uint2 word_1,
+    real low,
+    real high
+) {
+    real _e3 = uniform_canonical(word_1);
+    return (_e3 * (high - low)) + low;
+}
+
+uint naga_mod(uint lhs, uint rhs) {
+    return lhs % metal::select(rhs, 1u, rhs == 0u);
+}
+
+metal::uint2 scatter_word(
+    uint index_3,
+    device Picture const& picture,
+    device type_9 const& words,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    uint _e4 = picture.sample_count;
+    uint first_1 = 3u * _e4;
+    metal::uint2 _e14 = words[first_1 + naga_mod(index_3 - first_1, (1 + (_buffer_sizes.size5 - 0 - 8) / 8) - first_1)];
+    return _e14;
+}
+
+metal::float3 scatter_vector_in_cube(
+    uint word_2,
+    real half_,
+    device Picture const& picture,
+    device type_9 const& words,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    metal::uint2 _e2 = scatter_word(word_2, picture, words, _buffer_sizes);
+    real _e4 = uniform_draw(_e2, -(half_), half_);
+    metal::uint2 _e7 = scatter_word(word_2 + 1u, picture, words, _buffer_sizes);
+    real _e9 = uniform_draw(_e7, -(half_), half_);
+    metal::uint2 _e12 = scatter_word(word_2 + 2u, picture, words, _buffer_sizes);
+    real _e14 = uniform_draw(_e12, -(half_), half_);
+    return metal::float3(_e4, _e9, _e14);
+}
+
+ScatterVector scatter_vector_published(
+    uint word_3,
+    real extent,
+    device Picture const& picture,
+    device type_9 const& words,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    uint next = {};
+    uint tries = 0u;
+    bool local_24 = {};
+    next = word_3;
+    uint2 loop_bound_3 = uint2(4294967295u);
+    bool loop_init_3 = true;
+    while(true) {
+        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
+        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
+        if (!loop_init_3) {
+            uint _e30 = tries;
+            tries = _e30 + 1u;
+        }
+        loop_init_3 = false;
+        uint _e5 = tries;
+        if (_e5 < MAX_TRIES) {
+        } else {
+            break;
+        }
+        {
+            uint _e8 = next;
+            metal::float3 _e10 = scatter_vector_in_cube(_e8, 1.0, picture, words, _buffer_sizes);
+            real _e11 = vec3_dot(_e10, _e10);
+            uint _e12 = next;
+            next = _e12 + 3u;
+            if (LEAST_SQUARED < _e11) {
+                local_24 = _e11 <= 1.0;
+            } else {
+                local_24 = false;
+            }
+            bool _e22 = local_24;
+            if (_e22) {
+                uint _e27 = next;
+                return ScatterVector {(_e10 / metal::float3(metal::sqrt(_e11))) * extent, _e27};
+            }
+        }
+    }
+    uint _e33 = next;
+    return ScatterVector {metal::float3 {}, _e33};
+}
+
+ScatterVector scatter_vector_next(
+    uint word_4,
+    real extent_1,
+    device Picture const& picture,
+    device type_9 const& words,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    uint _e4 = picture.convention;
+    if (_e4 == STATEMENT) {
+        metal::float3 _e7 = scatter_vector_in_cube(word_4, extent_1, picture, words, _buffer_sizes);
+        return ScatterVector {_e7, word_4 + 3u};
+    }
+    ScatterVector _e11 = scatter_vector_published(word_4, extent_1, picture, words, _buffer_sizes);
+    return _e11;
+}
+
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / metal::select(rhs, 1u, rhs == 0u);
+}
+
+Ray sample_camera_ray(
+    uint slot,
+    device Picture const& picture,
+    device type_9 const& words,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    uint _e3 = picture.first_pixel;
+    uint _e6 = picture.first_sample;
+    uint _e10 = picture.samples_per_pixel;
+    uint pixel = _e3 + naga_div(_e6 + slot, _e10);
+    metal::uint2 _e18 = words[3u * slot];
+    real _e20 = uniform_draw(_e18, -0.5, 0.5);
+    metal::uint2 _e27 = words[(3u * slot) + 1u];
+    real _e29 = uniform_draw(_e27, -0.5, 0.5);
+    uint _e32 = picture.width;
+    float row_1 = static_cast<float>(naga_div(pixel, _e32));
+    uint _e37 = picture.width;
+    float column_1 = static_cast<float>(naga_mod(pixel, _e37));
+    Camera _e40 = picture_camera(picture);
+    Ray _e42 = camera_ray(_e40, row_1, column_1, metal::float2(_e20, _e29));
+    return _e42;
+}
+
+void trace_sample(
+    uint slot_1,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    device type_6 const& materials,
+    device type_7& attenuations,
+    device type_9 const& words,
+    device type_10& traced_samples,
+    device type_11& sample_paths,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    Ray ray_11 = {};
+    uint next_word = {};
+    uint attenuation_count_1 = 0u;
+    uint depth = {};
+    metal::float3 vector_2 = {};
+    uint first_word = words[(3u * slot_1) + 2u].x;
+    uint first_2 = slot_1 * max_depth;
+    next_word = first_word;
+    uint _e17 = picture.first_depth;
+    if (_e17 > 0u) {
+        uint _e23 = sample_paths[slot_1].ended;
+        if (_e23 != 0u) {
+            return;
+        }
+        PackedRay _e29 = sample_paths[slot_1].ray;
+        Ray _e30 = ray_load(_e29);
+        ray_11 = _e30;
+        uint _e34 = sample_paths[slot_1].next_word;
+        next_word = _e34;
+        uint _e38 = sample_paths[slot_1].attenuation_count;
+        attenuation_count_1 = _e38;
+    } else {
+        Ray _e39 = sample_camera_ray(slot_1, picture, words, _buffer_sizes);
+        ray_11 = _e39;
+    }
+    uint _e42 = picture.first_depth;
+    depth = _e42;
+    uint2 loop_bound_4 = uint2(4294967295u);
+    bool loop_init_4 = true;
+    while(true) {
+        if (metal::all(loop_bound_4 == uint2(0u))) { break; }
+        loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
+        if (!loop_init_4) {
+            uint _e98 = depth;
+            depth = _e98 + 1u;
+        }
+        loop_init_4 = false;
+        uint _e44 = depth;
+        uint _e48 = picture.end_depth;
+        if (_e44 < metal::min(max_depth, _e48)) {
+        } else {
+            break;
+        }
+        {
+            Ray _e51 = ray_11;
+            SurfaceHit _e52 = closest_hit(_e51, picture, spheres, cylinders, _buffer_sizes);
+            if (!(_e52.some)) {
+                Background _e55 = picture_background(picture);
+                metal::float3 _e57 = ray_11.direction;
+                metal::float3 _e58 = background_color(_e55, _e57);
+                uint _e59 = attenuation_count_1;
+                metal::float3 _e60 = bounce_attenuated(_e58, first_2, _e59, materials, attenuations, _buffer_sizes);
+                PackedVec3_ _e63 = vec3_store(_e60);
+                uint _e64 = next_word;
+                traced_samples[slot_1] = TracedSample {_e63, _e64 - first_word, 0u};
+                sample_paths[slot_1].ended = 1u;
+                return;
+            }
+            PackedMaterial _e75 = materials[_e52.material];
+            Material _e76 = material_load(_e75);
+            vector_2 = metal::float3 {};
+            bool _e79 = bounce_attenuates(_e76);
+            if (_e79) {
+                uint _e81 = attenuation_count_1;
+                attenuations[first_2 + _e81] = _e52.material;
+                uint _e86 = attenuation_count_1;
+                attenuation_count_1 = _e86 + 1u;
+                uint _e88 = next_word;
+                ScatterVector _e90 = scatter_vector_next(_e88, _e76.extent, picture, words, _buffer_sizes);
+                vector_2 = _e90.vector;
+                next_word = _e90.next_word;
+            }
+            Ray _e93 = ray_11;
+            metal::float3 _e95 = vector_2;
+            Ray _e96 = bounce_ray(_e93, _e52.hit, _e76, _e95);
+            ray_11 = _e96;
+        }
+    }
+    PackedVec3_ _e103 = vec3_store(metal::float3 {});
+    uint _e104 = next_word;
+    traced_samples[slot_1] = TracedSample {_e103, _e104 - first_word, 0u};
+    Ray _e110 = ray_11;
+    PackedRay _e111 = ray_store(_e110);
+    uint _e112 = attenuation_count_1;
+    uint _e114 = next_word;
+    sample_paths[slot_1] = PackedSamplePath {_e111, _e112, 0u, _e114, 0u};
+    return;
+}
+
+struct samplesInput {
+};
+kernel void samples(
+  metal::uint3 id [[thread_position_in_grid]]
+, device Picture const& picture [[buffer(0)]]
+, device type_4 const& spheres [[buffer(1)]]
+, device type_5 const& cylinders [[buffer(2)]]
+, device type_6 const& materials [[buffer(3)]]
+, device type_7& attenuations [[buffer(4)]]
+, device type_9 const& words [[buffer(7)]]
+, device type_10& traced_samples [[buffer(5)]]
+, device type_11& sample_paths [[buffer(6)]]
+, constant _mslBufferSizes& _buffer_sizes [[buffer(8)]]
+) {
+    uint _e4 = picture.sample_count;
+    if (id.x >= _e4) {
+        return;
+    }
+    trace_sample(id.x, picture, spheres, cylinders, materials, attenuations, words, traced_samples, sample_paths, _buffer_sizes);
+    return;
+}
