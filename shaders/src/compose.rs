@@ -6,6 +6,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::lower::{self, Arithmetic};
 use crate::module::{self, MODULES, Module};
 use crate::{Error, Precision, Validated};
 
@@ -69,7 +70,7 @@ impl Library {
             source.push_str(end);
             line += text.lines().count();
         }
-        Ok(Composition { source, precision, root: root.name, parts })
+        Ok(Composition { source, precision, root: root.name, parts, is_lowered: false })
     }
 
     /// Returns the path and the text of `module`, replaced or not.
@@ -101,6 +102,8 @@ pub struct Composition {
     precision: Precision,
     root: &'static str,
     parts: Vec<Part>,
+    /// Whether integers replace all f64.
+    is_lowered: bool,
 }
 
 /// The lines of one file in a composition. They end where the next part begins.
@@ -117,8 +120,31 @@ impl Composition {
     /// input".
     #[must_use]
     pub fn of_text(source: String, precision: Precision) -> Self {
-        let part = Part { path: "standard input".to_owned(), first_line: 1, is_replaced: true };
-        Self { source, precision, root: "standard input", parts: vec![part] }
+        Self::of_file("standard input", source, precision)
+    }
+
+    /// Returns a composition of a single text. Messages show `path` as its file.
+    #[must_use]
+    pub fn of_file(path: &str, source: String, precision: Precision) -> Self {
+        let part = Part { path: path.to_owned(), first_line: 1, is_replaced: true };
+        Self { source, precision, root: "standard input", parts: vec![part], is_lowered: false }
+    }
+
+    /// Returns this composition without f64: its numbers of type f64 are pairs of u32, and `arithmetic` calculates with
+    /// them. The layout of buffers, and the bits in them, stay the same.
+    ///
+    /// # Errors
+    /// The errors of [`crate::lower::lower_text`].
+    pub fn lowered(&self, arithmetic: &Arithmetic) -> Result<Self, Error> {
+        let source = lower::lower(self, arithmetic)?;
+        let part = Part { path: format!("{} (lowered)", self.root), first_line: 1, is_replaced: false };
+        Ok(Self { source, precision: self.precision, root: self.root, parts: vec![part], is_lowered: true })
+    }
+
+    /// Whether a device needs f64 to run this composition.
+    #[must_use]
+    pub fn needs_f64(&self) -> bool {
+        self.precision == Precision::F64 && !self.is_lowered
     }
 
     /// Returns the whole text of the composition.
