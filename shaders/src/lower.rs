@@ -8,6 +8,7 @@
 //! - [`arithmetic`] has the functions in WGSL;
 //! - `types` and `globals` copy what stands outside of functions, and `function` copies the bodies;
 //! - `expression`, `operators`, `math` and `convert` replace the operations on f64;
+//! - `names` keeps the names of overrides and entry points;
 //! - `layout` writes the sizes of structure members, which naga's writer leaves out.
 //!
 //! ```
@@ -30,7 +31,9 @@ mod globals;
 mod layout;
 mod math;
 mod module;
+mod names;
 mod operators;
+mod prune;
 mod refusal;
 mod statement;
 mod types;
@@ -38,7 +41,6 @@ mod types;
 pub use arithmetic::Arithmetic;
 
 use naga::back::wgsl::{WriterFlags, write_string};
-use naga::compact::{KeepUnused, compact};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use crate::{Composition, Diagnostic, Error, Precision, limits, validate};
@@ -67,14 +69,15 @@ fn by_naga(composition: &Composition, arithmetic: &Arithmetic) -> Result<String,
     let info = Validator::new(ValidationFlags::all(), Capabilities::all())
         .validate(&source)
         .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;
-    let mut module = Lowering::new(&source, &info, arithmetic.module()?)
+    let (mut module, functions) = Lowering::new(&source, &info, arithmetic.module()?)
         .run()
         .map_err(|refusal| Error::CannotLower(Box::new(refusal.diagnostic(composition))))?;
     let failed = |message: String| Error::Lowering { message };
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::all() - Capabilities::FLOAT64);
     validator.validate(&module).map_err(|error| failed(error.emit_to_string("")))?;
-    compact(&mut module, KeepUnused::No);
+    prune::prune(&mut module, &functions);
+    names::free(&mut module);
     let info = validator.validate(&module).map_err(|error| failed(error.emit_to_string("")))?;
     let text = write_string(&module, &info, WriterFlags::empty()).map_err(|error| failed(error.to_string()))?;
-    layout::with_sizes(&module, &text).map_err(failed)
+    layout::with_sizes(&module, &text).and_then(|text| names::restore(&module, &text)).map_err(failed)
 }

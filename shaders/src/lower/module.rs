@@ -55,8 +55,8 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// Returns the lowered module. Functions of the arithmetic that it does not use are still there.
-    pub fn run(mut self) -> Lowered<Module> {
+    /// Returns the lowered module, and its functions without those of the arithmetic. All of the arithmetic is there.
+    pub fn run(mut self) -> Lowered<(Module, Vec<Handle<Function>>)> {
         let (source, info) = (self.source, self.info);
         self.module.diagnostic_filters = source.diagnostic_filters.clone();
         self.module.diagnostic_filter_leaf = source.diagnostic_filter_leaf;
@@ -71,7 +71,7 @@ impl<'a> Lowering<'a> {
             let entry = self.lower_entry_point(index, entry)?;
             self.module.entry_points.push(entry);
         }
-        Ok(self.module)
+        Ok((self.module, self.functions))
     }
 
     fn lower_entry_point(&mut self, index: usize, entry: &EntryPoint) -> Lowered<EntryPoint> {
