@@ -1,0 +1,1 @@
+//! Deliberate errors of the arithmetic.
