@@ -4,10 +4,26 @@
 
 mod common;
 
+use std::collections::HashMap;
+
+use cpu::{Scatter, reference};
+use gpu_check::check::{check as check_kernel, compile};
+use gpu_check::difference::difference;
+use gpu_check::kernels::KERNELS;
 use gpu_check::lowered::{check, operations};
+use gpu_check::scenes::{self, Case};
+use gpu_check::{Gpu, Picture, Renderer, features_of};
+use shaders::lower::Arithmetic;
+use shaders::{Features, Library};
 
 /// Number of cases of each operation, unless `LOWERED_CASES` sets another.
 const CASES: usize = 1_000_000;
+/// Number of random cases of each formula.
+const FORMULA_CASES: usize = 1 << 16;
+/// Number of random scenes.
+const RANDOM_SCENES: u64 = 60;
+/// Limit on the number of pixels times objects of one picture; see [`Case::within`].
+const TESTS: usize = 1_500_000;
 
 /// Returns the number of cases of each operation.
 fn cases() -> usize {
@@ -32,4 +48,69 @@ fn every_operation_gives_the_bits_of_rust() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Returns the library whose compositions have integers in the place of f64.
+fn library() -> Library {
+    Library::standard().lowered(Arithmetic::standard())
+}
+
+#[test]
+fn every_formula_gives_the_bits_of_cpu() {
+    let gpu = common::gpu();
+    let mut compared = 0;
+    for kernel in &KERNELS {
+        let pipeline = compile::<f64>(&gpu, &library(), kernel).unwrap_or_else(|error| panic!("{error}"));
+        for cases in [kernel.edge_cases::<f64>(), kernel.random_cases::<f64>(FORMULA_CASES, 42)] {
+            let tally = check_kernel(&gpu, &pipeline, kernel, &cases).unwrap_or_else(|error| panic!("{error}"));
+            println!("{tally}");
+            assert_eq!(tally.differing, 0, "{tally}");
+            compared += tally.numbers;
+        }
+    }
+    println!("{} kernels, {compared} numbers compared", KERNELS.len());
+    assert!(compared > 5_000_000);
+}
+
+/// Returns all scenes of the repository, the edge cases, and random scenes.
+fn pictures() -> Vec<Case> {
+    let files = ["tests/cases", "scenes"].map(|folder| {
+        scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}"))
+    });
+    assert!(files.iter().flatten().count() >= 16, "the repository has scenes");
+    let others = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
+    files.into_iter().flatten().chain(others).map(|case| case.within(TESTS)).collect()
+}
+
+#[test]
+fn every_picture_is_the_references_to_the_bit() {
+    let gpu = common::gpu();
+    // Pipelines of many instructions take long to compile, so scenes with the same features share one.
+    let mut renderers: HashMap<[u64; 6], Renderer<'_, f64>> = HashMap::new();
+    let (mut pixels, mut lit, mut faults) = (0, 0, Vec::new());
+    let cases = pictures();
+    for case in &cases {
+        let features = features_of(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
+        let key = features.constants().map(|(_, value)| value.to_bits());
+        let renderer = renderers.entry(key).or_insert_with(|| renderer(&gpu, &features));
+        let picture = Picture::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));
+        let rendering = renderer.render(&picture).unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        let mut expected = Vec::new();
+        reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, |_, mean| expected.push(mean))
+            .unwrap_or_else(|error| panic!("{}: {error}", case.name));
+        let found = difference(&rendering.pixels, &expected);
+        pixels += found.pixels;
+        lit += expected.iter().filter(|color| **color != cpu::Vec3::ZERO).count();
+        println!("{}: {found}, {:.1?}", case.name, rendering.time);
+        if found.differing > 0 {
+            faults.push(format!("{}: {found}", case.name));
+        }
+    }
+    println!("{} pictures, {} pipelines, {pixels} pixels compared, {lit} not black", cases.len(), renderers.len());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(lit > 40_000, "{lit} pixels with light are too few");
+}
+
+fn renderer<'a>(gpu: &'a Gpu, features: &Features) -> Renderer<'a, f64> {
+    Renderer::new(gpu, &library(), features).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -14,6 +14,8 @@ use crate::{Error, Precision, Validated};
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
+    /// What replaces f64 in compositions; `None` if they have f64.
+    arithmetic: Option<Arithmetic>,
 }
 
 /// The text that replaces a module's own text, and the path that messages show for it.
@@ -28,6 +30,13 @@ impl Library {
     #[must_use]
     pub fn standard() -> Self {
         Self::default()
+    }
+
+    /// Returns this library, changed so that its compositions for f64 are lowered: `arithmetic` calculates in the place
+    /// of f64 ([`Composition::lowered`]).
+    #[must_use]
+    pub fn lowered(self, arithmetic: Arithmetic) -> Self {
+        Self { arithmetic: Some(arithmetic), ..self }
     }
 
     /// Replaces the text of the module `name` by `source`. Error messages show `path` as its file.
@@ -52,7 +61,8 @@ impl Library {
     /// `precision`.
     ///
     /// # Errors
-    /// [`Error::UnknownModule`] if there is no module `root`.
+    /// [`Error::UnknownModule`] if there is no module `root`. For a lowered library the errors of
+    /// [`Composition::lowered`].
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
         let mut needed = BTreeSet::new();
@@ -70,7 +80,11 @@ impl Library {
             source.push_str(end);
             line += text.lines().count();
         }
-        Ok(Composition { source, precision, root: root.name, parts, is_lowered: false })
+        let composition = Composition { source, precision, root: root.name, parts, is_lowered: false };
+        match &self.arithmetic {
+            Some(arithmetic) if composition.needs_f64() => composition.lowered(arithmetic),
+            _ => Ok(composition),
+        }
     }
 
     /// Returns the path and the text of `module`, replaced or not.
