@@ -109,7 +109,9 @@ pub fn check(gpu: &Gpu, operation: &Operation, count: usize, seed: u64) -> Resul
 }
 
 impl Tally {
-    fn new(operation: &Operation) -> Self {
+    /// Returns the comparison of `operation` without any case.
+    #[must_use]
+    pub fn new(operation: &Operation) -> Self {
         let (shown, time) = (Vec::new(), Duration::ZERO);
         Self { operation: operation.wgsl, cases: 0, differing: 0, ordinary: 0, shown, time }
     }
