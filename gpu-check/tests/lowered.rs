@@ -11,8 +11,8 @@ use gpu_check::check::{check as check_kernel, compile};
 use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::lowered::{check, operations};
-use gpu_check::scenes::{self, Case};
 use gpu_check::pipeline::Content;
+use gpu_check::scenes::{self, Case};
 use gpu_check::{Error, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
@@ -75,9 +75,8 @@ fn every_formula_gives_the_bits_of_cpu() {
 
 /// Returns all scenes of the repository, the edge cases, and random scenes.
 fn pictures() -> Vec<Case> {
-    let files = ["tests/cases", "scenes"].map(|folder| {
-        scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}"))
-    });
+    let files = ["tests/cases", "scenes"]
+        .map(|folder| scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}")));
     assert!(files.iter().flatten().count() >= 16, "the repository has scenes");
     let others = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
     files.into_iter().flatten().chain(others).map(|case| case.within(TESTS)).collect()
@@ -127,7 +126,8 @@ fn every_construct_gives_the_bits_of_the_devices_f64() {
     // An item has 320 bytes. Numbers of moderate size stand at every place where one can be.
     let (size, count) = (320, 64 * 64);
     let draws = (0..size / 8 * count).map(|index| gpu_check::lowered::operands::draw(33, index as u64).a);
-    let moderate = |number: f64| if number.is_nan() || number.abs() > 1e6 { number.to_bits() as f64 / 1e16 } else { number };
+    let moderate =
+        |number: f64| if number.is_nan() || number.abs() > 1e6 { number.to_bits() as f64 / 1e16 } else { number };
     let numbers: Vec<_> = draws.map(moderate).collect();
     let items = bytemuck::cast_slice(&numbers);
     let [native, lowered] = [false, true]

@@ -3,9 +3,9 @@
 use std::error::Error as _;
 use std::fmt;
 
-use naga::{SourceLocation, Span, WithSpan};
 use naga::front::wgsl::ParseError;
 use naga::valid::ValidationError;
+use naga::{SourceLocation, Span, WithSpan};
 
 use crate::Composition;
 use crate::limits::Excess;

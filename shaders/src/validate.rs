@@ -49,8 +49,7 @@ impl Validated {
         let module = naga::front::wgsl::parse_str(composition.source())
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
         // f64 is allowed only where it is needed, so that other compositions run on devices without f64.
-        let capabilities =
-            if composition.needs_f64() { Capabilities::FLOAT64 } else { Capabilities::empty() };
+        let capabilities = if composition.needs_f64() { Capabilities::FLOAT64 } else { Capabilities::empty() };
         let info = Validator::new(ValidationFlags::all(), capabilities)
             .validate(&module)
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;

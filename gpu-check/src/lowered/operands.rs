@@ -133,7 +133,11 @@ fn numbers(draws: &mut Draws, kind: u64) -> [f64; 3] {
         }),
         4 => {
             let (first, second) = (draws.below(1000) + 20, draws.below(80));
-            [draws.with_exponent(first), draws.with_exponent(1000 + second - first.min(980)), draws.with_exponent(second)]
+            [
+                draws.with_exponent(first),
+                draws.with_exponent(1000 + second - first.min(980)),
+                draws.with_exponent(second),
+            ]
         }
         // Specials with each other and with random numbers.
         5 => [draws.special(), draws.special(), draws.special()],

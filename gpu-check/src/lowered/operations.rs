@@ -70,10 +70,7 @@ pub const BASIC: [Operation; 28] = [
         "u32(a < b) + 2u * u32(a <= b) + 4u * u32(a > b) + 8u * u32(a >= b) + 16u * u32(a == b) + 32u * u32(a != b)",
         comparisons,
     ),
-    Operation {
-        is_single: true,
-        ..Operation::word("bitcast<u32>(f32(a))", |c| u64::from((c.a as f32).to_bits()))
-    },
+    Operation { is_single: true, ..Operation::word("bitcast<u32>(f32(a))", |c| u64::from((c.a as f32).to_bits())) },
     Operation::word("bitcast<u32>(i32(a))", |c| u64::from(c.a as i32 as u32)),
     Operation::word("u32(a)", |c| u64::from(c.a as u32)),
     Operation::word("u32(bool(a))", |c| u64::from(c.a != 0.0)),
@@ -87,9 +84,7 @@ pub const BASIC: [Operation; 28] = [
 pub const COMPOSITE: [Operation; 14] = [
     Operation::number("saturate(a)", |c| smaller(-smaller(-c.a, -0.0), 1.0).to_bits()),
     Operation::number("inverseSqrt(a)", |c| (1.0 / c.a.sqrt()).to_bits()),
-    Operation::number("dot(vec3<f64>(a, b, c), vec3<f64>(b, c, a))", |c| {
-        (c.a * c.b + c.b * c.c + c.c * c.a).to_bits()
-    }),
+    Operation::number("dot(vec3<f64>(a, b, c), vec3<f64>(b, c, a))", |c| (c.a * c.b + c.b * c.c + c.c * c.a).to_bits()),
     Operation::number("length(vec2<f64>(a, b))", |c| (c.a * c.a + c.b * c.b).sqrt().to_bits()),
     Operation::number("distance(a, b)", |c| (c.a - c.b).abs().to_bits()),
     Operation::number("normalize(vec3<f64>(a, b, c)).y", |c| {

@@ -29,12 +29,14 @@ fn run(path: &std::ffi::OsStr) -> Result<(), String> {
     let shown = path.to_string_lossy();
     let mut source = String::new();
     let file = std::fs::File::open(path).map_err(|error| format!("{shown}: {error}"))?;
-    let length =
-        file.take(MAX_LENGTH + 1).read_to_string(&mut source).map_err(|error| format!("{shown}: {error}"))?;
+    let length = file.take(MAX_LENGTH + 1).read_to_string(&mut source).map_err(|error| format!("{shown}: {error}"))?;
     if length as u64 > MAX_LENGTH {
         return Err(format!("{shown}: more than {MAX_LENGTH} bytes are no module that could be lowered"));
     }
     let lowered = lower_text(&shown, &source, &Arithmetic::standard()).map_err(|error| error.to_string())?;
     let mut output = std::io::stdout().lock();
-    output.write_all(lowered.as_bytes()).and_then(|()| output.flush()).map_err(|error| format!("standard output: {error}"))
+    output
+        .write_all(lowered.as_bytes())
+        .and_then(|()| output.flush())
+        .map_err(|error| format!("standard output: {error}"))
 }

@@ -13,9 +13,7 @@ pub fn copy(this: &mut FunctionLowering<'_, '_>, handle: Handle<Expression>) -> 
         Expression::Constant(constant) => Expression::Constant(this.lowering.constants[&constant]),
         Expression::ZeroValue(ty) => Expression::ZeroValue(this.lowering.types.of(ty)),
         Expression::FunctionArgument(index) => Expression::FunctionArgument(index),
-        Expression::GlobalVariable(variable) => {
-            Expression::GlobalVariable(this.lowering.globals[variable.index()])
-        }
+        Expression::GlobalVariable(variable) => Expression::GlobalVariable(this.lowering.globals[variable.index()]),
         Expression::LocalVariable(variable) => Expression::LocalVariable(this.locals[variable.index()]),
         Expression::CallResult(function) => Expression::CallResult(this.lowering.functions[function.index()]),
         Expression::AtomicResult { ty, comparison } => {
@@ -44,9 +42,7 @@ pub fn copy(this: &mut FunctionLowering<'_, '_>, handle: Handle<Expression>) -> 
             accept: this.plain(accept)?,
             reject: this.plain(reject)?,
         },
-        Expression::Derivative { axis, ctrl, expr } => {
-            Expression::Derivative { axis, ctrl, expr: this.plain(expr)? }
-        }
+        Expression::Derivative { axis, ctrl, expr } => Expression::Derivative { axis, ctrl, expr: this.plain(expr)? },
         Expression::Relational { fun, argument } => {
             if this.shape(argument).is_some() {
                 return Err(Refusal::new(this.span, format!("`{fun:?}` of f64")));

@@ -5,7 +5,7 @@ use naga::{Expression, Handle, ScalarKind, Span, Type, TypeInner, VectorSize};
 use super::copy::copy;
 use super::function::{FunctionLowering, Value};
 use super::refusal::Lowered;
-use super::types::{Shape, pads_elements, padded_type, shape, shape_type};
+use super::types::{Shape, padded_type, pads_elements, shape, shape_type};
 
 impl FunctionLowering<'_, '_> {
     /// Appends what stands for an expression of the source, and the calls that it needs.
@@ -179,10 +179,8 @@ impl FunctionLowering<'_, '_> {
         accept: Handle<Expression>,
         reject: Handle<Expression>,
     ) -> Lowered<Handle<Expression>> {
-        let is_vector = matches!(
-            self.info[condition].ty.inner_with(&self.lowering.source.types),
-            TypeInner::Vector { .. }
-        );
+        let is_vector =
+            matches!(self.info[condition].ty.inner_with(&self.lowering.source.types), TypeInner::Vector { .. });
         let condition = self.plain(condition)?;
         let (accept, reject) = (self.components(accept)?, self.components(reject)?);
         let mut components = Vec::new();

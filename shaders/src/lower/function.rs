@@ -4,7 +4,7 @@ use naga::valid::FunctionInfo;
 use naga::{Block, Expression, Function, FunctionArgument, FunctionResult, Handle, Literal, LocalVariable, Span};
 
 use super::copy::copy;
-use super::module::{Lowering, LoweredOverride};
+use super::module::{LoweredOverride, Lowering};
 use super::refusal::{Lowered, Refusal};
 use super::types::{Shape, pointee, shape, shape_type};
 

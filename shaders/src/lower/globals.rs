@@ -1,8 +1,11 @@
 //! Constants, overrides and variables that stand outside of functions.
 
-use naga::{AddressSpace, Constant, Expression, GlobalVariable, Handle, Literal, Module, Override, Span, Type, TypeInner, VectorSize};
+use naga::{
+    AddressSpace, Constant, Expression, GlobalVariable, Handle, Literal, Module, Override, Span, Type, TypeInner,
+    VectorSize,
+};
 
-use super::module::{Lowering, LoweredOverride, split};
+use super::module::{LoweredOverride, Lowering, split};
 use super::refusal::{Lowered, Refusal};
 use super::types::{Shape, shape, shape_type};
 
@@ -132,7 +135,8 @@ impl Lowering<'_> {
     fn padded_elements(&mut self, ty: Handle<Type>, elements: &[Handle<Expression>]) -> Handle<Expression> {
         let padded = super::types::padded_type(&mut self.module.types);
         let pad = |&element: &Handle<Expression>| Expression::Compose { ty: padded, components: vec![element] };
-        let components = elements.iter().map(|element| self.module.global_expressions.append(pad(element), Span::UNDEFINED));
+        let components =
+            elements.iter().map(|element| self.module.global_expressions.append(pad(element), Span::UNDEFINED));
         let components = components.collect();
         self.global(Expression::Compose { ty: self.types.of(ty), components })
     }

@@ -136,8 +136,7 @@ impl FunctionLowering<'_, '_> {
     fn cross(&mut self, a: &[Handle<Expression>], b: &[Handle<Expression>]) -> Lowered<Handle<Expression>> {
         let mut components = Vec::new();
         for (i, j) in [(1, 2), (2, 0), (0, 1)] {
-            let products =
-                [self.call("f64_multiply", &[a[i], b[j]])?, self.call("f64_multiply", &[a[j], b[i]])?];
+            let products = [self.call("f64_multiply", &[a[i], b[j]])?, self.call("f64_multiply", &[a[j], b[i]])?];
             components.push(self.call("f64_subtract", &products)?);
         }
         Ok(self.vector(&components))

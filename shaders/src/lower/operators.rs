@@ -56,11 +56,7 @@ impl FunctionLowering<'_, '_> {
 
     /// Calls the function `name` of the arithmetic for each component of the operands. An operand that is a number
     /// counts for every component.
-    pub fn each_component(
-        &mut self,
-        name: &str,
-        operands: &[Handle<Expression>],
-    ) -> Lowered<Vec<Handle<Expression>>> {
+    pub fn each_component(&mut self, name: &str, operands: &[Handle<Expression>]) -> Lowered<Vec<Handle<Expression>>> {
         let operands = operands.iter().map(|operand| self.components(*operand)).collect::<Lowered<Vec<_>>>()?;
         let count = operands.iter().map(Vec::len).max().unwrap_or(0);
         let call = |index: usize| {

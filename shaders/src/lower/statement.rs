@@ -1,8 +1,6 @@
 //! Lowers the statements of a function.
 
-use naga::{
-    AtomicFunction, Block, Expression, Handle, Span, Statement, SubgroupOperation, SwitchCase, SwitchValue,
-};
+use naga::{AtomicFunction, Block, Expression, Handle, Span, Statement, SubgroupOperation, SwitchCase, SwitchValue};
 
 use super::function::{FunctionLowering, Value};
 use super::refusal::{Lowered, Refusal};

@@ -5,8 +5,8 @@
 //! holds it in one more structure, whose size is 32.
 
 use naga::{
-    ArraySize, Binding, Handle, Module, PredeclaredType, Scalar, Span, StructMember, Type, TypeInner,
-    UniqueArena, VectorSize,
+    ArraySize, Binding, Handle, Module, PredeclaredType, Scalar, Span, StructMember, Type, TypeInner, UniqueArena,
+    VectorSize,
 };
 
 use super::refusal::{Lowered, Refusal};
