@@ -7,6 +7,7 @@
 //!
 //! - [`adapter`] and [`gpu`] open a device;
 //! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
+//! - [`lowered`] compares operations on f64 that integers calculate;
 //! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
 //! - [`running`] computes a bound on the error of f32, and [`flushed`] is f32 arithmetic without subnormal numbers;
 //! - [`picture`], [`renderer`] and [`twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
@@ -42,6 +43,7 @@ pub mod gpu;
 mod head;
 pub mod kernel;
 pub mod kernels;
+pub mod lowered;
 pub mod methods;
 pub mod mutants;
 pub mod packed;

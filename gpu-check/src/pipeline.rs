@@ -79,7 +79,7 @@ impl Pipeline {
     /// # Errors
     /// The errors of [`Self::new`], and [`Error::Refused`] if the shader does not declare one of the names.
     pub fn with_constants(gpu: &Gpu, composition: &Composition, constants: &[(&str, f64)]) -> Result<Self, Error> {
-        if composition.precision() == Precision::F64 && !gpu.has_f64() {
+        if composition.needs_f64() && !gpu.has_f64() {
             return Err(Error::NoF64 { adapter: gpu.name().to_owned() });
         }
         let shader = composition.validate()?;

@@ -86,7 +86,7 @@ impl<'a, T: Float> Renderer<'a, T> {
         Self { step: Some(surfaces), ..self }
     }
 
-    /// Renders `picture` with the maximum depth of the features of this renderer.
+    /// Renders `picture` with its maximum depth, or with that of the features of this renderer if it is less.
     ///
     /// # Errors
     /// The errors of [`Pipeline::run`], and [`Error::TooManyIterations`].
@@ -136,7 +136,8 @@ impl<'a, T: Float> Renderer<'a, T> {
 
     /// Returns ranges of depths that together cover 0 to the maximum depth. Each range is small enough for one run.
     fn depths(&self, picture: &Picture<T>) -> Result<Vec<Range<u32>>, Error> {
-        let depth = self.features.max_depth;
+        // A pipeline for deeper paths renders a picture of less depth too.
+        let depth = self.features.max_depth.min(picture.max_depth);
         if let Some(step) = self.step {
             return Ok(steps(depth, step));
         }

@@ -5,6 +5,7 @@
 //! [`request`] reads requests and limits their size and time.
 
 pub mod data;
+pub mod lowered;
 pub mod request;
 
 use std::collections::BTreeMap;
@@ -21,7 +22,7 @@ use request::{Refusal, Request};
 const ICON: &str = include_str!("../web/icon.svg");
 
 /// The page's files: the path of the request, the content type and the text.
-const FILES: [(&str, &str, &str); 9] = [
+const FILES: [(&str, &str, &str); 11] = [
     ("/", "text/html", include_str!("../web/index.html")),
     ("/?drive", "text/html", include_str!("../web/index.html")),
     ("/icon.svg", "image/svg+xml", ICON),
@@ -32,6 +33,8 @@ const FILES: [(&str, &str, &str); 9] = [
     ("/lab.js", "text/javascript", include_str!("../web/lab.js")),
     ("/gpu.js", "text/javascript", include_str!("../web/gpu.js")),
     ("/drive.js", "text/javascript", include_str!("../web/drive.js")),
+    ("/lowered", "text/html", include_str!("../web/lowered.html")),
+    ("/lowered.js", "text/javascript", include_str!("../web/lowered.js")),
 ];
 
 /// Largest number of connections at a time. A browser opens up to six connections to one server.

@@ -5,14 +5,18 @@
 //! `tests/run --browser` installs Chromium. Without Chromium the test is shown as ignored. If the variable `SCREENSHOT`
 //! has the path of a file, relative to the project's folder, the test writes a picture of the page there.
 
+#[path = "common/browser.rs"]
+mod browser;
+
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 use std::net::{SocketAddr, TcpListener};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitCode, Stdio};
+use std::path::Path;
+use std::process::ExitCode;
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
+use browser::{chromium, open};
 use cpu::{Config, Scene};
 use gpu_check::kernels::KERNELS;
 use gpu_check::scenes::repository;
@@ -38,38 +42,6 @@ fn main() -> ExitCode {
     let name = "tint_agrees_and_the_page_renders_edits_and_reports";
     let trial = Trial::test(name, move || drive(&chromium.ok_or("there is no Chromium")?));
     libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
-}
-
-/// Returns the path of the browser: the file that the variable `CHROMIUM` names, or the first file with a usual name in
-/// the folders of `PATH`. Returns `None` if there is no browser.
-fn chromium() -> Option<PathBuf> {
-    if let Some(path) = std::env::var_os("CHROMIUM") {
-        return Some(path.into());
-    }
-    let folders: Vec<_> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
-    let names = ["chromium", "chromium-browser", "google-chrome"];
-    names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name))).find(|path| path.is_file())
-}
-
-/// A running browser. It is killed when this value is dropped.
-struct Browser(Child);
-
-impl Drop for Browser {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-fn open(chromium: &Path, profile: &Path, more: &[String], url: &str) -> std::io::Result<Browser> {
-    let mut command = Command::new(chromium);
-    command.args(more);
-    command.args(["--headless", "--enable-unsafe-webgpu", "--no-sandbox", "--disable-quic", "--no-first-run"]);
-    command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
-    command.arg(format!("--user-data-dir={}", profile.display()));
-    // The browser's messages must not appear between those of the test.
-    let child = command.arg(url).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn()?;
-    Ok(Browser(child))
 }
 
 /// Starts the browser, and returns all results that the page posts until it is finished, by name.
@@ -124,7 +96,7 @@ fn photograph(chromium: &Path, address: SocketAddr, posted: &Receiver<Posted>, p
             break;
         }
     }
-    browser.0.wait()?;
+    browser.wait()?;
     std::fs::copy(file, repository(picture))?;
     Ok(())
 }

@@ -6,6 +6,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::lower::{self, Arithmetic};
 use crate::module::{self, MODULES, Module};
 use crate::{Error, Precision, Validated};
 
@@ -13,6 +14,8 @@ use crate::{Error, Precision, Validated};
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
+    /// What replaces f64 in compositions; `None` if they have f64.
+    arithmetic: Option<Arithmetic>,
 }
 
 /// The text that replaces a module's own text, and the path that messages show for it.
@@ -27,6 +30,13 @@ impl Library {
     #[must_use]
     pub fn standard() -> Self {
         Self::default()
+    }
+
+    /// Returns this library, changed so that its compositions for f64 are lowered: `arithmetic` calculates in the place
+    /// of f64 ([`Composition::lowered`]).
+    #[must_use]
+    pub fn lowered(self, arithmetic: Arithmetic) -> Self {
+        Self { arithmetic: Some(arithmetic), ..self }
     }
 
     /// Replaces the text of the module `name` by `source`. Error messages show `path` as its file.
@@ -51,7 +61,8 @@ impl Library {
     /// `precision`.
     ///
     /// # Errors
-    /// [`Error::UnknownModule`] if there is no module `root`.
+    /// [`Error::UnknownModule`] if there is no module `root`. For a lowered library the errors of
+    /// [`Composition::lowered`].
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
         let mut needed = BTreeSet::new();
@@ -69,7 +80,11 @@ impl Library {
             source.push_str(end);
             line += text.lines().count();
         }
-        Ok(Composition { source, precision, root: root.name, parts })
+        let composition = Composition { source, precision, root: root.name, parts, is_lowered: false };
+        match &self.arithmetic {
+            Some(arithmetic) if composition.needs_f64() => composition.lowered(arithmetic),
+            _ => Ok(composition),
+        }
     }
 
     /// Returns the path and the text of `module`, replaced or not.
@@ -101,6 +116,8 @@ pub struct Composition {
     precision: Precision,
     root: &'static str,
     parts: Vec<Part>,
+    /// Whether integers replace all f64.
+    is_lowered: bool,
 }
 
 /// The lines of one file in a composition. They end where the next file's lines begin.
@@ -117,8 +134,31 @@ impl Composition {
     /// input".
     #[must_use]
     pub fn of_text(source: String, precision: Precision) -> Self {
-        let part = Part { path: "standard input".to_owned(), first_line: 1, is_replaced: true };
-        Self { source, precision, root: "standard input", parts: vec![part] }
+        Self::of_file("standard input", source, precision)
+    }
+
+    /// Returns a composition of a single text. Messages show `path` as its file.
+    #[must_use]
+    pub fn of_file(path: &str, source: String, precision: Precision) -> Self {
+        let part = Part { path: path.to_owned(), first_line: 1, is_replaced: true };
+        Self { source, precision, root: "standard input", parts: vec![part], is_lowered: false }
+    }
+
+    /// Returns this composition without f64: its numbers of type f64 are pairs of u32, and `arithmetic` calculates with
+    /// them. The layout of buffers, and the bits in them, stay the same.
+    ///
+    /// # Errors
+    /// The errors of [`crate::lower::lower_text`].
+    pub fn lowered(&self, arithmetic: &Arithmetic) -> Result<Self, Error> {
+        let source = lower::lower(self, arithmetic)?;
+        let part = Part { path: format!("{} (lowered)", self.root), first_line: 1, is_replaced: false };
+        Ok(Self { source, precision: self.precision, root: self.root, parts: vec![part], is_lowered: true })
+    }
+
+    /// Whether a device needs f64 to run this composition.
+    #[must_use]
+    pub fn needs_f64(&self) -> bool {
+        self.precision == Precision::F64 && !self.is_lowered
     }
 
     /// Returns the whole text of the composition.

@@ -3,10 +3,9 @@
 use std::error::Error as _;
 use std::fmt;
 
-use naga::SourceLocation;
-use naga::WithSpan;
 use naga::front::wgsl::ParseError;
 use naga::valid::ValidationError;
+use naga::{SourceLocation, Span, WithSpan};
 
 use crate::Composition;
 use crate::limits::Excess;
@@ -57,6 +56,12 @@ impl Diagnostic {
             [line, excess.offset - start + 1, excess.offset].map(|number| u32::try_from(number).unwrap_or(u32::MAX));
         let location = SourceLocation { line_number, line_position, offset, length: 1 };
         Self { message: excess.message.clone(), place: Place::new(Some(location), composition) }
+    }
+
+    /// Returns the message with the place of `span`. Without a place it is a message about the whole text.
+    pub(crate) fn of_span(message: String, span: Span, composition: &Composition) -> Self {
+        let location = span.is_defined().then(|| span.location(composition.source()));
+        Self { message, place: Place::new(location, composition).or_else(|| Place::first(composition)) }
     }
 
     pub(crate) fn of_validation(error: &WithSpan<ValidationError>, composition: &Composition) -> Self {

@@ -14,6 +14,15 @@ pub enum Error {
     /// naga finds an error in the text, or the text exceeds the limits.
     #[error("{0}")]
     Invalid(Box<Diagnostic>),
+    /// The text is valid, but a part of it has no form in integers.
+    #[error("{0}")]
+    CannotLower(Box<Diagnostic>),
+    /// naga refuses or cannot write the module that was lowered.
+    #[error("cannot write the lowered module: {message}")]
+    Lowering {
+        /// The error message of naga.
+        message: String,
+    },
     /// The system cannot start the thread on which naga runs.
     #[error(
         "no thread with a stack of {bytes} bytes can be started: {cause}; raise the limits on memory and processes"

@@ -9,6 +9,7 @@
 //! - [`compose`] joins a module and the modules that it needs into one text, and can replace any of them;
 //! - [`validate`] checks that text with naga, and reports errors with their places in the module's own file;
 //! - [`limits`] limits the size and the nesting of the texts that naga reads;
+//! - [`lower`] replaces f64 by integers, for devices and languages without f64;
 //! - [`features`] has the scene's needs as pipeline-overridable constants;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!
@@ -26,6 +27,7 @@ pub mod diagnostic;
 pub mod error;
 pub mod features;
 pub mod limits;
+pub mod lower;
 pub mod module;
 pub mod precision;
 pub mod translate;

@@ -84,7 +84,7 @@ impl fmt::Display for Target {
 /// does not have exactly one entry point.
 pub fn translate(shader: &Validated, target: Target, features: &Features) -> Result<Translation, Error> {
     let precision = shader.precision;
-    if let Some(reason) = target.obstacle(precision) {
+    if let Some(reason) = target.obstacle(precision).filter(|_| shader.needs_f64) {
         return Err(Error::Unsupported { target, precision, reason });
     }
     let failed = |message: String| Error::Write { target, message };

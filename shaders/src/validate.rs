@@ -34,6 +34,8 @@ pub struct Validated {
     pub info: ModuleInfo,
     /// The precision of `real`.
     pub precision: Precision,
+    /// Whether a device needs f64 to run the shader.
+    pub needs_f64: bool,
 }
 
 impl Validated {
@@ -46,15 +48,13 @@ impl Validated {
     fn by_naga(composition: &Composition) -> Result<Self, Error> {
         let module = naga::front::wgsl::parse_str(composition.source())
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_parsing(&error, composition))))?;
-        // f64 is allowed only in an f64 composition, so that an f32 composition runs on devices without f64.
-        let capabilities = match composition.precision() {
-            Precision::F32 => Capabilities::empty(),
-            Precision::F64 => Capabilities::FLOAT64,
-        };
+        // f64 is allowed only where it is needed, so that other compositions run on devices without f64.
+        let capabilities = if composition.needs_f64() { Capabilities::FLOAT64 } else { Capabilities::empty() };
         let info = Validator::new(ValidationFlags::all(), capabilities)
             .validate(&module)
             .map_err(|error| Error::Invalid(Box::new(Diagnostic::of_validation(&error, composition))))?;
-        Ok(Self { module, info, precision: composition.precision() })
+        let (precision, needs_f64) = (composition.precision(), composition.needs_f64());
+        Ok(Self { module, info, precision, needs_f64 })
     }
 
     /// Returns every buffer that the shader binds in group 0.
@@ -83,7 +83,7 @@ impl Validated {
 
 /// Runs `work` on a thread with a stack of [`limits::STACK_BYTES`], because the caller's stack may be too small for
 /// naga. Returns the result of `work`, or an error if the thread cannot be started.
-fn on_a_large_stack<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, Error> {
+pub(crate) fn on_a_large_stack<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R, Error> {
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().name("naga".to_owned()).stack_size(limits::STACK_BYTES);
         match thread.spawn_scoped(scope, work) {

@@ -1,0 +1,97 @@
+//! Runs f64 by integers in headless Chromium, where WebGPU has no f64, and compares the results with Rust's f64.
+//!
+//! The variable `LOWERED_CASES` sets the number of cases of each operation. `tests/run --browser` installs Chromium.
+//! Without Chromium the test is shown as ignored.
+
+#[path = "common/browser.rs"]
+mod browser;
+
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::mpsc;
+use std::time::Duration;
+
+use browser::{chromium, open};
+use cpu::{Scatter, Vec3, reference};
+use gpu_check::difference::difference;
+use gpu_check::lowered::{Tally, operands::draw, operations};
+use gpu_check::scenes::{self, Case};
+use gpu_check::web::{Posted, Server, lowered::Jobs};
+use libtest_mimic::{Arguments, Failed, Trial};
+use test_support::folder::Folder;
+
+/// Number of cases of each operation, unless `LOWERED_CASES` sets another.
+const CASES: u64 = 1_000_000;
+/// Limit on the number of pixels times objects of one picture; see [`Case::within`].
+const TESTS: usize = 200_000;
+/// Time limit for the next result of the page.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+fn main() -> ExitCode {
+    let chromium = chromium();
+    let required = std::env::var_os("BROWSER_REQUIRED").is_some();
+    let ignored = chromium.is_none() && !required;
+    let name = "integers_give_the_bits_of_rusts_f64_in_a_browser";
+    let trial = Trial::test(name, move || run(&chromium.ok_or("there is no Chromium")?));
+    libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
+}
+
+/// Returns the scenes that the browser renders, made small.
+fn pictures() -> Result<Vec<Case>, Failed> {
+    let mut cases = scenes::in_folder(&scenes::repository("tests/cases"))?;
+    cases.extend(scenes::edges());
+    cases.extend((0..6).map(scenes::random));
+    Ok(cases.into_iter().map(|case| case.within(TESTS)).collect())
+}
+
+fn run(chromium: &Path) -> Result<(), Failed> {
+    let count = std::env::var("LOWERED_CASES").map_or(Ok(CASES), |text| text.parse())?;
+    let cases: Vec<_> = (0..count).map(|index| draw(32, index)).collect();
+    let operations: Vec<_> = operations::all().collect();
+    let pictures = pictures()?;
+    let mut jobs = Jobs::of_operations(operations.iter().copied(), &cases)?;
+    jobs.add_pictures(&pictures)?;
+    let server = Server::new(0, jobs.into_data())?;
+    let profile = Folder::new();
+    let _browser = open(chromium, profile.path(), &[], &format!("http://{}/lowered", server.address()?))?;
+    let (sender, receiver) = mpsc::channel();
+    std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
+    let (mut compared, mut pixels, mut faults) = (0, 0, Vec::new());
+    loop {
+        let Posted { name, body } = receiver.recv_timeout(PATIENCE)?;
+        let (kind, rest) = name.split_once('/').unwrap_or((&name, ""));
+        match (kind, rest.parse::<usize>()) {
+            ("failed", _) => return Err(String::from_utf8_lossy(&body).into_owned().into()),
+            ("done", _) => break,
+            ("operation", Ok(index)) => {
+                let operation = operations[index];
+                let mut tally = Tally::new(operation);
+                assert_eq!(body.len(), cases.len() * operation.outcome.size(), "{}", operation.wgsl);
+                for (case, actual) in cases.iter().zip(body.chunks(operation.outcome.size())) {
+                    tally.add(operation, case, actual);
+                }
+                println!("{tally}");
+                compared += tally.cases;
+                faults.extend((tally.differing > 0).then(|| tally.to_string()));
+            }
+            ("picture", Ok(index)) => {
+                let case = &pictures[index];
+                let numbers = bytemuck::pod_collect_to_vec::<u8, f64>(&body);
+                let actual: Vec<_> = numbers.chunks(3).map(|rgb| Vec3::new(rgb[0], rgb[1], rgb[2])).collect();
+                let mut expected = Vec::new();
+                let take = |_, mean| expected.push(mean);
+                reference::render_linear(&case.config, &case.scene, Scatter::Deterministic, take)?;
+                let found = difference(&actual, &expected);
+                println!("{}: {found}", case.name);
+                pixels += found.pixels;
+                faults.extend((found.differing > 0).then(|| format!("{}: {found}", case.name)));
+            }
+            _ => println!("{name}: {}", String::from_utf8_lossy(&body)),
+        }
+    }
+    println!("{compared} results and {pixels} pixels of the browser compared with Rust's f64");
+    if compared < operations.len() * 1000 || pixels < 10_000 {
+        return Err("too little was compared".into());
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
+}

@@ -1,0 +1,42 @@
+//! Rewrites a WGSL module into one without f64, which computes the same bits with integers.
+//!
+//!     lower-f64 IN.wgsl > OUT.wgsl
+
+use std::io::{Read, Write};
+use std::process::ExitCode;
+
+use shaders::lower::{Arithmetic, lower_text};
+
+/// Largest length of a text in bytes. A module within the limits of [`shaders::limits`] is much shorter.
+const MAX_LENGTH: u64 = 16 << 20;
+
+fn main() -> ExitCode {
+    let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+    let [path] = &arguments[..] else {
+        eprintln!("lower-f64: give the path of one WGSL file; the module without f64 is written to standard output");
+        return ExitCode::from(2);
+    };
+    match run(path) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("lower-f64: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(path: &std::ffi::OsStr) -> Result<(), String> {
+    let shown = path.to_string_lossy();
+    let mut source = String::new();
+    let file = std::fs::File::open(path).map_err(|error| format!("{shown}: {error}"))?;
+    let length = file.take(MAX_LENGTH + 1).read_to_string(&mut source).map_err(|error| format!("{shown}: {error}"))?;
+    if length as u64 > MAX_LENGTH {
+        return Err(format!("{shown}: more than {MAX_LENGTH} bytes are no module that could be lowered"));
+    }
+    let lowered = lower_text(&shown, &source, &Arithmetic::standard()).map_err(|error| error.to_string())?;
+    let mut output = std::io::stdout().lock();
+    output
+        .write_all(lowered.as_bytes())
+        .and_then(|()| output.flush())
+        .map_err(|error| format!("standard output: {error}"))
+}

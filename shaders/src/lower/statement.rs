@@ -1,0 +1,154 @@
+//! Lowers the statements of a function.
+
+use naga::{AtomicFunction, Block, Expression, Handle, Span, Statement, SubgroupOperation, SwitchCase, SwitchValue};
+
+use super::function::{FunctionLowering, Value};
+use super::refusal::{Lowered, Refusal};
+
+impl FunctionLowering<'_, '_> {
+    /// Appends the lowered statements of `source` to the innermost block.
+    pub fn lower_block(&mut self, source: &Block) -> Lowered<()> {
+        for (statement, span) in source.span_iter() {
+            self.at(*span);
+            self.lower_statement(statement, *span)?;
+        }
+        Ok(())
+    }
+
+    fn nested(&mut self, source: &Block) -> Lowered<Block> {
+        self.inside(|inner| inner.lower_block(source))
+    }
+
+    fn lower_statement(&mut self, source: &Statement, span: Span) -> Lowered<()> {
+        let lowered = match source {
+            Statement::Emit(range) => {
+                for handle in range.clone() {
+                    self.at(self.source.expressions.get_span(handle));
+                    let value = self.lower_expression(handle)?;
+                    self.set(handle, value);
+                }
+                return Ok(());
+            }
+            Statement::Store { pointer, value } => return self.lower_store(*pointer, *value),
+            Statement::Block(block) => Statement::Block(self.nested(block)?),
+            Statement::If { condition, accept, reject } => {
+                let condition = self.plain(*condition)?;
+                Statement::If { condition, accept: self.nested(accept)?, reject: self.nested(reject)? }
+            }
+            Statement::Switch { selector, cases } => {
+                let selector = self.plain(*selector)?;
+                let lower = |case: &SwitchCase| {
+                    let body = self.nested(&case.body)?;
+                    Ok(SwitchCase { value: case.value, body, fall_through: case.fall_through })
+                };
+                Statement::Switch { selector, cases: cases.iter().map(lower).collect::<Lowered<_>>()? }
+            }
+            Statement::Loop { body, continuing, break_if } => {
+                let body = self.nested(body)?;
+                let mut break_if = *break_if;
+                let continuing = self.inside(|inner| {
+                    inner.lower_block(continuing)?;
+                    break_if = break_if.map(|condition| inner.plain(condition)).transpose()?;
+                    Ok(())
+                })?;
+                Statement::Loop { body, continuing, break_if }
+            }
+            Statement::Return { value } => Statement::Return { value: self.optional(*value)? },
+            Statement::Call { function, arguments, result } => {
+                let function = self.lowering.functions[function.index()];
+                let arguments = arguments.iter().map(|part| self.plain(*part)).collect::<Lowered<_>>()?;
+                Statement::Call { function, arguments, result: self.result(*result)? }
+            }
+            Statement::Atomic { pointer, fun, value, result } => {
+                let fun = match fun {
+                    AtomicFunction::Exchange { compare } => {
+                        AtomicFunction::Exchange { compare: self.optional(*compare)? }
+                    }
+                    other => *other,
+                };
+                let (pointer, value) = (self.plain(*pointer)?, self.plain(*value)?);
+                Statement::Atomic { pointer, fun, value, result: self.result(*result)? }
+            }
+            Statement::WorkGroupUniformLoad { pointer, result } => {
+                let pointer = self.plain(*pointer)?;
+                Statement::WorkGroupUniformLoad { pointer, result: self.lowered_result(*result)? }
+            }
+            Statement::ImageStore { image, coordinate, array_index, value } => Statement::ImageStore {
+                image: self.plain(*image)?,
+                coordinate: self.plain(*coordinate)?,
+                array_index: self.optional(*array_index)?,
+                value: self.plain(*value)?,
+            },
+            Statement::SubgroupBallot { result, predicate } => {
+                let predicate = self.optional(*predicate)?;
+                Statement::SubgroupBallot { result: self.lowered_result(*result)?, predicate }
+            }
+            Statement::SubgroupCollectiveOperation { op, collective_op, argument, result } => {
+                if self.shape(*argument).is_some() {
+                    return Err(Refusal::new(span, subgroup_name(*op)));
+                }
+                let argument = self.plain(*argument)?;
+                let result = self.lowered_result(*result)?;
+                Statement::SubgroupCollectiveOperation { op: *op, collective_op: *collective_op, argument, result }
+            }
+            Statement::Break
+            | Statement::Continue
+            | Statement::Kill
+            | Statement::ControlBarrier(_)
+            | Statement::MemoryBarrier(_) => source.clone(),
+            Statement::ImageAtomic { .. } => return Err(Refusal::new(span, "an atomic operation on a texture")),
+            Statement::SubgroupGather { .. } => return Err(Refusal::new(span, "a value of another invocation")),
+            Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => {
+                return Err(Refusal::new(span, "a ray query"));
+            }
+            Statement::CooperativeStore { .. } => return Err(Refusal::new(span, "a cooperative matrix")),
+        };
+        self.at(span);
+        self.push(lowered);
+        Ok(())
+    }
+
+    pub fn optional(&mut self, handle: Option<Handle<Expression>>) -> Lowered<Option<Handle<Expression>>> {
+        handle.map(|handle| self.plain(handle)).transpose()
+    }
+
+    fn result(&mut self, handle: Option<Handle<Expression>>) -> Lowered<Option<Handle<Expression>>> {
+        handle.map(|handle| self.lowered_result(handle)).transpose()
+    }
+
+    /// Appends the expression that is the result of a statement.
+    fn lowered_result(&mut self, handle: Handle<Expression>) -> Lowered<Handle<Expression>> {
+        let lowered = super::copy::copy(self, handle)?;
+        let lowered = self.settled(lowered);
+        self.set(handle, Value::Plain(lowered));
+        Ok(lowered)
+    }
+
+    fn lower_store(&mut self, pointer: Handle<Expression>, value: Handle<Expression>) -> Lowered<()> {
+        let value = self.plain(value)?;
+        match self.value(pointer)? {
+            Value::Plain(pointer) => self.push(Statement::Store { pointer, value }),
+            Value::Component { vector, index, count } => {
+                // A store to each component, in a switch over the index. Beyond the last component, where WGSL allows
+                // any component to be written, it is the last one.
+                let mut cases = Vec::new();
+                for component in 0..count {
+                    let body = self.inside(|inner| {
+                        let pointer = inner.emit(Expression::AccessIndex { base: vector, index: component });
+                        inner.push(Statement::Store { pointer, value });
+                        Ok(())
+                    })?;
+                    let is_last = component + 1 == count;
+                    let case = if is_last { SwitchValue::Default } else { SwitchValue::U32(component) };
+                    cases.push(SwitchCase { value: case, body, fall_through: false });
+                }
+                self.push(Statement::Switch { selector: index, cases });
+            }
+        }
+        Ok(())
+    }
+}
+
+fn subgroup_name(operation: SubgroupOperation) -> String {
+    format!("the operation {operation:?} of a subgroup on f64")
+}
