@@ -190,6 +190,7 @@ mod tests {
                 hits += hit.count_ones();
             }
         }
-        assert!(hits > 10_000 && tests_passed < hits * 3 / 2, "{tests_passed} for {hits}");
+        let sets = InstructionSet::available().count() as u32;
+        assert!(hits > 2_500 * sets && tests_passed < hits * 3 / 2, "{tests_passed} for {hits} with {sets} sets");
     }
 }

@@ -150,7 +150,7 @@ impl Kernel for Singles {
 #[test]
 fn every_set_does_in_each_lane_what_is_done_alone() {
     let lanes = |set: InstructionSet| (set.run(Doubles), set.run(Singles));
-    let expected = [(4, 4), (2, 4), (2, 4), (4, 8), (8, 16), (8, 16)];
+    let expected = [(4, 4), (2, 4), (4, 4), (4, 8), (8, 16), (8, 16)];
     for (set, expected) in InstructionSet::ALL.into_iter().zip(expected) {
         if set.is_available() {
             assert_eq!(lanes(set), expected, "{}", set.name());

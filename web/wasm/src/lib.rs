@@ -2,7 +2,7 @@
 //!
 //! The caller asks for room for the two texts with [`room`], writes them there, calls [`render`], and reads the file or
 //! the message at [`result`]. Any call may move the memory, so the caller asks for an address after the call.
-//! `tests/platforms/render.mjs` is a caller.
+//! `tests/platforms/call.js` is a caller.
 
 #![allow(unsafe_code, reason = "a name in the module's interface must be unique, which the compiler cannot check")]
 

@@ -1,0 +1,15 @@
+// Calls the WebAssembly module. `render.mjs` loads this file in Node.js, and `page.html` loads it in a browser.
+
+// Returns the PPM file as bytes. Throws an error with the renderer's message if there is no picture.
+globalThis.renderPicture = (module, config, scene, isSoa, isPortable) => {
+    const { memory, room, render, result, result_length } = new WebAssembly.Instance(module).exports;
+    [config, scene].forEach((bytes, text) => {
+        // Making room may move the memory, so its buffer is asked for afterwards.
+        const address = room(text, bytes.length);
+        new Uint8Array(memory.buffer).set(bytes, address);
+    });
+    const status = render(isSoa ? 1 : 0, 0, isPortable ? 1 : 0);
+    const bytes = new Uint8Array(memory.buffer, result(), result_length());
+    if (status !== 0) throw new Error(new TextDecoder().decode(bytes));
+    return bytes;
+};
