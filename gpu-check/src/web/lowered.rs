@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
 
+use crate::head::{Part, head};
 use crate::lowered::operands::Operands;
 use crate::lowered::operations::Operation;
 use crate::packed::buffer;
-use crate::renderer::head;
 use crate::scenes::Case;
 use crate::{Error, Picture};
 
@@ -58,7 +58,7 @@ impl Jobs {
             let pixels = picture.size.pixels();
             let mut keys = Vec::new();
             for (part, bytes) in [
-                ("head", head(&picture, 0, pixels as u32, &(0..picture.max_depth))),
+                ("head", head(&picture, &Part::Pixels { first: 0, count: pixels as u32 }, &(0..picture.max_depth))),
                 ("spheres", buffer(&picture.spheres)),
                 ("cylinders", buffer(&picture.cylinders)),
                 ("materials", buffer(&picture.materials)),
