@@ -156,8 +156,8 @@ fn time_of(gpu: &Gpu, step: &str, is_lowered: bool) -> Result<Duration, Error> {
     let composition = Composition::of_file("steps.wgsl", source, Precision::F64);
     let composition = if is_lowered { composition.lowered(&Arithmetic::standard())? } else { composition };
     let pipeline = Pipeline::new(gpu, &composition, None)?;
-    let count = 1 << 18;
-    let numbers: Vec<_> = (0..count).flat_map(|index| [1.0 + f64::from(index) * 1e-9, 0.9999999]).collect();
+    let count = 1_u32 << 18;
+    let numbers: Vec<_> = (0..count).flat_map(|index| [1.0 + f64::from(index) * 1e-9, 0.999_999_9]).collect();
     let contents = [Content::Input(bytemuck::cast_slice(&numbers)), Content::Output(8 * u64::from(count))];
     let times = (0..3).map(|_| pipeline.run(gpu, &contents, count.into()).map(|run| run.time));
     Ok(times.collect::<Result<Vec<_>, _>>()?.into_iter().min().unwrap_or_default())

@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use shaders::lower::Arithmetic;
-use shaders::{Composition, Features, Library, Precision};
+use shaders::{Composition, Library, Precision};
 
 use crate::head::{Part, head};
 use crate::lowered::operands::Operands;
 use crate::lowered::operations::Operation;
 use crate::packed::buffer;
 use crate::scenes::Case;
-use crate::{Error, Picture};
+use crate::{Error, Picture, features_of};
 
 /// The data that the page requests: the list of jobs, their shaders and their buffers.
 #[derive(Debug)]
@@ -42,19 +42,19 @@ impl Jobs {
         Ok(jobs)
     }
 
-    /// Adds jobs that render the scenes `cases`. Their names are `picture/` and an index. All have the same shader.
+    /// Adds jobs that render the scenes `cases`. Their names are `picture/` and an index.
     ///
     /// # Errors
     /// The errors of lowering, and of [`Picture::new`].
     pub fn add_pictures(&mut self, cases: &[Case]) -> Result<(), Error> {
         let library = Library::standard().lowered(Arithmetic::standard());
         let code = library.compose("kernels/image", Precision::F64)?;
-        let deepest = cases.iter().map(|case| case.config.max_depth).max().unwrap_or(1);
-        let features = Features::all(deepest as u32);
-        let constants: Vec<_> = features.constants().iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
-        let constants = format!("{{{}}}", constants.join(", "));
         for (index, case) in cases.iter().enumerate() {
             let picture = Picture::<f64>::new(&case.config, &case.scene)?;
+            // A shader without what the scene does not need is compiled sooner.
+            let constants = features_of(&case.config, &case.scene)?.constants();
+            let constants: Vec<_> = constants.iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
+            let constants = format!("{{{}}}", constants.join(", "));
             let pixels = picture.size.pixels();
             let mut keys = Vec::new();
             for (part, bytes) in [
@@ -68,7 +68,7 @@ impl Jobs {
                 self.data.insert(key, bytes);
             }
             // Sizes as in renderer.rs: the materials that attenuate each path, the colours, and the states of paths.
-            let sizes = [pixels * deepest as usize * 4, pixels * 24, pixels * 56];
+            let sizes = [pixels * picture.max_depth as usize * 4, pixels * 24, pixels * 56];
             let contents = format!("[{}, {}, {}, {}]", keys.join(", "), sizes[0], sizes[1], sizes[2]);
             let written = [false, false, false, false, true, true, true];
             let name = format!("picture/{index}");

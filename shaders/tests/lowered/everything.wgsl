@@ -1,4 +1,5 @@
-// Every construct that lowering f64 to integers has to change. Each invocation reads an item, and writes 16 numbers.
+// Every construct that lowering f64 to integers has to change. Each invocation reads an item, and writes 16 numbers. No
+// sum has two constants: a driver may add them first, and its f64 would not be what the text says.
 
 struct Inner {
     @align(16) small: f32,
@@ -82,7 +83,7 @@ fn looped(start: vec3<f64>, rows: array<vec3<f64>, 2>) -> vec3<f64> {
     }
     var left = 3u;
     loop {
-        x -= TABLE[left % 2u];
+        x /= TABLE[left % 2u] + start;
         continuing {
             left -= 1u;
             break if left == 0u || x.z > 1e20lf;
@@ -128,10 +129,10 @@ fn every2(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocatio
     results[first + 9u] = f64(f32(item.close)) + f64(i32(item.tail.x)) + f64(u32(abs(item.tail.z))) + f64(all(below));
     let chosen = select(item.triple, item.tail, below);
     results[first + 10u] = length(chosen) + normalize(item.quad).z;
-    results[first + 11u] = mix(item.pair, item.quad.zw, TENTH).y + floor(item.close) + fract(item.wide);
+    results[first + 11u] = cross(item.triple, item.quad.xyz).y + floor(item.close) + fract(item.wide);
     let negative = -item.quad.wzyx;
     results[first + 12u] = max(negative.x, min(negative.y, negative[item.number % 4u]));
     results[first + 13u] = clamp(item.close, -1.0lf, scale2) * sign(item.wide) + ceil(item.pair.x) - trunc(item.pair.y);
-    results[first + 14u] = f64(vec2<f32>(item.pair).x) + vec2<f64>(vec2<i32>(3, -4)).y + vec3<f64>(x.xy, TENTH).z;
+    results[first + 14u] = f64(vec2<f32>(item.pair).x) + vec2<f64>(vec2<i32>(item.last, 3)).x + vec3<f64>(x.xy, TENTH).z;
     results[first + 15u] = f64(item.number) * f64(item.last) + TABLE[item.number % 2u].y;
 }
