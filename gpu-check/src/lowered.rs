@@ -60,8 +60,8 @@ pub fn kernel(operation: &Operation) -> String {
     )
 }
 
-/// Compiles the kernel of `operation` with `arithmetic` in the place of f64. If `arithmetic` is `None`, the device's f64
-/// is used.
+/// Compiles the kernel of `operation` with `arithmetic` in the place of f64. If `arithmetic` is `None`, the device's
+/// f64 is used.
 ///
 /// # Errors
 /// The errors of lowering and of [`Pipeline::new`].

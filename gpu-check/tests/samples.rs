@@ -1,5 +1,5 @@
-//! Compares whole pictures with random numbers in WGSL with pictures in Rust: the small scenes, the repository's scenes,
-//! and random scenes, in both conventions of the scatter vectors.
+//! Compares whole pictures with random numbers in WGSL with pictures in Rust: the small scenes, the repository's
+//! scenes, and random scenes, in both conventions of the scatter vectors.
 //!
 //! `RENDER_SAMPLED_PICTURES=all` renders the repository's scenes in full size, which tests/extensive does. By default
 //! those with many objects or samples are smaller.

@@ -16,7 +16,7 @@
 //!
 //! let source = "@group(0) @binding(0) var<storage, read_write> x: f64;\n\
 //!     @compute @workgroup_size(1) fn double() { x = x + x; }";
-//! let lowered = lower_text("double.wgsl", source, &Arithmetic::standard())?;
+//! let lowered = lower_text("double", source, &Arithmetic::standard())?;
 //! assert!(lowered.contains("f64_add(") && !lowered.contains(": f64"));
 //! # Ok::<(), shaders::Error>(())
 //! ```

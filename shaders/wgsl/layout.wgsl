@@ -30,8 +30,8 @@ fn ray_store(ray: Ray) -> PackedRay {
     return PackedRay(vec3_store(ray.origin), vec3_store(ray.direction));
 }
 
-// gpu_check::sampled::TracedSample<T>: the linear colour of a sample, and the number of words that its path took from the
-// stream of scatter vectors. `unused` makes the size a multiple of 8 bytes, as f64 needs it.
+// gpu_check::sampled::TracedSample<T>: the linear colour of a sample, and the number of words that its path took from
+// the stream of scatter vectors. `unused` makes the size a multiple of 8 bytes, as f64 needs it.
 struct TracedSample {
     color: PackedVec3,
     words: u32,

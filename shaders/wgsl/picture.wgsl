@@ -66,8 +66,8 @@ struct PackedBackground {
     light: PackedVec3,
 }
 
-// gpu_check::picture::Picture<T> without its lists, and the pixels, samples and depths of one run; gpu_check::head packs
-// it. Only trace.wgsl uses `pixel_count`, and only trace_samples.wgsl the four fields from `sample_count` on.
+// gpu_check::picture::Picture<T> without its lists, and the pixels, samples and depths of one run; gpu_check::head
+// packs it. Only trace.wgsl uses `pixel_count`, and only trace_samples.wgsl the four fields from `sample_count` on.
 struct Picture {
     camera: PackedCamera,
     background: PackedBackground,

@@ -1,6 +1,6 @@
 //! Pictures of one pixel whose random words are chosen by hand, for decisions that random words practically never
-//! reach: a negligible direction, a vector at the centre of the unit ball or on its surface, a word that rounds to 2^64,
-//! and as many rejected vectors as the shader allows.
+//! reach: a negligible direction, a vector at the centre of the unit ball or on its surface, a word that rounds to
+//! 2^64, and as many rejected vectors as the shader allows.
 
 use std::time::Duration;
 

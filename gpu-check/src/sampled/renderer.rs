@@ -58,8 +58,8 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
         Self::with_constants(gpu, library, features, &[])
     }
 
-    /// Compiles as [`Self::new`] does. `own` has the names and values of constants that a replaced module declares; they
-    /// are for `kernels/samples`.
+    /// Compiles as [`Self::new`] does. `own` has the names and values of constants that a replaced module declares;
+    /// they are for `kernels/samples`.
     ///
     /// # Errors
     /// The errors of [`Pipeline::with_constants`].

@@ -1,6 +1,6 @@
 //! Rewrites a WGSL module into one without f64, which computes the same bits with integers.
 //!
-//!     lower-f64 IN.wgsl > OUT.wgsl
+//!     lower-f64 MODULE > LOWERED
 
 use std::io::{Read, Write};
 use std::process::ExitCode;
