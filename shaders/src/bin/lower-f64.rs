@@ -10,19 +10,36 @@ use shaders::lower::{Arithmetic, lower_text};
 /// Largest length of a text in bytes. A module within the limits of [`shaders::limits`] is much shorter.
 const MAX_LENGTH: u64 = 16 << 20;
 
+const HELP: &str = "\
+Writes a WGSL module without f64 to standard output. It computes the same bits with integers.
+
+Usage: lower-f64 MODULE
+
+Example: lower-f64 module.wgsl > lowered.wgsl
+
+The status is 0, or 2 if the module cannot be read, is invalid or uses what cannot be lowered.
+";
+
 fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
-    let [path] = &arguments[..] else {
-        eprintln!("lower-f64: give the path of one WGSL file; the module without f64 is written to standard output");
-        return ExitCode::from(2);
+    let result = match &arguments[..] {
+        [only] if only == "--help" || only == "-h" => write(HELP),
+        [path] => run(path),
+        _ => Err("give the path of one WGSL file; see lower-f64 --help".to_owned()),
     };
-    match run(path) {
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("lower-f64: {message}");
-            ExitCode::FAILURE
+            ExitCode::from(2)
         }
     }
+}
+
+fn write(text: &str) -> Result<(), String> {
+    let mut output = std::io::stdout().lock();
+    let written = output.write_all(text.as_bytes()).and_then(|()| output.flush());
+    written.map_err(|error| format!("standard output: {error}"))
 }
 
 fn run(path: &std::ffi::OsStr) -> Result<(), String> {
@@ -34,9 +51,5 @@ fn run(path: &std::ffi::OsStr) -> Result<(), String> {
         return Err(format!("{shown}: more than {MAX_LENGTH} bytes are no module that could be lowered"));
     }
     let lowered = lower_text(&shown, &source, &Arithmetic::standard()).map_err(|error| error.to_string())?;
-    let mut output = std::io::stdout().lock();
-    output
-        .write_all(lowered.as_bytes())
-        .and_then(|()| output.flush())
-        .map_err(|error| format!("standard output: {error}"))
+    write(&lowered)
 }
