@@ -37,8 +37,8 @@ fn main() -> ExitCode {
     libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
 }
 
-/// Returns the scene that the browser renders: the first of spheres alone and one kind of material, made small. For other
-/// scenes the browser needs many minutes to compile the shader.
+/// Returns the scene that the browser renders: the first of spheres alone and one kind of material, made small. For
+/// other scenes the browser needs many minutes to compile the shader.
 fn pictures() -> Result<Vec<Case>, Failed> {
     let all = (0..400).map(scenes::random);
     let is_plain = |case: &Case| {

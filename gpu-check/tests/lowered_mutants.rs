@@ -1,5 +1,5 @@
-//! Tests the comparison of f64 by integers with Rust's f64: it must notice every deliberate error of the arithmetic, and
-//! report nothing if there is none.
+//! Tests the comparison of f64 by integers with Rust's f64: it must notice every deliberate error of the arithmetic,
+//! and report nothing if there is none.
 
 mod common;
 

@@ -7,8 +7,8 @@ use super::refusal::{Lowered, Refusal};
 use super::types::{Shape, shape};
 
 impl FunctionLowering<'_, '_> {
-    /// Lowers a conversion to `kind` with a width of `width` bytes. Without a width the bits are kept. Returns `None` if
-    /// neither side is f64.
+    /// Lowers a conversion to `kind` with a width of `width` bytes. Without a width the bits are kept. Returns `None`
+    /// if neither side is f64.
     pub fn convert(
         &mut self,
         result: Handle<Expression>,

@@ -1,7 +1,7 @@
 //! Writes the sizes of structure members into a text that naga has written.
 //!
-//! naga's writer writes a member's name and type only. Where the next member is further away than the type asks for, the
-//! member needs the attribute `@size`. Alignments need no attribute, because a size can express every distance.
+//! naga's writer writes a member's name and type only. Where the next member is further away than the type asks for,
+//! the member needs the attribute `@size`. Alignments need no attribute, because a size can express every distance.
 
 use std::fmt::Write;
 

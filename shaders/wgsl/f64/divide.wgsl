@@ -1,8 +1,8 @@
 // Quotients of binary64 numbers, by two digits of 28 bits each.
 //
 // Write a and b for the significands as integers of 53 bits, and n for a or 2a, whichever is in [b, 2b). The quotient
-// floor(2^54 n / b) has 55 bits. Its digits are 2^27 n / b and 2^27 r / b, where r is the remainder of the first. A digit
-// is taken too small rather than too large, and by less than 2. So the remainder stays below 2 b, and only the second
+// floor(2^54 n / b) has 55 bits. Its digits are 2^27 n / b and 2^27 r / b, where r is the remainder of the first. A
+// digit is taken too small rather than too large, and by less than 2. So the remainder stays below 2 b, and only the second
 // digit is corrected.
 
 // Returns a number R of at most 2^63 / (b + 1), which is smaller than 2^63 / b by less than 1 part in 2^28.6. `b` has
