@@ -24,8 +24,8 @@ impl FunctionLowering<'_, '_> {
             return match (from, to) {
                 (None, None) => Ok(None),
                 (Some(Shape::Scalar), Some(Shape::Scalar)) => self.plain(source).map(Some),
-                (Some(Shape::Scalar), None) if kind == ScalarKind::Uint => self.to_bits(source).map(Some),
-                (None, Some(Shape::Scalar)) if source_scalar == Some(Scalar::U64) => self.of_bits(source).map(Some),
+                (Some(Shape::Scalar), None) if kind == ScalarKind::Uint => self.bits_of(source).map(Some),
+                (None, Some(Shape::Scalar)) if source_scalar == Some(Scalar::U64) => self.number_of(source).map(Some),
                 _ => Err(Refusal::new(self.span, "this bitcast of f64")),
             };
         };
@@ -73,7 +73,7 @@ impl FunctionLowering<'_, '_> {
     }
 
     /// Returns the bits of a number as u64.
-    fn to_bits(&mut self, source: Handle<Expression>) -> Lowered<Handle<Expression>> {
+    fn bits_of(&mut self, source: Handle<Expression>) -> Lowered<Handle<Expression>> {
         let words = self.plain(source)?;
         let thirty_two = self.word(32);
         let [low, high] = [0, 1].map(|index| {
@@ -86,7 +86,7 @@ impl FunctionLowering<'_, '_> {
     }
 
     /// Returns the number with the bits of a u64.
-    fn of_bits(&mut self, source: Handle<Expression>) -> Lowered<Handle<Expression>> {
+    fn number_of(&mut self, source: Handle<Expression>) -> Lowered<Handle<Expression>> {
         let bits = self.plain(source)?;
         let thirty_two = self.word(32);
         let op = naga::BinaryOperator::ShiftRight;
