@@ -137,7 +137,7 @@ fn every_construct_gives_the_bits_of_the_devices_f64() {
     for (index, pair) in native.iter().zip(&lowered).enumerate() {
         by_place[index % 16] += usize::from(!same(pair));
     }
-    println!("{} numbers compared; differing by place: {by_place:?}", native.len());
+    println!("{} numbers compared; differing by place in a row: {by_place:?}", native.len());
     assert_eq!((native.len(), lowered.len()), (16 * count, 16 * count));
     assert_eq!(by_place, [0; 16]);
     let different: std::collections::BTreeSet<_> = native.iter().collect();

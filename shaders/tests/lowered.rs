@@ -128,7 +128,8 @@ fn every_kernel_can_be_translated_into_every_language() {
 fn what_has_no_form_in_integers_is_refused_with_its_place() {
     let inside = |body: &str| {
         format!(
-            "@group(0) @binding(0) var<storage, read_write> x: f64;\n@group(0) @binding(1) var<storage> list: array<u32>;\n\
+            "@group(0) @binding(0) var<storage, read_write> x: f64; \
+             @group(0) @binding(1) var<storage> list: array<u32>;\n\n\
              @compute @workgroup_size(1)\nfn main() {{\n    x = x +\n        {body};\n}}\n"
         )
     };

@@ -25,7 +25,7 @@ impl FunctionLowering<'_, '_> {
                 (None, None) => Ok(None),
                 (Some(Shape::Scalar), Some(Shape::Scalar)) => self.plain(source).map(Some),
                 (Some(Shape::Scalar), None) if kind == ScalarKind::Uint => self.bits_of(source).map(Some),
-                (None, Some(Shape::Scalar)) if source_scalar == Some(Scalar::U64) => self.of_bits(source).map(Some),
+                (None, Some(Shape::Scalar)) if source_scalar == Some(Scalar::U64) => self.number_of(source).map(Some),
                 _ => Err(Refusal::new(self.span, "this bitcast of f64")),
             };
         };
@@ -86,7 +86,7 @@ impl FunctionLowering<'_, '_> {
     }
 
     /// Returns the number with the bits of a u64.
-    fn of_bits(&mut self, source: Handle<Expression>) -> Lowered<Handle<Expression>> {
+    fn number_of(&mut self, source: Handle<Expression>) -> Lowered<Handle<Expression>> {
         let bits = self.plain(source)?;
         let thirty_two = self.word(32);
         let op = naga::BinaryOperator::ShiftRight;

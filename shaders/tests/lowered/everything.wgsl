@@ -1,5 +1,7 @@
-// Every construct that lowering f64 to integers has to change. Each invocation reads an item, and writes 16 numbers. No
-// sum has two constants: a driver may add them first, and its f64 would not be what the text says.
+// Every construct that lowering f64 to integers has to change. Each invocation reads an item, and writes 16 numbers.
+//
+// A test compares the results with those of lavapipe's f64. Lavapipe changes the order of sums that have a constant, and
+// of a sum with fract, so the numbers that are compared have no such sum.
 
 struct Inner {
     @align(16) small: f32,
@@ -48,7 +50,7 @@ fn add_to(sum: ptr<function, f64>, n: f64) -> bool {
 fn turned(a: f64, b: vec3<f64>) -> vec3<f64> {
     var result = b * a;
     put(&result, 1, a);
-    return result.zyx + vec3<f64>(result.xy, 1.0lf);
+    return result.zyx * vec3<f64>(result.xy, 1.0lf);
 }
 
 fn copied(item: Item) -> Item {
@@ -129,10 +131,10 @@ fn every2(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocatio
     results[first + 9u] = f64(f32(item.close)) + f64(i32(item.tail.x)) + f64(u32(abs(item.tail.z))) + f64(all(below));
     let chosen = select(item.triple, item.tail, below);
     results[first + 10u] = length(chosen) + normalize(item.quad).z;
-    results[first + 11u] = cross(item.triple, item.quad.xyz).y + floor(item.close) + fract(item.wide);
+    results[first + 11u] = max(cross(item.triple, item.quad.xyz).y, floor(item.close)) * fract(item.wide);
     let negative = -item.quad.wzyx;
     results[first + 12u] = max(negative.x, min(negative.y, negative[item.number % 4u]));
     results[first + 13u] = clamp(item.close, -1.0lf, scale2) * sign(item.wide) + ceil(item.pair.x) - trunc(item.pair.y);
-    results[first + 14u] = f64(vec2<f32>(item.pair).x) + vec2<f64>(vec2<i32>(item.last, 3)).x + vec3<f64>(x.xy, TENTH).z;
+    results[first + 14u] = f64(vec2<f32>(item.pair).x) + vec2<f64>(vec2<i32>(item.last, 3)).x + vec3<f64>(x.xy, item.wide).z;
     results[first + 15u] = f64(item.number) * f64(item.last) + TABLE[item.number % 2u].y;
 }
