@@ -5,22 +5,29 @@ use shaders::{Library, Precision};
 
 use super::Mutant;
 use crate::difference::difference;
+use crate::exact::{EXACT_KERNELS, ExactKernel};
 use crate::kernels::KERNELS;
 use crate::scenes::{self, Case};
 use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
 
 /// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
+/// Number of cases of each kind for an exact kernel.
+const EXACT_CASES: usize = 1 << 12;
 /// Number of random scenes.
 const RANDOM_SCENES: u64 = 6;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 500_000;
+
+/// The module that only some libraries compose.
+const HIERARCHY: &str = "hierarchy";
 
 /// The cases and pictures of the checks, prepared once for all mutants.
 #[derive(Debug)]
 pub struct Examiner<'a> {
     gpu: &'a Gpu,
     kernels: Vec<(&'static Kernel, Vec<f64>)>,
+    exact: Vec<(&'static ExactKernel, Vec<f64>)>,
     pictures: Vec<(Case, Vec<Vec3>)>,
 }
 
@@ -32,9 +39,10 @@ impl<'a> Examiner<'a> {
     pub fn new(gpu: &'a Gpu) -> Result<Self, Error> {
         let cases = |kernel: &Kernel| [kernel.edge_cases(), kernel.random_cases(RANDOM_CASES, 44)].concat();
         let kernels = KERNELS.iter().map(|kernel| (kernel, cases(kernel))).collect();
+        let exact = EXACT_KERNELS.iter().map(|kernel| (kernel, kernel.cases(EXACT_CASES, 44))).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
         let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
-        Ok(Self { gpu, kernels, pictures })
+        Ok(Self { gpu, kernels, exact, pictures })
     }
 
     /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
@@ -60,9 +68,19 @@ impl<'a> Examiner<'a> {
                 }
             }
         }
+        for (kernel, cases) in &self.exact {
+            if runs(kernel.module, module)? {
+                let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
+                if tally.differing > 0 {
+                    return Ok(Some(format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases)));
+                }
+            }
+        }
         if !runs("kernels/image", module)? {
             return Ok(None);
         }
+        // The hierarchy is only in a library that finds the closest hit in it.
+        let library = if module == HIERARCHY { &library.clone().in_hierarchy() } else { library };
         for (case, expected) in &self.pictures {
             let features = features_of(&case.config, &case.scene)?;
             // The picture is rendered in several runs, so that an error in continuing the paths is noticed.
@@ -90,5 +108,6 @@ fn runs(kernel: &str, module: &str) -> Result<bool, Error> {
     let mut marked = Library::standard();
     let source = format!("{MARK}\n{}", marked.source(module)?);
     marked.replace(module, module, source)?;
+    let marked = if module == HIERARCHY { marked.in_hierarchy() } else { marked };
     Ok(marked.compose(kernel, Precision::F64)?.source().contains(MARK))
 }
