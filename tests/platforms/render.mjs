@@ -10,7 +10,9 @@ if (!out) {
     console.error('usage: node render.mjs MODULE.wasm CONFIG SCENE OUT.ppm');
     process.exit(2);
 }
-const { instance } = await WebAssembly.instantiate(readFileSync(module));
+// The module tells about every row, for a caller that shows them.
+const page = { begin() {}, row() {} };
+const { instance } = await WebAssembly.instantiate(readFileSync(module), { page });
 const { memory, room, render, result, result_length } = instance.exports;
 [config, scene].forEach((path, text) => {
     const bytes = readFileSync(path);
