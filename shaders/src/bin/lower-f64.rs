@@ -15,7 +15,8 @@ Writes a WGSL module without f64 to standard output. It computes the same bits w
 
 Usage: lower-f64 MODULE
 
-Example: lower-f64 module.wgsl > lowered.wgsl
+Example:
+  lower-f64 module.wgsl > lowered.wgsl
 
 The status is 0, or 2 if the module cannot be read, is invalid or uses what cannot be lowered.
 ";
@@ -24,13 +25,13 @@ fn main() -> ExitCode {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
     let result = match &arguments[..] {
         [only] if only == "--help" || only == "-h" => write(HELP),
-        [path] => run(path),
+        [path] if !path.to_string_lossy().starts_with('-') => run(path),
         _ => Err("give the path of one WGSL file; see lower-f64 --help".to_owned()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("lower-f64: {message}");
+            eprintln!("error: {message}");
             ExitCode::from(2)
         }
     }
