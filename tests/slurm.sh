@@ -19,24 +19,37 @@ done
 
 work=$(mktemp -d /tmp/slurm.XXXXXX)
 started=()
-# drain SECONDS: waits until no job is left, or prints those that are.
+# drain SECONDS: waits until no job is left. Fails if jobs are left after this time, or if a daemon has ended. A failure
+# of squeue, which may come from a busy machine, does not mean that the queue is empty.
 drain() {
+    local jobs process
     for try in $(seq "$1"); do
-        [ -n "$(squeue -h 2>/dev/null)" ] || return 0
+        if jobs=$(squeue -h 2>/dev/null) && [ -z "$jobs" ]; then
+            return
+        fi
+        for process in "${started[@]}"; do
+            kill -0 "$process" 2>/dev/null || { say "a daemon of Slurm has ended" >&2; return 1; }
+        done
         sleep 1
     done
-    squeue >&2
+    say "these jobs are left: $jobs" >&2
     return 1
 }
 
 # Ends the jobs before the daemons, because a job goes on when its daemon has ended.
 stop() {
-    if [ -n "$(squeue -h 2>/dev/null)" ]; then
+    if squeue -h >/dev/null 2>&1; then
         scancel --user=root 2>/dev/null || true
         drain 60 || true
     fi
     for process in "${started[@]}"; do kill "$process" 2>/dev/null || true; done
     for process in "${started[@]}"; do wait "$process" 2>/dev/null || true; done
+    # If slurmctld ended early, jobs are left. They have the configuration's path in their environment.
+    for environment in /proc/[0-9]*/environ; do
+        if grep -qzxF "SLURM_CONF=$work/slurm.conf" "$environment" 2>/dev/null; then
+            kill -KILL "${environment//[!0-9]/}" 2>/dev/null || true
+        fi
+    done
     rm -rf "$work"
 }
 trap stop EXIT
