@@ -49,11 +49,12 @@ use crate::{
     simd::Simd, simd::instruction_set::InstructionSet,
 };
 
-/// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. `scatter` chooses the
-/// convention of random vectors; [`Scatter::Statement`] gives the pictures of the programs. It uses the fastest
-/// instruction set of this machine, unless the environment variable `RENDER_INSTRUCTION_SET` names another one. A name
-/// that is unknown, or whose instruction set this machine lacks, is ignored. The picture's bytes do not depend on the
-/// instruction set.
+/// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. `scatter` says how
+/// random vectors are drawn. With [`Scatter::Statement`] the picture is that of `render-aos` and `render-soa`.
+///
+/// The renderer uses the fastest instruction set of this machine, unless the environment variable
+/// `RENDER_INSTRUCTION_SET` names another one. A name that is unknown, or whose instruction set this machine lacks, is
+/// ignored. The picture's bytes do not depend on the instruction set.
 ///
 /// # Errors
 /// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position

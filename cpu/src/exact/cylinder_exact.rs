@@ -14,12 +14,14 @@ use crate::exact::{sphere_exact::Exact3, sphere_exact::NotFinite, sphere_exact::
 use crate::geometry::{cap::PARALLEL, cylinder::CylinderPart, ray::LAMBDA_MIN, ray::Ray};
 use crate::math::{dyadic::Dyadic, dyadic::power_of_two, vec3::Vec3};
 
-/// A ray and a cylinder as exact numbers, with the products that the formulas of side and caps share. The module's
-/// documentation defines `V`, `d` and `q`.
-struct Setting {
+/// The inputs of the formulas of side and caps as exact numbers: a ray, a cylinder, and the products that both formulas
+/// use.
+struct Inputs {
+    /// `d`: the ray's direction.
     direction: Exact3,
     /// `q`: the vector from the cylinder's centre to the ray's origin.
     r_c: Exact3,
+    /// `V`: the axis of the scene file, which is as long as the cylinder is high.
     axis: Exact3,
     radius_squared: Dyadic,
     /// Half of `V.V`.
@@ -45,13 +47,13 @@ pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Opt
     let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
     let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
     let (radius_squared, least) = (exact(radius)?.squared(), exact(LAMBDA_MIN)?);
-    let setting = Setting { direction, r_c, axis, radius_squared, half, slope, height, least };
+    let setting = Inputs { direction, r_c, axis, radius_squared, half, slope, height, least };
     let side = setting.side();
     let caps = [setting.cap(false)?, setting.cap(true)?];
     Ok(closest_part(side, caps))
 }
 
-impl Setting {
+impl Inputs {
     /// Returns the side's quadratic, and whether the hit is at its larger root. The result is `None` if the ray misses
     /// the side.
     fn side(&self) -> Option<(Quadratic, bool)> {

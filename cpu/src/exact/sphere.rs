@@ -11,8 +11,9 @@ use crate::simd::fused::run_fused;
 
 /// Returns the lambda at which the ray hits the sphere: the smallest lambda, of at least
 /// [`LAMBDA_MIN`](crate::geometry::ray::LAMBDA_MIN), for which `ray.at(lambda)` is on the sphere. If there is none, the
-/// ray misses, and the result is `None`. Rounding never changes whether the ray hits, nor which root is returned. The
-/// relative error of the returned lambda is at most 5.9e-12. [`SphereRecord::intersect`] promises neither.
+/// ray misses, and the result is `None`. Rounding changes neither whether the ray hits nor which of the two roots is
+/// returned, and the relative error of lambda is at most 5.9e-12. The plain formula, [`SphereRecord::intersect`], is
+/// faster and does not guarantee this.
 ///
 /// ```
 /// use cpu::intersect::{self, SphereRecord};

@@ -1,6 +1,7 @@
 //! Arrays with one number for each sample of a span.
 
-/// Largest number of samples in a span.
+/// Maximum number of samples in a [span](crate::render::span::Span). A span has the samples of up to 32 neighbouring
+/// pixels of a row, or a part of the samples of one pixel.
 pub const CAPACITY: usize = 1024;
 
 /// Length of an array: one number for each sample, and 16 more, because the last lanes may lie beyond the last sample.

@@ -31,9 +31,9 @@ use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
 use crate::simd::{SimdF64, columns::Columns};
 
-/// The state with which the bytes of a span's background pixels are found without rays. A byte is the quantised mean of
-/// a channel. For each pixel of the span, the state holds the [derivative bound](DerivativeBound) of the background and
-/// the interval of each channel's mean. It also holds the bytes that have been found so far.
+/// Finds the bytes of pixels that no object reaches, without tracing rays, for the pixels of one [span](Span). The
+/// [derivative bound](DerivativeBound) of the background gives an interval that holds a channel's mean. If all numbers
+/// of the interval are quantised to the same byte, that byte is the channel's.
 #[derive(Debug)]
 pub struct BackgroundPixels {
     /// The bytes of the pixels that are done, in order.

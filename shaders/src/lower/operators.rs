@@ -29,21 +29,23 @@ impl FunctionLowering<'_, '_> {
         if self.shape(left).is_none() && self.shape(right).is_none() {
             return Ok(None);
         }
-        let (name, is_comparison) = match operator {
-            BinaryOperator::Add => ("f64_add", false),
-            BinaryOperator::Subtract => ("f64_subtract", false),
-            BinaryOperator::Multiply => ("f64_multiply", false),
-            BinaryOperator::Divide => ("f64_divide", false),
-            BinaryOperator::Modulo => ("f64_remainder", false),
-            BinaryOperator::Equal => ("f64_equal", true),
-            BinaryOperator::NotEqual => ("f64_not_equal", true),
-            BinaryOperator::Less => ("f64_less", true),
-            BinaryOperator::LessEqual => ("f64_less_equal", true),
-            BinaryOperator::Greater => ("f64_greater", true),
-            BinaryOperator::GreaterEqual => ("f64_greater_equal", true),
+        use BinaryOperator::{Equal, Greater, GreaterEqual, Less, LessEqual, NotEqual};
+        let name = match operator {
+            BinaryOperator::Add => "f64_add",
+            BinaryOperator::Subtract => "f64_subtract",
+            BinaryOperator::Multiply => "f64_multiply",
+            BinaryOperator::Divide => "f64_divide",
+            BinaryOperator::Modulo => "f64_remainder",
+            Equal => "f64_equal",
+            NotEqual => "f64_not_equal",
+            Less => "f64_less",
+            LessEqual => "f64_less_equal",
+            Greater => "f64_greater",
+            GreaterEqual => "f64_greater_equal",
             other => return Err(Refusal::new(self.span, format!("{other:?} of f64"))),
         };
         let results = self.each_component(name, &[left, right])?;
+        let is_comparison = matches!(operator, Equal | NotEqual | Less | LessEqual | Greater | GreaterEqual);
         Ok(Some(if is_comparison { self.other_vector(Scalar::BOOL, results) } else { self.vector(&results) }))
     }
 
