@@ -76,9 +76,11 @@ fn stopped(signal: Signal, runs: usize) -> Vec<ExitStatus> {
     let mut draws = cpu::internals::sampling::uniform::Uniform::new(3);
     for _ in 0..runs {
         fs::write(&out, "old").expect("the folder is writable");
-        // Some signals would otherwise write the memory of the process into a file.
-        let mut limited = Command::new("bash");
-        limited.args(["-c", "ulimit -c 0; exec \"$@\"", "limited", env!("CARGO_BIN_EXE_render-lab")]).args(arguments);
+        // A process that a shell starts in the background ignores SIGINT and SIGQUIT, and so do its children. `env`
+        // resets this. Without the limit, some signals would write the memory of the process into a file.
+        let mut limited = Command::new("env");
+        limited.args(["--default-signal", "bash", "-c", "ulimit -c 0; exec \"$@\"", "limited"]);
+        limited.arg(env!("CARGO_BIN_EXE_render-lab")).args(arguments);
         limited.current_dir(test_support::project_root()).stderr(Stdio::null());
         let mut child = limited.spawn().expect("bash starts");
         std::thread::sleep(whole.mul_f64(draws.canonical()));
