@@ -1,7 +1,7 @@
 // Every construct that lowering f64 to integers has to change. Each invocation reads an item, and writes 16 numbers.
 //
-// A test compares the results with those of lavapipe's f64. Lavapipe changes the order of sums that have a constant, and
-// of a sum with fract, so the numbers that are compared have no such sum.
+// A test compares the results with those of lavapipe's f64. Lavapipe changes the order of sums that have a constant,
+// and of a sum with fract, so the numbers that are compared have no such sum.
 
 struct Inner {
     @align(16) small: f32,
