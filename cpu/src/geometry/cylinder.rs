@@ -127,9 +127,9 @@ impl<T: Real> CylinderRecord<T> {
     /// [number](CylinderPart::number) of each point's part.
     #[inline(always)]
     pub fn outward_lanes(&self, part: T, point: Vec3<T>) -> Vec3<T> {
-        let at_most = |limit: CylinderPart| part.less_equal(limit.number());
-        let cap = Vec3::select(at_most(CylinderPart::Top), self.axis, -self.axis);
-        Vec3::select(at_most(CylinderPart::Side), self.outward(CylinderPart::Side, point), cap)
+        let before = |next: CylinderPart| part.less(next.number());
+        let cap = Vec3::select(before(CylinderPart::Bottom), self.axis, -self.axis);
+        Vec3::select(before(CylinderPart::Top), self.outward(CylinderPart::Side, point), cap)
     }
 }
 
