@@ -16,20 +16,43 @@ const LAVAPIPE: &str = "llvmpipe";
 /// # Errors
 /// [`Error::NoAdapter`] if no adapter has the wanted name. The error lists the names of the existing adapters.
 pub fn choose() -> Result<Adapter, Error> {
-    let backends = Backends::from_env().unwrap_or(Backends::VULKAN);
-    let instance = Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
     let wanted = std::env::var("WGPU_ADAPTER_NAME").ok();
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    let mut adapters = existing();
     let names: Vec<_> = adapters.iter().map(|adapter| adapter.get_info().name).collect();
     let index = pick(&names, wanted.as_deref()).ok_or_else(|| no_adapter(&names, wanted.as_deref()))?;
     Ok(adapters.swap_remove(index))
 }
 
+/// Returns all adapters whose names contain the name that the environment gives, or all if it gives none.
+/// Lavapipe is the first.
+///
+/// # Errors
+/// [`Error::NoAdapter`] if there is none.
+pub fn all() -> Result<Vec<Adapter>, Error> {
+    let wanted = std::env::var("WGPU_ADAPTER_NAME").ok();
+    let (mut adapters, others): (Vec<_>, Vec<_>) =
+        existing().into_iter().partition(|adapter| has_name(&adapter.get_info().name, wanted.as_deref().unwrap_or("")));
+    let names: Vec<_> = others.iter().map(|adapter| adapter.get_info().name).collect();
+    adapters.sort_by_key(|adapter| !has_name(&adapter.get_info().name, LAVAPIPE));
+    if adapters.is_empty() { Err(no_adapter(&names, wanted.as_deref())) } else { Ok(adapters) }
+}
+
+/// Returns all adapters of the interface that the environment names, or of Vulkan if it names none.
+fn existing() -> Vec<Adapter> {
+    let backends = Backends::from_env().unwrap_or(Backends::VULKAN);
+    let instance = Instance::new(InstanceDescriptor { backends, ..InstanceDescriptor::new_without_display_handle() });
+    pollster::block_on(instance.enumerate_adapters(backends))
+}
+
+/// Whether `name` contains `wanted`. The case of letters is ignored.
+fn has_name(name: &str, wanted: &str) -> bool {
+    name.to_lowercase().contains(&wanted.to_lowercase())
+}
+
 /// Returns the index of the first of `names` that contains `wanted`, or that contains lavapipe's name if `wanted` is
 /// `None`. The case of letters is ignored.
 fn pick(names: &[String], wanted: Option<&str>) -> Option<usize> {
-    let wanted = wanted.unwrap_or(LAVAPIPE).to_lowercase();
-    names.iter().position(|name| name.to_lowercase().contains(&wanted))
+    names.iter().position(|name| has_name(name, wanted.unwrap_or(LAVAPIPE)))
 }
 
 fn no_adapter(names: &[String], wanted: Option<&str>) -> Error {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use wgpu::{AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
+use wgpu::{Adapter, AdapterInfo, Device, DeviceDescriptor, ErrorFilter, Features, Limits, PollType, Queue};
 
 use crate::{Error, adapter};
 
@@ -46,7 +46,19 @@ impl Gpu {
     /// driver is loaded.
     pub fn open() -> Result<Self, Error> {
         check_room()?;
-        let adapter = adapter::choose()?;
+        Self::of(&adapter::choose()?)
+    }
+
+    /// Opens every adapter of [`adapter::all`].
+    ///
+    /// # Errors
+    /// The errors of [`Self::open`].
+    pub fn open_all() -> Result<Vec<Self>, Error> {
+        check_room()?;
+        adapter::all()?.iter().map(Self::of).collect()
+    }
+
+    fn of(adapter: &Adapter) -> Result<Self, Error> {
         let info = adapter.get_info();
         // The limits of the WebGPU standard, which browsers have too. One limit is 128 MiB for a binding.
         let descriptor = DeviceDescriptor {
@@ -81,6 +93,13 @@ impl Gpu {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.info.name
+    }
+
+    /// Returns the name of the driver, its version and its interface.
+    #[must_use]
+    pub fn driver(&self) -> String {
+        let AdapterInfo { driver, driver_info, backend, .. } = &self.info;
+        format!("{driver} {driver_info}, {backend}")
     }
 
     /// Whether the driver is lavapipe, for which `docs/gpu.md` describes the results.
@@ -137,8 +156,7 @@ impl Gpu {
 
 impl fmt::Display for Gpu {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let AdapterInfo { name, driver, driver_info, backend, .. } = &self.info;
         let f64 = if self.has_f64() { "with f64" } else { "without f64" };
-        write!(f, "{name}, driver {driver} {driver_info}, {backend}, {f64}")
+        write!(f, "{}, driver {}, {f64}", self.name(), self.driver())
     }
 }

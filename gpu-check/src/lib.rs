@@ -14,7 +14,7 @@
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
 //! - [`steps`] traces single pixels step by step on both, and [`shader_lab`] renders with a user's own modules;
 //! - [`web`] serves a page that runs the f32 shader in a browser, which has another shader compiler;
-//! - [`rewrites`] finds out how a driver rewrites formulas;
+//! - [`rewrites`] finds out how a driver rewrites formulas, and [`conformance`] holds drivers to IEEE 754 and WGSL;
 //! - [`mutants`] are deliberate errors that these checks must notice.
 //!
 //! ```no_run
@@ -35,6 +35,7 @@
 pub mod adapter;
 pub mod bound;
 pub mod check;
+pub mod conformance;
 pub mod difference;
 pub mod error;
 pub mod float;

@@ -2,8 +2,9 @@
 //!
 //! A page that is opened from a file may not load data. WebGPU needs a trusted origin, and the loopback address is one.
 //! The server answers one request on each connection and closes it. The server is not made for an open network.
-//! [`request`] reads requests and limits their size and time.
+//! [`request`] reads requests and limits their size and time, and [`chromium`] starts a browser.
 
+pub mod chromium;
 pub mod data;
 pub mod lowered;
 pub mod request;
@@ -22,7 +23,7 @@ use request::{Refusal, Request};
 const ICON: &str = include_str!("../web/icon.svg");
 
 /// The page's files: the path of the request, the content type and the text.
-const FILES: [(&str, &str, &str); 11] = [
+const FILES: [(&str, &str, &str); 13] = [
     ("/", "text/html", include_str!("../web/index.html")),
     ("/?drive", "text/html", include_str!("../web/index.html")),
     ("/icon.svg", "image/svg+xml", ICON),
@@ -35,6 +36,8 @@ const FILES: [(&str, &str, &str); 11] = [
     ("/drive.js", "text/javascript", include_str!("../web/drive.js")),
     ("/lowered", "text/html", include_str!("../web/lowered.html")),
     ("/lowered.js", "text/javascript", include_str!("../web/lowered.js")),
+    ("/conformance", "text/html", include_str!("../web/conformance.html")),
+    ("/conformance.js", "text/javascript", include_str!("../web/conformance.js")),
 ];
 
 /// Largest number of connections at a time. A browser opens up to six connections to one server.

@@ -5,8 +5,8 @@
 //! `tests/run --browser` installs Chromium. Without Chromium the test is shown as ignored. If the variable `SCREENSHOT`
 //! has the path of a file, relative to the project's folder, the test writes a picture of the page there.
 
-#[path = "common/browser.rs"]
-mod browser;
+#[path = "common/documented.rs"]
+mod documented;
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
@@ -16,10 +16,11 @@ use std::process::ExitCode;
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
-use browser::{chromium, open};
 use cpu::{Config, Scene};
+use gpu_check::conformance::{browser, probes, report::Run};
 use gpu_check::kernels::KERNELS;
 use gpu_check::scenes::repository;
+use gpu_check::web::chromium::{self, Browser};
 use gpu_check::web::{Posted, Server, data};
 use gpu_check::{Float, Gpu, check};
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -33,22 +34,40 @@ const SCENE: &str = "matte: grey .5 .5 .5\nmetal: mirror .9 .9 .9 0\nrefractive:
     sphere: 0 -100 0 99 grey\nsphere: 0 0 0 1 glass\ncylinder: 2 0 0 .5 0 2 0 mirror\n";
 
 fn main() -> ExitCode {
-    let chromium = chromium();
+    let chromium = chromium::find();
     let required = std::env::var_os("BROWSER_REQUIRED").is_some();
     let ignored = chromium.is_none() && !required;
     if ignored {
         println!("there is no Chromium, so nothing is compared with it; tests/run --browser installs it");
     }
-    let name = "tint_agrees_and_the_page_renders_edits_and_reports";
-    let trial = Trial::test(name, move || drive(&chromium.ok_or("there is no Chromium")?));
-    libtest_mimic::run(&Arguments::from_args(), vec![trial.with_ignored_flag(ignored)]).exit_code()
+    let test = |name: &str, run: fn(&Path) -> Result<(), Failed>| {
+        let chromium = chromium.clone();
+        let run = move || run(&chromium.ok_or("there is no Chromium")?);
+        Trial::test(name, run).with_ignored_flag(ignored)
+    };
+    let trials = vec![
+        test("tint_agrees_and_the_page_renders_edits_and_reports", drive),
+        test("the_verdicts_in_the_browser_are_the_documented_ones", conformance),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
+}
+
+/// Checks the verdicts on the browser's compiler and driver against the table in docs/gpu.md.
+fn conformance(chromium: &Path) -> Result<(), Failed> {
+    let probes = probes::all();
+    let (driver, outcomes) = browser::run(chromium, &probes)?;
+    println!("{driver}");
+    let verdicts = Run { driver, outcomes }.verdicts(&probes);
+    let failures = documented::check(&probes, &verdicts, 3);
+    println!("{} probes, {failures} failures", probes.len());
+    Ok(())
 }
 
 /// Starts the browser, and returns all results that the page posts until it is finished, by name.
 fn results(chromium: &Path, server: Server) -> Result<BTreeMap<String, Vec<u8>>, Failed> {
     let profile = Folder::new();
     let address = server.address()?;
-    let browser = open(chromium, profile.path(), &[], &format!("http://{address}/?drive"))?;
+    let browser = Browser::open(chromium, profile.path(), &[], &format!("http://{address}/?drive"))?;
     let (sender, receiver) = mpsc::channel();
     // The thread runs until the process ends. Results after the last one are ignored.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
@@ -82,7 +101,8 @@ fn photograph(chromium: &Path, address: SocketAddr, posted: &Receiver<Posted>, p
     let file = profile.file("page.png");
     let look = ["--window-size=1010,620", "--hide-scrollbars"].map(str::to_owned);
     let options = [&look[..], &[format!("--screenshot={}", file.display())]].concat();
-    let mut browser = open(chromium, profile.path(), &options, &format!("http://{}/", listener.local_addr()?))?;
+    let mut browser =
+        Browser::open(chromium, profile.path(), &options, &format!("http://{}/", listener.local_addr()?))?;
     loop {
         let (mut stream, _) = listener.accept()?;
         let mut request = String::new();
@@ -96,7 +116,7 @@ fn photograph(chromium: &Path, address: SocketAddr, posted: &Receiver<Posted>, p
             break;
         }
     }
-    browser.wait()?;
+    browser.0.wait()?;
     std::fs::copy(file, repository(picture))?;
     Ok(())
 }

@@ -3,20 +3,17 @@
 //! The variable `LOWERED_CASES` sets the number of cases of each operation. `tests/run --browser` installs Chromium.
 //! Without Chromium the test is shown as ignored.
 
-#[path = "common/browser.rs"]
-mod browser;
-
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::mpsc;
 use std::time::Duration;
 
-use browser::{chromium, open};
 use cpu::{Scatter, Vec3, reference};
 use gpu_check::difference::difference;
 use gpu_check::features_of;
 use gpu_check::lowered::{Tally, operands::draw, operations};
 use gpu_check::scenes::{self, Case};
+use gpu_check::web::chromium::{self, Browser};
 use gpu_check::web::{Posted, Server, lowered::Jobs};
 use libtest_mimic::{Arguments, Failed, Trial};
 use test_support::folder::Folder;
@@ -29,7 +26,7 @@ const TESTS: usize = 200_000;
 const PATIENCE: Duration = Duration::from_secs(300);
 
 fn main() -> ExitCode {
-    let chromium = chromium();
+    let chromium = chromium::find();
     let required = std::env::var_os("BROWSER_REQUIRED").is_some();
     let ignored = chromium.is_none() && !required;
     let name = "integers_give_the_bits_of_rusts_f64_in_a_browser";
@@ -59,7 +56,7 @@ fn run(chromium: &Path) -> Result<(), Failed> {
     jobs.add_pictures(&pictures)?;
     let server = Server::new(0, jobs.into_data())?;
     let profile = Folder::new();
-    let _browser = open(chromium, profile.path(), &[], &format!("http://{}/lowered", server.address()?))?;
+    let _browser = Browser::open(chromium, profile.path(), &[], &format!("http://{}/lowered", server.address()?))?;
     let (sender, receiver) = mpsc::channel();
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
     let (mut compared, mut pixels, mut faults) = (0, 0, Vec::new());

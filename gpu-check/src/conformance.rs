@@ -1,0 +1,30 @@
+//! Small programs in WGSL, called probes, that show how a driver calculates.
+//!
+//! Each [`probe::Probe`] is a program of at most 20 lines with its inputs. It lists which results IEEE 754 and the WGSL
+//! specification allow, computed in Rust for each input. The [`verdict`] on a driver is that its results are as
+//! written, or follow one named allowed rewriting, or are within the allowed error. All other results are a failure.
+//!
+//! - [`value`] holds numbers of any type as bits, and [`ulp`] measures errors;
+//! - [`reading`] is one allowed way to calculate a program, and [`draft`] builds probes;
+//! - [`inputs`] and [`probes`] are the inputs and the list of all probes;
+//! - [`native`] runs the probes through wgpu, and [`browser`] runs the same programs in a browser;
+//! - [`report`] writes verdicts as a table, as JSON, and as text that can be sent to the authors of a driver;
+//! - [`args`] is the command line of the program `conformance`.
+//!
+//! The numbers of sections are those of the WGSL specification, <https://www.w3.org/TR/WGSL/>.
+
+pub mod args;
+pub mod browser;
+pub mod draft;
+pub mod inputs;
+pub mod native;
+pub mod probe;
+pub mod probes;
+pub mod reading;
+pub mod report;
+pub mod ulp;
+pub mod value;
+pub mod verdict;
+
+#[cfg(test)]
+mod tests;

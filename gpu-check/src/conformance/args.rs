@@ -1,0 +1,89 @@
+//! The command line of `conformance`.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+
+/// Holds drivers to IEEE 754 and WGSL: runs small programs, and compares their results with what is allowed.
+#[derive(Debug, Parser)]
+#[command(
+    name = "conformance",
+    max_term_width = 120,
+    after_help = "\
+Examples:
+  conformance                            the table for lavapipe
+  conformance --all --browser            a column for every adapter, and one for Chromium
+  conformance --probe loop-limit         one program with its inputs and results, for a report to its authors
+  WGPU_ADAPTER_NAME=nvidia conformance --json nvidia.json
+
+A verdict is one of these: as written; rewritten, with the name of an allowed rewriting; within error, with the name of
+the allowed error; refused, where a program may be refused; not available, if the adapter lacks f64; or FAILURE.
+
+Exit status: 0 no driver fails a probe
+             1 a driver fails a probe
+             2 an error, such as a missing driver
+             130 interrupted"
+)]
+pub struct Arguments {
+    /// Print the name, program and rule of each probe, and run nothing
+    #[arg(long, conflicts_with_all = ["probe", "json", "browser", "all", "markdown"])]
+    pub list: bool,
+    /// Run this probe alone, and print its program, inputs and results; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub probe: Vec<String>,
+    /// Write drivers, probes and verdicts into this file, as JSON
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+    /// Run on every adapter, or on every one whose name contains WGPU_ADAPTER_NAME
+    #[arg(long)]
+    pub all: bool,
+    /// Run in headless Chromium too, which is looked for in PATH or is the file that CHROMIUM names
+    #[arg(long)]
+    pub browser: bool,
+    /// Run in the browser alone, on no adapter
+    #[arg(long, requires = "browser", conflicts_with = "all")]
+    pub no_native: bool,
+    /// Print the table in Markdown
+    #[arg(long)]
+    pub markdown: bool,
+}
+
+/// Returns the positions of the probes with these names among `names`, or all positions if `wanted` is empty.
+///
+/// # Errors
+/// A message for the user if a name is unknown. It suggests the most similar name.
+pub fn choose(names: &[&str], wanted: &[String]) -> Result<Vec<usize>, String> {
+    if wanted.is_empty() {
+        return Ok((0..names.len()).collect());
+    }
+    let position = |name: &String| {
+        names.iter().position(|known| known == name).ok_or_else(|| {
+            let likeness = |known: &&&str| strsim::jaro_winkler(known, name);
+            let nearest = names.iter().max_by(|one, other| likeness(one).total_cmp(&likeness(other)));
+            let hint = nearest.map_or_else(String::new, |known| format!("; did you mean [{known}]?"));
+            format!("there is no probe [{name}]{hint}; --list shows all")
+        })
+    };
+    wanted.iter().map(position).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_probe_is_named_with_the_nearest_one() {
+        let names = ["cancel-term", "fma"];
+        assert_eq!(choose(&names, &[]), Ok(vec![0, 1]));
+        assert_eq!(choose(&names, &["fma".to_owned()]), Ok(vec![1]));
+        let message = choose(&names, &["cancel-tern".to_owned()]).expect_err("it does not exist");
+        assert_eq!(message, "there is no probe [cancel-tern]; did you mean [cancel-term]?; --list shows all");
+    }
+
+    #[test]
+    fn options_that_exclude_each_other_are_refused() {
+        let parse = |arguments: &[&str]| Arguments::try_parse_from([&["conformance"], arguments].concat()).is_ok();
+        assert!(parse(&["--all", "--browser", "--json", "x"]) && parse(&["--browser", "--no-native"]));
+        assert!(!parse(&["--no-native"]) && !parse(&["--list", "--all"]) && !parse(&["more"]));
+    }
+}

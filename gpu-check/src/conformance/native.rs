@@ -1,0 +1,58 @@
+//! Runs probes through wgpu, on an adapter of this machine.
+
+use super::probe::Probe;
+use super::report::Driver;
+use super::verdict::Outcome;
+use crate::pipeline::Content;
+use crate::{Error, Gpu, Pipeline};
+
+/// The project's lock file, which has the versions of wgpu and naga.
+const LOCK: &str = include_str!("../../../Cargo.lock");
+
+/// Returns the version of a package in the text of a lock file.
+fn version<'a>(lock: &'a str, package: &str) -> &'a str {
+    let entry = format!("name = \"{package}\"\nversion = \"");
+    lock.split_once(&entry).and_then(|(_, rest)| rest.split('"').next()).unwrap_or("unknown")
+}
+
+/// Returns the description of a device, for reports.
+#[must_use]
+pub fn driver(gpu: &Gpu) -> Driver {
+    let versions = ["wgpu", "naga"].map(|package| format!("{package} {}", version(LOCK, package)));
+    Driver { adapter: gpu.name().to_owned(), driver: gpu.driver(), compiler: versions.join(", ") }
+}
+
+/// Runs a probe.
+///
+/// # Errors
+/// An error that says nothing about the driver's arithmetic, such as [`Error::DeviceLost`] or [`Error::Timeout`].
+pub fn run(gpu: &Gpu, probe: &Probe) -> Result<Outcome, Error> {
+    if probe.needs_f64() && !gpu.has_f64() {
+        return Ok(Outcome::NotAvailable("f64"));
+    }
+    let pipeline = match Pipeline::new(gpu, &probe.composition(), None) {
+        Err(Error::Shader(error)) => return Ok(Outcome::Refused(error.to_string())),
+        Err(Error::Refused { cause }) => return Ok(Outcome::Refused(cause)),
+        result => result?,
+    };
+    let input = probe.input_bytes();
+    let contents = [Content::Input(&input), Content::Output(probe.output_size() as u64)];
+    match pipeline.run(gpu, &contents, probe.cases.len() as u64) {
+        Ok(run) => Ok(Outcome::Results(probe.output.of_bytes(&run.outputs.concat()))),
+        Err(Error::Unwritten { count, .. }) => Ok(Outcome::Unwritten(count)),
+        Err(Error::Refused { cause }) => Ok(Outcome::Refused(cause)),
+        Err(error) => Err(error),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_come_from_the_lock_file() {
+        assert_eq!(version("name = \"a\"\nversion = \"1.2\"\n\nname = \"b\"\nversion = \"3\"\n", "b"), "3");
+        assert_eq!(version("", "b"), "unknown");
+        assert!(version(LOCK, "naga").starts_with(|digit: char| digit.is_ascii_digit()));
+    }
+}

@@ -1,0 +1,168 @@
+//! Writes verdicts: as a table, as JSON, and as a text for the authors of a driver.
+
+mod details;
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::probe::Probe;
+use super::verdict::{Failure, Outcome, Verdict};
+
+pub use details::details;
+
+/// A driver, as reports name it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Driver {
+    /// The name of the adapter.
+    pub adapter: String,
+    /// The name of the driver, with its version.
+    pub driver: String,
+    /// The program that compiles WGSL, with its version.
+    pub compiler: String,
+}
+
+/// The outcomes of all probes on one driver.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The driver.
+    pub driver: Driver,
+    /// The outcome of each probe, in the order of the probes.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Run {
+    /// Returns the verdict on each probe.
+    #[must_use]
+    pub fn verdicts(&self, probes: &[Probe]) -> Vec<Verdict> {
+        probes.iter().zip(&self.outcomes).map(|(probe, outcome)| Verdict::of(probe, outcome)).collect()
+    }
+}
+
+impl std::fmt::Display for Driver {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}; {}; {}", self.adapter, self.driver, self.compiler)
+    }
+}
+
+/// Returns a table for the terminal: the drivers, a line for each probe with a verdict for each driver, and the numbers
+/// of verdicts.
+#[must_use]
+pub fn table(probes: &[Probe], runs: &[Run]) -> String {
+    let rows: Vec<Vec<String>> = rows(probes, runs);
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..=runs.len()).map(width).collect();
+    let mut text = String::new();
+    for (number, run) in runs.iter().enumerate() {
+        let _ = writeln!(text, "driver {}: {}", number + 1, run.driver);
+    }
+    let mut group = "";
+    for (probe, row) in probes.iter().zip(&rows) {
+        if probe.group != group {
+            group = probe.group;
+            let _ = writeln!(text, "\n{group}");
+        }
+        let cells: Vec<_> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+        let _ = writeln!(text, "  {}", cells.join("  ").trim_end());
+    }
+    text.push('\n');
+    for (number, run) in runs.iter().enumerate() {
+        let _ = writeln!(text, "driver {}: {}", number + 1, counts(&run.verdicts(probes)));
+    }
+    text
+}
+
+/// Returns the table in Markdown, as docs/gpu.md has it: a row for each probe that a driver does not calculate as
+/// written, and then the names of all other probes.
+#[must_use]
+pub fn markdown(probes: &[Probe], runs: &[Run]) -> String {
+    let mut text = "| Probe | Program |".to_owned();
+    (1..=runs.len()).for_each(|number| text += &format!(" Driver {number} |"));
+    text += &format!("\n|{}\n", "---|".repeat(2 + runs.len()));
+    let mut others = Vec::new();
+    for (probe, row) in probes.iter().zip(rows(probes, runs)) {
+        if row[1..].iter().all(|cell| cell == "as written" || cell == NO_F64) {
+            others.push(probe.name.as_str());
+            continue;
+        }
+        // A vertical bar would end the cell.
+        let cells: Vec<_> = row[1..].iter().map(|cell| cell.replace(NO_F64, "no f64").replace('|', "\\|")).collect();
+        text += &format!("| `{}` | `{}` | {} |\n", probe.name, probe.result, cells.join(" | "));
+    }
+    text + "\nAs written on every driver that has the type:\n\n" + &wrapped(&others)
+}
+
+/// Returns the words in lines of at most 116 columns, as a block of Markdown.
+fn wrapped(words: &[&str]) -> String {
+    const COLUMNS: usize = 116;
+    let mut lines = vec!["   ".to_owned()];
+    for word in words {
+        let last = lines.len() - 1;
+        if lines[last].len() + 1 + word.len() > COLUMNS {
+            lines.push(format!("    {word}"));
+        } else {
+            lines[last] += &format!(" {word}");
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The verdict on a probe that needs f64, if the adapter lacks it.
+const NO_F64: &str = "not available (f64)";
+
+/// Returns the name of each probe with its verdicts.
+fn rows(probes: &[Probe], runs: &[Run]) -> Vec<Vec<String>> {
+    let verdicts: Vec<_> = runs.iter().map(|run| run.verdicts(probes)).collect();
+    let row = |(index, probe): (usize, &Probe)| {
+        let cells = verdicts.iter().map(|verdicts| verdicts[index].to_string());
+        std::iter::once(probe.name.clone()).chain(cells).collect()
+    };
+    probes.iter().enumerate().map(row).collect()
+}
+
+/// Returns the number of verdicts of each class.
+fn counts(verdicts: &[Verdict]) -> String {
+    let classes = ["as written", "rewritten", "within error", "refused", "not available", "failure"];
+    let count = |class: &str| verdicts.iter().filter(|verdict| verdict.class() == class).count();
+    let parts: Vec<_> = classes.iter().map(|class| format!("{} {class}", count(class))).collect();
+    format!("{} probes: {}", verdicts.len(), parts.join(", "))
+}
+
+/// Returns the probes, drivers and verdicts as JSON. A failure also lists the cases that are wrong.
+#[must_use]
+pub fn json(probes: &[Probe], runs: &[Run]) -> String {
+    let of_run = |run: &Run| {
+        let verdicts: Vec<Value> =
+            probes.iter().zip(run.verdicts(probes)).map(|(probe, verdict)| of_verdict(probe, &verdict)).collect();
+        let Driver { adapter, driver, compiler } = &run.driver;
+        json!({"adapter": adapter, "driver": driver, "compiler": compiler, "verdicts": verdicts})
+    };
+    let of_probe = |probe: &Probe| {
+        json!({
+            "name": probe.name, "group": probe.group, "rule": probe.rule, "program": probe.text(),
+            "cases": probe.cases.len(),
+        })
+    };
+    let value = json!({
+        "probes": probes.iter().map(of_probe).collect::<Vec<_>>(),
+        "drivers": runs.iter().map(of_run).collect::<Vec<_>>(),
+    });
+    format!("{value:#}\n")
+}
+
+fn of_verdict(probe: &Probe, verdict: &Verdict) -> Value {
+    let mut value = json!({"probe": probe.name, "class": verdict.class(), "verdict": verdict.to_string()});
+    if let Verdict::Failure(Failure::Wrong { nearest, cases, .. }) = verdict {
+        value["nearest"] = json!(nearest);
+        value["wrong_cases"] = json!(cases);
+    }
+    value
+}
+
+/// Returns the list of probes: name, program and rule of each.
+#[must_use]
+pub fn list(probes: &[Probe]) -> String {
+    let width = probes.iter().map(|probe| probe.name.len()).max().unwrap_or(0);
+    let line = |probe: &Probe| format!("{:width$}  {}\n{:width$}  {}\n", probe.name, probe.result, "", probe.rule);
+    probes.iter().map(line).collect()
+}

@@ -1,0 +1,70 @@
+//! Errors in units in the last place, as section 15.7.4 of the WGSL specification defines them.
+
+use super::reading::Allowed;
+
+/// Factor for the error of a bound itself, because bounds are computed in `f64`. 2^-20 of a unit in the last place of
+/// `f32` is far more than the error of `f64`, and far less than any error that matters.
+const SLACK: f64 = 1.0 + 1.0 / (1 << 20) as f64;
+
+/// Returns the distance between the two neighbours in `f32` that enclose `x`. At a power of two this is the smaller of
+/// the two distances.
+#[must_use]
+pub fn ulp(x: f64) -> f64 {
+    let magnitude = x.abs().min(f64::from(f32::MAX));
+    let below = (magnitude as f32).next_up().next_up();
+    // Walks down from above to the last number of f32 that is below the magnitude.
+    let mut low = below;
+    while f64::from(low) >= magnitude && low > 0.0 {
+        low = low.next_down();
+    }
+    f64::from(low.next_up()) - f64::from(low)
+}
+
+/// Allows every result within `units` units in the last place of `exact`, which must be accurate to 2^-45.
+#[must_use]
+pub fn within(exact: f64, units: f64) -> Allowed {
+    within_absolute(exact, units * ulp(exact))
+}
+
+/// Allows every result whose distance from `exact` is at most `error`.
+#[must_use]
+pub fn within_absolute(exact: f64, error: f64) -> Allowed {
+    let error = error * SLACK;
+    Allowed::Between(exact - error, exact + error)
+}
+
+/// Returns the two numbers of `f32` next to `exact`, of which a correctly rounded result is one. If `exact` is in
+/// `f32`, both are that number.
+#[must_use]
+pub fn neighbours(exact: f64) -> [f32; 2] {
+    let near = exact as f32;
+    match f64::from(near).total_cmp(&exact) {
+        std::cmp::Ordering::Less if f64::from(near) != exact => [near, near.next_up()],
+        std::cmp::Ordering::Greater if f64::from(near) != exact => [near.next_down(), near],
+        _ => [near, near],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_is_the_distance_of_the_neighbours() {
+        let eps = f64::from(f32::EPSILON);
+        assert_eq!([ulp(1.0), ulp(1.5), ulp(-1.25), ulp(2.0)], [eps / 2.0, eps, eps, eps]);
+        assert_eq!(ulp(1.0 + 1e-12), eps);
+        assert_eq!([ulp(0.0), ulp(1e-42)], [f64::from(f32::from_bits(1)); 2]);
+        assert_eq!(ulp(1e300), f64::from(f32::MAX) - f64::from(f32::MAX.next_down()));
+    }
+
+    #[test]
+    fn neighbours_enclose_the_number() {
+        let third = 1.0 / 3.0;
+        let [low, high] = neighbours(third);
+        assert!(f64::from(low) < third && third < f64::from(high) && low.next_up() == high);
+        assert_eq!(neighbours(0.5), [0.5; 2]);
+        let [low, high] = neighbours(-third);
+        assert!(f64::from(low) < -third && -third < f64::from(high) && low.next_up() == high);
+    }
+}

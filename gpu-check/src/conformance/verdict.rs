@@ -1,0 +1,136 @@
+//! Decides whether a driver's results follow one of the allowed readings.
+
+use std::fmt;
+
+use super::probe::Probe;
+use super::reading::Kind;
+
+/// What a driver made of a probe.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// It calculated these results, as bits, one for each case.
+    Results(Vec<u64>),
+    /// It refused the program, with this message.
+    Refused(String),
+    /// It left this number of results unwritten.
+    Unwritten(usize),
+    /// The adapter lacks what the probe needs.
+    NotAvailable(&'static str),
+}
+
+/// The verdict on a driver for one probe.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The results are as written.
+    AsWritten,
+    /// The results follow the rewriting of this name.
+    Rewritten(&'static str),
+    /// The results are within the error of this name.
+    WithinError(&'static str),
+    /// The implementation refuses the program, and may do so.
+    Refused,
+    /// The adapter lacks what the probe needs.
+    NotAvailable(&'static str),
+    /// The results follow no allowed reading.
+    Failure(Failure),
+}
+
+/// The reason of a failure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// These cases do not follow the reading that explains most cases.
+    Wrong {
+        /// The reading that explains most cases.
+        nearest: &'static str,
+        /// Indices of the cases that it does not explain.
+        cases: Vec<usize>,
+        /// Number of all cases.
+        of: usize,
+    },
+    /// The number of results is not the number of cases.
+    WrongCount(usize),
+    /// The implementation refused a program that it must accept.
+    Refused(String),
+    /// This number of results was not written.
+    Unwritten(usize),
+}
+
+impl Verdict {
+    /// Returns the verdict on `outcome`. One reading must explain the results of all cases: a driver compiles the
+    /// program once, so it cannot rewrite one case and not another.
+    #[must_use]
+    pub fn of(probe: &Probe, outcome: &Outcome) -> Self {
+        let results = match outcome {
+            Outcome::Results(results) => results,
+            Outcome::Refused(_) if probe.may_be_refused => return Self::Refused,
+            Outcome::Refused(message) => return Self::Failure(Failure::Refused(message.clone())),
+            Outcome::Unwritten(count) => return Self::Failure(Failure::Unwritten(*count)),
+            Outcome::NotAvailable(what) => return Self::NotAvailable(what),
+        };
+        if results.len() != probe.cases.len() {
+            return Self::Failure(Failure::WrongCount(results.len()));
+        }
+        let mut nearest: Option<(&'static str, Vec<usize>)> = None;
+        for reading in &probe.readings {
+            let is_wrong = |index: &usize| {
+                let allowed = reading.allowed(&probe.cases[*index]);
+                !allowed.contains(probe.output, results[*index])
+            };
+            let wrong: Vec<usize> = (0..results.len()).filter(is_wrong).collect();
+            if wrong.is_empty() {
+                return match reading.kind {
+                    Kind::AsWritten => Self::AsWritten,
+                    Kind::Rewriting => Self::Rewritten(reading.name),
+                    Kind::Error => Self::WithinError(reading.name),
+                };
+            }
+            if nearest.as_ref().is_none_or(|(_, least)| wrong.len() < least.len()) {
+                nearest = Some((reading.name, wrong));
+            }
+        }
+        let (nearest, cases) = nearest.unwrap_or_default();
+        Self::Failure(Failure::Wrong { nearest, cases, of: results.len() })
+    }
+
+    /// Whether the driver fails the probe.
+    #[must_use]
+    pub const fn is_failure(&self) -> bool {
+        matches!(self, Self::Failure(_))
+    }
+
+    /// Returns the class of the verdict, for programs that read the JSON.
+    #[must_use]
+    pub const fn class(&self) -> &'static str {
+        match self {
+            Self::AsWritten => "as written",
+            Self::Rewritten(_) => "rewritten",
+            Self::WithinError(_) => "within error",
+            Self::Refused => "refused",
+            Self::NotAvailable(_) => "not available",
+            Self::Failure(_) => "failure",
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AsWritten | Self::Refused => f.write_str(self.class()),
+            Self::Rewritten(name) => write!(f, "rewritten: {name}"),
+            Self::WithinError(name) => write!(f, "within error: {name}"),
+            Self::NotAvailable(what) => write!(f, "not available ({what})"),
+            Self::Failure(failure) => write!(f, "FAILURE: {failure}"),
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Wrong { cases, of, .. } => write!(f, "{} of {of} wrong", cases.len()),
+            Self::WrongCount(count) => write!(f, "{count} results"),
+            Self::Refused(message) => write!(f, "refused: {}", message.lines().next().unwrap_or_default()),
+            Self::Unwritten(count) => write!(f, "{count} not written"),
+        }
+    }
+}
