@@ -60,13 +60,16 @@ pub enum Kind {
     Error,
 }
 
+/// A function from the inputs of a case to the results that a reading allows.
+type AllowedResults = Box<dyn Fn(&[u64]) -> Allowed>;
+
 /// A reading of a program: its name, and the results that it allows for each case.
 pub struct Reading {
     /// The name, as it is in tables.
     pub name: &'static str,
     /// What it means if results follow this reading.
     pub kind: Kind,
-    allowed: Box<dyn Fn(&[u64]) -> Allowed>,
+    allowed: AllowedResults,
 }
 
 impl Reading {

@@ -10,8 +10,9 @@ use crate::conformance::ulp::{ulp, within, within_absolute};
 const F64: &str = "IEEE 754: correctly rounded (recommended). WGSL has no f64, and GLSL.std.450 has these functions for 16 \
                    and 32 bits only, so naga must refuse the program";
 
-/// Numbers that tests of `sin` and `cos` take: the interval in which WGSL bounds the error.
-const HALF_TURN: f64 = 3.14159;
+/// Largest magnitude of the arguments of `sin` and `cos`. WGSL bounds their error up to pi, and the `f32` nearest to pi
+/// is larger than pi.
+const HALF_TURN: f64 = std::f64::consts::PI - 1e-5;
 
 pub fn probes() -> Vec<Probe> {
     let mut probes = of_f32();

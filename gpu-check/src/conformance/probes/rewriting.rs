@@ -118,16 +118,22 @@ fn trivial<T: Number>() -> Vec<Probe> {
     let every = || of_every_kind::<T>().into_iter().map(|a| [a]);
     let finite = || finite::<T>().into_iter().map(|a| [a]);
     vec![
-        Draft::new("subtract-itself", "a - a", every(), |[a]: [T; 1]| a - a)
-            .rule(FINITE)
-            .rewriting("0", |_| T::of(0.0))
-            .finite_math(move |[a]| is_special(a))
-            .done(),
-        Draft::new("divide-by-itself", "a / a", every(), |[a]: [T; 1]| a / a)
-            .rule(FINITE)
-            .rewriting("1", |_| T::of(1.0))
-            .finite_math(move |[a]| is_special(a) || a.wide() == 0.0)
-            .done(),
+        Draft::new("subtract-itself", "a - a", every(), |[a]: [T; 1]| {
+            let same = a;
+            a - same
+        })
+        .rule(FINITE)
+        .rewriting("0", |_| T::of(0.0))
+        .finite_math(move |[a]| is_special(a))
+        .done(),
+        Draft::new("divide-by-itself", "a / a", every(), |[a]: [T; 1]| {
+            let same = a;
+            a / same
+        })
+        .rule(FINITE)
+        .rewriting("1", |_| T::of(1.0))
+        .finite_math(move |[a]| is_special(a) || a.wide() == 0.0)
+        .done(),
         Draft::new("multiply-by-zero", "a * 0.0", every(), |[a]: [T; 1]| a * T::of(0.0))
             .rule("IEEE 754: NaN for infinities and NaN, and a sign. WGSL 15.7.2: neither is required")
             .rewriting("0", |_| T::of(0.0))
