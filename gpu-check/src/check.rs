@@ -96,6 +96,17 @@ pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     tally
 }
 
+/// Returns the index of the first case whose result differs from that of the formula in Rust.
+#[must_use]
+pub fn first_differing<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Option<usize> {
+    let mut expected = vec![T::of(0.0); kernel.outputs.len()];
+    let rows = cases.chunks(kernel.inputs).zip(results.chunks(kernel.outputs.len()));
+    rows.into_iter().position(|(case, actual)| {
+        T::formula(kernel)(case, &mut expected);
+        expected.iter().zip(actual).any(|(expected, actual)| !expected.same(*actual))
+    })
+}
+
 /// Runs the kernel for `cases`, and compares its results with those of the formula in Rust.
 ///
 /// # Errors

@@ -34,6 +34,16 @@ fn distance(one: f64, other: f64) -> f64 {
     }
 }
 
+/// Returns the index of the first pixel in which a channel has different bits.
+#[must_use]
+pub fn first_differing<T: Float>(pixels: &[Vec3<T>], others: &[Vec3<T>]) -> Option<usize> {
+    let channels = |pixel: &Vec3<T>| pixel.to_array();
+    let differ = |(one, other): (&Vec3<T>, &Vec3<T>)| {
+        channels(one).into_iter().zip(channels(other)).any(|(one, other)| !one.same(other))
+    };
+    pixels.iter().zip(others).position(differ)
+}
+
 /// Returns the differences between two pictures of equal size.
 ///
 /// # Panics

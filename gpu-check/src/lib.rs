@@ -12,7 +12,7 @@
 //! - [`running`] computes a bound on the error of f32, and [`flushed`] is f32 arithmetic without subnormal numbers;
 //! - [`picture`], [`renderer`] and [`twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
-//! - [`steps`] traces single pixels step by step on both, and [`shader_lab`] renders with a user's own modules;
+//! - [`steps`] traces single pixels step by step on both, [`first_difference`] finds the function that differs, and [`shader_lab`] renders with a user's own modules;
 //! - [`web`] serves a page that runs the f32 shader in a browser, which has another shader compiler;
 //! - [`rewrites`] finds out how a driver rewrites formulas, and [`conformance`] holds drivers to IEEE 754 and WGSL;
 //! - [`mutants`] are deliberate errors that these checks must notice.
@@ -38,6 +38,7 @@ pub mod check;
 pub mod conformance;
 pub mod difference;
 pub mod error;
+pub mod first_difference;
 pub mod float;
 pub mod flushed;
 pub mod gpu;

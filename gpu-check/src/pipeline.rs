@@ -31,6 +31,8 @@ pub enum Content<'a> {
     Scratch(u64),
     /// A buffer of this many bytes for results. The kernel must write all of them.
     Output(u64),
+    /// A buffer of this many bytes for results, which are zero before the run. The kernel may write a part of them.
+    Record(u64),
 }
 
 /// A kernel that is compiled for a device.
@@ -47,7 +49,7 @@ pub struct Pipeline {
 /// The results of one call of [`Pipeline::run`].
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// The contents of all [`Content::Output`] buffers, in the order of their bindings.
+    /// The contents of all [`Content::Output`] and [`Content::Record`] buffers, in the order of their bindings.
     pub outputs: Vec<Vec<u8>>,
     /// The time from submitting the work until the device has finished it, without the transfers.
     pub time: Duration,
@@ -134,9 +136,11 @@ impl Pipeline {
         let (buffers, time) = gpu.scoped(|| self.dispatch(gpu, contents, invocations))?;
         let mut outputs = Vec::new();
         for (buffer, content) in buffers.iter().zip(contents) {
-            if matches!(content, Content::Output(_)) {
+            if matches!(content, Content::Output(_) | Content::Record(_)) {
                 let bytes = self.read(gpu, buffer)?;
-                self.check_written(&bytes)?;
+                if matches!(content, Content::Output(_)) {
+                    self.check_written(&bytes)?;
+                }
                 outputs.push(bytes);
             }
         }
@@ -150,7 +154,7 @@ impl Pipeline {
                 Content::Input(bytes) => ("an input", bytes.len() as u64),
                 Content::Inputs(each) => ("an input", each.iter().map(Vec::len).max().unwrap_or(0) as u64),
                 Content::Scratch(bytes) => ("the materials that attenuate each path", *bytes),
-                Content::Output(bytes) => ("an output", *bytes),
+                Content::Output(bytes) | Content::Record(bytes) => ("an output", *bytes),
             };
             if bytes > limit {
                 return Err(Error::TooLarge { what, bytes, limit });

@@ -13,7 +13,7 @@ use cpu::internals::math::vec3::NEGLIGIBLE;
 use cpu::{Ray, Vec3};
 
 use crate::Picture;
-use crate::picture::Kind;
+use crate::picture::{Kind, PackedMaterial};
 
 /// The closest hit found so far.
 struct ClosestHit<T> {
@@ -70,19 +70,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
     /// Returns the ray that the surface scatters when `ray` hits it. A refractive surface does not use the scatter
     /// vector `vector`.
     pub(crate) fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>, vector: Vec3<T>) -> Ray<T> {
-        let material = self.materials[surface.material as usize];
-        let hit = surface.hit;
-        let direction = match material.kind {
-            Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
-            Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
-            Kind::Refractive => {
-                // The twin of `scatter_index_ratio`, which divides in the precision T. `IndexRatio` in `cpu` divides in
-                // f64. If T is f32, that ratio may have other bits.
-                let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
-                refraction::refract(ray.direction, hit.normal, ratio)
-            }
-        };
-        Ray { origin: hit.point, direction }
+        scattered(ray, &surface.hit, &self.materials[surface.material as usize], vector)
     }
 
     /// Returns the closest hit of the ray, found by a loop over all objects, or `None` if the ray escapes.
@@ -108,6 +96,26 @@ impl<T: Real<Mask = bool>> Picture<T> {
         };
         Some(SurfaceHit { hit: Hit::facing(ray.direction, point, outward), material, lambda, order, part })
     }
+}
+
+/// The twin of `bounce_ray`: returns the ray that a surface of `material` scatters when `ray` hits it at `hit`.
+pub(crate) fn scattered<T: Real<Mask = bool>>(
+    ray: &Ray<T>,
+    hit: &Hit<T>,
+    material: &PackedMaterial<T>,
+    vector: Vec3<T>,
+) -> Ray<T> {
+    let direction = match material.kind {
+        Kind::Matte => scatter::scatter_around(hit.normal, vector, T::of(NEGLIGIBLE)),
+        Kind::Metal => reflection::mirror(ray.direction, hit.normal) + vector,
+        Kind::Refractive => {
+            // The twin of `scatter_index_ratio`, which divides in the precision T. `IndexRatio` in `cpu` divides in
+            // f64. If T is f32, that ratio may have other bits.
+            let ratio = if hit.front { T::of(1.0) / material.index } else { material.index };
+            refraction::refract(ray.direction, hit.normal, ratio)
+        }
+    };
+    Ray { origin: hit.point, direction }
 }
 
 /// Replaces the closest hit by the one that the parameters describe, if that one is closer. The objects may come in any

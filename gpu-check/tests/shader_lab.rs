@@ -54,6 +54,26 @@ fn standard(name: &str) -> String {
 }
 
 #[test]
+fn the_first_difference_names_the_function_the_line_and_the_number() {
+    common::gpu();
+    let folder = Folder::new();
+    let path = folder.file("sphere.wgsl");
+    let source = standard("sphere").replace("let near = (h - root) / a;", "let near = (h - root) * (real(1.0) / a);");
+    fs::write(&path, &source).expect("the folder is writable");
+    let text = report(folder.path(), "sphere.wgsl --first-difference");
+    let line = |start: &str| source.lines().position(|line| line.trim().starts_with(start)).expect("it is there") + 1;
+    let place =
+        format!("first difference: the result of sphere_intersect, sphere.wgsl:{}\n", line("fn sphere_intersect"));
+    assert!(text.contains(&place), "{text}");
+    assert!(text.contains("  or of what it calls: sphere_first_root\n"), "{text}");
+    assert!(text.contains("  result.lambda ") && text.contains("CPU   0 "), "{text}");
+    assert!(text.ends_with(&format!("changed lines: sphere.wgsl:{}\n", line("let near"))), "{text}");
+    fs::write(&path, standard("sphere")).expect("the folder is writable");
+    let text = report(folder.path(), "sphere.wgsl --first-difference");
+    assert!(text.ends_with("no pixel differs, so there is no first difference\n"), "{text}");
+}
+
+#[test]
 fn an_unchanged_module_differs_in_no_bit_and_a_changed_one_does() {
     common::gpu();
     let folder = Folder::new();

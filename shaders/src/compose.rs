@@ -155,6 +155,13 @@ impl Composition {
         Ok(Self { source, precision: self.precision, root: self.root, parts: vec![part], is_lowered: true })
     }
 
+    /// Returns this composition with the text `source`, whose lines come from the same files, followed by `more`.
+    pub(crate) fn changed(&self, source: String, more: &str) -> Self {
+        let part = Part { path: "call trace".to_owned(), first_line: source.lines().count() + 1, is_replaced: false };
+        let parts = self.parts.iter().cloned().chain([part]).collect();
+        Self { source: source + more, parts, ..self.clone() }
+    }
+
     /// Whether a device needs f64 to run this composition.
     #[must_use]
     pub fn needs_f64(&self) -> bool {

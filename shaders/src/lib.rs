@@ -9,6 +9,7 @@
 //! - [`compose`] joins a module and the modules that it needs into one text, and can replace any of them;
 //! - [`validate`] checks that text with naga, and reports errors with their places in the module's own file;
 //! - [`limits`] limits the size and the nesting of the texts that naga reads;
+//! - [`call_trace`] records every call of a function with its arguments and its result;
 //! - [`lower`] replaces f64 by integers, for devices and languages without f64;
 //! - [`features`] has the scene's needs as pipeline-overridable constants;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
@@ -22,6 +23,7 @@
 //! # Ok::<(), shaders::Error>(())
 //! ```
 
+pub mod call_trace;
 pub mod compose;
 pub mod diagnostic;
 pub mod error;
@@ -33,6 +35,7 @@ pub mod precision;
 pub mod translate;
 pub mod validate;
 
+pub use call_trace::CallTrace;
 pub use compose::{Composition, Library};
 pub use diagnostic::Diagnostic;
 pub use error::Error;

@@ -98,7 +98,7 @@ pub fn check(source: &str) -> Result<(), Excess> {
 
 /// Returns the tokens of `source` with their offsets. A token is a word, or a single byte that belongs to no word.
 /// Blanks and comments are skipped.
-fn tokens(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
+pub(crate) fn tokens(source: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     let mut at = 0;
     std::iter::from_fn(move || {
         loop {

@@ -4,7 +4,9 @@ use cpu::{Scatter, Vec3, reference};
 use shaders::{Features, Library, Precision};
 
 use super::Mutant;
+use crate::difference::first_differing;
 use crate::difference::{Difference, difference};
+use crate::first_difference::{self, Located};
 use crate::kernels::KERNELS;
 use crate::sampled::crafted::{self, Crafted};
 use crate::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
@@ -78,6 +80,37 @@ impl<'a> Examiner<'a> {
         }
         if runs("kernels/samples", module)? || runs("kernels/means", module)? {
             return self.examine_samples(library);
+        }
+        Ok(None)
+    }
+
+    /// Returns the first difference that `library` has in a case of a kernel, or else in a pixel of a picture in
+    /// deterministic mode. Only kernels that need `module` are run. Returns `None` if there is no difference.
+    ///
+    /// # Errors
+    /// An error of the device or of the library's WGSL.
+    pub fn first_difference(&self, library: &Library, module: &str) -> Result<Option<Located<f64>>, Error> {
+        for (kernel, cases) in &self.kernels {
+            if !runs(kernel.module, module)? {
+                continue;
+            }
+            let pipeline = check::compile::<f64>(self.gpu, library, kernel)?;
+            let results = check::results(self.gpu, &pipeline, kernel, cases)?;
+            if let Some(index) = check::first_differing(kernel, cases, &results) {
+                let case = &cases[index * kernel.inputs..][..kernel.inputs];
+                return first_difference::of_case(self.gpu, library, kernel, case);
+            }
+        }
+        if !runs("kernels/image", module)? {
+            return Ok(None);
+        }
+        for (case, expected) in &self.pictures {
+            let (features, picture) =
+                (features_of(&case.config, &case.scene)?, Picture::new(&case.config, &case.scene)?);
+            let rendering = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2).render(&picture)?;
+            if let Some(index) = first_differing(&rendering.pixels, expected) {
+                return first_difference::of_pixel(self.gpu, library, (&features, &[]), &picture, index);
+            }
         }
         Ok(None)
     }

@@ -37,7 +37,8 @@ pub fn create(gpu: &Gpu, content: Content<'_>, run: usize) -> Buffer {
         Content::Input([]) => (SMALLEST, &[][..]),
         Content::Input(bytes) => (bytes.len(), bytes),
         Content::Inputs(each) => (each[run].len(), &each[run][..]),
-        Content::Scratch(size) => ((size as usize).max(SMALLEST), &[][..]),
+        // wgpu fills a new buffer with zeros.
+        Content::Scratch(size) | Content::Record(size) => ((size as usize).max(SMALLEST), &[][..]),
         Content::Output(size) => {
             filler = vec![SENTINEL; size as usize];
             (filler.len(), &filler[..])

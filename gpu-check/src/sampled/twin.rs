@@ -66,8 +66,11 @@ fn scatter_vector<T: Float>(stream: &mut Words, convention: Convention, extent: 
 
 /// Returns the next number in `[low, high)`, as `uniform_draw` does.
 fn draw<T: Float>(stream: &mut Words, low: T, high: T) -> T {
-    let [lower, upper] = halves(stream.next_word()).map(|half| T::of(f64::from(half)));
+    canonical(halves(stream.next_word()).map(|half| T::of(f64::from(half)))) * (high - low) + low
+}
+
+/// Converts the lower and the upper half of a word to a number in `[0, 1)`, as `uniform_canonical` does.
+pub(crate) fn canonical<T: Float>([lower, upper]: [T; 2]) -> T {
     let quotient = (upper * T::of(4_294_967_296.0) + lower) / T::of(18_446_744_073_709_551_616.0);
-    let below_one = if quotient < T::BELOW_ONE { quotient } else { T::BELOW_ONE };
-    below_one * (high - low) + low
+    if quotient < T::BELOW_ONE { quotient } else { T::BELOW_ONE }
 }

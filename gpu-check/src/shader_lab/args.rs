@@ -25,6 +25,7 @@ its first line names, as in: // module: kernels/image
                           max_depth, or one that your module declares with `override`
   --show VIEW             lambda, normal, object, side, steps or difference, in false colours
   --pixel X Y             print the way of this pixel's ray, CPU and WGSL side by side; 0 0 is the top left
+  --first-difference      print the function, the line and the number where the first pixel that differs leaves the CPU
   --no-sync               do not wait until pictures are on the disk: a loss of power may then damage them
   --watch                 render again whenever a file changes, until interrupted
   --check                 exit with status 1 when a bit of the picture differs from the CPU's
@@ -38,6 +39,7 @@ Examples:
   shader-lab --template my.wgsl
   shader-lab my.wgsl --config scenes/materials/config.txt --scene scenes/materials/scene.txt --out out.png --watch
   shader-lab my.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png --pixel 200 100
+  shader-lab sphere.wgsl --config scenes/grid/config.txt --scene scenes/grid/scene.txt --out out.png --first-difference
 
 Exit status: 0 done, 1 --check and a bit differs, 2 an error or a command line that is not understood, 130 interrupted";
 
@@ -85,6 +87,8 @@ pub struct Options {
     pub view: Option<View>,
     /// Column and row of the pixel whose path is printed; `None` if no path is printed.
     pub pixel: Option<[usize; 2]>,
+    /// Whether to find the function in which the first pixel that differs leaves the CPU.
+    pub first_difference: bool,
     /// Whether to render again whenever a file changes.
     pub watch: bool,
     /// Whether to wait until pictures are on the disk.
@@ -104,7 +108,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     let (mut precision, mut port) = (Precision::F64, None);
     let (mut constants, mut view, mut pixel) = (Vec::new(), None, None);
     let (mut samples, mut scatter) = (false, None);
-    let (mut watch, mut check, mut sync) = (false, false, true);
+    let (mut watch, mut check, mut sync, mut first_difference) = (false, false, true, false);
     while let Some(argument) = arguments.next() {
         let name = shown(&argument);
         let mut value = |what: &str| arguments.next().ok_or(format!("{name} needs {what} after it"));
@@ -131,6 +135,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
                 };
                 pixel = Some([number("a column")?, number("a row")?]);
             }
+            Some("--first-difference") => first_difference = true,
             Some("--watch") => watch = true,
             Some("--check") => check = true,
             Some("--no-sync") => sync = false,
@@ -155,6 +160,9 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
     if from_input == 1 && watch {
         return Err("--watch needs files, and - is standard input".to_owned());
     }
+    if samples && first_difference {
+        return Err("--first-difference follows one ray, so it does not go with --samples".to_owned());
+    }
     let samples = sampled(samples, scatter, view, pixel.is_some())?;
     let [modules, config, scene] = [modules, config, scene].map(input);
     Ok(Command::Render(Options {
@@ -167,6 +175,7 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
         constants,
         view,
         pixel,
+        first_difference,
         watch,
         check,
         sync,
@@ -220,7 +229,7 @@ fn unknown(option: &str) -> String {
 }
 
 /// Names of all options.
-const OPTIONS: [&str; 16] = [
+const OPTIONS: [&str; 17] = [
     "--help",
     "--template",
     "--config",
@@ -234,6 +243,7 @@ const OPTIONS: [&str; 16] = [
     "--set",
     "--show",
     "--pixel",
+    "--first-difference",
     "--no-sync",
     "--watch",
     "--check",

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use cpu::{Config, Scene, Vec3};
-use shaders::Features;
+use shaders::{Features, Library};
 
 use super::args::Options;
 use super::differences::differences;
@@ -14,7 +14,8 @@ use super::rendered::{self, Rendered};
 use super::truth::{Truth, check_size};
 use super::view::{View, mark};
 use super::{guard, pixel, png};
-use crate::difference::difference;
+use crate::difference::{difference, first_differing};
+use crate::first_difference;
 use crate::sampled::recording::check_samples;
 use crate::steps::{Follower, check_iterations};
 use crate::{Error, Float, Gpu, Picture, features_of};
@@ -78,7 +79,7 @@ pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Er
         return Err(Error::Request { message });
     }
     let (features, _) = options.apply(features_of(config, scene)?).map_err(|message| Error::Request { message })?;
-    if options.pixel.is_some() {
+    if options.pixel.is_some() || options.first_difference {
         check_iterations(scene.objects.len(), features.max_depth)?;
     }
     match options.view {
@@ -159,6 +160,13 @@ impl Trial<'_> {
             report.push_str(&self.follow(index, &features, &own, &picture)?);
             report.push_str(&pixel::colors(held[index].to_array(), rendering.pixels[index].to_array()));
         }
+        if options.first_difference {
+            let text = match first_differing(&rendering.pixels, held) {
+                Some(index) => self.first_difference(index, &library, (&features, &own), &picture)?,
+                None => "no pixel differs, so there is no first difference\n".to_owned(),
+            };
+            report.push_str(&text);
+        }
         // In f32 a path may take other words than in f64, from which the recording is made.
         let is_wide = size_of::<T>() == size_of::<f64>();
         let disagrees = is_wide && words.is_some_and(|(_, disagreeing)| disagreeing > 0);
@@ -228,6 +236,24 @@ impl Trial<'_> {
         let mut text = String::new();
         follower.follow(picture, index, 1, |_, steps| text = pixel::side_by_side(&expected, steps))?;
         Ok(text)
+    }
+
+    /// Returns the function in which the pixel at `index` leaves the CPU, as text.
+    fn first_difference<T: Held>(
+        &self,
+        index: usize,
+        library: &Library,
+        constants: (&Features, &[(&str, f64)]),
+        picture: &Picture<T>,
+    ) -> Result<String, Error> {
+        let located = first_difference::of_pixel(self.gpu, library, constants, picture, index)?;
+        let width = picture.size.width();
+        let text = match located {
+            Some((trace, found)) => first_difference::report::report(&trace, &found)?,
+            // The trace changes what the driver compiles.
+            None => "with a trace of all calls no bit of this pixel differs\n".to_owned(),
+        };
+        Ok(format!("pixel {} {}: {text}", index % width, index / width))
     }
 
     /// Returns an error if `own` has a constant that no module declares.

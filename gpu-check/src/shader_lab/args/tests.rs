@@ -51,7 +51,10 @@ fn options_are_read() {
     let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
     assert_eq!((read.precision, read.view, read.watch), (Precision::F32, Some(View::Normal), true));
     assert_eq!((read.pixel, read.constants), (Some([3, 4]), vec![("own".to_owned(), 2.5)]));
-    assert!(options("").sync);
+    assert!(options("").sync && !options("").first_difference);
+    assert!(options("--first-difference").first_difference);
+    let refused = parsed(&format!("{NEEDED} --first-difference --samples"));
+    assert!(refused.is_err_and(|message| message.contains("does not go with --samples")));
     assert!(!options("--no-sync").sync);
 }
 

@@ -1,0 +1,134 @@
+//! Finds the first function in which WGSL leaves Rust.
+//!
+//! A picture or a kernel runs once with a trace of all its calls ([`shaders::call_trace`]): one pixel, or one case. Rust
+//! repeats every call with the arguments that WGSL had ([`twins`]). A call comes after the calls inside it, so the first
+//! call with another result is the innermost one: its own statements are wrong, or those of a function inside it that
+//! has no twin. If every call has Rust's result, then a path passes other arguments to a function than Rust
+//! ([`path`]), or ends otherwise.
+
+mod arguments;
+pub mod calls;
+pub mod path;
+pub mod report;
+pub mod twins;
+
+use shaders::{CallTrace, Features, Library};
+
+use crate::kernel::Reader;
+use crate::{Error, Float, Gpu, Kernel, Picture};
+use arguments::Arguments;
+use calls::{Call, Tracer};
+
+/// The first difference of a pixel or a case.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FirstDifference<T> {
+    /// A call with another result than in Rust.
+    Call {
+        /// The name of the function.
+        function: String,
+        /// Names of the functions inside it that have no twin. One of them may be the wrong one.
+        inside: Vec<String>,
+        /// Names and values of the arguments.
+        arguments: Vec<(String, T)>,
+        /// The first number of the result that differs.
+        number: Unequal<T>,
+    },
+    /// A call with other arguments than in Rust. The caller is a function without a result.
+    Arguments {
+        /// The name of the called function.
+        function: String,
+        /// The first argument that differs.
+        number: Unequal<T>,
+    },
+    /// Every call has the arguments and the result of Rust, but there are more or fewer calls, or what the functions
+    /// without a result store differs.
+    Rest,
+}
+
+/// A first difference, and the trace of the composition in which it is.
+pub type Located<T> = (CallTrace, FirstDifference<T>);
+
+/// A number by Rust and by WGSL.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unequal<T> {
+    /// The name of the number.
+    pub name: String,
+    /// Rust's value.
+    pub cpu: T,
+    /// The value in WGSL.
+    pub wgsl: T,
+}
+
+/// Returns the first difference of one case of a kernel, or `None` if there is none.
+///
+/// # Errors
+/// The errors of [`crate::Pipeline::run`].
+pub fn of_case<T: Float>(
+    gpu: &Gpu,
+    library: &Library,
+    kernel: &Kernel,
+    case: &[T],
+) -> Result<Option<Located<T>>, Error> {
+    let tracer = Tracer::new(gpu, library, kernel.module, &[])?;
+    let (calls, result) = tracer.case(kernel, case)?;
+    let found = first_wrong_call(None, &tracer, &calls);
+    let mut expected = vec![T::of(0.0); kernel.outputs.len()];
+    T::formula(kernel)(case, &mut expected);
+    let is_same = expected.iter().zip(&result).all(|(one, other)| one.same(*other));
+    let found = found.or_else(|| (!is_same).then_some(FirstDifference::Rest));
+    Ok(found.map(|found| (tracer.into_trace(), found)))
+}
+
+/// Returns the first difference of the pixel at `index` in deterministic mode, or `None` if there is none. `own` has
+/// the names and values of constants that a replaced module declares.
+///
+/// # Errors
+/// [`Error::TooManyIterations`] if the path needs more than one run, or the errors of [`crate::Pipeline::run`].
+pub fn of_pixel<T: Float>(
+    gpu: &Gpu,
+    library: &Library,
+    (features, own): (&Features, &[(&str, f64)]),
+    picture: &Picture<T>,
+    index: usize,
+) -> Result<Option<Located<T>>, Error> {
+    let constants = [&features.constants()[..], own].concat();
+    let tracer = Tracer::new(gpu, library, "kernels/image", &constants)?;
+    let picture = Picture { max_depth: features.max_depth, ..picture.clone() };
+    let (calls, color) = tracer.pixel(&picture, index)?;
+    let expected = picture.color(index).to_array();
+    let is_same = expected.iter().zip(&color).all(|(one, other)| one.same(*other));
+    let found = first_wrong_call(Some(&picture), &tracer, &calls)
+        .or_else(|| path::first_other_arguments(&picture, index, &tracer, &calls))
+        .or_else(|| (!is_same).then_some(FirstDifference::Rest));
+    Ok(found.map(|found| (tracer.into_trace(), found)))
+}
+
+/// Returns the first call whose result is not that of its twin.
+fn first_wrong_call<T: Float>(
+    picture: Option<&Picture<T>>,
+    tracer: &Tracer<'_, T>,
+    calls: &[Call<T>],
+) -> Option<FirstDifference<T>> {
+    calls.iter().enumerate().find_map(|(at, call)| {
+        let function = &tracer.trace().functions[call.function];
+        let expected = tracer.twin(call.function)?(picture, Arguments(Reader(&call.arguments)))?;
+        let place = expected
+            .iter()
+            .zip(&call.results)
+            .position(|(expected, result)| expected.is_some_and(|expected| !expected.same(*result)))?;
+        let inside = calls[..at].iter().rev().take_while(|inner| inner.depth > call.depth);
+        let mut inside: Vec<_> = inside
+            .filter(|inner| tracer.twin(inner.function).is_none())
+            .map(|inner| tracer.trace().functions[inner.function].name.clone())
+            .collect();
+        inside.sort_unstable();
+        inside.dedup();
+        let names = function.arguments.iter().map(|number| number.name.clone());
+        Some(FirstDifference::Call {
+            function: function.name.clone(),
+            inside,
+            arguments: names.zip(call.arguments.iter().copied()).collect(),
+            number: Unequal { name: function.results[place].shown(), cpu: expected[place]?, wgsl: call.results[place] },
+        })
+    })
+}

@@ -1,0 +1,79 @@
+//! Tests the search for the first difference with the suite's mutants: it must name the function that is wrong.
+
+mod common;
+
+use std::time::{Duration, Instant};
+
+use gpu_check::first_difference::report::{Places, report};
+use gpu_check::first_difference::{FirstDifference, of_pixel};
+use gpu_check::mutants::{Examiner, MUTANTS, Mutant};
+use gpu_check::{Picture, features_of, scenes};
+use shaders::Library;
+
+/// Whether the search names the mutant's function. If the changed line is in no function with a result, such as
+/// `trace_path`, the search must say that no such function is wrong.
+fn is_named(mutant: &Mutant, places: &Places, found: &FirstDifference<f64>) -> bool {
+    let source = Library::standard();
+    let source = source.source(mutant.module).expect("the mutant's module exists");
+    let place = source.find(mutant.from).expect("the mutant's text is there");
+    let line = source[..place].matches('\n').count() + 1;
+    let file = format!("{} (mutant)", mutant.module);
+    let is_inside = |(_, [(path, first), (_, last)]): &(String, [(String, usize); 2])| {
+        *path == file && (*first..=*last).contains(&line)
+    };
+    match found {
+        FirstDifference::Call { .. } => places.functions.iter().any(is_inside),
+        FirstDifference::Arguments { .. } | FirstDifference::Rest => is_outside(source, line),
+    }
+}
+
+/// Whether the line is in no function with a result: in a function without one, an entry point or a declaration.
+fn is_outside(source: &str, line: usize) -> bool {
+    let before: Vec<_> = source.lines().take(line).collect();
+    let start = before.iter().rposition(|text| text.starts_with("fn ") || text.starts_with('}'));
+    start.is_none_or(|at| !before[at].contains("->"))
+}
+
+#[test]
+fn the_function_of_nearly_every_mutant_is_named() {
+    let gpu = common::gpu();
+    let examiner = Examiner::new(&gpu).unwrap_or_else(|error| panic!("{error}"));
+    let (mut found, mut missed, mut longest) = (0, Vec::new(), Duration::ZERO);
+    for mutant in MUTANTS {
+        let library = mutant.library().expect("its module exists");
+        let start = Instant::now();
+        let located = examiner.first_difference(&library, mutant.module);
+        let Some((trace, difference)) = located.unwrap_or_else(|error| panic!("{mutant:?}: {error}")) else {
+            // Only pictures with random numbers show this mutant.
+            continue;
+        };
+        longest = longest.max(start.elapsed());
+        found += 1;
+        let places = Places::new(&trace, &difference).expect("the modules exist");
+        if !is_named(mutant, &places, &difference) {
+            let text = report(&trace, &difference).expect("the modules exist");
+            missed.push(format!("{}: [{}] => [{}]\n{text}", mutant.module, mutant.from, mutant.to));
+        }
+    }
+    println!(
+        "{found} mutants have a first difference, {} in another function, at most {longest:.1?} each",
+        missed.len()
+    );
+    println!("{}", missed.join("\n"));
+    assert!(found >= 92, "{found}");
+    assert!(missed.len() * 8 <= found, "{} of {found}", missed.len());
+}
+
+#[test]
+fn without_a_change_there_is_no_first_difference() {
+    let gpu = common::gpu();
+    for case in scenes::edges().into_iter().map(|case| case.within(2_000)) {
+        let features = features_of(&case.config, &case.scene).expect("it is valid");
+        let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+        for index in [0, picture.size.pixels() / 2] {
+            let found = of_pixel(&gpu, &Library::standard(), (&features, &[]), &picture, index);
+            let found = found.unwrap_or_else(|error| panic!("{}: {error}", case.name));
+            assert!(found.is_none(), "{}: {:?}", case.name, found.map(|(_, found)| found));
+        }
+    }
+}

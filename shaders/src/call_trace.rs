@@ -1,0 +1,215 @@
+//! Records the calls of a composition's functions, so that each result can be compared with that of another program.
+//!
+//! Each function with a result gets another name, and a wrapper takes its place. The wrapper calls the function and
+//! writes one record into a buffer of its own: the function's index, the depth of the call (1 for a call outside of
+//! other recorded calls), the arguments and the result. A record is written when the call returns, so the calls inside
+//! a function come before it. Lines keep their numbers.
+
+use naga::{Function, Handle, Module, ScalarKind, Type, TypeInner};
+
+use crate::limits::tokens;
+use crate::validate::bindings;
+use crate::{Composition, Error};
+
+/// The name of a result in a wrapper.
+const RESULT: &str = "call_trace_result";
+/// Largest number of numbers in the arguments or in the result of a recorded function.
+const MOST_NUMBERS: usize = 64;
+
+/// A composition that records its calls, and the functions that it records.
+#[derive(Clone, Debug)]
+pub struct CallTrace {
+    /// The composition with the wrappers at its end.
+    pub composition: Composition,
+    /// Number of lines that are not those of the trace.
+    pub own_lines: usize,
+    /// The recorded functions. A record begins with an index in this list.
+    pub functions: Vec<Recorded>,
+    /// The number of the buffer with the records in group 0. It is an array of `real`. Its first number is the index of
+    /// the number after the last record, and the first record is at index 1. It must be zero before a run. Records for
+    /// which there is no room are left out. Only one invocation may call functions.
+    pub binding: u32,
+}
+
+/// A function whose calls are recorded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Recorded {
+    /// The name of the function.
+    pub name: String,
+    /// The first and the last line of the function, in the composition.
+    pub lines: [usize; 2],
+    /// Names of the parameters.
+    parameters: Vec<String>,
+    /// The numbers in the arguments. Integers and truth values are numbers too.
+    pub arguments: Vec<Number>,
+    /// The numbers in the result.
+    pub results: Vec<Number>,
+}
+
+impl Composition {
+    /// Returns this composition with a record of all calls of functions. Functions whose arguments or results are
+    /// pointers or arrays, or have more than 64 numbers, are not recorded, nor are those without a result.
+    ///
+    /// # Errors
+    /// The errors of [`Composition::validate`], also if the text already has names that begin with `call_trace`.
+    pub fn with_call_trace(&self) -> Result<CallTrace, Error> {
+        let module = self.validate()?.module;
+        let tokens: Vec<_> = tokens(self.source().as_bytes()).collect();
+        let (mut functions, mut wrappers, mut renamed) = (Vec::new(), String::new(), Vec::new());
+        for (_, function) in module.functions.iter() {
+            let declaration = function.name.as_deref().and_then(|name| Declaration::find(&tokens, name));
+            if let Some(declaration) = declaration
+                && let Some(recorded) = Recorded::new(&module, function, self.source(), &declaration)
+            {
+                let signature = self.source()[declaration.start..declaration.body].trim_end();
+                wrappers.push_str(&recorded.wrapper(signature, functions.len()));
+                renamed.push(declaration.after_name);
+                functions.push(recorded);
+            }
+        }
+        // From the last place to the first, so that the places stay valid.
+        renamed.sort_unstable();
+        let mut source = self.source().to_owned();
+        renamed.iter().rev().for_each(|place| source.insert_str(*place, "_called"));
+        let binding = bindings(&module).map(|binding| binding.number + 1).max().unwrap_or(0);
+        let composition = self.changed(source, &(buffer(binding) + &wrappers));
+        composition.validate()?;
+        Ok(CallTrace { composition, own_lines: self.source().lines().count(), functions, binding })
+    }
+}
+
+/// Returns the buffer with the records, and the functions that write into it.
+fn buffer(binding: u32) -> String {
+    format!(
+        "
+@group(0) @binding({binding}) var<storage, read_write> call_trace: array<real>;
+var<private> call_trace_next: u32 = 1u;
+var<private> call_trace_depth: u32;
+
+fn call_trace_write(number: real) {{
+    if call_trace_next < arrayLength(&call_trace) {{
+        call_trace[call_trace_next] = number;
+    }}
+    call_trace_next++;
+}}
+
+fn call_trace_end() {{
+    call_trace_depth--;
+    if call_trace_next <= arrayLength(&call_trace) {{
+        call_trace[0] = real(call_trace_next);
+    }}
+}}
+"
+    )
+}
+
+impl Recorded {
+    /// Returns the description of `function`, or `None` if its calls are not recorded.
+    fn new(module: &Module, function: &Function, source: &str, declaration: &Declaration) -> Option<Self> {
+        let (mut arguments, mut results, mut parameters) = (Vec::new(), Vec::new(), Vec::new());
+        for argument in &function.arguments {
+            let name = argument.name.clone()?;
+            numbers(module, argument.ty, &name, &mut arguments)?;
+            parameters.push(name);
+        }
+        numbers(module, function.result.as_ref()?.ty, RESULT, &mut results)?;
+        let line = |place: usize| source[..place].matches('\n').count() + 1;
+        let lines = [line(declaration.start), line(declaration.end)];
+        Some(Self { name: function.name.clone()?, lines, parameters, arguments, results })
+    }
+
+    /// Returns the text of the wrapper with this signature. `index` is that of the function in the list.
+    fn wrapper(&self, signature: &str, index: usize) -> String {
+        let Self { name, parameters, arguments, results, .. } = self;
+        let values = arguments.iter().chain(results);
+        let writes: String = values.map(|Number { value, .. }| format!("    call_trace_write({value});\n")).collect();
+        format!(
+            "\n{signature} {{\n    call_trace_depth++;\n    let {RESULT} = {name}_called({});\n    \
+             call_trace_write(real({index}));\n    call_trace_write(real(call_trace_depth));\n{writes}    \
+             call_trace_end();\n    return {RESULT};\n}}\n",
+            parameters.join(", "),
+        )
+    }
+}
+
+/// A number of an argument or of a result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Number {
+    /// The name of the number, such as `ray.origin.x`. The numbers of a result have names that begin with
+    /// `call_trace_result`.
+    pub name: String,
+    /// The expression that gives the number as a `real`.
+    value: String,
+}
+
+impl Number {
+    /// Returns the name for users, in which a result is called `result`.
+    #[must_use]
+    pub fn shown(&self) -> String {
+        self.name.replacen(RESULT, "result", 1)
+    }
+}
+
+/// Appends the numbers of a value of the type `ty`, which `path` names. Returns `None` if the type is not one of
+/// numbers, truth values, vectors and structures, or if there are too many numbers.
+fn numbers(module: &Module, ty: Handle<Type>, path: &str, list: &mut Vec<Number>) -> Option<()> {
+    let mut push = |kind: ScalarKind, name: String| {
+        let value = match kind {
+            ScalarKind::Bool => format!("select(real(0), real(1), {name})"),
+            ScalarKind::Float => name.clone(),
+            _ => format!("real({name})"),
+        };
+        list.push(Number { name, value });
+    };
+    match &module.types[ty].inner {
+        TypeInner::Scalar(scalar) => push(scalar.kind, path.to_owned()),
+        TypeInner::Vector { size, scalar } => {
+            let components = ["x", "y", "z", "w"].iter().take(*size as usize);
+            components.for_each(|component| push(scalar.kind, format!("{path}.{component}")));
+        }
+        TypeInner::Struct { members, .. } => {
+            for member in members {
+                numbers(module, member.ty, &format!("{path}.{}", member.name.as_deref()?), list)?;
+            }
+        }
+        _ => return None,
+    }
+    (list.len() <= MOST_NUMBERS).then_some(())
+}
+
+/// The places of a function's declaration in a text.
+struct Declaration {
+    /// The place of the word `fn`.
+    start: usize,
+    /// The place after the name.
+    after_name: usize,
+    /// The place of the bracket before the first statement.
+    body: usize,
+    /// The place of the bracket after the last statement.
+    end: usize,
+}
+
+impl Declaration {
+    /// Returns the places of the function `name`.
+    fn find(tokens: &[(usize, &[u8])], name: &str) -> Option<Self> {
+        let is_it =
+            |three: &[(usize, &[u8])]| three[0].1 == b"fn" && three[1].1 == name.as_bytes() && three[2].1 == b"(";
+        let first = tokens.windows(3).position(is_it)?;
+        let [(start, _), (at_name, _)] = [tokens[first], tokens[first + 1]];
+        let mut rest = tokens[first..].iter().skip_while(|(_, token)| *token != b"{");
+        let body = rest.clone().next()?.0;
+        let mut depth = 0_usize;
+        let end = rest.find(|(_, token)| {
+            match *token {
+                b"{" => depth += 1,
+                b"}" => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth == 0
+        });
+        Some(Self { start, after_name: at_name + name.len(), body, end: end?.0 })
+    }
+}
+
+#[cfg(test)]
+mod tests;
