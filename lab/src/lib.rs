@@ -12,7 +12,6 @@ pub mod commands;
 pub mod difference;
 pub mod engine;
 pub mod failure;
-pub mod format;
 pub mod heatmap;
 pub mod interrupt;
 pub mod picture;
@@ -28,6 +27,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 pub use failure::Failure;
+pub use format;
 
 /// Size in bytes of the stack of the thread that does all work.
 const STACK_BYTES: usize = 8 << 20;
