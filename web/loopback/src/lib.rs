@@ -42,7 +42,7 @@ pub struct Server {
 pub struct Answer {
     /// The status, such as `200 OK`.
     pub status: &'static str,
-    /// The content type, without a character set. Every text is UTF-8.
+    /// The content type, without a character set. Texts are UTF-8.
     pub kind: &'static str,
     /// The content.
     pub body: Cow<'static, [u8]>,
@@ -180,8 +180,10 @@ fn may_pass(error: &io::Error) -> bool {
 
 fn respond(mut stream: &TcpStream, Answer { status, kind, body }: &Answer) -> io::Result<()> {
     let length = body.len();
+    // Browsers compile WebAssembly while it arrives only if its content type has no parameter.
+    let charset = if kind.starts_with("text/") { "; charset=utf-8" } else { "" };
     let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {length}\r\n\
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}{charset}\r\nContent-Length: {length}\r\n\
          Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n"
     );
     stream.write_all(head.as_bytes())?;
