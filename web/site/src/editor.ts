@@ -1,4 +1,5 @@
 // An editor for one of the two texts, with colours, completions and the renderer's faults.
+import { isolateHistory } from '@codemirror/commands';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
 import { EditorState, Prec, Transaction } from '@codemirror/state';
@@ -72,7 +73,7 @@ export class Editor {
         this.#view.dispatch({
             changes: { from: 0, to: this.#view.state.doc.length, insert: text },
             selection: { anchor: 0 },
-            annotations: Transaction.userEvent.of('input.load'),
+            annotations: [Transaction.userEvent.of('input.load'), isolateHistory.of('full')],
             scrollIntoView: true,
         });
     }

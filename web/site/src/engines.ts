@@ -65,13 +65,15 @@ const PAUSE = 200;
 export const native: Engine = (texts, watcher) => {
     const ends = new AbortController();
     const { signal } = ends;
-    const asks = setInterval(async () => {
-        const response = await fetch('view/progress', { signal }).catch(() => null);
-        const [done, height] = (await response?.text() ?? '').split(' ').map(Number);
+    const ask = async () => {
+        const response = await fetch('view/progress', { signal });
+        const [done, height] = (await response.text()).split(' ').map(Number);
         if (!signal.aborted && done !== undefined && height) {
             watcher.progress(done, height);
         }
-    }, PAUSE);
+    };
+    // A question without an answer is not repeated at once: the next one comes after the pause.
+    const asks = setInterval(() => ask().catch(() => null), PAUSE);
     // The server cancels a picture only by its number, so a late request cannot cancel the next picture.
     const number = crypto.getRandomValues(new Uint32Array(1))[0] ?? 0;
     const run = async () => {

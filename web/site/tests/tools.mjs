@@ -71,6 +71,19 @@ export async function digest(page, timeout = 300_000) {
     return page.textContent('#digest code');
 }
 
+/** Gives two texts to the page by a link, and returns the digest of their picture. */
+export async function render(page, { config, scene }) {
+    await page.evaluate(async (texts) => {
+        const packed = await new Response(new Blob([JSON.stringify([texts.config, texts.scene])]).stream()
+            .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer();
+        const binary = Array.from(new Uint8Array(packed), (byte) => String.fromCharCode(byte)).join('');
+        document.getElementById('digest').replaceChildren();
+        location.hash = `#1:${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
+    }, { config, scene });
+    const result = await digest(page);
+    return result;
+}
+
 /** Replaces the text of an editor by typing. */
 export async function type(page, editor, text) {
     await page.click(`#${editor}-editor .cm-content`);
