@@ -70,7 +70,7 @@ export const tests = {
         equal(names.slice(1).join(), 'cylinders,grid,listings,materials,spheres,ten-thousand', 'the folders of scenes/');
         await type(page, 'scene', SMALL.scene);
         await page.selectOption('#examples', 'listings');
-        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.startsWith('matte: ground'));
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.startsWith('matte: mat1'));
         await page.click('#scene-editor .cm-content');
         await page.keyboard.press('Control+z');
         await page.waitForFunction((scene) => JSON.parse(localStorage.getItem('render.texts')).scene === scene, SMALL.scene);
