@@ -2,8 +2,8 @@
 //!
 //! Each command has its own module in [`commands`]. The other modules hold what several commands use: [`picture`] reads
 //! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations, [`usage`] reads user
-//! time and memory. [`mod@bench`] measures, and [`report`] converts the data into charts and pages. [`view`] answers the
-//! requests of the page in `web/site`.
+//! time and memory. [`mod@bench`] measures, and [`report`] converts the data into charts and pages. [`view`] answers
+//! the requests of the page in `web/site`.
 //!
 //! `cpu` does all rendering, on one thread.
 

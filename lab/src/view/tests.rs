@@ -14,7 +14,7 @@ const INDEX: &str = "<!doctype html><meta name=\"served-by\" content=\"\">";
 fn view() -> (Folder, View) {
     let folder = Folder::new();
     let write = |name: &str, text: &str| {
-        let path = PathBuf::from(folder.file(name));
+        let path = folder.file(name);
         fs::write(&path, text).expect("the folder is writable");
         path
     };

@@ -90,8 +90,9 @@ pub extern "C" fn digest() {
     state.result = text.into_bytes();
 }
 
-/// Makes the result the table of the lines of a configuration (`text` is 0) or of a scene, that `render-lab help config`
-/// and `help scene` print. Each line has four fields with tabs between them: tag, values, default and meaning.
+/// Makes the result the table of the lines of a configuration (`text` is 0) or of a scene. `render-lab help config` and
+/// `help scene` print the same tables. Each line has four fields with tabs between them: tag, values, default and
+/// meaning.
 #[unsafe(no_mangle)]
 pub extern "C" fn table(text: usize) {
     let lines = if text == 0 { &format::CONFIG[..] } else { &format::SCENE[..] };
