@@ -13,7 +13,7 @@ if (!out) {
 }
 
 await build({
-    entryPoints: [join(here, 'src/main.ts'), join(here, 'src/worker.ts')],
+    entryPoints: [...['main', 'worker', 'checking'].map((name) => join(here, `src/${name}.ts`))],
     outdir: out,
     bundle: true,
     minify: true,

@@ -42,6 +42,10 @@ function language(rows: Row[]) {
     });
 }
 
+/** Number of characters from which on inserted text goes to the editor directly. Otherwise the browser first puts it into
+ * the page line by line, which takes minutes for some megabytes. */
+const LONG_INPUT = 1000;
+
 /** An editor of one text. */
 export class Editor {
     readonly #view: EditorView;
@@ -55,6 +59,16 @@ export class Editor {
             syntaxHighlighting(colours),
             EditorState.languageData.of(() => [{ autocomplete: source }]),
             EditorView.contentAttributes.of({ 'aria-labelledby': label.id, spellcheck: 'false', autocapitalize: 'off' }),
+            EditorView.domEventHandlers({
+                beforeinput(event, view) {
+                    const isLong = event.inputType === 'insertText' && (event.data?.length ?? 0) >= LONG_INPUT;
+                    if (isLong) {
+                        event.preventDefault();
+                        view.dispatch(view.state.replaceSelection(event.data ?? ''), { userEvent: 'input.paste' });
+                    }
+                    return isLong;
+                },
+            }),
             EditorView.updateListener.of((update) => {
                 if (update.docChanged) {
                     listener.changed();

@@ -1,26 +1,34 @@
-// Checks both texts with the renderer, marks the faults in the editors, and lists them below.
+// Checks both texts with the renderer in a worker, marks the faults in the editors, and lists them below.
+import type { Question, Verdict } from './checking';
 import type { Editor } from './editor';
-import { Renderer, type Fault, type TextNumber } from './module';
+import type { Fault, TextNumber } from './module';
 import { say } from './words';
 
 /** The checker of both texts. */
 export class Checker {
-    #renderer: Renderer | null = null;
+    readonly #worker = new Worker('checking.js', { type: 'module' });
+    /** The last text of each editor whose fault is known, and this fault. */
+    readonly #known: ({ content: string; fault: Fault | null } | null)[] = [null, null];
+    /** The functions that wait for the answers to questions. */
+    readonly #waiting = new Map<number, (fault: Fault | null) => void>();
+    #questions = 0;
 
     constructor(
-        private readonly module: WebAssembly.Module,
+        module: WebAssembly.Module,
         private readonly editors: [Editor, Editor],
         private readonly lists: [HTMLElement, HTMLElement],
-    ) {}
+    ) {
+        this.#worker.onmessage = ({ data }: MessageEvent<Verdict>) => {
+            this.#waiting.get(data.question)?.(data.fault);
+            this.#waiting.delete(data.question);
+        };
+        this.#ask({ module });
+    }
 
     /** Checks both texts, and returns their first fault or null. */
     async check(): Promise<Fault | null> {
-        const faults: (Fault | null)[] = [];
-        for (const text of [0, 1] as const) {
-            const fault = await this.#fault(text);
-            this.show(text, fault);
-            faults.push(fault);
-        }
+        const texts = [0, 1] as const;
+        const faults = await Promise.all(texts.map((text) => this.#fault(text, this.editors[text].text)));
         return faults[0] ?? faults[1] ?? null;
     }
 
@@ -44,15 +52,26 @@ export class Checker {
         list.append(message);
     }
 
-    async #fault(text: TextNumber): Promise<Fault | null> {
-        try {
-            this.#renderer ??= await Renderer.create(this.module);
-            this.#renderer.write(text, this.editors[text].text);
-            return this.#renderer.check(text);
-        } catch (error) {
-            // The memory is exhausted. The next check begins with a new instance.
-            this.#renderer = null;
-            return { text, line: 0, column: 0, length: 0, message: String(error) };
+    /** Returns the fault of a text. A fault is shown only if the text is still in the editor. */
+    async #fault(text: TextNumber, content: string): Promise<Fault | null> {
+        const known = this.#known[text];
+        if (known?.content === content) {
+            this.show(text, known.fault);
+            return known.fault;
         }
+        const question = ++this.#questions;
+        const fault = await new Promise<Fault | null>((answer) => {
+            this.#waiting.set(question, answer);
+            this.#ask({ question, text, content });
+        });
+        if (this.editors[text].text === content) {
+            this.#known[text] = { content, fault };
+            this.show(text, fault);
+        }
+        return fault;
+    }
+
+    #ask(question: Question): void {
+        this.#worker.postMessage(question);
     }
 }

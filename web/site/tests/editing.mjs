@@ -75,4 +75,25 @@ export const tests = {
         await page.keyboard.press('Control+z');
         await page.waitForFunction((scene) => JSON.parse(localStorage.getItem('render.texts')).scene === scene, SMALL.scene);
     },
+
+    async 'six million blanks are inserted and checked while the page answers'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        // Notes the longest time in which the page did not answer.
+        await page.evaluate(() => {
+            let last = performance.now();
+            window.longest = 0;
+            setInterval(() => {
+                window.longest = Math.max(window.longest, performance.now() - last);
+                last = performance.now();
+            }, 10);
+        });
+        await type(page, 'scene', `${`${' '.repeat(999)}\n`.repeat(6000)}sphere: 0\n`);
+        await page.waitForSelector('#scene-faults pre');
+        equal(await page.textContent('#scene-faults button'), 'Line 6001', 'the line of the fault');
+        await page.waitForTimeout(300);
+        const longest = await page.evaluate(() => window.longest);
+        console.log(`the page did not answer for ${longest.toFixed(0)} ms`);
+        check(longest < 3000, `the page did not answer for ${longest} ms`);
+    },
 };
