@@ -90,13 +90,14 @@ fn path(program: &Program, messages: &[Value]) -> PathBuf {
     PathBuf::from(text(&message["executable"]))
 }
 
-/// Adds the time of the last change of each file in `folder` to `found`. The folders `target` and `.git` are left out.
+/// Adds the time of the last change of each file in `folder` to `found`. The folders `target`, `.git` and `node_modules`,
+/// whose scripts are those of other projects, are left out.
 fn changes(folder: &Path, found: &mut BTreeMap<PathBuf, SystemTime>) {
     for entry in std::fs::read_dir(folder).expect("the folder is readable") {
         let path = entry.expect("the folder is readable").path();
         let is_own = |name: &str| path.file_name().is_some_and(|own| own == name);
         if path.is_dir() && !path.is_symlink() {
-            if !is_own("target") && !is_own(".git") {
+            if !["target", ".git", "node_modules"].into_iter().any(is_own) {
                 changes(&path, found);
             }
         } else if let Ok(changed) = path.symlink_metadata().and_then(|metadata| metadata.modified()) {

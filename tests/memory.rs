@@ -122,7 +122,7 @@ fn rendering<L: Layout>() {
     let set = InstructionSet::chosen();
     let rendering = refused("rendering", LEAST, || {
         let mut image = L::Image::black(prepared.size)?;
-        cpu::internals::render_into(&prepared, set, &mut image, |_| ControlFlow::Break(())).map(drop)
+        cpu::internals::render_into(&prepared, set, &mut image, |_, _| ControlFlow::Break(())).map(drop)
     });
     assert!(rendering >= 3, "only {rendering}");
     assert!(refused("means", LEAST, || cpu::internals::render_linear(&prepared, set, |_, _| ())) >= 3);

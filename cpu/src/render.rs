@@ -71,13 +71,13 @@ pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Re
 pub fn render_with<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<L::Image, Error> {
     let mut image = L::Image::black(prepared.size)?;
     // The result is always `Continue`.
-    let _ = render_into(prepared, set, &mut image, |_| ControlFlow::Continue(()))?;
+    let _ = render_into(prepared, set, &mut image, |_, _| ControlFlow::Continue(()))?;
     Ok(image)
 }
 
 /// Renders the prepared scene into `image`, which must have the picture's size. After each row it calls `after_row`
-/// with the number of finished rows. If `after_row` returns `Break`, rendering stops, and the image holds the finished
-/// rows.
+/// with the number of finished rows and with the image, which holds these rows. If `after_row` returns `Break`,
+/// rendering stops.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -85,10 +85,10 @@ pub fn render_into<L: Layout>(
     prepared: &Prepared<L>,
     set: InstructionSet,
     image: &mut L::Image,
-    mut after_row: impl FnMut(usize) -> ControlFlow<()>,
+    mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
     let (state, accumulator) = (SpanState::new(prepared)?, Accumulator::new(prepared.samples));
-    set.run(Picture { state, accumulator, target: Target::Image(image), after_row: &mut after_row })
+    set.run(Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
 }
 
 /// Renders the prepared scene. Calls `pixel` for every pixel, with its index and its mean colour before quantisation.
@@ -100,17 +100,16 @@ pub fn render_linear<L: Layout>(
     set: InstructionSet,
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
-    // The result is always `Continue`.
-    let mut after_row = |_| ControlFlow::Continue(());
     let (state, accumulator) = (SpanState::new(prepared)?, Accumulator::new(prepared.samples));
-    let _ = set.run(Picture { state, accumulator, target: Target::Means(&mut pixel), after_row: &mut after_row })?;
+    // The result is always `Continue`.
+    let _ = set.run(Picture { state, accumulator, target: Target::Means(&mut pixel) })?;
     Ok(())
 }
 
 /// The destination of the pixels.
 enum Target<'a, I> {
-    /// An image, which gets the bytes of the pixels.
-    Image(&'a mut I),
+    /// An image, which gets the bytes of the pixels, and the function to call after each row.
+    Image(&'a mut I, &'a mut dyn FnMut(usize, &I) -> ControlFlow<()>),
     /// A function, which gets the means of the pixels. Then every mean is computed, even if bounds would give its
     /// bytes.
     Means(&'a mut dyn FnMut(usize, Vec3)),
@@ -121,7 +120,6 @@ struct Picture<'a, L: Layout> {
     state: SpanState<'a, L>,
     accumulator: Accumulator,
     target: Target<'a, L::Image>,
-    after_row: &'a mut dyn FnMut(usize) -> ControlFlow<()>,
 }
 
 impl<L: Layout> Kernel for Picture<'_, L> {
@@ -137,7 +135,9 @@ impl<L: Layout> Kernel for Picture<'_, L> {
                 self.span(simd, &span);
             }
             self.state.tracer.ends.check()?;
-            if (self.after_row)(row + 1).is_break() {
+            if let Target::Image(image, after_row) = &mut self.target
+                && after_row(row + 1, image).is_break()
+            {
                 return Ok(ControlFlow::Break(()));
             }
         }
@@ -151,7 +151,7 @@ impl<L: Layout> Picture<'_, L> {
         let (prepared, candidates) = (state.prepared, &mut state.candidates);
         candidates.begin_span(prepared, state.row, span);
         let is_background = candidates.are_culled && candidates.span.is_empty();
-        if is_background && span.is_whole(prepared.samples) && matches!(target, Target::Image(_)) {
+        if is_background && span.is_whole(prepared.samples) && matches!(target, Target::Image(..)) {
             self.background_span(simd, span);
         } else {
             simd.run(DrawSamples(state, span));
@@ -167,7 +167,7 @@ impl<L: Layout> Picture<'_, L> {
         while done < span.width() {
             let known = simd.run(FindBytes { state: &mut self.state, span, done });
             add(Counter::BackgroundPixels, (known - done) as u64);
-            if let Target::Image(image) = &mut self.target {
+            if let Target::Image(image, _) = &mut self.target {
                 for at in done..known {
                     let [red, green, blue] = self.state.background_pixels.bytes[at];
                     image.set_pixel(first + at, Rgb { red, green, blue });
@@ -194,7 +194,7 @@ impl<L: Layout> Picture<'_, L> {
         }
         let (first, quantizer) = (state.row * state.prepared.size.width(), &state.prepared.quantizer);
         accumulator.add(span, &state.batch, |column, mean| match target {
-            Target::Image(image) => {
+            Target::Image(image, _) => {
                 let [red, green, blue] = mean.to_array().map(|channel| quantizer.quantize(channel));
                 image.set_pixel(first + column, Rgb { red, green, blue });
             }

@@ -1,23 +1,17 @@
-//! Serves one page to browsers on this machine: the files of `web/`, and the data that the page loads.
-//!
-//! A page that is opened from a file may not load data. WebGPU needs a trusted origin, and the loopback address is one.
-//! The server answers one request on each connection and closes it. The server is not made for an open network.
-//! [`request`] reads requests and limits their size and time, and [`chromium`] starts a browser.
+//! Serves the page of `shader-lab`: the files of `web/`, and the data that the page loads. [`loopback`] is the server,
+//! and [`chromium`] starts a browser.
 
 pub mod chromium;
 pub mod data;
 pub mod lowered;
-pub mod request;
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
-use std::io::{self, Read, Write};
-use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
+use std::io;
+use std::net::SocketAddr;
 
-use request::{Refusal, Request};
+use loopback::Answer;
+use loopback::request::Request;
 
 /// The page's icon.
 const ICON: &str = include_str!("../web/icon.svg");
@@ -40,26 +34,11 @@ const FILES: [(&str, &str, &str); 13] = [
     ("/conformance.js", "text/javascript", include_str!("../web/conformance.js")),
 ];
 
-/// Largest number of connections at a time. A browser opens up to six connections to one server.
-pub const MAX_CONNECTIONS: usize = 32;
-
-/// Time limit for the client to accept the next bytes of an answer.
-const PATIENCE: Duration = Duration::from_secs(10);
-
-/// Time that the server waits for a resource, such as a free file descriptor, before it accepts connections again.
-const PAUSE: Duration = Duration::from_millis(50);
-
 /// A server that listens at a port.
 #[derive(Debug)]
 pub struct Server {
-    listener: TcpListener,
+    server: loopback::Server,
     data: BTreeMap<String, Vec<u8>>,
-    /// Number of connections that are being served.
-    connections: AtomicUsize,
-    /// Sum of the lengths of all bodies that are being received, in bytes.
-    bodies: AtomicUsize,
-    /// Two time limits for a client: to send its whole request, and to accept the next bytes of an answer.
-    patience: [Duration; 2],
 }
 
 /// A result that the page sent by `POST` to `results/`.
@@ -71,23 +50,6 @@ pub struct Posted {
     pub body: Vec<u8>,
 }
 
-/// An amount that has been added to a counter. It is subtracted when this value is dropped.
-struct Share<'a>(&'a AtomicUsize, usize);
-
-impl<'a> Share<'a> {
-    /// Adds `amount` to `counter`. Returns `None`, and adds nothing, if the sum would exceed `most`.
-    fn take(counter: &'a AtomicUsize, amount: usize, most: usize) -> Option<Self> {
-        let add = |taken: usize| taken.checked_add(amount).filter(|&sum| sum <= most);
-        counter.fetch_update(Ordering::SeqCst, Ordering::SeqCst, add).ok().map(|_| Self(counter, amount))
-    }
-}
-
-impl Drop for Share<'_> {
-    fn drop(&mut self) {
-        self.0.fetch_sub(self.1, Ordering::SeqCst);
-    }
-}
-
 impl Server {
     /// Returns a server that listens at `port`, or at any free port if `port` is 0. The server answers a request for
     /// `data/KEY` with the bytes of that key in `data`.
@@ -95,9 +57,7 @@ impl Server {
     /// # Errors
     /// An error if the port is in use.
     pub fn new(port: u16, data: BTreeMap<String, Vec<u8>>) -> io::Result<Self> {
-        let listener = TcpListener::bind(("127.0.0.1", port))?;
-        let (connections, bodies) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        Ok(Self { listener, data, connections, bodies, patience: [request::MAX_TIME, PATIENCE] })
+        Ok(Self { server: loopback::Server::new(port)?, data })
     }
 
     /// Returns the address at which the server listens.
@@ -105,118 +65,34 @@ impl Server {
     /// # Errors
     /// The error of the system.
     pub fn address(&self) -> io::Result<SocketAddr> {
-        self.listener.local_addr()
+        self.server.address()
     }
 
-    /// Answers every client in its own thread, because browsers open connections that they may use only later. Calls
-    /// `take` with each result that the page sends.
+    /// Serves every client. Calls `take` with each result that the page sends, before the answer, so that the results
+    /// of a page arrive in order.
     ///
     /// # Errors
-    /// An error if the system can accept no more connections. A temporary error, such as too few file descriptors, is
-    /// not returned.
+    /// An error if the system can accept no more connections.
     pub fn serve(self, take: impl Fn(Posted) + Send + Sync + 'static) -> io::Result<Infallible> {
-        let shared = Arc::new((self, take));
-        loop {
-            let stream = match shared.0.listener.accept() {
-                Ok((stream, _)) => stream,
-                Err(error) if may_pass(&error) => {
-                    std::thread::sleep(PAUSE);
-                    continue;
-                }
-                Err(error) => return Err(error),
-            };
-            if shared.0.connections.fetch_add(1, Ordering::SeqCst) >= MAX_CONNECTIONS {
-                // This answer is so short that it fits the system's buffer, so the server does not wait for the client.
-                drop(respond(&stream, "503 Service Unavailable", "text/plain", b"too many connections"));
-                shared.0.connections.fetch_sub(1, Ordering::SeqCst);
-                continue;
-            }
-            let connection = Arc::clone(&shared);
-            let talk = move || {
-                let (server, take) = &*connection;
-                let _share = Share(&server.connections, 1);
-                // An error is ignored: it means that the client has closed the connection.
-                drop(server.talk(&stream, take));
-            };
-            if std::thread::Builder::new().name("connection".to_owned()).spawn(talk).is_err() {
-                // If no thread could be started, the connection is closed, and the client may try again.
-                shared.0.connections.fetch_sub(1, Ordering::SeqCst);
-            }
-        }
-    }
-
-    /// Answers one request. If it posts a result, calls `take` before the answer, so that the results of a page arrive
-    /// in order.
-    fn talk(&self, stream: &TcpStream, take: impl Fn(Posted)) -> io::Result<()> {
-        let mut share = None;
-        let reserve = |length| {
-            share = Share::take(&self.bodies, length, request::MAX_BODY);
-            share.is_some()
-        };
-        let [for_request, for_answer] = self.patience;
-        stream.set_write_timeout(Some(for_answer))?;
-        let request = match Request::read(stream, for_request, reserve) {
-            Ok(request) => request,
-            Err(Refusal::Broken(error)) => return Err(error),
-            Err(Refusal::Status(status)) => {
-                respond(stream, status, "text/plain", status.as_bytes())?;
-                return drain(stream);
-            }
-        };
-        let Request { method, path, body } = request;
-        if let ("POST", Some(name)) = (method.as_str(), path.strip_prefix("/results/")) {
-            take(Posted { name: name.to_owned(), body });
-            return respond(stream, "200 OK", "text/plain", b"");
-        }
-        let file = FILES.iter().find(|(name, ..)| *name == path);
-        let data = path.strip_prefix("/data/").and_then(|name| self.data.get(name));
-        match (file, data) {
-            (Some((_, kind, text)), _) => respond(stream, "200 OK", kind, text.as_bytes()),
-            (None, Some(bytes)) => respond(stream, "200 OK", "application/octet-stream", bytes),
-            (None, None) => respond(stream, "404 Not Found", "text/plain", b"there is nothing here"),
-        }
+        let data = self.data;
+        self.server.serve(move |request| answer(request, &data, &take))
     }
 }
 
-/// Whether the error is temporary, so that accepting connections may work again: a client closed its connection, or
-/// file descriptors or memory are short.
-fn may_pass(error: &io::Error) -> bool {
-    #[cfg(unix)]
-    {
-        use nix::errno::Errno;
-        let short = [Errno::EMFILE, Errno::ENFILE, Errno::ENOBUFS, Errno::ENOMEM].map(|errno| Some(errno as i32));
-        if short.contains(&error.raw_os_error()) {
-            return true;
-        }
+/// Answers a request with a file or with data. If the request posts a result, calls `take` with it.
+fn answer(request: Request, data: &BTreeMap<String, Vec<u8>>, take: &impl Fn(Posted)) -> Answer {
+    let Request { method, path, body } = request;
+    if let ("POST", Some(name)) = (method.as_str(), path.strip_prefix("/results/")) {
+        take(Posted { name: name.to_owned(), body });
+        return Answer::ok("text/plain", &b""[..]);
     }
-    matches!(
-        error.kind(),
-        io::ErrorKind::ConnectionAborted | io::ErrorKind::ConnectionReset | io::ErrorKind::Interrupted
-    )
-}
-
-fn respond(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8]) -> io::Result<()> {
-    let length = body.len();
-    let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {length}\r\n\
-         Cache-Control: no-store\r\nConnection: close\r\n\r\n"
-    );
-    stream.write_all(head.as_bytes())?;
-    stream.write_all(body)
-}
-
-/// Reads for a moment what a refused client still sends. If the connection were closed at once, the client might lose
-/// the answer.
-fn drain(mut stream: &TcpStream) -> io::Result<()> {
-    stream.shutdown(Shutdown::Write)?;
-    stream.set_read_timeout(Some(PAUSE))?;
-    let mut bytes = [0; 4096];
-    for _ in 0..16 {
-        if stream.read(&mut bytes)? == 0 {
-            break;
-        }
+    if let Some((_, kind, text)) = FILES.iter().find(|(name, ..)| *name == path) {
+        return Answer::ok(kind, text.as_bytes());
     }
-    Ok(())
+    match path.strip_prefix("/data/").and_then(|name| data.get(name)) {
+        Some(bytes) => Answer::ok("application/octet-stream", bytes.clone()),
+        None => Answer::not_found(),
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use output::Options;
 
 use crate::Failure;
-use crate::commands::{bench, compare, completions, generate, help, inspect, render, report};
+use crate::commands::{bench, compare, completions, generate, help, inspect, render, report, view};
 
 /// The exit statuses, shown after every help.
 pub const EXIT_STATUS: &str = "\
@@ -64,6 +64,8 @@ pub enum Command {
     Bench(bench::Arguments),
     /// Turn measured data into charts and one self-contained HTML page
     Report(report::Arguments),
+    /// Serve a page on this machine that edits a scene and shows its picture
+    View(view::Arguments),
     /// Write completions for a shell to standard output
     Completions(completions::Completions),
     /// Write manual pages into a folder
@@ -85,6 +87,7 @@ impl Command {
             Self::Generate(arguments) => arguments.run(options),
             Self::Bench(arguments) => arguments.run(options),
             Self::Report(arguments) => arguments.run(options),
+            Self::View(arguments) => arguments.run(),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
             Self::Man(arguments) => arguments.run(Cli::command(), options),
             Self::Help(arguments) => arguments.run(Cli::command()),

@@ -162,7 +162,7 @@ pub fn render_rows<L: Layout>(
 ) -> Result<Option<Picture>, Error> {
     let mut image = <L::Image as cpu::Image>::black(prepared.size)?;
     let mut done = 0;
-    let _ = cpu::internals::render_into(prepared, InstructionSet::chosen(), &mut image, |row| {
+    let _ = cpu::internals::render_into(prepared, InstructionSet::chosen(), &mut image, |row, _| {
         done = row;
         after_row(row)?;
         if row >= rows { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

@@ -2,7 +2,8 @@
 //!
 //! Each command has its own module in [`commands`]. The other modules hold what several commands use: [`picture`] reads
 //! and writes pictures, [`difference`] compares two of them, [`engine`] lists the implementations, [`usage`] reads user
-//! time and memory. [`mod@bench`] measures, and [`report`] converts the data into charts and pages.
+//! time and memory. [`mod@bench`] measures, and [`report`] converts the data into charts and pages. [`view`] answers
+//! the requests of the page in `web/site`.
 //!
 //! `cpu` does all rendering, on one thread.
 
@@ -12,7 +13,6 @@ pub mod commands;
 pub mod difference;
 pub mod engine;
 pub mod failure;
-pub mod format;
 pub mod heatmap;
 pub mod interrupt;
 pub mod picture;
@@ -20,6 +20,7 @@ pub mod report;
 pub mod sources;
 pub mod terminal;
 pub mod usage;
+pub mod view;
 
 use std::ffi::OsString;
 use std::io::IsTerminal;
@@ -28,6 +29,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 pub use failure::Failure;
+pub use format;
 
 /// Size in bytes of the stack of the thread that does all work.
 const STACK_BYTES: usize = 8 << 20;

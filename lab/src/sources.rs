@@ -122,7 +122,7 @@ fn bare(key: &str) -> &str {
 
 /// Returns an example of a valid value of `key`: its default.
 fn example(key: &str) -> &'static str {
-    crate::format::CONFIG
+    format::CONFIG
         .iter()
         .find(|line| line.tag.strip_suffix(':') == Some(bare(key)))
         .map_or("VALUE", |line| line.default)

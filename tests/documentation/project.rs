@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Names of folders that are skipped: build output, git's data, and output of this project's commands.
-const SKIPPED: [&str; 3] = ["target", ".git", "out"];
+/// Names of folders that are skipped: build output, git's data, output of this project's commands, and packages of npm.
+const SKIPPED: [&str; 4] = ["target", ".git", "out", "node_modules"];
 
 /// The files and folders of the project. A path is relative to the project's root and has slashes.
 #[derive(Debug)]

@@ -2,7 +2,9 @@
 
 // Returns the PPM file as bytes. Throws an error with the renderer's message if there is no picture.
 globalThis.renderPicture = (module, config, scene, isSoa, isPortable) => {
-    const { memory, room, render, result, result_length } = new WebAssembly.Instance(module).exports;
+    // The module calls these functions for every row, for a page that shows the rows.
+    const page = { begin() {}, row() {} };
+    const { memory, room, render, result, result_length } = new WebAssembly.Instance(module, { page }).exports;
     [config, scene].forEach((bytes, text) => {
         // Making room may move the memory, so its buffer is asked for afterwards.
         const address = room(text, bytes.length);

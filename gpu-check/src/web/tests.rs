@@ -1,148 +1,54 @@
-//! Tests of the server with clients over real connections.
+//! Tests of the answers to the page's requests.
 
 use std::cell::Cell;
-use std::io::Read;
 
 use super::*;
 
-mod slow;
-
-fn server() -> Server {
-    Server::new(0, BTreeMap::from([("a".to_owned(), b"numbers".to_vec())])).expect("a port is free")
-}
-
-/// Sends `request` and returns the answer. An error of writing is ignored, because the server may close the connection
-/// before it has read the whole request.
-fn answer_to(address: SocketAddr, request: &str) -> String {
-    let mut client = TcpStream::connect(address).expect("it listens");
-    let _ = client.write_all(request.as_bytes());
-    let mut answer = Vec::new();
-    let _ = client.read_to_end(&mut answer);
-    String::from_utf8_lossy(&answer).into_owned()
-}
-
-fn asked(request: &str) -> (String, Option<Posted>) {
-    asked_of(&server(), request)
-}
-
-fn asked_of(server: &Server, request: &str) -> (String, Option<Posted>) {
-    let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    client.write_all(request.as_bytes()).expect("it reads");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
+fn asked(method: &str, path: &str, body: &[u8]) -> (Answer, Option<Posted>) {
     let posted = Cell::new(None);
-    // The result is an error for a refused client, because this client keeps its end of the connection open.
-    let _ = server.talk(&stream, |taken| posted.set(Some(taken)));
-    drop(stream);
-    let mut answer = String::new();
-    client.read_to_string(&mut answer).expect("it answers in text");
+    let request = Request { method: method.to_owned(), path: path.to_owned(), body: body.to_vec() };
+    let data = BTreeMap::from([("a".to_owned(), b"numbers".to_vec())]);
+    let answer = answer(request, &data, &|taken| posted.set(Some(taken)));
     (answer, posted.into_inner())
 }
 
-fn get(path: &str) -> String {
-    format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n")
+fn got(path: &str) -> Answer {
+    asked("GET", path, b"").0
+}
+
+fn text(answer: &Answer) -> String {
+    String::from_utf8_lossy(&answer.body).into_owned()
 }
 
 #[test]
 fn the_page_and_its_data_are_served() {
-    let page = asked(&get("/")).0;
+    let page = text(&got("/"));
     assert!(page.contains("<title>shader-lab</title>"));
     assert!(page.contains("width=device-width"));
-    assert!(asked(&get("/data/a")).0.ends_with("\r\n\r\nnumbers"));
+    assert_eq!(text(&got("/data/a")), "numbers");
 }
 
 #[test]
 fn the_icon_is_served_under_its_name_and_as_favicon_ico() {
-    assert!(asked(&get("/")).0.contains("<link rel=\"icon\" type=\"image/svg+xml\" href=\"icon.svg\">"));
+    assert!(text(&got("/")).contains("<link rel=\"icon\" type=\"image/svg+xml\" href=\"icon.svg\">"));
     for path in ["/icon.svg", "/favicon.ico"] {
-        let answer = asked(&get(path)).0;
-        assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("Content-Type: image/svg+xml;"), "{answer}");
-        assert!(answer.contains("\r\n\r\n<svg "), "{answer}");
+        let answer = got(path);
+        assert_eq!((answer.status, answer.kind), ("200 OK", "image/svg+xml"));
+        assert!(text(&answer).starts_with("<svg "), "{answer:?}");
     }
 }
 
 #[test]
 fn other_paths_are_not_found() {
     for path in ["/data/b", "/../Cargo.toml", "//etc/passwd", ""] {
-        assert!(asked(&get(path)).0.starts_with("HTTP/1.1 404"), "{path}");
+        assert!(got(path).status.starts_with("404"), "{path}");
     }
 }
 
 #[test]
 fn results_are_taken() {
-    let (_, posted) =
-        asked("POST /results/kernels/sphere HTTP/1.1\r\nHost: localhost:8\r\nContent-Length: 3\r\n\r\nabc");
+    let (_, posted) = asked("POST", "/results/kernels/sphere", b"abc");
     let posted = posted.expect("it has a body");
     assert_eq!((posted.name.as_str(), &posted.body[..]), ("kernels/sphere", &b"abc"[..]));
-}
-
-#[test]
-fn a_foreign_name_for_this_server_gets_nothing() {
-    let (answer, _) = asked("GET /data/a HTTP/1.1\r\nHost: evil.example\r\n\r\n");
-    assert!(answer.starts_with("HTTP/1.1 403") && !answer.contains("numbers"), "{answer}");
-}
-
-#[test]
-fn bodies_share_one_limit_and_give_it_back() {
-    let counter = AtomicUsize::new(0);
-    let first = Share::take(&counter, 3, 5);
-    assert!(first.is_some() && Share::take(&counter, 3, 5).is_none() && Share::take(&counter, usize::MAX, 5).is_none());
-    assert!(Share::take(&counter, 2, 5).is_some(), "exactly the limit");
-    drop(first);
-    assert!(Share::take(&counter, 5, 5).is_some());
-}
-
-#[test]
-fn all_bodies_together_have_a_limit_until_one_of_them_has_been_received() {
-    let server = server();
-    let post = |length: usize, body: &str| {
-        format!("POST /results/x HTTP/1.1\r\nHost: localhost\r\nContent-Length: {length}\r\n\r\n{body}")
-    };
-    let mut first = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
-    // This client announces all bytes but one, and sends none of them.
-    first.write_all(post(request::MAX_BODY - 1, "").as_bytes()).expect("it reads");
-    let (stream, _) = server.listener.accept().expect("there is a connection");
-    std::thread::scope(|scope| {
-        let talk = scope.spawn(|| server.talk(&stream, drop));
-        while server.bodies.load(Ordering::SeqCst) == 0 {
-            std::thread::sleep(Duration::from_millis(1));
-        }
-        assert!(asked_of(&server, &post(2, "ab")).0.starts_with("HTTP/1.1 503"));
-        assert!(asked_of(&server, &post(1, "a")).0.starts_with("HTTP/1.1 200"), "exactly the limit");
-        drop(first);
-        assert!(talk.join().expect("it does not panic").is_err(), "the body has not come");
-        assert!(asked_of(&server, &post(2, "ab")).0.starts_with("HTTP/1.1 200"));
-    });
-}
-
-#[test]
-fn one_connection_too_many_gets_status_503_and_later_ones_are_answered() {
-    let server = server();
-    let address = server.address().expect("it listens");
-    std::thread::spawn(move || server.serve(drop));
-    // Each client opens a connection and sends nothing.
-    let silent: Vec<_> = (0..MAX_CONNECTIONS).map(|_| TcpStream::connect(address).expect("it listens")).collect();
-    let until = |wanted: &str| {
-        for _ in 0..1000 {
-            let answer = answer_to(address, &get("/data/a"));
-            if answer.starts_with(wanted) {
-                return;
-            }
-            std::thread::sleep(Duration::from_millis(10));
-        }
-        panic!("no answer starts with {wanted}");
-    };
-    until("HTTP/1.1 503");
-    drop(silent);
-    until("HTTP/1.1 200");
-}
-
-#[cfg(unix)]
-#[test]
-fn a_lack_of_file_descriptors_may_pass_and_a_closed_socket_may_not() {
-    use nix::errno::Errno;
-
-    for errno in [Errno::EMFILE, Errno::ENFILE, Errno::ENOMEM, Errno::ECONNABORTED, Errno::EINTR] {
-        assert!(may_pass(&io::Error::from_raw_os_error(errno as i32)), "{errno}");
-    }
-    assert!(!may_pass(&io::Error::from_raw_os_error(Errno::EBADF as i32)));
+    assert!(asked("GET", "/results/kernels/sphere", b"").1.is_none(), "only a POST sends results");
 }

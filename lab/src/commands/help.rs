@@ -43,8 +43,8 @@ impl clap::builder::TypedValueParser for Topics {
 }
 
 /// The words that completion scripts offer as a topic: every command, and both input files.
-pub const TOPICS: [&str; 10] =
-    ["bench", "compare", "completions", "config", "generate", "inspect", "man", "render", "report", "scene"];
+pub const TOPICS: [&str; 11] =
+    ["bench", "compare", "completions", "config", "generate", "inspect", "man", "render", "report", "scene", "view"];
 
 impl Arguments {
     /// Prints the help of the topic.

@@ -5,9 +5,10 @@
 use std::path::Path;
 
 use cpu::Error;
+use cpu::internals::input::text::Tokens;
 
 use super::shown;
-use crate::format::{CONFIG, Field, Line, SCENE};
+use crate::format::{CONFIG, Line, SCENE, place};
 use crate::terminal;
 
 /// The kind of an input file.
@@ -33,29 +34,11 @@ pub fn message(
     (line, text): (u64, &[u8]),
     names: &[Vec<u8>],
 ) -> Option<String> {
-    let (summary, token, hint) = describe(error, kind, text, names)?;
-    let (start, end) = place(text, token);
+    let (summary, hint) = describe(error, kind, text, names)?;
+    let (start, end) = place::span(text, place::wrong_token(error, text)?);
     let place =
         format!("{}:{line}:{}", terminal::name(path), String::from_utf8_lossy(&text[..start]).chars().count() + 1);
     Some(format!("{place}: {summary}\n{}{hint}", excerpt(line, text, start, end)))
-}
-
-/// Returns the start and the end of token number `token` in `text`, as byte offsets from 0. If the line has fewer
-/// tokens, both are the end of the last token.
-fn place(text: &[u8], token: usize) -> (usize, usize) {
-    let is_blank = |byte: u8| byte == b' ' || byte == b'\t';
-    let mut end = 0;
-    for number in 0.. {
-        let Some(start) = text[end..].iter().position(|&byte| !is_blank(byte)).map(|more| end + more) else { break };
-        end = text[start..].iter().position(|&byte| is_blank(byte)).map_or(text.len(), |more| start + more);
-        if number == token {
-            return (start, end);
-        }
-    }
-    // The token is missing. The message points to the end of the last token.
-    let after = cpu::internals::input::text::trim(text);
-    let length = after.as_ptr() as usize - text.as_ptr() as usize + after.len();
-    (length, length)
 }
 
 /// Returns the line with its number, and below it carets under the bytes from `start` to `end`. A long line is
@@ -72,36 +55,29 @@ fn excerpt(line: u64, text: &[u8], start: usize, end: usize) -> String {
     format!("{margin}{before}{meant}{after}\n{:indent$}{}\n", "", "^".repeat(meant.chars().count().max(1)))
 }
 
-/// Returns three things: what is wrong, the number of the wrong token, and what to do. Returns `None` for an error that
-/// does not belong to a line.
-fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option<(String, usize, String)> {
+/// Returns what is wrong and what to do. Returns `None` for an error that does not belong to a line.
+fn describe(error: &Error, kind: Kind, text: &[u8], names: &[Vec<u8>]) -> Option<(String, String)> {
     Some(match error {
         Error::UnknownKey { key } => {
             let hint = unknown(key, kind, "key");
-            (format!("there is no configuration key [{}]", shown::line(key)), 0, hint)
+            (format!("there is no configuration key [{}]", shown::line(key)), hint)
         }
         Error::UnknownEntity { name } => {
             let hint = unknown(name, kind, "entity");
-            (format!("there is no scene entity [{}]", shown::line(name)), 0, hint)
+            (format!("there is no scene entity [{}]", shown::line(name)), hint)
         }
-        Error::InvalidValue { key, .. } => wrong_field(CONFIG.iter().find(|line| line.tag == *key)?, text),
-        Error::InvalidParameters { entity, .. } => {
-            let word = entity.split(' ').next()?;
-            wrong_field(SCENE.iter().find(|line| line.tag.strip_suffix(':') == Some(word))?, text)
-        }
-        Error::ExtraValue { key, .. } => extra(CONFIG.iter().find(|line| line.tag == *key)?),
-        Error::ExtraParameters { tag, .. } => extra(SCENE.iter().find(|line| line.tag == *tag)?),
+        Error::InvalidValue { .. } | Error::InvalidParameters { .. } => wrong_field(place::line_of(error)?, text),
+        Error::ExtraValue { .. } | Error::ExtraParameters { .. } => extra(place::line_of(error)?),
         Error::MaterialExists { name, .. } => {
             let name = shown::line(name);
-            (format!("a material [{name}] is already defined above"), 1, "choose another name".to_owned())
+            (format!("a material [{name}] is already defined above"), "choose another name".to_owned())
         }
         Error::MaterialNotFound { name, .. } => {
-            let place = text.split(|&byte| byte == b' ' || byte == b'\t').filter(|token| !token.is_empty()).count();
             let hint = nearest(name, names.iter().map(Vec::as_slice)).map_or_else(
                 || "define it on a line above, as in: matte: NAME 0.5 0.5 0.5".to_owned(),
                 |known| format!("did you mean [{}]?", shown::line(known)),
             );
-            (format!("no material [{}] is defined above this line", shown::line(name)), place - 1, hint)
+            (format!("no material [{}] is defined above this line", shown::line(name)), hint)
         }
         _ => return None,
     })
@@ -143,34 +119,24 @@ fn nearest<'a>(word: &[u8], known: impl Iterator<Item = &'a [u8]>) -> Option<&'a
         .map(|(_, known)| known)
 }
 
-fn wrong_field(line: &Line, text: &[u8]) -> (String, usize, String) {
-    let tokens: Vec<_> = cpu::internals::input::text::Tokens::new(text).skip(1).collect();
-    let place = line
-        .fields
-        .iter()
-        .enumerate()
-        .position(|(place, field)| tokens.get(place).is_none_or(|token| !field.accepts(token)));
+fn wrong_field(line: &Line, text: &[u8]) -> (String, String) {
     let usage = format!("the line is: {} {}", line.tag, line.values);
     let word = line.tag.trim_end_matches(':');
-    match place {
-        // Every field is valid on its own, so the error is a cylinder whose axis has no length.
-        None => {
-            let first = 1 + line.fields.iter().position(|field| *field == Field::Positive).map_or(0, |place| place + 1);
-            (format!("{word}: the axis must have a length above 0"), first, usage)
-        }
-        Some(place) => {
-            let wanted = line.fields[place].wanted();
-            let problem = match tokens.get(place) {
+    let problem = match place::wrong_field(line, text) {
+        None => "the axis must have a length above 0".to_owned(),
+        Some(field) => {
+            let wanted = line.fields[field].wanted();
+            match Tokens::new(text).nth(field + 1) {
                 Some(token) => format!("[{}] is not {wanted}", shown::line(token)),
                 None => format!("{wanted} is missing"),
-            };
-            (format!("{word}: {problem}"), place + 1, usage)
+            }
         }
-    }
+    };
+    (format!("{word}: {problem}"), usage)
 }
 
-fn extra(line: &Line) -> (String, usize, String) {
+fn extra(line: &Line) -> (String, String) {
     let summary = format!("{} there is more than its {} values", line.tag, line.fields.len());
     let summary = if line.fields.len() == 1 { format!("{} there is more than its value", line.tag) } else { summary };
-    (summary, line.fields.len() + 1, format!("the line is: {} {}", line.tag, line.values))
+    (summary, format!("the line is: {} {}", line.tag, line.values))
 }

@@ -1,22 +1,30 @@
 //! The renderer as a WebAssembly module. Its functions take and return numbers alone, so it needs no generated glue.
 //!
-//! The caller asks for room for the two texts with [`room`], writes them there, calls [`render`], and reads the file or
-//! the message at [`result`]. Any call may move the memory, so the caller asks for an address after the call.
-//! `tests/platforms/call.js` is a caller.
+//! The caller asks for room for the two texts with [`room`], and writes them there. Then it calls [`check`] or
+//! [`render`], and reads the file or the message at [`result`]. Any call may move the memory, so the caller asks for an
+//! address after the call. The caller gives the module the functions in `page`, which [`render`] calls for every row.
+//! `tests/platforms/call.js` and `web/site` are callers.
 
 #![allow(unsafe_code, reason = "a name in the module's interface must be unique, which the compiler cannot check")]
 
+mod page;
+mod picture;
+mod state;
+
+use std::fmt::Write;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use cpu::internals::{InstructionSet, Prepared, render_with};
-use cpu::{Aos, Config, Error, Layout, Scatter, Scene, Soa};
+use cpu::internals::InstructionSet;
+use cpu::{Aos, Scatter, Soa};
+use sha2::{Digest, Sha256};
 
-/// The texts and the result of one rendering. A module has one thread, so nothing waits for the lock.
-static STATE: Mutex<State> = Mutex::new(State { texts: [Vec::new(), Vec::new()], result: Vec::new() });
+use crate::state::State;
 
-struct State {
-    texts: [Vec<u8>; 2],
-    result: Vec<u8>,
+/// The texts and the result of the last call. A module has one thread, so nothing waits for the lock.
+static STATE: Mutex<State> = Mutex::new(State::new());
+
+fn state() -> MutexGuard<'static, State> {
+    STATE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Makes room for `length` bytes of the configuration (`text` is 0) or of the scene (1), and returns its address.
@@ -33,6 +41,21 @@ pub extern "C" fn room(text: usize, length: usize) -> *mut u8 {
     }
 }
 
+/// Checks the configuration (`text` is 0) or the scene, and returns 0 if it is valid and 1 if it has a fault.
+///
+/// The result is then the message, as after [`render`], and the four functions from [`fault_text`] on have its place.
+#[unsafe(no_mangle)]
+pub extern "C" fn check(text: usize) -> u32 {
+    let mut state = state();
+    let checked = if text == 0 { state.config().map(drop) } else { state.scene().map(drop) };
+    let status = u32::from(checked.is_err());
+    match checked {
+        Ok(()) => state.result.clear(),
+        Err(fault) => state.store(&fault),
+    }
+    status
+}
+
 /// Renders the two texts, and returns 0 for a picture and 1 for an error.
 ///
 /// The result is then a PPM file, or a message without `Error: ` before it and without a line end. `layout` is 0 for
@@ -43,63 +66,75 @@ pub extern "C" fn render(layout: u32, is_published: u32, is_portable: u32) -> u3
     let mut state = state();
     let scatter = if is_published == 0 { Scatter::Statement } else { Scatter::Published };
     let set = if is_portable == 0 { InstructionSet::best() } else { InstructionSet::Portable };
-    let file = if layout == 0 { file::<Aos>(&state, scatter, set) } else { file::<Soa>(&state, scatter, set) };
+    let file = match layout {
+        0 => picture::file::<Aos>(&state, scatter, set),
+        _ => picture::file::<Soa>(&state, scatter, set),
+    };
     let status = u32::from(file.is_err());
-    state.result = file.unwrap_or_else(|error| error.message());
+    match file {
+        Ok(file) => state.result = file,
+        Err(fault) => state.store(&fault),
+    }
     status
 }
 
-/// Returns the address of the result of [`render`].
+/// Replaces the result by its SHA-256 digest, in lower-case hexadecimal digits.
+#[unsafe(no_mangle)]
+pub extern "C" fn digest() {
+    let mut state = state();
+    let mut text = String::with_capacity(64);
+    for byte in Sha256::digest(&state.result) {
+        // Writing to a string never fails.
+        let _ = write!(text, "{byte:02x}");
+    }
+    state.result = text.into_bytes();
+}
+
+/// Makes the result the table of the lines of a configuration (`text` is 0) or of a scene. `render-lab help config` and
+/// `help scene` print the same tables. Each line has four fields with tabs between them: tag, values, default and
+/// meaning.
+#[unsafe(no_mangle)]
+pub extern "C" fn table(text: usize) {
+    let lines = if text == 0 { &format::CONFIG[..] } else { &format::SCENE[..] };
+    let rows = lines.iter().map(|line| [line.tag, line.values, line.default, line.meaning].join("\t"));
+    state().result = rows.collect::<Vec<_>>().join("\n").into_bytes();
+}
+
+/// Returns the address of the result of the last call.
 #[unsafe(no_mangle)]
 pub extern "C" fn result() -> *const u8 {
     state().result.as_ptr()
 }
 
-/// Returns the number of bytes of the result of [`render`].
+/// Returns the number of bytes of the result of the last call.
 #[unsafe(no_mangle)]
 pub extern "C" fn result_length() -> usize {
     state().result.len()
 }
 
-fn state() -> MutexGuard<'static, State> {
-    STATE.lock().unwrap_or_else(PoisonError::into_inner)
+/// Returns which text the last fault is about: 0 is the configuration, 1 the scene, 2 neither of them.
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_text() -> usize {
+    state().fault.text
 }
 
-/// Returns the picture of the two texts as a PPM file.
-fn file<L: Layout>(state: &State, scatter: Scatter, set: InstructionSet) -> Result<Vec<u8>, Error> {
-    let [config, scene] = &state.texts;
-    let (config, scene) = (Config::parse(&**config)?, Scene::parse(&**scene)?);
-    let image = render_with(&Prepared::<L>::new(&config, &scene, scatter)?, set)?;
-    let mut bytes = Vec::new();
-    cpu::write_ppm(&image, &mut bytes)?;
-    Ok(bytes)
+/// Returns the line of the last fault, counted from 1, or 0 if the fault is not about a line.
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_line() -> usize {
+    state().fault.line
+}
+
+/// Returns the column of the last fault in units of UTF-16, counted from 1, or 0 if the fault is not about a line.
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_column() -> usize {
+    state().fault.column
+}
+
+/// Returns the length of the wrong token of the last fault in units of UTF-16. It is 0 if the token is missing.
+#[unsafe(no_mangle)]
+pub extern "C" fn fault_length() -> usize {
+    state().fault.length
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn write(text: usize, bytes: &[u8]) {
-        assert!(!room(text, bytes.len()).is_null());
-        state().texts[text].copy_from_slice(bytes);
-    }
-
-    /// One test, because the functions share their state.
-    #[test]
-    fn texts_become_a_file_or_a_message() {
-        write(0, b"image_width: 8\naspect_ratio: 1 1\ncamera_position: 0 0 -3\n");
-        write(1, b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n");
-        let mut files = Vec::new();
-        for (layout, is_published, is_portable) in [(0, 0, 0), (1, 0, 0), (0, 0, 1), (0, 1, 0)] {
-            assert_eq!(render(layout, is_published, is_portable), 0);
-            assert_eq!(result_length(), state().result.len());
-            files.push(state().result.clone());
-        }
-        assert!(files[0].starts_with(b"P3\n8 8\n255\n"));
-        assert!(files[0] == files[1] && files[0] == files[2] && files[0] != files[3]);
-        write(1, b"triangle: 1\n");
-        assert_eq!(render(0, 0, 0), 1);
-        assert_eq!(state().result, b"Unknown scene entity: triangle");
-        assert!(room(2, 1).is_null());
-    }
-}
+mod tests;

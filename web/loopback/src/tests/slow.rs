@@ -4,11 +4,10 @@
 use super::*;
 
 /// Number of bytes that no buffer of the system can hold.
-const LARGE: usize = 64 << 20;
+pub const LARGE: usize = 64 << 20;
 
 fn server_with(patience: [Duration; 2]) -> Server {
-    let data = BTreeMap::from([("large".to_owned(), vec![b'x'; LARGE])]);
-    Server { patience, ..Server::new(0, data).expect("a port is free") }
+    Server { patience, ..Server::new(0).expect("a port is free") }
 }
 
 #[test]
@@ -24,7 +23,7 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
             std::thread::sleep(Duration::from_millis(5));
         }
     });
-    let error = server.talk(&stream, drop).expect_err("it waits no longer");
+    let error = server.talk(&stream, answer).expect_err("it waits no longer");
     assert!(matches!(error.kind(), io::ErrorKind::TimedOut | io::ErrorKind::WouldBlock), "{error}");
     stream.shutdown(Shutdown::Both).expect("it is open");
     trickle.join().expect("it ends when the connection does");
@@ -32,8 +31,8 @@ fn a_request_that_trickles_in_for_too_long_gets_no_answer_and_one_in_time_does()
     let server = server_with([long, long]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     let (stream, _) = server.listener.accept().expect("there is a connection");
-    client.write_all(get("/lab.css").as_bytes()).expect("it reads");
-    server.talk(&stream, drop).expect("it has time enough");
+    client.write_all(get("/data/a").as_bytes()).expect("it reads");
+    server.talk(&stream, answer).expect("it has time enough");
 }
 
 #[test]
@@ -42,7 +41,7 @@ fn an_answer_that_the_client_does_not_read_is_given_up() {
     let server = server_with([long, short]);
     let mut client = TcpStream::connect(server.address().expect("it listens")).expect("it listens");
     let (stream, _) = server.listener.accept().expect("there is a connection");
-    client.write_all(get("/data/large").as_bytes()).expect("it reads");
-    let error = server.talk(&stream, drop).expect_err("the client reads nothing");
+    client.write_all(get("/large").as_bytes()).expect("it reads");
+    let error = server.talk(&stream, answer).expect_err("the client reads nothing");
     assert!(matches!(error.kind(), io::ErrorKind::TimedOut | io::ErrorKind::WouldBlock), "{error}");
 }

@@ -1,8 +1,10 @@
 //! Describes the two input files as tables: the fields of every line, their meaning and their allowed values.
 //!
 //! `cpu` decides which values are valid, and these tables explain it. `render-lab help config` and `help scene` print
-//! the tables, and error messages use them to point at the wrong field. Tests check that the tables agree with the
-//! parsers of `cpu`.
+//! the tables, the page in `web/site` offers them as completions, and error messages use them to point at the wrong
+//! field ([`place`]). Tests check that the tables agree with the parsers of `cpu`.
+
+pub mod place;
 
 use cpu::internals::input::text;
 

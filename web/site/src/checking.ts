@@ -1,0 +1,35 @@
+// Checks texts in a worker, so that the page answers while a long text is parsed.
+import { Renderer, type Fault, type TextNumber } from './module';
+
+/** What the page sends: first the module, then texts with the numbers of their questions. */
+export type Question = { module: WebAssembly.Module } | { question: number; text: TextNumber; content: string };
+
+/** What the worker sends for each text. */
+export interface Verdict {
+    question: number;
+    fault: Fault | null;
+}
+
+let module: WebAssembly.Module | null = null;
+let renderer: Renderer | null = null;
+
+async function faultOf(text: TextNumber, content: string): Promise<Fault | null> {
+    try {
+        renderer ??= module && (await Renderer.create(module));
+        renderer?.write(text, content);
+        return renderer?.check(text) ?? null;
+    } catch (error) {
+        // The memory is exhausted. The next check begins with a new instance.
+        renderer = null;
+        return { text, line: 0, column: 0, length: 0, message: String(error) };
+    }
+}
+
+addEventListener('message', ({ data }: MessageEvent<Question>) => {
+    if ('module' in data) {
+        module = data.module;
+    } else {
+        const { question, text, content } = data;
+        void faultOf(text, content).then((fault) => postMessage({ question, fault } satisfies Verdict));
+    }
+});

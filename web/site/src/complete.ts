@@ -1,0 +1,44 @@
+// Offers the possible lines while the user types: the rows of the renderer's table, and the names of materials.
+import type { Completion, CompletionContext, CompletionResult } from '@codemirror/autocomplete';
+import type { Row } from './module';
+import { meaningOf, say } from './words';
+
+/** What a material's line begins with, and its name. */
+const MATERIAL = /^[ \t]*(?:matte|metal|refractive):[ \t]+(\S+)/gm;
+
+/** Returns the function that offers completions in a text whose lines `rows` describe. */
+export function completions(rows: Row[]): (context: CompletionContext) => CompletionResult | null {
+    return (context) => {
+        const line = context.state.doc.lineAt(context.pos);
+        const before = line.text.slice(0, context.pos - line.from);
+        const word = /\S*$/.exec(before)?.[0] ?? '';
+        if (word === '' && !context.explicit) {
+            return null;
+        }
+        const from = context.pos - word.length;
+        const words = before.slice(0, before.length - word.length).trim().split(/[ \t]+/).filter(Boolean);
+        if (words.length === 0) {
+            // The rest of the line, if it has one, must stay as it is.
+            return { from, options: rows.map((row) => tag(row, line.text.trim() === word)), validFor: /^[\w:]*$/ };
+        }
+        const row = rows.find((one) => one.tag === words[0]);
+        const names = row?.values.split(' ') ?? [];
+        if (row?.default === '' && names[words.length - 1] === 'material') {
+            const above = context.state.doc.sliceString(0, line.from);
+            const known = new Set(Array.from(above.matchAll(MATERIAL), (match) => match[1] ?? ''));
+            return { from, options: [...known].map((label) => ({ label, type: 'variable', detail: say('material') })) };
+        }
+        return null;
+    };
+}
+
+function tag(row: Row, isAlone: boolean): Completion {
+    const start = row.default === '' ? '' : `; ${say('default')}: ${row.default}`;
+    return {
+        label: row.tag,
+        type: 'keyword',
+        detail: row.values,
+        info: `${meaningOf(row.tag, row.meaning)}${start}`,
+        apply: isAlone ? `${row.tag} ${row.default}` : row.tag,
+    };
+}

@@ -1,0 +1,239 @@
+// Connects the parts of the page.
+import { Editor } from './editor';
+import { inWorker, native } from './engines';
+import { example, FIRST, names } from './examples';
+import { Checker } from './faults';
+import * as link from './link';
+import { compile, instructionSet, Renderer, type Row } from './module';
+import { Picture } from './picture';
+import * as store from './store';
+import type { Texts } from './store';
+import * as view from './view';
+import { say, speak, type Language } from './words';
+
+const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+
+/** Time without typing after which the texts are checked, in milliseconds. */
+const PAUSE = 200;
+
+/** Number of characters from which on a link may be cut by programs that pass it on. */
+const LONG_LINK = 8000;
+
+const languages = element<HTMLSelectElement>('language');
+const earlierTexts = element<HTMLSelectElement>('earlier');
+const examples = element<HTMLSelectElement>('examples');
+const engines = element<HTMLSelectElement>('engine');
+const live = element<HTMLInputElement>('live');
+
+/** The parts that exist once the module is loaded. */
+class Page {
+    #isTyped = false;
+    #isLoading = false;
+    #timer = 0;
+    readonly #editors: [Editor, Editor];
+    readonly #checker: Checker;
+    readonly #picture = new Picture((fault) => {
+        if (fault.text < 2) {
+            this.#checker.show(fault.text as 0 | 1, fault);
+        }
+        this.#picture.say(fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message));
+    });
+
+    constructor(private readonly module: WebAssembly.Module, tables: [Row[], Row[]]) {
+        const listener = { changed: () => this.#changed(), render: () => void this.render() };
+        const editor = (name: string, rows: Row[]) =>
+            new Editor(element(`${name}-editor`), rows, element(`${name}-label`), listener);
+        this.#editors = [editor('config', tables[0]), editor('scene', tables[1])];
+        this.#checker = new Checker(module, this.#editors, [element('config-faults'), element('scene-faults')]);
+        addEventListener('pagehide', () => this.#keep());
+        document.addEventListener('keydown', (event) => {
+            if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) {
+                event.preventDefault();
+                void this.render();
+            }
+        });
+        element('render').addEventListener('click', () => void this.render());
+        element('share').addEventListener('click', () => void this.#share());
+    }
+
+    get #texts(): Texts {
+        return { config: this.#editors[0].text, scene: this.#editors[1].text };
+    }
+
+    /** Shows a message below the picture. */
+    say(text: string): void {
+        this.#picture.say(text);
+    }
+
+    /** Replaces both texts. What the user had typed becomes one of the earlier texts. */
+    load(texts: Texts, isTyped = false): void {
+        if (this.#isTyped) {
+            this.#tryTo(() => store.keepEarlier(this.#texts));
+        }
+        this.#isLoading = true;
+        this.#editors[0].text = texts.config;
+        this.#editors[1].text = texts.scene;
+        this.#isLoading = false;
+        this.#isTyped = isTyped;
+        this.#keep();
+        this.showEarlier();
+    }
+
+    /** Keeps texts that are not those of the editors as earlier texts. */
+    keepEarlier(texts: Texts): void {
+        this.#tryTo(() => store.keepEarlier(texts));
+    }
+
+    /** Checks both texts, and renders them if they are valid. */
+    async render(): Promise<void> {
+        const fault = await this.#checker.check();
+        this.#keep();
+        if (fault) {
+            this.say(this.#faultIn(fault.text));
+        } else {
+            this.#picture.render(engines.value === 'native' ? native : inWorker(this.module), this.#texts);
+        }
+    }
+
+    /** Lists the earlier texts. */
+    showEarlier(): void {
+        const all = store.earlier();
+        const options = all.map((one, index) => new Option(new Date(one.time).toLocaleString(), String(index)));
+        earlierTexts.replaceChildren(new Option(say('choose'), ''), ...options);
+        earlierTexts.disabled = all.length === 0;
+    }
+
+    #faultIn(text: number): string {
+        return say('faultIn', say(text === 0 ? 'config' : 'scene'));
+    }
+
+    #changed(): void {
+        if (this.#isLoading) {
+            return;
+        }
+        this.#isTyped = true;
+        clearTimeout(this.#timer);
+        this.#timer = window.setTimeout(() => void this.#settle(), PAUSE);
+    }
+
+    async #settle(): Promise<void> {
+        this.#keep();
+        const fault = await this.#checker.check();
+        if (live.checked && !fault) {
+            void this.render();
+        }
+    }
+
+    #keep(): void {
+        this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped }));
+    }
+
+    #tryTo(act: () => void): void {
+        try {
+            act();
+        } catch (error) {
+            this.say(say('notKept', String(error)));
+        }
+    }
+
+    async #share(): Promise<void> {
+        const text = await link.make(this.#texts);
+        const field = element<HTMLInputElement>('link');
+        field.value = text;
+        element('link-line').hidden = false;
+        // The clipboard is missing where the page is not from a trusted origin.
+        const isCopied = await navigator.clipboard?.writeText(text).then(() => true, () => false);
+        field.select();
+        const words = say(isCopied ? 'copied' : 'made');
+        this.say(text.length > LONG_LINK ? `${words} ${say('tooLong', text.length)}` : words);
+    }
+}
+
+/** Returns the texts with which the page starts, and whether the user has typed them. */
+async function firstTexts(page: Page): Promise<store.Current> {
+    const kept = store.current();
+    const replaceBy = (texts: Texts): store.Current => {
+        if (kept?.isTyped) {
+            page.keepEarlier(kept);
+        }
+        return { ...texts, isTyped: false };
+    };
+    if (link.isLink(location.hash)) {
+        try {
+            return replaceBy(await link.read(location.hash));
+        } catch {
+            page.say(say('badLink'));
+        }
+    }
+    if (view.isServed) {
+        const reload = (texts: Texts) => {
+            page.load(texts);
+            void page.render();
+            page.say(say('reloaded'));
+        };
+        const failed = (text: string | null) => page.say(text ?? say('unreachable'));
+        return replaceBy(await view.watch({ changed: reload, failed }));
+    }
+    return kept ?? { ...await example(FIRST), isTyped: false };
+}
+
+async function start(): Promise<void> {
+    const saved = store.setting('language') ?? navigator.language;
+    languages.value = saved.startsWith('es') ? 'es' : 'en';
+    speak(languages.value as Language);
+    element('status').textContent = say('loading');
+    const module = await compile().catch((error: unknown) => {
+        throw new Error(say('noModule', String(error)));
+    });
+    const renderer = await Renderer.create(module);
+    const page = new Page(module, [renderer.table(0), renderer.table(1)]);
+    document.documentElement.dataset.instructionSet = instructionSet;
+    if (view.isServed) {
+        element('engine-line').hidden = false;
+        engines.value = 'native';
+    }
+    const use = async (texts: Texts | Promise<Texts>, isTyped = false) => {
+        page.load(await texts, isTyped);
+        await page.render();
+    };
+    languages.addEventListener('change', () => {
+        store.keepSetting('language', languages.value);
+        speak(languages.value as Language);
+        page.showEarlier();
+    });
+    examples.addEventListener('change', () => {
+        const name = examples.value;
+        examples.value = '';
+        use(example(name)).catch((error: unknown) => page.say(say('noExample', String(error))));
+    });
+    earlierTexts.addEventListener('change', () => {
+        const texts = store.earlier()[Number(earlierTexts.value)];
+        if (texts) {
+            void use(texts, true);
+        }
+    });
+    addEventListener('hashchange', () => {
+        if (link.isLink(location.hash)) {
+            use(link.read(location.hash)).then(forgetLink, () => page.say(say('badLink')));
+        }
+    });
+    const { isTyped, ...texts } = await firstTexts(page);
+    page.load(texts, isTyped);
+    forgetLink();
+    await page.render();
+    names().then(
+        (all) => examples.append(...all.map((name) => new Option(name, name))),
+        (error: unknown) => page.say(say('noExample', String(error))),
+    );
+}
+
+/** Removes the texts from the address. Otherwise they would replace what the user types when the page is loaded again. */
+function forgetLink(): void {
+    if (link.isLink(location.hash)) {
+        history.replaceState(null, '', location.pathname + location.search);
+    }
+}
+
+start().catch((error: unknown) => {
+    element('status').textContent = error instanceof Error ? error.message : String(error);
+});

@@ -1,0 +1,146 @@
+// Loads the WebAssembly module of web/wasm, and calls its functions with texts instead of addresses.
+
+/** The number of a text: 0 is the configuration, 1 the scene. */
+export type TextNumber = 0 | 1;
+
+/** An error of the renderer with its place. */
+export interface Fault {
+    /** 0 is the configuration, 1 the scene, 2 neither of them. */
+    text: number;
+    /** Counted from 1; 0 if the fault is not about a line. */
+    line: number;
+    /** Counted from 1, in units of UTF-16. */
+    column: number;
+    /** Length of the wrong word in units of UTF-16; 0 if a word is missing. */
+    length: number;
+    /** The message of render-aos, without `Error: `. */
+    message: string;
+}
+
+/** One row of the table that `render-lab help config` or `help scene` prints. */
+export interface Row {
+    tag: string;
+    values: string;
+    default: string;
+    meaning: string;
+}
+
+/** The functions that the module calls: with the picture's size, and with the address of each finished row. */
+export interface Progress {
+    begin(width: number, height: number): void;
+    row(row: number, pixels: Uint8ClampedArray): void;
+}
+
+interface Exports {
+    memory: WebAssembly.Memory;
+    room(text: number, length: number): number;
+    check(text: number): number;
+    render(layout: number, isPublished: number, isPortable: number): number;
+    digest(): void;
+    table(text: number): void;
+    result(): number;
+    result_length(): number;
+    fault_text(): number;
+    fault_line(): number;
+    fault_column(): number;
+    fault_length(): number;
+}
+
+/** A module with one function that uses a 128-bit lane. It is valid only where such lanes are known. */
+const LANES = new Uint8Array([
+    0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+/** The name of the instruction set that the module for this browser uses. */
+export const instructionSet = WebAssembly.validate(LANES) ? 'simd128' : 'portable';
+
+/** Loads the module that this browser can run. */
+export async function compile(): Promise<WebAssembly.Module> {
+    const response = await fetch(instructionSet === 'simd128' ? 'wasm-simd128.wasm' : 'wasm.wasm');
+    if (!response.ok) {
+        throw new Error(`${response.url}: ${response.status}`);
+    }
+    // A server that does not know the content type of WebAssembly sends another one, which the browser would refuse.
+    const isKnown = response.headers.get('Content-Type') === 'application/wasm';
+    return isKnown ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** An instance of the module. After an exception of one of its functions it must not be used any more. */
+export class Renderer {
+    readonly #exports: Exports;
+
+    private constructor(exports: Exports) {
+        this.#exports = exports;
+    }
+
+    static async create(module: WebAssembly.Module, progress?: Progress): Promise<Renderer> {
+        let exports: Exports | undefined;
+        let width = 0;
+        const page = {
+            begin(pictureWidth: number, height: number) {
+                width = pictureWidth;
+                progress?.begin(width, height);
+            },
+            row(row: number, address: number) {
+                if (exports && progress) {
+                    progress.row(row, new Uint8ClampedArray(exports.memory.buffer, address >>> 0, 4 * width));
+                }
+            },
+        };
+        const instance = await WebAssembly.instantiate(module, { page });
+        exports = instance.exports as unknown as Exports;
+        return new Renderer(exports);
+    }
+
+    /** Gives a text to the module. */
+    write(text: TextNumber, content: string): void {
+        const bytes = new TextEncoder().encode(content);
+        const address = this.#exports.room(text, bytes.length) >>> 0;
+        new Uint8Array(this.#exports.memory.buffer).set(bytes, address);
+    }
+
+    /** Returns the first fault of a text that was written before, or null. */
+    check(text: TextNumber): Fault | null {
+        return this.#exports.check(text) === 0 ? null : this.#fault();
+    }
+
+    /** Renders the two texts. Returns the picture as a PPM file, or the fault. */
+    render(): Uint8Array<ArrayBuffer> | Fault {
+        return this.#exports.render(0, 0, 0) === 0 ? this.#result().slice() : this.#fault();
+    }
+
+    /** Returns the SHA-256 digest of the last result, which it replaces. */
+    digest(): string {
+        this.#exports.digest();
+        return this.#text();
+    }
+
+    /** Returns the rows of the table that describes the lines of a text. */
+    table(text: TextNumber): Row[] {
+        this.#exports.table(text);
+        return this.#text().split('\n').map((line) => {
+            const [tag = '', values = '', start = '', meaning = ''] = line.split('\t');
+            return { tag, values, default: start, meaning };
+        });
+    }
+
+    #result(): Uint8Array<ArrayBuffer> {
+        const { memory, result, result_length } = this.#exports;
+        return new Uint8Array(memory.buffer as ArrayBuffer, result() >>> 0, result_length() >>> 0);
+    }
+
+    #text(): string {
+        return new TextDecoder().decode(this.#result());
+    }
+
+    #fault(): Fault {
+        const { fault_text, fault_line, fault_column, fault_length } = this.#exports;
+        return {
+            text: fault_text(),
+            line: fault_line(),
+            column: fault_column(),
+            length: fault_length(),
+            message: this.#text(),
+        };
+    }
+}

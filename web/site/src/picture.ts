@@ -1,0 +1,119 @@
+// The picture with its bar, its digest and the buttons that save it.
+import type { Engine, Watcher } from './engines';
+import type { Fault } from './module';
+import { png } from './ppm';
+import type { Texts } from './store';
+import { say } from './words';
+
+const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+
+/** The part of the page that shows the picture. */
+export class Picture {
+    readonly #canvas = element<HTMLCanvasElement>('canvas');
+    readonly #bar = element<HTMLProgressElement>('bar');
+    readonly #status = element('status');
+    readonly #digest = element('digest');
+    readonly #cancel = element<HTMLButtonElement>('cancel');
+    readonly #saves = [element<HTMLButtonElement>('save-ppm'), element<HTMLButtonElement>('save-png')];
+    #stop: (() => void) | null = null;
+    #ppm: Uint8Array<ArrayBuffer> | null = null;
+
+    constructor(private readonly onFault: (fault: Fault) => void) {
+        this.#cancel.addEventListener('click', () => this.cancel());
+        const ppm = () => new Blob([this.#ppm ?? ''], { type: 'image/x-portable-pixmap' });
+        this.#saves[0]?.addEventListener('click', () => save('picture.ppm', ppm()));
+        this.#saves[1]?.addEventListener('click', () => {
+            if (this.#ppm) {
+                save('picture.png', new Blob([png(this.#ppm)], { type: 'image/png' }));
+            }
+        });
+    }
+
+    /** Shows a message below the picture. */
+    say(text: string): void {
+        this.#status.textContent = text;
+    }
+
+    /** Renders the texts. A picture that is not finished is cancelled. */
+    render(engine: Engine, texts: Texts): void {
+        this.#stop?.();
+        this.#end();
+        this.#ppm = null;
+        this.#digest.replaceChildren();
+        this.#saves.forEach((button) => (button.disabled = true));
+        this.#cancel.disabled = false;
+        this.#bar.hidden = false;
+        this.#bar.removeAttribute('value');
+        this.say(say('preparing'));
+        const start = performance.now();
+        let isCurrent = true;
+        // A cancelled engine may still send what it has sent before.
+        const current = <A extends unknown[]>(act: (...values: A) => void) => (...values: A) => {
+            if (isCurrent) {
+                act(...values);
+            }
+        };
+        let size = '';
+        const watcher: Watcher = {
+            begin: current((width, height, step) => {
+                this.#canvas.width = Math.ceil(width / step);
+                this.#canvas.height = Math.ceil(height / step);
+                size = `${width} × ${height}${step > 1 ? ` (${say('shownPart', step)})` : ''}`;
+                this.say(`${say('rendering')} ${size}`);
+            }),
+            progress: current((done, height) => {
+                this.#bar.value = done / height;
+                this.#bar.title = `${done} / ${height} ${say('rows')}`;
+            }),
+            show: current((pixels, first) => this.#canvas.getContext('2d')?.putImageData(pixels, 0, first)),
+            done: current((ppm, digest) => {
+                this.#end();
+                this.#ppm = ppm;
+                this.#saves.forEach((button) => (button.disabled = false));
+                const seconds = ((performance.now() - start) / 1000).toFixed(2);
+                this.say(`${size}, ${seconds} ${say('seconds')}`);
+                const code = document.createElement('code');
+                code.textContent = digest;
+                this.#digest.replaceChildren('SHA-256 ', code, ` — ${say('same')}`);
+            }),
+            fault: current((fault) => {
+                this.#end();
+                this.onFault(fault);
+            }),
+            failed: current((text) => {
+                this.#end();
+                this.say(say('failed', text));
+            }),
+        };
+        const cancel = engine(texts, watcher);
+        this.#stop = () => {
+            isCurrent = false;
+            cancel();
+        };
+    }
+
+    /** Cancels the picture. The rows that are finished stay. */
+    cancel(): void {
+        if (this.#stop) {
+            this.#stop();
+            this.#end();
+            this.say(say('cancelled'));
+        }
+    }
+
+    #end(): void {
+        this.#stop = null;
+        this.#cancel.disabled = true;
+        this.#bar.hidden = true;
+    }
+}
+
+/** Lets the browser save a file. */
+function save(name: string, content: Blob): void {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(content);
+    link.download = name;
+    link.click();
+    // The browser has begun to read the file when this time has passed.
+    setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

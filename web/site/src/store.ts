@@ -1,0 +1,105 @@
+// Keeps what the user types in the browser's local storage. Texts that are replaced stay in a list of earlier texts.
+
+/** A configuration and a scene. */
+export interface Texts {
+    config: string;
+    scene: string;
+}
+
+/** Texts that the user had before others were loaded. */
+export interface Earlier extends Texts {
+    /** When they were replaced, in milliseconds since 1970. */
+    time: number;
+}
+
+/** The texts of the editors. */
+export interface Current extends Texts {
+    /** Whether the user has changed them since they were loaded. */
+    isTyped: boolean;
+}
+
+const CURRENT = 'render.texts';
+const EARLIER = 'render.earlier';
+
+/** Largest number of earlier texts. */
+const MAX_EARLIER = 20;
+
+const isTexts = (value: unknown): value is Texts =>
+    typeof value === 'object' && value !== null && 'config' in value && 'scene' in value
+    && typeof value.config === 'string' && typeof value.scene === 'string';
+
+function read(key: string): unknown {
+    try {
+        return JSON.parse(localStorage.getItem(key) ?? 'null');
+    } catch {
+        return null;
+    }
+}
+
+/** Returns a setting that was kept, or null. */
+export function setting(name: string): string | null {
+    const value = read(`render.${name}`);
+    return typeof value === 'string' ? value : null;
+}
+
+/** Keeps a setting. Where the browser does not allow it, the setting counts until the page is closed. */
+export function keepSetting(name: string, value: string): void {
+    try {
+        write(`render.${name}`, value);
+    } catch {
+        // Nothing is lost that the user has typed.
+    }
+}
+
+/** Returns the texts that the editors had last, or null. */
+export function current(): Current | null {
+    const value = read(CURRENT);
+    return isTexts(value) ? { isTyped: true, ...value } : null;
+}
+
+/** Returns the earlier texts, the newest first. */
+export function earlier(): Earlier[] {
+    const value = read(EARLIER);
+    return Array.isArray(value) ? value.filter((one): one is Earlier => isTexts(one) && 'time' in one) : [];
+}
+
+/** Writes `value`. The oldest of the earlier texts give way if there is too little room. */
+function write(key: string, value: unknown): void {
+    for (;;) {
+        try {
+            localStorage.setItem(key, JSON.stringify(value));
+            return;
+        } catch (error) {
+            const rest = earlier().slice(0, -1);
+            if (key === EARLIER || !localStorage.getItem(EARLIER)) {
+                throw error;
+            }
+            localStorage.removeItem(EARLIER);
+            if (rest.length > 0) {
+                localStorage.setItem(EARLIER, JSON.stringify(rest));
+            }
+        }
+    }
+}
+
+/** Keeps the texts of the editors. Throws if the browser does not allow it. */
+export function keep(texts: Current): void {
+    write(CURRENT, texts);
+}
+
+/** Puts texts that are about to be replaced at the front of the earlier texts. */
+export function keepEarlier(texts: Texts): void {
+    const others = earlier().filter((one) => one.config !== texts.config || one.scene !== texts.scene);
+    let list: Earlier[] = [{ ...texts, time: Date.now() }, ...others].slice(0, MAX_EARLIER);
+    for (;;) {
+        try {
+            write(EARLIER, list);
+            return;
+        } catch (error) {
+            if (list.length === 1) {
+                throw error;
+            }
+            list = list.slice(0, -1);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+// The words of the page in English and Spanish. Messages of the renderer are in English, as its specification says.
+
+const ENGLISH = {
+    title: 'An exact renderer of spheres and cylinders',
+    lead: 'The picture has the bytes that the program render-aos writes, computed in this page.',
+    config: 'Configuration',
+    scene: 'Scene',
+    picture: 'Picture',
+    examples: 'Examples',
+    choose: 'choose…',
+    earlier: 'My earlier texts',
+    language: 'Language',
+    engine: 'Rendered by',
+    browser: 'this page (WebAssembly)',
+    native: 'this machine (native)',
+    render: 'Render',
+    cancel: 'Cancel',
+    live: 'Render after every change',
+    savePpm: 'Save PPM',
+    savePng: 'Save PNG',
+    share: 'Make a link',
+    link: 'Link with both texts',
+    help: 'Ctrl+Enter renders. Ctrl+Space shows the lines that are possible. Escape, then Tab, leaves an editor.',
+    loading: 'Loading the renderer…',
+    preparing: 'Preparing the scene…',
+    rendering: 'Rendering…',
+    cancelled: 'Cancelled.',
+    same: 'the bytes of render-aos',
+    rows: 'rows',
+    seconds: 's',
+    shownPart: 'one pixel in {0} is shown each way, and all are saved',
+    faultIn: 'There is an error in: {0}.',
+    line: 'Line {0}',
+    failed: 'The renderer stopped: {0}',
+    noModule: 'The renderer could not be loaded: {0}',
+    noExample: 'The example could not be loaded: {0}',
+    badLink: 'The link could not be read, so your own texts stay.',
+    copied: 'The link is copied.',
+    made: 'The link is below.',
+    tooLong: 'The link has {0} characters; some programs cut such links.',
+    notKept: 'This browser does not keep what you type: {0}',
+    reloaded: 'A file has changed and was loaded again.',
+    unreachable: 'render-lab view does not answer. What you type is kept here.',
+    default: 'default',
+    material: 'material',
+};
+
+/** A key of the words. */
+export type Key = keyof typeof ENGLISH;
+
+const SPANISH: Record<Key, string> = {
+    title: 'Un renderizador exacto de esferas y cilindros',
+    lead: 'La imagen tiene los bytes que escribe el programa render-aos, calculados en esta página.',
+    config: 'Configuración',
+    scene: 'Escena',
+    picture: 'Imagen',
+    examples: 'Ejemplos',
+    choose: 'elegir…',
+    earlier: 'Mis textos anteriores',
+    language: 'Idioma',
+    engine: 'Calculada por',
+    browser: 'esta página (WebAssembly)',
+    native: 'esta máquina (nativo)',
+    render: 'Renderizar',
+    cancel: 'Cancelar',
+    live: 'Renderizar tras cada cambio',
+    savePpm: 'Guardar PPM',
+    savePng: 'Guardar PNG',
+    share: 'Crear un enlace',
+    link: 'Enlace con los dos textos',
+    help: 'Ctrl+Intro renderiza. Ctrl+Espacio muestra las líneas posibles. Escape y después Tab sale de un editor.',
+    loading: 'Cargando el renderizador…',
+    preparing: 'Preparando la escena…',
+    rendering: 'Renderizando…',
+    cancelled: 'Cancelado.',
+    same: 'los bytes de render-aos',
+    rows: 'filas',
+    seconds: 's',
+    shownPart: 'se muestra uno de cada {0} píxeles en cada dirección; se guardan todos',
+    faultIn: 'Hay un error en: {0}.',
+    line: 'Línea {0}',
+    failed: 'El renderizador se ha detenido: {0}',
+    noModule: 'No se ha podido cargar el renderizador: {0}',
+    noExample: 'No se ha podido cargar el ejemplo: {0}',
+    badLink: 'No se ha podido leer el enlace; se conservan sus textos.',
+    copied: 'El enlace está copiado.',
+    made: 'El enlace está abajo.',
+    tooLong: 'El enlace tiene {0} caracteres; algunos programas cortan enlaces así.',
+    notKept: 'Este navegador no guarda lo que escribe: {0}',
+    reloaded: 'Un archivo ha cambiado y se ha vuelto a cargar.',
+    unreachable: 'render-lab view no responde. Lo que escribe se guarda aquí.',
+    default: 'por defecto',
+    material: 'material',
+};
+
+/** The meanings of the lines of both files in Spanish. The English ones are in the renderer's table. */
+const SPANISH_MEANINGS: Record<string, string> = {
+    'aspect_ratio:': 'anchura y altura de la imagen, como proporción',
+    'image_width:': 'anchura en píxeles; de ella sigue la altura',
+    'gamma:': 'corrección gamma: un canal es su media ^ (1 / gamma)',
+    'camera_position:': 'lugar de la cámara, en unidades de la escena',
+    'camera_target:': 'punto en el centro de la imagen, en unidades de la escena',
+    'camera_north:': 'dirección que está arriba en la imagen; de cualquier longitud',
+    'field_of_view:': 'apertura vertical de la vista, en grados',
+    'samples_per_pixel:': 'rayos por píxel; el ruido baja con su raíz cuadrada',
+    'max_depth:': 'máximo de superficies que encuentra un rayo; después, negro',
+    'material_rng_seed:': 'semilla de los vectores de dispersión',
+    'ray_rng_seed:': 'semilla de los lugares de los rayos en los píxeles',
+    'background_dark_color:': 'fondo en vertical hacia arriba (+y)',
+    'background_light_color:': 'fondo en vertical hacia abajo (-y)',
+    'matte:': 'material que dispersa; reflectancia en [0, 1]',
+    'metal:': 'material que refleja; con difusión 0 es un espejo perfecto',
+    'refractive:': 'vidrio; índice > 0, el de una ventana es 1.5',
+    'sphere:': 'centro, radio > 0, un material definido más arriba',
+    'cylinder:': 'centro, radio > 0, eje: tan largo como alto es el cilindro',
+};
+
+export type Language = 'en' | 'es';
+
+let words: Record<Key, string> = ENGLISH;
+
+/** Returns the words for `key`, with `values` in the places {0}, {1} and so on. */
+export function say(key: Key, ...values: (string | number)[]): string {
+    return words[key].replace(/\{(\d)\}/g, (_, place) => String(values[Number(place)] ?? ''));
+}
+
+/** Returns the meaning of a line in the page's language. */
+export function meaningOf(tag: string, english: string): string {
+    return words === SPANISH ? SPANISH_MEANINGS[tag] ?? english : english;
+}
+
+/** Sets the page's language, and replaces the words of all elements that have `data-words`. */
+export function speak(language: Language): void {
+    words = language === 'es' ? SPANISH : ENGLISH;
+    document.documentElement.lang = language;
+    document.title = words.title;
+    for (const element of document.querySelectorAll<HTMLElement>('[data-words]')) {
+        element.textContent = words[element.dataset.words as Key];
+    }
+}

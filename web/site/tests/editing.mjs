@@ -1,0 +1,99 @@
+// Tests of the editors: errors, completion, examples.
+import { check, digest, equal, shoot, SMALL, textOf, type } from './tools.mjs';
+
+export const tests = {
+    async 'an error stands at its line in the words of the renderer'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await type(page, 'config', 'gamma: 2\n\nimage_widht: 3\n');
+        await page.waitForSelector('#config-editor .cm-lintRange-error');
+        equal(await page.textContent('#config-editor .cm-lintRange-error'), 'image_widht:', 'the marked word');
+        equal(await page.textContent('#config-faults pre'), 'Unknown configuration key: [image_widht:]', 'the message');
+        equal(await page.textContent('#config-faults button'), 'Line 3', 'the line');
+        const gutter = await page.locator('#config-editor .cm-lint-marker-error').count();
+        check(gutter <= 1, 'one fault is marked');
+        await type(page, 'scene', 'matte: grey .5 .5 .5\nsphere: 0 0 0 -4 grey\n');
+        await page.waitForSelector('#scene-editor .cm-lintRange-error');
+        equal(await page.textContent('#scene-editor .cm-lintRange-error'), '-4', 'the wrong number');
+        const message = 'Invalid sphere parameters\nLine: "sphere: 0 0 0 -4 grey"';
+        equal(await page.textContent('#scene-faults pre'), message, 'the message about the scene');
+        await shoot(page, 'errors');
+        await page.click('#render');
+        await page.waitForFunction(() => document.getElementById('status').textContent.includes('Configuration'));
+        await page.click('#scene-faults button');
+        await page.keyboard.press('Delete');
+        await page.waitForFunction(() => document.querySelector('#scene-faults').childElementCount === 0);
+        equal(await textOf(page, 'scene'), 'matte: grey .5 .5 .5\nsphere: 0 0 0 4 grey\n', 'the cursor was at the fault');
+    },
+
+    async 'a picture that cannot be made is an error of the configuration'({ open, url }) {
+        const page = await open(url);
+        await type(page, 'config', 'camera_target: 0 0 -10\n');
+        await page.waitForSelector('#config-faults pre');
+        const message = await page.textContent('#config-faults pre');
+        check(message.startsWith('Invalid configuration: camera_position is the same point'), message);
+    },
+
+    async 'keys are completed with values, default and meaning'({ open, url }) {
+        const page = await open(url);
+        await type(page, 'config', '');
+        await page.keyboard.type('sam');
+        await page.waitForSelector('.cm-tooltip-autocomplete');
+        const option = await page.textContent('.cm-tooltip-autocomplete li[aria-selected]');
+        check(option.includes('samples_per_pixel:') && option.includes('whole number > 0'), option);
+        const info = await page.textContent('.cm-completionInfo');
+        equal(info, 'rays a pixel; noise falls with their square root; default: 20', 'the meaning of the table');
+        await shoot(page, 'completion');
+        await page.waitForTimeout(150);
+        await page.keyboard.press('Enter');
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config === 'samples_per_pixel: 20');
+        await type(page, 'config', '');
+        await page.keyboard.press('Control+Space');
+        await page.waitForSelector('.cm-tooltip-autocomplete');
+        equal(await page.locator('.cm-tooltip-autocomplete li').count(), 13, 'all keys are offered');
+    },
+
+    async 'the materials above a line are completed'({ open, url }) {
+        const page = await open(url);
+        await type(page, 'scene', 'matte: grey .5 .5 .5\nmetal: gold 1 1 1 0\nsphere: 0 0 0 1 ');
+        await page.keyboard.type('g');
+        await page.waitForSelector('.cm-tooltip-autocomplete');
+        const options = await page.locator('.cm-tooltip-autocomplete .cm-completionLabel').allTextContents();
+        equal(options.sort().join(), 'gold,grey', 'both materials');
+    },
+
+    async 'every example is loaded and can be undone'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await page.waitForFunction(() => document.getElementById('examples').length > 1);
+        const names = await page.locator('#examples option').allTextContents();
+        equal(names.slice(1).join(), 'cylinders,grid,listings,materials,spheres,ten-thousand', 'the folders of scenes/');
+        await type(page, 'scene', SMALL.scene);
+        await page.selectOption('#examples', 'listings');
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).scene.startsWith('matte: mat1'));
+        await page.click('#scene-editor .cm-content');
+        await page.keyboard.press('Control+z');
+        await page.waitForFunction((scene) => JSON.parse(localStorage.getItem('render.texts')).scene === scene, SMALL.scene);
+    },
+
+    async 'six million blanks are inserted and checked while the page answers'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        // Notes the longest time in which the page did not answer.
+        await page.evaluate(() => {
+            let last = performance.now();
+            window.longest = 0;
+            setInterval(() => {
+                window.longest = Math.max(window.longest, performance.now() - last);
+                last = performance.now();
+            }, 10);
+        });
+        await type(page, 'scene', `${`${' '.repeat(999)}\n`.repeat(6000)}sphere: 0\n`);
+        await page.waitForSelector('#scene-faults pre');
+        equal(await page.textContent('#scene-faults button'), 'Line 6001', 'the line of the fault');
+        await page.waitForTimeout(300);
+        const longest = await page.evaluate(() => window.longest);
+        console.log(`the page did not answer for ${longest.toFixed(0)} ms`);
+        check(longest < 3000, `the page did not answer for ${longest} ms`);
+    },
+};

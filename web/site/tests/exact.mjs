@@ -1,0 +1,105 @@
+// Tests of the exact picture: rows, bar, cancel, digest, saved files, and digests of many scenes.
+import { readFileSync } from 'node:fs';
+import { decode } from 'fast-png';
+import { check, digest, equal, render, serve, sha256, shoot, SLOW, SMALL, type } from './tools.mjs';
+
+const lastRow = (page) => page.evaluate(() => {
+    const canvas = document.getElementById('canvas');
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let row = canvas.height;
+    while (row > 0 && data[4 * canvas.width * row - 1] === 0) {
+        row -= 1;
+    }
+    return row;
+});
+
+/** Compares the digests of all pictures in the list EXPECTED with those of the page. */
+async function pictures(open, url) {
+    const page = await open(url);
+    await digest(page);
+    const all = JSON.parse(readFileSync(process.env.EXPECTED, 'utf8'));
+    check(all.length >= 22, `${all.length} pictures are too few`);
+    for (const picture of all) {
+        equal(await render(page, picture), picture.digest, picture.name);
+    }
+    console.log(`${all.length} digests are equal, with ${await page.evaluate(() => document.documentElement.dataset.instructionSet)}`);
+    return page;
+}
+
+export const tests = {
+    async 'rows appear as they are done, and a picture can be cancelled'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await type(page, 'config', SLOW);
+        await page.keyboard.press('Control+Enter');
+        await page.waitForFunction(() => document.getElementById('bar').value > 0.01, null, { polling: 50 });
+        const first = await lastRow(page);
+        await page.waitForFunction((row) => document.getElementById('bar').value * 360 > row + 3, first, { polling: 50 });
+        const second = await lastRow(page);
+        check(first > 0 && second > first && second < 360, `${first} and then ${second} rows of 360`);
+        await shoot(page, 'rows');
+        await page.click('#cancel');
+        equal(await page.textContent('#status'), 'Cancelled.', 'the status');
+        check(!await page.isVisible('#bar') && await page.isDisabled('#save-ppm'), 'nothing can be saved');
+        const rest = await lastRow(page);
+        await page.waitForTimeout(1000);
+        equal(await lastRow(page), rest, 'the rows a second after cancelling');
+    },
+
+    async 'the saved files have the bytes of the picture'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        const shown = await render(page, SMALL);
+        check((await page.textContent('#digest')).endsWith('the bytes of render-aos'), 'the words');
+        const saved = async (button) => {
+            const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+            return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+        };
+        const ppm = await saved('#save-ppm');
+        equal(ppm.name, 'picture.ppm', 'the name');
+        equal(sha256(ppm.bytes), shown, 'the digest of the file');
+        const numbers = ppm.bytes.toString().trim().split(/\s+/).slice(4).map(Number);
+        const png = await saved('#save-png');
+        const image = decode(png.bytes);
+        equal(`${png.name} ${image.width} ${image.height} ${image.channels}`, 'picture.png 64 36 3', 'the PNG');
+        equal(numbers.length, 64 * 36 * 3, 'the numbers of the PPM');
+        equal(Array.from(image.data).join(), numbers.join(), 'the pixels of the PNG');
+        const canvas = await page.evaluate(() =>
+            Array.from(document.getElementById('canvas').getContext('2d').getImageData(0, 0, 64, 36).data));
+        equal(canvas.filter((_, index) => index % 4 !== 3).join(), numbers.join(), 'the pixels of the page');
+    },
+
+    async 'every picture has the digest of render-aos'({ open, url }) {
+        await shoot(await pictures(open, url), 'last-picture');
+    },
+
+    async 'every picture has the digest of render-aos without 128-bit lanes'({ open }) {
+        // The check for lanes becomes a text that is no module, so the page takes the other module.
+        const old = await serve((name, bytes) =>
+            name === '/main.js' ? bytes.toString().replace(/WebAssembly\.validate\(\w+\)/, 'false') : bytes);
+        const page = await pictures(open, old.url);
+        equal(await page.evaluate(() => document.documentElement.dataset.instructionSet), 'portable', 'the module');
+        old.close();
+    },
+
+    async 'a picture that is wider than a canvas is shown in part and saved whole'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        const scene = 'matte: grey .5 .5 .5\nsphere: 0 0 0 4 grey\n';
+        await render(page, { config: 'image_width: 9000\naspect_ratio: 9000 7\nsamples_per_pixel: 1\n', scene });
+        check((await page.textContent('#status')).includes('one pixel in 3'), await page.textContent('#status'));
+        equal(await page.evaluate(() => document.getElementById('canvas').width), 3000, 'the canvas');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-ppm')]);
+        check(readFileSync(await download.path()).toString().startsWith('P3\n9000 7\n255\n'), 'the whole picture');
+    },
+
+    async 'too little memory is a message and the page goes on'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await type(page, 'config', 'image_width: 1000000000\naspect_ratio: 1000000000 1\n');
+        await page.click('#render');
+        await page.waitForFunction(() => document.getElementById('status').textContent.includes('Not enough memory'));
+        check((await digest(page, 1000).catch(() => 'none')) === 'none', 'there is no picture');
+        check((await render(page, SMALL)).length === 64, 'the next picture is rendered');
+    },
+};

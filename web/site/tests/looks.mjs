@@ -1,0 +1,126 @@
+// Tests of small screens, the keyboard, colours and languages.
+import { check, digest, equal, shoot } from './tools.mjs';
+
+/**
+ * Returns the contrast of an element's text with its background, as WCAG defines it. The faint colour of the line with
+ * the cursor is left out.
+ */
+const contrast = (page, selector) => page.evaluate((name) => {
+    const luminance = (colour) => {
+        const [red, green, blue] = colour.match(/[\d.]+/g).map(Number)
+            .map((channel) => channel / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+    };
+    let element = document.querySelector(name);
+    const text = luminance(getComputedStyle(element).color);
+    while (!getComputedStyle(element).backgroundColor.startsWith('rgb(')) {
+        element = element.parentElement;
+    }
+    const back = luminance(getComputedStyle(element).backgroundColor);
+    return (Math.max(text, back) + 0.05) / (Math.min(text, back) + 0.05);
+}, selector);
+
+const PARTS = ['h1', 'header p', '#config-editor .cm-content', '#config-editor .tag', '#config-editor .number',
+    '#scene-editor .name', '#config-editor .cm-gutters', '#render', '#share', '#status', '.help'];
+
+export const tests = {
+    async 'a phone of 390 pixels shows the whole width'({ open, url }) {
+        const page = await open(url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+        await digest(page);
+        await page.tap('#share');
+        await page.waitForFunction(() => document.getElementById('link').value !== '');
+        const [needed, width] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        equal(`${needed} ${width}`, '390 390', 'the needed width and that of the screen');
+        const small = await page.evaluate(() => Array.from(document.querySelectorAll('button, select'))
+            .filter((one) => one.offsetParent && one.offsetHeight < 40).map((one) => one.id || one.textContent));
+        equal(small.join(), '', 'elements that are too small to touch');
+        await page.tap('#render');
+        await digest(page);
+        await shoot(page, 'phone');
+    },
+
+    async 'everything is reached with the keyboard'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await page.waitForFunction(() => document.getElementById('examples').length > 1);
+        const reached = [];
+        await page.evaluate(() => document.activeElement.blur());
+        for (let step = 0; step < 20; step++) {
+            await page.keyboard.press('Tab');
+            // An editor shows its ring a moment later.
+            await page.waitForTimeout(50);
+            const [name, hasRing] = await page.evaluate(() => {
+                const here = document.activeElement;
+                const ring = here.closest('.cm-editor') ?? here;
+                return [here.id || here.closest('.editor')?.id || '', getComputedStyle(ring).outlineStyle !== 'none'];
+            });
+            if (name === '' || name === reached[0]) {
+                break;
+            }
+            check(hasRing, `${name} shows that it has the focus`);
+            reached.push(name);
+        }
+        const expected = 'examples,language,config-editor,scene-editor,render,save-ppm,save-png,share,live';
+        equal(reached.join(), expected, 'the order of the keyboard');
+        await page.focus('#examples');
+        await page.keyboard.press('l');
+        await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config.includes('1200'));
+    },
+
+    async 'text has enough contrast in dark and light'({ open, url }) {
+        for (const colorScheme of ['light', 'dark']) {
+            const page = await open(url, { colorScheme });
+            await digest(page);
+            const back = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+            equal(back, colorScheme === 'light' ? 'rgb(251, 251, 250)' : 'rgb(23, 24, 27)', colorScheme);
+            for (const part of PARTS) {
+                const found = await contrast(page, part);
+                check(found >= 4.5, `${part} in ${colorScheme}: ${found}`);
+            }
+            await shoot(page, colorScheme);
+        }
+    },
+
+    async 'the page speaks Spanish where the browser does, and on request'({ open, url }) {
+        const page = await open(url, { locale: 'es-ES' });
+        await digest(page);
+        equal(await page.textContent('#render'), 'Renderizar', 'the button');
+        equal(await page.getAttribute('html', 'lang'), 'es', 'the language');
+        check((await page.textContent('#digest')).endsWith('los bytes de render-aos'), 'the words');
+        await page.click('#config-editor .cm-content');
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.type('ga');
+        await page.waitForSelector('.cm-completionInfo');
+        const info = await page.textContent('.cm-completionInfo');
+        check(info.startsWith('corrección gamma') && info.endsWith('por defecto: 2.2'), info);
+        await shoot(page, 'spanish');
+        await page.selectOption('#language', 'en');
+        equal(await page.textContent('#render'), 'Render', 'the button in English');
+        await page.reload();
+        await page.waitForSelector('#config-faults pre');
+        equal(await page.textContent('#render'), 'Render', 'the choice is kept');
+    },
+
+    async 'every line of the tables has a meaning in Spanish'({ open, url }) {
+        const page = await open(url, { locale: 'es-ES' });
+        await digest(page);
+        let compared = 0;
+        for (const [editor, count] of [['config', 13], ['scene', 5]]) {
+            await page.click(`#${editor}-editor .cm-content`);
+            await page.keyboard.press('Control+Home');
+            await page.keyboard.press('Control+Space');
+            await page.waitForSelector('.cm-tooltip-autocomplete');
+            equal(await page.locator('.cm-tooltip-autocomplete li').count(), count, 'the lines that are offered');
+            for (let index = 0; index < count; index++) {
+                await page.waitForSelector('.cm-completionInfo');
+                const info = await page.textContent('.cm-completionInfo');
+                check(!/\b(the|width|with|seed|background|material defined)\b/.test(info), info);
+                compared += 1;
+                await page.keyboard.press('ArrowDown');
+                await page.waitForTimeout(60);
+            }
+            await page.keyboard.press('Escape');
+        }
+        equal(compared, 18, 'the compared lines');
+    },
+};

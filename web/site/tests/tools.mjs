@@ -1,0 +1,113 @@
+// What the tests of the page share: a web server for static files, a browser, and waiting.
+import { createServer } from 'node:http';
+import { createHash } from 'node:crypto';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { extname, join, normalize } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const KINDS = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json' };
+
+/** The folder of the built page, and the folder for screenshots. */
+export const site = process.env.SITE;
+export const shots = process.env.SCREENSHOTS ?? '';
+
+/** Serves the built page as any web server does. WebAssembly gets no content type of its own, as from an old server. */
+export async function serve(change = (name, bytes) => bytes) {
+    const server = createServer((request, response) => {
+        const path = normalize(decodeURIComponent(new URL(request.url, 'http://x').pathname));
+        const name = path.endsWith('/') ? `${path}index.html` : path;
+        try {
+            const bytes = change(name, readFileSync(join(site, name)));
+            response.writeHead(200, { 'Content-Type': KINDS[extname(name)] ?? 'application/octet-stream' }).end(bytes);
+        } catch {
+            response.writeHead(404).end('not found');
+        }
+    });
+    await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
+    return { url: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+/** Starts the browser, calls `use` with a function that opens the page, and closes the browser. */
+export async function browse(use) {
+    const browser = await chromium.launch({
+        executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+        args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update'],
+    });
+    const faults = [];
+    const requests = [];
+    const open = async (url, options = {}) => {
+        const context = options.context ?? await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en-GB', ...options });
+        const page = await context.newPage();
+        page.setDefaultTimeout(120_000);
+        page.on('pageerror', (error) => faults.push(String(error)));
+        page.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
+        page.on('request', (request) => requests.push(request.url()));
+        await page.goto(url);
+        return page;
+    };
+    try {
+        await use({ open, faults, requests, browser });
+    } finally {
+        await browser.close();
+    }
+}
+
+/** Fails with `text` unless `holds`. */
+export function check(holds, text) {
+    if (!holds) {
+        throw new Error(text);
+    }
+}
+
+export function equal(actual, expected, text) {
+    check(Object.is(actual, expected), `${text}: ${JSON.stringify(actual)} instead of ${JSON.stringify(expected)}`);
+}
+
+export const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');
+
+/** Returns the digest that the page shows when the picture is finished. */
+export async function digest(page, timeout = 300_000) {
+    await page.waitForSelector('#digest code', { timeout });
+    return page.textContent('#digest code');
+}
+
+/** Gives two texts to the page by a link, and returns the digest of their picture. */
+export async function render(page, { config, scene }) {
+    await page.evaluate(async (texts) => {
+        const packed = await new Response(new Blob([JSON.stringify([texts.config, texts.scene])]).stream()
+            .pipeThrough(new CompressionStream('deflate-raw'))).arrayBuffer();
+        const binary = Array.from(new Uint8Array(packed), (byte) => String.fromCharCode(byte)).join('');
+        document.getElementById('digest').replaceChildren();
+        location.hash = `#1:${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
+    }, { config, scene });
+    const result = await digest(page);
+    return result;
+}
+
+/** Replaces the text of an editor by typing. */
+export async function type(page, editor, text) {
+    await page.click(`#${editor}-editor .cm-content`);
+    await page.keyboard.press('Control+a');
+    await page.keyboard.press('Delete');
+    await page.keyboard.insertText(text);
+}
+
+export const textOf = (page, editor) =>
+    page.evaluate((name) => JSON.parse(localStorage.getItem('render.texts'))[name], editor);
+
+/** Writes a picture of the page, if a folder for them is given. */
+export async function shoot(page, name) {
+    if (shots) {
+        mkdirSync(shots, { recursive: true });
+        await page.screenshot({ path: join(shots, `${name}.png`), fullPage: true });
+    }
+}
+
+/** A small scene that is rendered at once. */
+export const SMALL = {
+    config: 'image_width: 64\nsamples_per_pixel: 4\n',
+    scene: 'matte: grey .5 .5 .5\nsphere: 0 0 0 4 grey\n',
+};
+
+/** A configuration whose picture takes minutes. */
+export const SLOW = 'image_width: 640\nsamples_per_pixel: 2000\nmax_depth: 50\n';

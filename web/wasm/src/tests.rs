@@ -1,0 +1,54 @@
+//! Tests of the module's functions, called as functions of Rust.
+
+use super::*;
+
+fn write(text: usize, bytes: &[u8]) {
+    assert!(!room(text, bytes.len()).is_null());
+    state().texts[text].copy_from_slice(bytes);
+}
+
+fn fault() -> [usize; 4] {
+    [fault_text(), fault_line(), fault_column(), fault_length()]
+}
+
+fn result_text() -> String {
+    String::from_utf8(state().result.clone()).expect("it is a text")
+}
+
+/// One test, because the functions share their state.
+#[test]
+fn texts_become_a_file_or_a_message() {
+    write(0, b"image_width: 8\naspect_ratio: 1 1\ncamera_position: 0 0 -3\n");
+    write(1, b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\n");
+    assert_eq!((check(0), check(1)), (0, 0));
+    let mut files = Vec::new();
+    for (layout, is_published, is_portable) in [(0, 0, 0), (1, 0, 0), (0, 0, 1), (0, 1, 0)] {
+        page::CALLS.lock().expect("no test failed").clear();
+        assert_eq!(render(layout, is_published, is_portable), 0);
+        assert_eq!(result_length(), state().result.len());
+        files.push(state().result.clone());
+        let mut calls = vec![[8, 8]];
+        calls.extend((0..8).map(|row| [row, 1]));
+        assert_eq!(*page::CALLS.lock().expect("no test failed"), calls, "the size, and then every row once");
+    }
+    assert!(files[0].starts_with(b"P3\n8 8\n255\n"));
+    assert!(files[0] == files[1] && files[0] == files[2] && files[0] != files[3]);
+
+    state().result = b"abc".to_vec();
+    digest();
+    assert_eq!(result_text(), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad", "FIPS 180-2, B.1");
+
+    write(1, b"\ntriangle: 1\n");
+    assert_eq!((render(0, 0, 0), result_text().as_str()), (1, "Unknown scene entity: triangle"));
+    assert_eq!((check(1), fault()), (1, [1, 2, 1, 9]));
+    write(0, b"gamma: 0");
+    assert_eq!((check(0), result_text().as_str()), (1, "Invalid value for key: [gamma:]\nLine: \"gamma: 0\""));
+    assert_eq!(fault(), [0, 1, 8, 1]);
+    assert!(room(2, 1).is_null());
+
+    table(0);
+    assert!(result_text().contains("gamma:\tnumber > 0\t2.2\tgamma correction"), "{}", result_text());
+    assert_eq!(result_text().lines().count(), format::CONFIG.len());
+    table(1);
+    assert!(result_text().lines().all(|line| line.split('\t').count() == 4), "{}", result_text());
+}
