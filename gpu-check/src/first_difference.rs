@@ -12,6 +12,8 @@ pub mod path;
 pub mod report;
 pub mod twins;
 
+use std::collections::BTreeSet;
+
 use shaders::{CallTrace, Features, Library};
 
 use crate::kernel::Reader;
@@ -40,9 +42,12 @@ pub enum FirstDifference<T> {
         /// The first argument that differs.
         number: Unequal<T>,
     },
-    /// Every call has the arguments and the result of Rust, but there are more or fewer calls, or what the functions
-    /// without a result store differs.
-    Rest,
+    /// Every call with a twin has the arguments and the result of Rust, but there are more or fewer calls, or what is
+    /// stored differs.
+    Rest {
+        /// Names of the functions without a twin that are called outside of others. One of them may be the wrong one.
+        without_twin: Vec<String>,
+    },
 }
 
 /// A first difference, and the trace of the composition in which it is.
@@ -75,7 +80,7 @@ pub fn of_case<T: Float>(
     let mut expected = vec![T::of(0.0); kernel.outputs.len()];
     T::formula(kernel)(case, &mut expected);
     let is_same = expected.iter().zip(&result).all(|(one, other)| one.same(*other));
-    let found = found.or_else(|| (!is_same).then_some(FirstDifference::Rest));
+    let found = found.or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
     Ok(found.map(|found| (tracer.into_trace(), found)))
 }
 
@@ -99,8 +104,19 @@ pub fn of_pixel<T: Float>(
     let is_same = expected.iter().zip(&color).all(|(one, other)| one.same(*other));
     let found = first_wrong_call(Some(&picture), &tracer, &calls)
         .or_else(|| path::first_other_arguments(&picture, index, &tracer, &calls))
-        .or_else(|| (!is_same).then_some(FirstDifference::Rest));
+        .or_else(|| (!is_same).then(|| rest(&tracer, &calls)));
     Ok(found.map(|found| (tracer.into_trace(), found)))
+}
+
+/// Returns the names of those functions of `calls` that have no twin, each once.
+fn without_twin<'a, T: Float>(tracer: &Tracer<'_, T>, calls: impl Iterator<Item = &'a Call<T>>) -> Vec<String> {
+    let functions: BTreeSet<_> = calls.map(|call| call.function).filter(|at| tracer.twin(*at).is_none()).collect();
+    functions.into_iter().map(|at| tracer.trace().functions[at].name.clone()).collect()
+}
+
+/// Returns the difference of calls among which none is wrong.
+fn rest<T: Float>(tracer: &Tracer<'_, T>, calls: &[Call<T>]) -> FirstDifference<T> {
+    FirstDifference::Rest { without_twin: without_twin(tracer, calls.iter().filter(|call| call.depth == 1)) }
 }
 
 /// Returns the first call whose result is not that of its twin.
@@ -116,13 +132,7 @@ fn first_wrong_call<T: Float>(
             .iter()
             .zip(&call.results)
             .position(|(expected, result)| expected.is_some_and(|expected| !expected.same(*result)))?;
-        let inside = calls[..at].iter().rev().take_while(|inner| inner.depth > call.depth);
-        let mut inside: Vec<_> = inside
-            .filter(|inner| tracer.twin(inner.function).is_none())
-            .map(|inner| tracer.trace().functions[inner.function].name.clone())
-            .collect();
-        inside.sort_unstable();
-        inside.dedup();
+        let inside = without_twin(tracer, calls[..at].iter().rev().take_while(|inner| inner.depth > call.depth));
         let names = function.arguments.iter().map(|number| number.name.clone());
         Some(FirstDifference::Call {
             function: function.name.clone(),

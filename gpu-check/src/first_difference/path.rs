@@ -3,7 +3,7 @@
 use cpu::{Ray, Vec3};
 
 use super::calls::{Call, Tracer};
-use super::{FirstDifference, Unequal};
+use super::{FirstDifference, Unequal, rest};
 use crate::{Float, Picture};
 
 /// Returns the first call along the path of the pixel at `index` whose arguments differ from those in Rust.
@@ -20,7 +20,7 @@ pub fn first_other_arguments<T: Float>(
         let function = &functions[call.function];
         // Another function than in Rust is called: the difference is in what stands between the calls.
         if function.name != *name || expected.len() != call.arguments.len() {
-            return Some(FirstDifference::Rest);
+            return Some(rest(tracer, calls));
         }
         let place = expected.iter().zip(&call.arguments).position(|(one, other)| !one.same(*other))?;
         let (cpu, wgsl) = (expected[place], call.arguments[place]);

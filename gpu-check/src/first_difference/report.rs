@@ -34,7 +34,8 @@ impl Places {
         };
         let suspects: Vec<_> = match found {
             FirstDifference::Call { function, inside, .. } => [function].into_iter().chain(inside).collect(),
-            FirstDifference::Arguments { .. } | FirstDifference::Rest => Vec::new(),
+            FirstDifference::Arguments { .. } => Vec::new(),
+            FirstDifference::Rest { without_twin } => without_twin.iter().collect(),
         };
         let of = |name: &String| trace.functions.iter().find(|function| function.name == *name);
         let functions: Vec<_> = suspects.into_iter().filter_map(of).collect();
@@ -83,8 +84,13 @@ pub fn report<T: Float>(trace: &CallTrace, found: &FirstDifference<T>) -> Result
             let _ = writeln!(text, "first difference: an argument that a path passes to {function}");
             text.push_str(&unequal(number));
         }
-        FirstDifference::Rest => {
-            text.push_str("every call has the result that Rust has; the difference is in the statements around them\n");
+        FirstDifference::Rest { without_twin } => {
+            text.push_str(
+                "every call that Rust can repeat has its result; the difference is in the statements around\n",
+            );
+            if !without_twin.is_empty() {
+                let _ = writeln!(text, "  or in what Rust cannot repeat: {}", without_twin.join(", "));
+            }
         }
     }
     match &changed[..] {

@@ -1,5 +1,7 @@
 //! Runs the suite's checks with fewer cases, one after the other, until one of them notices an error.
 
+use std::time::{Duration, Instant};
+
 use cpu::{Scatter, Vec3, reference};
 use shaders::{Features, Library, Precision};
 
@@ -25,6 +27,9 @@ const SAMPLED_SCENES: u64 = 4;
 const SAMPLED_DEPTH: u32 = 6;
 /// Limit on the number of samples times objects of these pictures.
 const SAMPLED_TESTS: usize = 200_000;
+
+/// A first difference, and the time that the search took once a case or a pixel was known that differs.
+pub type Timed = (Located<f64>, Duration);
 
 /// The cases and pictures of the checks, prepared once for all mutants.
 #[derive(Debug)]
@@ -89,7 +94,10 @@ impl<'a> Examiner<'a> {
     ///
     /// # Errors
     /// An error of the device or of the library's WGSL.
-    pub fn first_difference(&self, library: &Library, module: &str) -> Result<Option<Located<f64>>, Error> {
+    pub fn first_difference(&self, library: &Library, module: &str) -> Result<Option<Timed>, Error> {
+        let timed = |located: Result<Option<Located<f64>>, Error>, start: Instant| {
+            Ok(located?.map(|located| (located, start.elapsed())))
+        };
         for (kernel, cases) in &self.kernels {
             if !runs(kernel.module, module)? {
                 continue;
@@ -98,7 +106,8 @@ impl<'a> Examiner<'a> {
             let results = check::results(self.gpu, &pipeline, kernel, cases)?;
             if let Some(index) = check::first_differing(kernel, cases, &results) {
                 let case = &cases[index * kernel.inputs..][..kernel.inputs];
-                return first_difference::of_case(self.gpu, library, kernel, case);
+                let start = Instant::now();
+                return timed(first_difference::of_case(self.gpu, library, kernel, case), start);
             }
         }
         if !runs("kernels/image", module)? {
@@ -109,7 +118,9 @@ impl<'a> Examiner<'a> {
                 (features_of(&case.config, &case.scene)?, Picture::new(&case.config, &case.scene)?);
             let rendering = Renderer::<f64>::new(self.gpu, library, &features)?.in_steps_of(2).render(&picture)?;
             if let Some(index) = first_differing(&rendering.pixels, expected) {
-                return first_difference::of_pixel(self.gpu, library, (&features, &[]), &picture, index);
+                let start = Instant::now();
+                let constants = (&features, &[][..]);
+                return timed(first_difference::of_pixel(self.gpu, library, constants, &picture, index), start);
             }
         }
         Ok(None)
