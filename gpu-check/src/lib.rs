@@ -8,10 +8,12 @@
 //! - [`adapter`] and [`gpu`] open a device;
 //! - [`kernel`] and [`kernels`] list the formulas that are compared, and [`check`] compares them;
 //! - [`lowered`] compares operations on f64 that integers calculate;
+//! - [`exact`] compares the exact intersections, whose decisions rounding cannot change;
 //! - [`methods`] lets `stability` compare the intersections in WGSL with exact arithmetic;
 //! - [`running`] computes a bound on the error of f32, and [`flushed`] is f32 arithmetic without subnormal numbers;
 //! - [`picture`], [`renderer`] and [`twin`] render whole pictures in deterministic mode, on the GPU and in Rust;
 //! - [`sampled`] renders pictures with random numbers, on the GPU and in Rust;
+//! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`shader_lab`] renders with a user's own modules;
 //! - [`web`] serves a page that runs the f32 shader in a browser, which has another shader compiler;
 //! - [`rewrites`] finds out how a driver rewrites formulas;
@@ -35,12 +37,15 @@
 pub mod adapter;
 pub mod bound;
 pub mod check;
+pub mod closest_hits;
 pub mod difference;
 pub mod error;
+pub mod exact;
 pub mod float;
 pub mod flushed;
 pub mod gpu;
 mod head;
+pub mod hierarchy;
 pub mod kernel;
 pub mod kernels;
 pub mod lowered;

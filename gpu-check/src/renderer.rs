@@ -9,6 +9,7 @@ use cpu::Vec3;
 use shaders::{Features, Library};
 
 use crate::head::{Part, head};
+use crate::hierarchy::Hierarchy;
 use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
@@ -36,6 +37,8 @@ pub struct Renderer<'a, T> {
     features: Features,
     /// Largest number of surfaces that paths hit in one run; `None` if only the limit on iterations applies.
     step: Option<u32>,
+    /// Whether rays find their closest hit in a hierarchy of boxes.
+    in_hierarchy: bool,
     precision: PhantomData<T>,
 }
 
@@ -72,7 +75,8 @@ impl<'a, T: Float> Renderer<'a, T> {
         let composition = library.compose("kernels/image", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
-        Ok(Self { gpu, pipeline, features: *features, step: None, precision: PhantomData })
+        let in_hierarchy = library.has_hierarchy();
+        Ok(Self { gpu, pipeline, features: *features, step: None, in_hierarchy, precision: PhantomData })
     }
 
     /// Returns this renderer, changed so that a path hits at most `surfaces` surfaces in each run. Tests use it to show
@@ -107,16 +111,21 @@ impl<'a, T: Float> Renderer<'a, T> {
         let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
         // At least one pixel. If the path of one pixel is too long for a binding, the run returns an error.
         let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        let tests = (objects * u64::from(self.features.max_depth)).max(1);
+        let hierarchy = self.in_hierarchy.then(|| Hierarchy::new(picture));
+        let loops = hierarchy.as_ref().map_or(objects, |hierarchy| hierarchy.len() as u64);
+        let boxes = hierarchy.map(|hierarchy| hierarchy.bytes());
+        // In a hierarchy a ray rarely visits more nodes than this.
+        let visits = if self.in_hierarchy { loops.min(1 << 10) } else { objects };
+        let tests = (visits * u64::from(self.features.max_depth)).max(1);
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
         let batch = batch.min((TESTS / tests).max(LEAST_BATCH));
-        let depths = self.depths(picture)?;
+        let depths = self.depths(picture, loops)?;
         let mut rendering = Rendering { size: picture.size, pixels: Vec::new(), time: Duration::ZERO };
         for first in (0..count).step_by(batch as usize) {
             let pixels = batch.min(count - first);
             let part = Part::Pixels { first: first as u32, count: pixels as u32 };
             let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
-            let contents = [
+            let mut contents = vec![
                 Content::Inputs(&heads),
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
@@ -125,6 +134,7 @@ impl<'a, T: Float> Renderer<'a, T> {
                 Content::Output(pixels * color),
                 Content::Scratch(pixels * (2 * color + 2 * size_of::<u32>() as u64)),
             ];
+            contents.extend(boxes.as_deref().map(Content::Input));
             let run = self.pipeline.run(self.gpu, &contents, pixels)?;
             rendering.time += run.time;
             let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
@@ -135,14 +145,18 @@ impl<'a, T: Float> Renderer<'a, T> {
     }
 
     /// Returns ranges of depths that together cover 0 to the maximum depth. Each range is small enough for one run.
-    fn depths(&self, picture: &Picture<T>) -> Result<Vec<Range<u32>>, Error> {
+    /// `loops` is the largest number of objects, or of nodes of the hierarchy, that one ray loops over.
+    fn depths(&self, picture: &Picture<T>, loops: u64) -> Result<Vec<Range<u32>>, Error> {
         // A pipeline for deeper paths renders a picture of less depth too.
         let depth = self.features.max_depth.min(picture.max_depth);
         if let Some(step) = self.step {
             return Ok(steps(depth, step));
         }
-        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        Ok(steps(depth, surfaces_of_a_run(objects, depth, 0)?))
+        match surfaces_of_a_run(loops, depth, 0) {
+            // A ray visits few of the nodes. If a ray visits too many all the same, its pixel is not written.
+            Err(_) if self.in_hierarchy => Ok(steps(depth, 1)),
+            surfaces => Ok(steps(depth, surfaces?)),
+        }
     }
 }
 

@@ -1,13 +1,15 @@
-//! The list of the mutants, module by module.
+//! The lists of the mutants, module by module.
+
+pub(super) mod exact;
 
 use super::Mutant;
 
 macro_rules! mutants {
     ($($module:literal: $($from:literal => $to:literal,)*;)*) => {
-        /// All mutants that the checks must notice.
         pub const MUTANTS: &[Mutant] = &[$($(Mutant { module: $module, from: $from, to: $to },)*)*];
     };
 }
+use mutants;
 
 mutants! {
     "vec3":
@@ -121,10 +123,24 @@ mutants! {
         "material.index, material.extent" => "material.index, real(1.0)",
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
-    "closest_hit":
+    "surface":
         "lambda, order, closest.lambda, closest.order" => "closest.lambda, closest.order, lambda, order",
-        "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
         "closest.part, point" => "TOP, point",
+    ;
+    "closest_hit":
+        "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
+    ;
+    "hierarchy":
+        "at = node.next" => "at = node.next + 1u",
+        "near = select(low, high, is_backwards)" => "near = select(high, low, is_backwards)",
+        "far = select(high, low, is_backwards)" => "far = select(low, high, is_backwards)",
+        "leaves < enters" => "enters < leaves",
+        "let index = node.object / 2u" => "let index = node.object",
+        "f32(closest.lambda) * 1.0000002" => "f32(closest.lambda) * 0.5",
+        "select(reciprocal, -reciprocal, component < 0.0)" => "reciprocal",
+        "farthest = 3e38f" => "farthest = 1f",
+        "origin * reciprocal + steps" => "origin * reciprocal",
+        "MOST_VISITS: u32 = 65000u" => "MOST_VISITS: u32 = 20u",
     ;
     "bounce":
         "|| (has_metal" => "&& (has_metal",

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use cpu::{Config, Scene, Vec3};
-use shaders::Features;
+use shaders::{Features, Library};
 
 use super::args::Options;
 use super::differences::differences;
@@ -15,6 +15,7 @@ use super::truth::{Truth, check_size};
 use super::view::{View, mark};
 use super::{guard, pixel, png};
 use crate::difference::difference;
+use crate::hierarchy::WORTHWHILE;
 use crate::sampled::recording::check_samples;
 use crate::steps::{Follower, check_iterations};
 use crate::{Error, Float, Gpu, Picture, features_of};
@@ -101,7 +102,7 @@ impl Trial<'_> {
     pub fn run<T: Held>(&self, places: Places) -> Result<Outcome, Error> {
         let Self { gpu, options, modules, truth } = *self;
         let Places { out, difference: beside, view: both } = places;
-        let library = files::library(modules)?;
+        let library = self.library()?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
         let kernel = rendered::check_modules(&library, modules, truth, T::PRECISION)?;
@@ -208,6 +209,14 @@ impl Trial<'_> {
         Ok(report)
     }
 
+    /// Returns the modules for the picture, in which the user's modules replace some. A scene of many objects gets a
+    /// hierarchy, unless the user replaces the loop over all objects.
+    fn library(&self) -> Result<Library, Error> {
+        let library = files::library(self.modules)?;
+        let has_many = self.truth.scene.objects.len() >= WORTHWHILE;
+        Ok(if has_many && !library.is_replaced("closest_hit") { library.in_hierarchy() } else { library })
+    }
+
     /// Returns a [`Follower`] with the user's modules. They are compiled in the separate process first.
     fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
         let library = files::library(self.modules)?;
@@ -232,7 +241,7 @@ impl Trial<'_> {
 
     /// Returns an error if `own` has a constant that no module declares.
     fn check_constants<T: Held>(&self, kernel: &str, own: &[(&str, f64)]) -> Result<(), Error> {
-        let shader = files::library(self.modules)?.compose(kernel, T::PRECISION)?.validate()?;
+        let shader = self.library()?.compose(kernel, T::PRECISION)?.validate()?;
         let known: Vec<_> =
             shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
         match own.iter().find(|(name, _)| !known.contains(name)) {

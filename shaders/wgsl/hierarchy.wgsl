@@ -1,0 +1,126 @@
+// The closest hit of a ray in a hierarchy of boxes. It stands in for closest_hit.wgsl in scenes of many objects, and
+// gives the same bits. gpu_check::hierarchy builds the hierarchy. A box is enlarged for each ray, so that it contains
+// every point that the formulas may report for this ray.
+//
+// The nodes are in depth-first order. Each knows where to go on if the ray misses its box, so the traversal needs no
+// stack. A parent's child that is nearer to the camera comes first.
+
+// gpu_check::hierarchy::Node
+struct HierarchyNode {
+    low_x: f32,
+    low_y: f32,
+    low_z: f32,
+    high_x: f32,
+    high_y: f32,
+    high_z: f32,
+    // An object of the box may seem enlarged by at most `linear` times the distance, and by at most `bend` times the
+    // square of the distance. gpu_check::hierarchy::margins derives both.
+    linear: f32,
+    bend: f32,
+    // The index of the first node that is not below this one.
+    next: u32,
+    // NO_OBJECT, or twice the index of a sphere, or twice the index of a cylinder plus one.
+    object: u32,
+}
+
+const NO_OBJECT: u32 = 0xffffffffu;
+
+struct Hierarchy {
+    // A point is wrong by at most this factor of distances and coordinates.
+    point: f32,
+    // The largest coordinate of an origin for which boxes are tested. It is 0 in a scene of extreme magnitudes.
+    largest: f32,
+    // For each axis, the distance in scene units by which every plane is moved outwards for the planes' own rounding.
+    step_x: f32,
+    step_y: f32,
+    step_z: f32,
+    node_count: u32,
+    nodes: array<HierarchyNode>,
+}
+
+@group(0) @binding(8) var<storage, read> hierarchy: Hierarchy;
+
+// Let u = 2^-24. The distance of the plane at `p` is computed in f32 as `p r - o r`. WGSL allows a relative error of
+// 5 u in the reciprocal `r`. Rounding the direction and the origin to f32, the products and the difference add at most
+// 4 u of `|p r|` and 5 u of `|o r|`; one u of `|p r|` is the margin, which may vanish in the sum with the plane. So the
+// computed distance is wrong by at most `(9 |p| + 10 |o|) u |r|`. It is moved outwards by 32 u of `(|p| + |o|) |r|`,
+// where `p` is the farthest plane of the scene along the axis.
+const STEP: f32 = 1.9073486e-6;
+// The largest reciprocal. For a smaller component of the direction, LEAST_STEP of gpu_check::hierarchy moves the planes
+// by a lambda of 10^18, which is beyond every plane across the largest component.
+const LARGEST_RECIPROCAL: f32 = 1e28;
+// Largest number of visited nodes in all calls of a run. lavapipe ends loops silently after 65,535 iterations.
+const MOST_VISITS: u32 = 65000u;
+
+// The number of nodes that this invocation has visited so far.
+var<private> hierarchy_visits: u32;
+
+// Returns the reciprocal of a component of the direction, limited to LARGEST_RECIPROCAL.
+fn hierarchy_reciprocal(component: f32) -> f32 {
+    let magnitude = abs(component);
+    var reciprocal = LARGEST_RECIPROCAL;
+    if 1e-28 < magnitude {
+        reciprocal = 1.0 / magnitude;
+    }
+    return select(reciprocal, -reciprocal, component < 0.0);
+}
+
+// Returns the closest hit of the ray, found by the hierarchy.
+fn closest_hit(ray: Ray) -> SurfaceHit {
+    var closest: ClosestHit;
+    let direction = vec3<f32>(ray.direction);
+    let origin = vec3<f32>(ray.origin);
+    let x = hierarchy_reciprocal(direction.x);
+    let y = hierarchy_reciprocal(direction.y);
+    let z = hierarchy_reciprocal(direction.z);
+    let reciprocal = vec3<f32>(x, y, z);
+    let steps = (abs(origin) * STEP + vec3<f32>(hierarchy.step_x, hierarchy.step_y, hierarchy.step_z)) * abs(reciprocal);
+    let near_origin = origin * reciprocal + steps;
+    let far_origin = origin * reciprocal - steps;
+    // A direction may be too short or too long for f32, and a ray may start far away. Then every object is intersected.
+    let longest = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
+    let farthest_origin = max(max(abs(origin.x), abs(origin.y)), abs(origin.z));
+    let has_boxes = 1e-7 < longest && longest < 1e9 && farthest_origin < hierarchy.largest;
+    let is_backwards = direction < vec3<f32>();
+    // The closest lambda so far, rounded up.
+    var farthest = 3e38f;
+    var at = 0u;
+    while at < hierarchy.node_count && hierarchy_visits < MOST_VISITS {
+        hierarchy_visits++;
+        let node = hierarchy.nodes[at];
+        let low = vec3<f32>(node.low_x, node.low_y, node.low_z);
+        let high = vec3<f32>(node.high_x, node.high_y, node.high_z);
+        let off = max(abs(low - origin), abs(high - origin));
+        let square = off.x * off.x + off.y * off.y + off.z * off.z;
+        let distance = sqrt(square);
+        let enlarged = min(node.linear * distance, node.bend * square);
+        let margin = enlarged + hierarchy.point * (distance + distance + farthest_origin);
+        let near = select(low - margin, high + margin, is_backwards) * reciprocal - near_origin;
+        let far = select(high + margin, low - margin, is_backwards) * reciprocal - far_origin;
+        let enters = max(max(near.x, near.y), max(near.z, 0.0));
+        let leaves = min(min(far.x, far.y), min(far.z, farthest));
+        if has_boxes && leaves < enters {
+            at = node.next;
+            continue;
+        }
+        at++;
+        if node.object != NO_OBJECT {
+            let index = node.object / 2u;
+            if has_cylinders && node.object % 2u == 1u {
+                closest = intersect_cylinder(closest, ray, index);
+            }
+            if has_spheres && node.object % 2u == 0u {
+                closest = intersect_sphere(closest, ray, index);
+            }
+            if closest.some && closest.lambda < real(1e30) {
+                farthest = f32(closest.lambda) * 1.0000002;
+            }
+        }
+    }
+    return surface_at(closest, ray);
+}
+
+// Returns whether a call of `closest_hit` ended early, because the nodes of this run are more than MOST_VISITS.
+fn closest_hit_gave_up() -> bool {
+    return MOST_VISITS <= hierarchy_visits;
+}
