@@ -1,5 +1,5 @@
-//! Compares the exact intersections in WGSL with those of `cpu`: for every ray the decision of each step, and the bits of
-//! its lambda.
+//! Compares the exact intersections in WGSL with those of `cpu`: for every ray the decision of each step, and the bits
+//! of its lambda.
 //!
 //! `RENDER_EXACT_CASES` sets the number of cases of each kind.
 

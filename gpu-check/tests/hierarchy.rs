@@ -139,3 +139,36 @@ fn random_rays_in_f64_have_the_hits_of_the_loop_over_all_objects() {
 fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
     rays_have_the_same_hits::<f32>();
 }
+
+#[test]
+fn a_ray_that_visits_too_many_nodes_is_an_error_and_not_a_wrong_colour() {
+    let gpu = common::gpu();
+    let mut library = Library::standard().in_hierarchy();
+    let source = library.source("hierarchy").expect("it exists").replace("65000u", "20u");
+    library.replace("hierarchy", "few.wgsl", source).expect("it exists");
+    let case = scenes::random(1);
+    let features = features_of(&case.config, &case.scene).expect("it is valid");
+    let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let renderer = Renderer::<f64>::new(&gpu, &library, &features).expect("it compiles");
+    let error = renderer.render(&picture).expect_err("20 nodes are too few");
+    assert!(error.to_string().contains("did not write"), "{error}");
+}
+
+#[test]
+fn more_objects_than_a_loop_may_pass_are_rendered_in_a_hierarchy() {
+    let gpu = common::gpu();
+    // Only the last of 70,000 spheres is in front of the camera.
+    let mut text = String::from("matte: red .9 .1 .1\n");
+    for number in 0..70_000 {
+        text.push_str(&format!("sphere: {} {} -900 1 red\n", number % 300 * 3, number / 300 * 3));
+    }
+    text.push_str("sphere: 0 0 0 5 red\n");
+    let scene = Scene::parse(text.as_bytes()).expect("it is valid");
+    let config = Config { image_width: 16, aspect_ratio: [1, 1], max_depth: 3, ..Config::default() };
+    let case = Case { name: "70,001 spheres".to_owned(), config, scene };
+    let rendering = render::<f64>(&gpu, &Library::standard().in_hierarchy(), &case);
+    let twin = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let expected: Vec<_> = (0..rendering.pixels.len()).map(|index| twin.color(index)).collect();
+    let found = difference(&rendering.pixels, &expected);
+    assert_eq!(found.differing, 0, "{found}");
+}

@@ -74,7 +74,8 @@ fn closest_hit(ray: Ray) -> SurfaceHit {
     let y = hierarchy_reciprocal(direction.y);
     let z = hierarchy_reciprocal(direction.z);
     let reciprocal = vec3<f32>(x, y, z);
-    let steps = (abs(origin) * STEP + vec3<f32>(hierarchy.step_x, hierarchy.step_y, hierarchy.step_z)) * abs(reciprocal);
+    let least_steps = vec3<f32>(hierarchy.step_x, hierarchy.step_y, hierarchy.step_z);
+    let steps = (abs(origin) * STEP + least_steps) * abs(reciprocal);
     let near_origin = origin * reciprocal + steps;
     let far_origin = origin * reciprocal - steps;
     // A direction may be too short or too long for f32, and a ray may start far away. Then every object is intersected.

@@ -1,19 +1,19 @@
-//! Boxes around objects, and the margins by which `hierarchy.wgsl` enlarges them for each ray, so that they contain every
-//! point that the plain formulas may report.
+//! Boxes around objects, and the margins by which `hierarchy.wgsl` enlarges them for each ray, so that they contain
+//! every point that the plain formulas may report.
 //!
 //! Let `u` be the unit roundoff of the precision, `q` the square of the distance from the ray's origin to the object's
 //! centre, `R` the radius, `H` the half height and `d` the direction.
 //!
 //! **Spheres.** The error of the computed discriminant is at most `24 u M`, with `M = d.d (q + R^2)` (docs/margins.md).
-//! The exact discriminant changes by `d.d e` if the square of the radius changes by `e`. So the computed discriminant is
-//! that of a sphere whose radius has at most the square `R^2 + 24 u (q + R^2)`. The rounding of the root, the numerator
-//! and the quotient moves the point by at most `48 u sqrt(q + R^2)` besides.
+//! The exact discriminant changes by `d.d e` if the square of the radius changes by `e`. So the computed discriminant
+//! is that of a sphere whose radius has at most the square `R^2 + 24 u (q + R^2)`. The rounding of the root, the
+//! numerator and the quotient moves the point by at most `48 u sqrt(q + R^2)` besides.
 //!
 //! **Sides of cylinders.** Across the axis, the point at a computed lambda has a distance from the axis whose square is
 //! `R^2 + f`, where `f` is the value of the exact quadratic there. The point is between the caps, so `lambda |d|` is at
 //! most `sqrt(q) + R + H`. The computed coefficients of the quadratic are wrong by `12 u d.d`, `16 u |d| sqrt(q)` and
-//! `16 u (q + R^2)`. The coefficient `a` is the square of the computed vector across the axis, and `h` is the product of
-//! this vector and the one from the centre. So `h^2 / a` is at most `q`, even if the ray is parallel to the axis and
+//! `16 u (q + R^2)`. The coefficient `a` is the square of the computed vector across the axis, and `h` is the product
+//! of this vector and the one from the centre. So `h^2 / a` is at most `q`, even if the ray is parallel to the axis and
 //! both numbers consist of rounding errors. The rounding of the discriminant and of lambda therefore changes `f` by at
 //! most `32 u (q + R^2)`. Together `f` is at most `160 u (q + R^2 + H^2)`.
 //!
@@ -40,7 +40,8 @@ const SPHERE: f64 = 32.0;
 const CYLINDER: f64 = 192.0;
 /// The margin of a point, in units of `u` times distances and coordinates.
 const POINT: f64 = 64.0;
-/// The largest coordinate for which boxes are tested. With it and the limits of directions, no product in f32 overflows.
+/// The largest coordinate for which boxes are tested. With it and the limits of directions, no product in f32
+/// overflows.
 const LARGEST: f32 = 1e9;
 /// The smallest radius for which boxes are tested. With it no error by underflow is larger than the margins.
 const SMALLEST: f64 = 1e-6;

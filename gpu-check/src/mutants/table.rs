@@ -132,15 +132,13 @@ mutants! {
     ;
     "hierarchy":
         "at = node.next" => "at = node.next + 1u",
-        "near = select(low, high, is_backwards)" => "near = select(high, low, is_backwards)",
-        "far = select(high, low, is_backwards)" => "far = select(low, high, is_backwards)",
+        "select(low - margin, high + margin, is_backwards)" => "select(high + margin, low - margin, is_backwards)",
+        "select(high + margin, low - margin, is_backwards)" => "select(low - margin, high + margin, is_backwards)",
         "leaves < enters" => "enters < leaves",
         "let index = node.object / 2u" => "let index = node.object",
         "f32(closest.lambda) * 1.0000002" => "f32(closest.lambda) * 0.5",
         "select(reciprocal, -reciprocal, component < 0.0)" => "reciprocal",
         "farthest = 3e38f" => "farthest = 1f",
-        "origin * reciprocal + steps" => "origin * reciprocal",
-        "MOST_VISITS: u32 = 65000u" => "MOST_VISITS: u32 = 20u",
     ;
     "bounce":
         "|| (has_metal" => "&& (has_metal",

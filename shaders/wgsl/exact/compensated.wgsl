@@ -25,8 +25,8 @@ fn exact_square_terms(sphere: SphereRecord, origin: vec3<real>) -> SquareTerms {
     return SquareTerms(third.sum + (sums + products + (across + across)), second.sum + rr.sum);
 }
 
-// compensated: returns the hit of a ray that starts outside the sphere and goes towards the centre, or starts inside and
-// goes away from it. For any other ray the result is uncertain; a miss is never certain.
+// compensated: returns the hit of a ray that starts outside the sphere and goes towards the centre, or starts inside
+// and goes away from it. For any other ray the result is uncertain; a miss is never certain.
 fn exact_sphere_compensated(sphere: SphereRecord, ray: Ray) -> Decision {
     let a = vec3_dot(ray.direction, ray.direction);
     let quadratic = sphere_quadratic(sphere_seen_from(sphere, ray.origin), ray.direction, a);

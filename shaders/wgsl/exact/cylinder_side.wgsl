@@ -17,8 +17,8 @@ fn exact_cylinder_extent(cylinder: CylinderRecord) -> real {
     return exact_magnitude(cylinder.center) + cylinder.radius + cylinder.half_height + EXTENT_UNDERFLOW;
 }
 
-// margin: returns a bound of the distance by which rounding moves the ray's point at an accepted lambda. The factors are
-// 512 * 65,536 * 2^-53 and 64 * 2^-53.
+// margin: returns a bound of the distance by which rounding moves the ray's point at an accepted lambda. The factors
+// are 512 * 65,536 * 2^-53 and 64 * 2^-53.
 fn exact_cylinder_margin(cylinder: CylinderRecord, ray: Ray, lambda: real) -> real {
     let along = lambda * exact_magnitude(ray.direction) * real(3.725290298461914e-09);
     return along + exact_cylinder_extent(cylinder) * real(7.105427357601002e-15);

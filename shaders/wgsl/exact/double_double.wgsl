@@ -10,8 +10,8 @@ fn dd_of(high: real) -> DoubleDouble {
     return DoubleDouble(high, real(0.0));
 }
 
-// Returns the number of a constant. The barrier hides the constant from the driver, which otherwise merges the constants
-// of a sum before and after its rounding.
+// Returns the number of a constant. The barrier hides the constant from the driver, which otherwise merges the
+// constants of a sum before and after its rounding.
 fn dd_constant(high: real) -> DoubleDouble {
     return dd_of(high * exact_one);
 }

@@ -1,5 +1,5 @@
-// The bound of the rounding errors in a quadratic's roots, in one precision; twin of cpu/src/exact/error_bound.rs, which
-// names `u`, `M` and the other quantities. docs/accuracy.md derives the bounds.
+// The bound of the rounding errors in a quadratic's roots, in one precision; twin of cpu/src/exact/error_bound.rs,
+// which names `u`, `M` and the other quantities. docs/accuracy.md derives the bounds.
 
 // Decision: the answer of a floating-point filter. Without `certain` the other fields have no meaning. `some` tells
 // whether there is a hit.

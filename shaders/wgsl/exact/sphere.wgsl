@@ -1,7 +1,7 @@
 // The plain formula of ray and sphere with its error bound; twin of cpu/src/exact/sphere_filter.rs.
 
-// LIMITS: the error constant 32 times 2^-53, the reciprocal of the condition limit 12,288, and 10^-3 times one minus and
-// plus 256 * 12,288 * 2^-53.
+// LIMITS: the error constant 32 times 2^-53, the reciprocal of the condition limit 12,288, and 10^-3 times one minus
+// and plus 256 * 12,288 * 2^-53.
 fn exact_sphere_limits() -> Limits {
     let error = real(3.552713678800501e-15);
     let share = real(8.138020833333333e-05);

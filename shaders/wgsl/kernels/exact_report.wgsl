@@ -2,15 +2,15 @@
 // fields are numbers, so that each row of the output is a row of reals.
 
 struct ExactReport {
-    // The number of the first certain step: 1 for the plain formula with its bound, 2 for the compensated formula, 3 for
-    // double-double. It is 0 if no step is certain. Then dyadic arithmetic would decide, which only the CPU has.
+    // The number of the first certain step: 1 for the plain formula with its bound, 2 for the compensated formula, 3
+    // for double-double. It is 0 if no step is certain. Then dyadic arithmetic would decide, which only the CPU has.
     step: real,
     // The answer of that step: 1 for a hit, its lambda and its part.
     some: real,
     lambda: real,
     part: real,
-    // The answer of each step for itself: 0 if it is uncertain, 1 for a miss, and 2, 3 or 4 for a hit with the side, the
-    // top or the bottom. A lambda is 0 without a hit.
+    // The answer of each step for itself: 0 if it is uncertain, 1 for a miss, and 2, 3 or 4 for a hit with the side,
+    // the top or the bottom. A lambda is 0 without a hit.
     plain: real,
     plain_lambda: real,
     compensated: real,

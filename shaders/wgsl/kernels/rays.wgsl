@@ -1,5 +1,5 @@
-// The closest hits of given rays. It uses the buffers of a picture: `paths` has the rays, and each pixel gets the lambda,
-// the order and the part of a hit, or minus one three times.
+// The closest hits of given rays. It uses the buffers of a picture: `paths` has the rays, and each pixel gets the
+// lambda, the order and the part of a hit, or minus one three times.
 
 @compute @workgroup_size(64)
 fn rays(@builtin(global_invocation_id) id: vec3<u32>) {
