@@ -4,9 +4,9 @@ use cpu::Ray;
 use shaders::{Features, Library};
 
 use crate::head::{Part, head};
-use crate::hierarchy::Hierarchy;
 use crate::packed::{Packed, buffer};
 use crate::pipeline::Content;
+use crate::ray_loop::RayLoop;
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Largest number of rays in one run.
@@ -27,7 +27,7 @@ pub fn closest_hits<T: Float>(
     // The kernel has no materials, so it declares only some of the constants.
     let constants = Features::all(1).constants();
     let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
-    let boxes = library.has_hierarchy().then(|| Hierarchy::new(picture).bytes());
+    let ray_loop = RayLoop::new(picture, library.has_hierarchy());
     let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
     let mut hits = Vec::with_capacity(rays.len());
     for rays in rays.chunks(BATCH) {
@@ -47,7 +47,7 @@ pub fn closest_hits<T: Float>(
             Content::Output((3 * rays.len() * size_of::<T>()) as u64),
             Content::Input(&paths),
         ];
-        contents.extend(boxes.as_deref().map(Content::Input));
+        contents.extend(ray_loop.content());
         let run = pipeline.run(gpu, &contents, rays.len() as u64)?;
         let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
         hits.extend(numbers.chunks(3).map(|hit| [hit[0], hit[1], hit[2]]));

@@ -54,6 +54,7 @@ pub mod mutants;
 pub mod packed;
 pub mod picture;
 pub mod pipeline;
+mod ray_loop;
 pub mod renderer;
 pub mod rewrites;
 pub mod running;

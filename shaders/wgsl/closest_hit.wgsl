@@ -16,9 +16,3 @@ fn closest_hit(ray: Ray) -> SurfaceHit {
     }
     return surface_at(closest, ray);
 }
-
-// Returns whether a call of `closest_hit` ended early. The loop over all objects never does, because the renderer makes
-// runs short enough.
-fn closest_hit_gave_up() -> bool {
-    return false;
-}

@@ -1,5 +1,9 @@
 // The closest hit of a ray so far, and the surface there; twin of cpu/src/accel/closest_hit.rs.
 
+// Whether a call of `closest_hit` ended early, because it took too many iterations. Only hierarchy.wgsl sets it. The
+// kernels then write UNWRITTEN, and the program reports an error.
+var<private> closest_hit_gave_up: bool;
+
 // ClosestHit: the closest hit found so far.
 struct ClosestHit {
     some: bool,

@@ -62,7 +62,11 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the mutant's WGSL, so that no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
-        self.examine(&mutant.library()?, mutant.module)
+        match self.examine(&mutant.library()?, mutant.module) {
+            // A ray that gives up leaves its pixel unwritten.
+            Err(error @ Error::Unwritten { .. }) => Ok(Some(error.to_string())),
+            examined => examined,
+        }
     }
 
     /// Returns a description of the first check that notices an error in `library`, or `None` if no check does. Only

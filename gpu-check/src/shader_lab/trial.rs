@@ -15,10 +15,11 @@ use super::truth::{Truth, check_size};
 use super::view::{View, mark};
 use super::{guard, pixel, png};
 use crate::difference::difference;
-use crate::hierarchy::WORTHWHILE;
+use crate::picture::depth;
+use crate::sampled::Convention;
 use crate::sampled::recording::check_samples;
 use crate::steps::{Follower, check_iterations};
-use crate::{Error, Float, Gpu, Picture, features_of};
+use crate::{Error, Float, Gpu, Picture, features_of, ray_loop};
 
 /// The inputs of a trial, which is one rendering with the user's modules.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +67,7 @@ impl Held for f32 {
 /// # Errors
 /// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] when
 /// the paths are too long for one run.
-pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Error> {
+pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: &Scene) -> Result<(), Error> {
     check_size(config)?;
     if options.samples.is_some() {
         check_samples(config)?;
@@ -79,11 +80,14 @@ pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Er
         return Err(Error::Request { message });
     }
     let (features, _) = options.apply(features_of(config, scene)?).map_err(|message| Error::Request { message })?;
+    let objects = scene.objects.len();
+    let in_hierarchy = files::has_hierarchy(modules, objects);
+    ray_loop::check(objects, in_hierarchy, depth(config)?, options.samples.map_or(0, Convention::tries))?;
     if options.pixel.is_some() {
-        check_iterations(scene.objects.len(), features.max_depth)?;
+        check_iterations(objects, in_hierarchy, features.max_depth)?;
     }
     match options.view {
-        Some(view) if view != View::Difference => check_iterations(scene.objects.len(), depth_of(view, features)),
+        Some(view) if view != View::Difference => check_iterations(objects, in_hierarchy, depth_of(view, features)),
         _ => Ok(()),
     }
 }
@@ -209,17 +213,14 @@ impl Trial<'_> {
         Ok(report)
     }
 
-    /// Returns the modules for the picture, in which the user's modules replace some. A scene of many objects gets a
-    /// hierarchy, unless the user replaces the loop over all objects.
+    /// Returns the modules for the picture, in which the user's modules replace some.
     fn library(&self) -> Result<Library, Error> {
-        let library = files::library(self.modules)?;
-        let has_many = self.truth.scene.objects.len() >= WORTHWHILE;
-        Ok(if has_many && !library.is_replaced("closest_hit") { library.in_hierarchy() } else { library })
+        files::library(self.modules, self.truth.scene.objects.len())
     }
 
     /// Returns a [`Follower`] with the user's modules. They are compiled in the separate process first.
     fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
-        let library = files::library(self.modules)?;
+        let library = self.library()?;
         guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
         Follower::new(self.gpu, &library, features, own)
     }

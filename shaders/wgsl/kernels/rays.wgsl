@@ -11,7 +11,7 @@ fn rays(@builtin(global_invocation_id) id: vec3<u32>) {
     if surface.some {
         report = vec3<real>(surface.lambda, real(surface.order), real(surface.part));
     }
-    if closest_hit_gave_up() {
+    if closest_hit_gave_up {
         report = vec3<real>(UNWRITTEN);
     }
     pixels[id.x] = vec3_store(report);
