@@ -15,6 +15,9 @@ pub(crate) const MAX_ITERATIONS: u64 = 65_535;
 /// iterations for the other loops. A ray that would visit more nodes gives up, and then the run returns an error.
 const MOST_VISITS: u64 = 60_000;
 
+/// Largest number of objects over which a ray loops if its hierarchy is useless; `MOST_OBJECTS` in `hierarchy.wgsl`.
+const MOST_OBJECTS: u64 = 20_000;
+
 /// In a hierarchy a ray rarely visits more nodes than this. The number decides only how many rays a run has.
 const TYPICAL_VISITS: u64 = 1 << 10;
 
@@ -23,18 +26,21 @@ const TYPICAL_VISITS: u64 = 1 << 10;
 pub(crate) struct RayLoop {
     /// The bytes of the hierarchy; `None` if each ray intersects all objects.
     hierarchy: Option<Vec<u8>>,
-    /// Number of objects of the picture, or of nodes of the hierarchy.
+    /// Number of objects of the picture. In a hierarchy the number of nodes, and of objects over which a ray may loop.
     length: u64,
 }
 
 impl RayLoop {
     /// Returns the loop over the objects of `picture`, or over their hierarchy if `in_hierarchy`.
     pub fn new<T: Float>(picture: &Picture<T>, in_hierarchy: bool) -> Self {
+        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
         if in_hierarchy {
             let hierarchy = Hierarchy::new(picture);
-            return Self { hierarchy: Some(hierarchy.bytes()), length: hierarchy.len() as u64 };
+            // The invocations of a workgroup run together, and for some of them the hierarchy may be useless.
+            let looped = if objects <= MOST_OBJECTS { objects } else { 0 };
+            return Self { hierarchy: Some(hierarchy.bytes()), length: hierarchy.len() as u64 + looped };
         }
-        Self { hierarchy: None, length: picture.spheres.len() as u64 + picture.cylinders.len() as u64 }
+        Self { hierarchy: None, length: objects }
     }
 
     /// Returns the content of the hierarchy's binding, if there is one. It has the highest number of all bindings.

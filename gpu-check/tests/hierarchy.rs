@@ -3,6 +3,8 @@
 //! `RENDER_HIERARCHY_RAYS` sets the number of random rays.
 
 mod common;
+#[path = "hierarchy/large.rs"]
+mod large;
 
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Config, Ray, Scene, Vec3};
@@ -18,6 +20,11 @@ const RAYS: usize = 1 << 17;
 const RAYS_OF_A_SCENE: usize = 1 << 14;
 /// Largest number of pixels times objects of a picture; see [`Case::within`].
 const TESTS: usize = 8_000_000;
+
+/// Whether everything is rendered and compared, which tests/extensive does.
+fn is_everything() -> bool {
+    std::env::var_os("RENDER_HIERARCHY").is_some_and(|value| value == "all")
+}
 
 fn render<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {
     features_of(&case.config, &case.scene)

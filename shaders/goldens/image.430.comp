@@ -672,7 +672,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_11) {
     return _e58;
 }
 
-SurfaceHit closest_hit(Ray ray_12) {
+ClosestHit intersect_every_object(Ray ray_12) {
     ClosestHit closest_7 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index_3 = 0u;
     uint index_4 = 0u;
@@ -721,8 +721,13 @@ SurfaceHit closest_hit(Ray ray_12) {
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_12);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(Ray ray_13) {
+    ClosestHit _e1 = intersect_every_object(ray_13);
+    SurfaceHit _e2 = surface_at(_e1, ray_13);
+    return _e2;
 }
 
 bool bounce_attenuates(Material material_1) {
@@ -750,7 +755,7 @@ bool bounce_attenuates(Material material_1) {
     return _e21;
 }
 
-Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, vec3 scatter_vector) {
+Ray bounce_ray(Ray ray_14, Hit hit, Material material_2, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_21 = false;
     bool local_22 = false;
@@ -772,7 +777,7 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, vec3 scatter_vector) {
     }
     bool _e22 = local_22;
     if (_e22) {
-        vec3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
+        vec3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -783,7 +788,7 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, vec3 scatter_vector) {
     bool _e33 = local_23;
     if (_e33) {
         float _e36 = scatter_index_ratio(material_2.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
+        vec3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     vec3 _e41 = direction_7;
@@ -821,10 +826,10 @@ vec3 bounce_attenuated(vec3 color, uint first, uint attenuation_count) {
 }
 
 void trace_path(Ray primary, uint slot) {
-    Ray ray_14 = Ray(vec3(0.0), vec3(0.0));
+    Ray ray_15 = Ray(vec3(0.0), vec3(0.0));
     uint attenuation_count_1 = 0u;
     uint depth = 0u;
-    ray_14 = primary;
+    ray_15 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -836,7 +841,7 @@ void trace_path(Ray primary, uint slot) {
         }
         PackedRay _e25 = _group_0_binding_6_cs[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_14 = _e26;
+        ray_15 = _e26;
         uint _e30 = _group_0_binding_6_cs[slot].attenuation_count;
         attenuation_count_1 = _e30;
     }
@@ -856,11 +861,11 @@ void trace_path(Ray primary, uint slot) {
             break;
         }
         {
-            Ray _e42 = ray_14;
+            Ray _e42 = ray_15;
             SurfaceHit _e43 = closest_hit(_e42);
             if (!(_e43.some)) {
                 Background _e46 = picture_background();
-                vec3 _e48 = ray_14.direction;
+                vec3 _e48 = ray_15.direction;
                 vec3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 vec3 _e53 = bounce_attenuated(_e49, first_1, _e52);
@@ -878,14 +883,14 @@ void trace_path(Ray primary, uint slot) {
                 uint _e71 = attenuation_count_1;
                 attenuation_count_1 = (_e71 + 1u);
             }
-            Ray _e73 = ray_14;
+            Ray _e73 = ray_15;
             Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
-            ray_14 = _e75;
+            ray_15 = _e75;
         }
     }
     PackedVec3_ _e82 = vec3_store(vec3(0.0));
     _group_0_binding_5_cs[slot] = _e82;
-    Ray _e85 = ray_14;
+    Ray _e85 = ray_15;
     PackedRay _e86 = ray_store(_e85);
     uint _e87 = attenuation_count_1;
     _group_0_binding_6_cs[slot] = PackedPath(_e86, _e87, 0u);

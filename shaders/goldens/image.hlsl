@@ -608,8 +608,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_15 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_15;
+    const Ray ray_16 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_16;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -691,8 +691,8 @@ Ray ray_load(PackedRay ray_7)
 {
     const float3 _e2 = vec3_load(ray_7.origin);
     const float3 _e4 = vec3_load(ray_7.direction);
-    const Ray ray_16 = ConstructRay(_e2, _e4);
-    return ray_16;
+    const Ray ray_17 = ConstructRay(_e2, _e4);
+    return ray_17;
 }
 
 PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
@@ -954,7 +954,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_11)
     return surfacehit_1;
 }
 
-SurfaceHit closest_hit(Ray ray_12)
+ClosestHit intersect_every_object(Ray ray_12)
 {
     ClosestHit closest_7 = (ClosestHit)0;
     uint index_3 = 0u;
@@ -1011,8 +1011,15 @@ SurfaceHit closest_hit(Ray ray_12)
         }
     }
     ClosestHit _e30 = closest_7;
-    const SurfaceHit _e31 = surface_at(_e30, ray_12);
-    const SurfaceHit surfacehit_2 = _e31;
+    const ClosestHit closesthit_4 = _e30;
+    return closesthit_4;
+}
+
+SurfaceHit closest_hit(Ray ray_13)
+{
+    const ClosestHit _e1 = intersect_every_object(ray_13);
+    const SurfaceHit _e2 = surface_at(_e1, ray_13);
+    const SurfaceHit surfacehit_2 = _e2;
     return surfacehit_2;
 }
 
@@ -1043,7 +1050,7 @@ bool bounce_attenuates(Material material_1)
     return _e21;
 }
 
-Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
+Ray bounce_ray(Ray ray_14, Hit hit, Material material_2, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_21 = (bool)0;
@@ -1067,7 +1074,7 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
     }
     bool _e22 = local_22;
     if (_e22) {
-        const float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
+        const float3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -1078,12 +1085,12 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
     bool _e33 = local_23;
     if (_e33) {
         const float _e36 = scatter_index_ratio(material_2.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
+        const float3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     float3 _e41 = direction_7;
-    const Ray ray_17 = ConstructRay(hit.point_, _e41);
-    return ray_17;
+    const Ray ray_18 = ConstructRay(hit.point_, _e41);
+    return ray_18;
 }
 
 float3 bounce_attenuated(float3 color, uint first, uint attenuation_count)
@@ -1145,11 +1152,11 @@ PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, float arg2,
 
 void trace_path(Ray primary, uint slot)
 {
-    Ray ray_14 = (Ray)0;
+    Ray ray_15 = (Ray)0;
     uint attenuation_count_1 = 0u;
     uint depth = (uint)0;
 
-    ray_14 = primary;
+    ray_15 = primary;
     PackedVec3_ _e5 = ConstructPackedVec3_(asfloat(picture.Load(80+0)), asfloat(picture.Load(80+4)), asfloat(picture.Load(80+8)));
     const float3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -1161,7 +1168,7 @@ void trace_path(Ray primary, uint slot)
         }
         PackedRay _e25 = ConstructPackedRay(ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+0+0)), asfloat(paths.Load(0+slot*32+0+4)), asfloat(paths.Load(0+slot*32+0+8))), ConstructPackedVec3_(asfloat(paths.Load(0+slot*32+12+0)), asfloat(paths.Load(0+slot*32+12+4)), asfloat(paths.Load(0+slot*32+12+8))));
         const Ray _e26 = ray_load(_e25);
-        ray_14 = _e26;
+        ray_15 = _e26;
         uint _e30 = asuint(paths.Load(24+slot*32));
         attenuation_count_1 = _e30;
     }
@@ -1184,11 +1191,11 @@ void trace_path(Ray primary, uint slot)
             break;
         }
         {
-            Ray _e42 = ray_14;
+            Ray _e42 = ray_15;
             const SurfaceHit _e43 = closest_hit(_e42);
             if (!(_e43.some)) {
                 const Background _e46 = picture_background();
-                float3 _e48 = ray_14.direction;
+                float3 _e48 = ray_15.direction;
                 const float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 const float3 _e53 = bounce_attenuated(_e49, first_1, _e52);
@@ -1211,9 +1218,9 @@ void trace_path(Ray primary, uint slot)
                 uint _e71 = attenuation_count_1;
                 attenuation_count_1 = (_e71 + 1u);
             }
-            Ray _e73 = ray_14;
+            Ray _e73 = ray_15;
             const Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
-            ray_14 = _e75;
+            ray_15 = _e75;
         }
     }
     const PackedVec3_ _e82 = vec3_store(ZeroValuefloat3());
@@ -1223,7 +1230,7 @@ void trace_path(Ray primary, uint slot)
         pixels.Store(slot*12+4, asuint(_value2.y));
         pixels.Store(slot*12+8, asuint(_value2.z));
     }
-    Ray _e85 = ray_14;
+    Ray _e85 = ray_15;
     const PackedRay _e86 = ray_store(_e85);
     uint _e87 = attenuation_count_1;
     {

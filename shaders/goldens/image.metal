@@ -826,7 +826,7 @@ SurfaceHit surface_at(
     return _e58;
 }
 
-SurfaceHit closest_hit(
+ClosestHit intersect_every_object(
     Ray ray_12,
     device Picture const& picture,
     device type_4 const& spheres,
@@ -887,8 +887,19 @@ SurfaceHit closest_hit(
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_12, spheres, cylinders, _buffer_sizes);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(
+    Ray ray_13,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    ClosestHit _e1 = intersect_every_object(ray_13, picture, spheres, cylinders, _buffer_sizes);
+    SurfaceHit _e2 = surface_at(_e1, ray_13, spheres, cylinders, _buffer_sizes);
+    return _e2;
 }
 
 bool bounce_attenuates(
@@ -919,7 +930,7 @@ bool bounce_attenuates(
 }
 
 Ray bounce_ray(
-    Ray ray_13,
+    Ray ray_14,
     Hit hit,
     Material material_2,
     metal::float3 scatter_vector
@@ -945,7 +956,7 @@ Ray bounce_ray(
     }
     bool _e22 = local_22;
     if (_e22) {
-        metal::float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
+        metal::float3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -956,7 +967,7 @@ Ray bounce_ray(
     bool _e33 = local_23;
     if (_e33) {
         real _e36 = scatter_index_ratio(material_2.index, hit.front);
-        metal::float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
+        metal::float3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     metal::float3 _e41 = direction_7;
@@ -1015,10 +1026,10 @@ void trace_path(
     device type_9& paths,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    Ray ray_14 = {};
+    Ray ray_15 = {};
     uint attenuation_count_1 = 0u;
     uint depth = {};
-    ray_14 = primary;
+    ray_15 = primary;
     PackedVec3_ _e5 = picture.scatter_vector;
     metal::float3 _e6 = vec3_load(_e5);
     uint first_1 = slot * max_depth;
@@ -1030,7 +1041,7 @@ void trace_path(
         }
         PackedRay _e25 = paths[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_14 = _e26;
+        ray_15 = _e26;
         uint _e30 = paths[slot].attenuation_count;
         attenuation_count_1 = _e30;
     }
@@ -1053,11 +1064,11 @@ void trace_path(
             break;
         }
         {
-            Ray _e42 = ray_14;
+            Ray _e42 = ray_15;
             SurfaceHit _e43 = closest_hit(_e42, picture, spheres, cylinders, _buffer_sizes);
             if (!(_e43.some)) {
                 Background _e46 = picture_background(picture);
-                metal::float3 _e48 = ray_14.direction;
+                metal::float3 _e48 = ray_15.direction;
                 metal::float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 metal::float3 _e53 = bounce_attenuated(_e49, first_1, _e52, materials, attenuations, _buffer_sizes);
@@ -1075,14 +1086,14 @@ void trace_path(
                 uint _e71 = attenuation_count_1;
                 attenuation_count_1 = _e71 + 1u;
             }
-            Ray _e73 = ray_14;
+            Ray _e73 = ray_15;
             Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
-            ray_14 = _e75;
+            ray_15 = _e75;
         }
     }
     PackedVec3_ _e82 = vec3_store(metal::float3 {});
     pixels[slot] = _e82;
-    Ray _e85 = ray_14;
+    Ray _e85 = ray_15;
     PackedRay _e86 = ray_store(_e85);
     uint _e87 = attenuation_count_1;
     paths[slot] = PackedPath {_e86, _e87, 0u};

@@ -531,7 +531,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10) {
     return _e58;
 }
 
-SurfaceHit closest_hit(Ray ray_11) {
+ClosestHit intersect_every_object(Ray ray_11) {
     ClosestHit closest_7 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index_2 = 0u;
     uint index_3 = 0u;
@@ -580,8 +580,13 @@ SurfaceHit closest_hit(Ray ray_11) {
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_11);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(Ray ray_12) {
+    ClosestHit _e1 = intersect_every_object(ray_12);
+    SurfaceHit _e2 = surface_at(_e1, ray_12);
+    return _e2;
 }
 
 void main() {

@@ -559,8 +559,8 @@ Ray ray_load(PackedRay ray_7)
 {
     const float3 _e2 = vec3_load(ray_7.origin);
     const float3 _e4 = vec3_load(ray_7.direction);
-    const Ray ray_12 = ConstructRay(_e2, _e4);
-    return ray_12;
+    const Ray ray_13 = ConstructRay(_e2, _e4);
+    return ray_13;
 }
 
 SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
@@ -751,7 +751,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10)
     return surfacehit_1;
 }
 
-SurfaceHit closest_hit(Ray ray_11)
+ClosestHit intersect_every_object(Ray ray_11)
 {
     ClosestHit closest_7 = (ClosestHit)0;
     uint index_2 = 0u;
@@ -808,8 +808,15 @@ SurfaceHit closest_hit(Ray ray_11)
         }
     }
     ClosestHit _e30 = closest_7;
-    const SurfaceHit _e31 = surface_at(_e30, ray_11);
-    const SurfaceHit surfacehit_2 = _e31;
+    const ClosestHit closesthit_4 = _e30;
+    return closesthit_4;
+}
+
+SurfaceHit closest_hit(Ray ray_12)
+{
+    const ClosestHit _e1 = intersect_every_object(ray_12);
+    const SurfaceHit _e2 = surface_at(_e1, ray_12);
+    const SurfaceHit surfacehit_2 = _e2;
     return surfacehit_2;
 }
 

@@ -644,7 +644,7 @@ SurfaceHit surface_at(
     return _e58;
 }
 
-SurfaceHit closest_hit(
+ClosestHit intersect_every_object(
     Ray ray_11,
     device Picture const& picture,
     device type_3 const& spheres,
@@ -705,8 +705,19 @@ SurfaceHit closest_hit(
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_11, spheres, cylinders, _buffer_sizes);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(
+    Ray ray_12,
+    device Picture const& picture,
+    device type_3 const& spheres,
+    device type_4 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    ClosestHit _e1 = intersect_every_object(ray_12, picture, spheres, cylinders, _buffer_sizes);
+    SurfaceHit _e2 = surface_at(_e1, ray_12, spheres, cylinders, _buffer_sizes);
+    return _e2;
 }
 
 struct raysInput {

@@ -690,7 +690,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_11) {
     return _e58;
 }
 
-SurfaceHit closest_hit(Ray ray_12) {
+ClosestHit intersect_every_object(Ray ray_12) {
     ClosestHit closest_7 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index_3 = 0u;
     uint index_4 = 0u;
@@ -739,8 +739,13 @@ SurfaceHit closest_hit(Ray ray_12) {
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_12);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(Ray ray_13) {
+    ClosestHit _e1 = intersect_every_object(ray_13);
+    SurfaceHit _e2 = surface_at(_e1, ray_13);
+    return _e2;
 }
 
 bool bounce_attenuates(Material material_1) {
@@ -768,7 +773,7 @@ bool bounce_attenuates(Material material_1) {
     return _e21;
 }
 
-Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, vec3 scatter_vector) {
+Ray bounce_ray(Ray ray_14, Hit hit, Material material_2, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_21 = false;
     bool local_22 = false;
@@ -790,7 +795,7 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, vec3 scatter_vector) {
     }
     bool _e22 = local_22;
     if (_e22) {
-        vec3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
+        vec3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -801,7 +806,7 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, vec3 scatter_vector) {
     bool _e33 = local_23;
     if (_e33) {
         float _e36 = scatter_index_ratio(material_2.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
+        vec3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     vec3 _e41 = direction_7;
@@ -934,7 +939,7 @@ Ray sample_camera_ray(uint slot) {
 }
 
 void trace_sample(uint slot_1) {
-    Ray ray_14 = Ray(vec3(0.0), vec3(0.0));
+    Ray ray_15 = Ray(vec3(0.0), vec3(0.0));
     uint next_word = 0u;
     uint attenuation_count_1 = 0u;
     uint depth = 0u;
@@ -950,14 +955,14 @@ void trace_sample(uint slot_1) {
         }
         PackedRay _e29 = _group_0_binding_6_cs[slot_1].ray;
         Ray _e30 = ray_load(_e29);
-        ray_14 = _e30;
+        ray_15 = _e30;
         uint _e34 = _group_0_binding_6_cs[slot_1].next_word;
         next_word = _e34;
         uint _e38 = _group_0_binding_6_cs[slot_1].attenuation_count;
         attenuation_count_1 = _e38;
     } else {
         Ray _e39 = sample_camera_ray(slot_1);
-        ray_14 = _e39;
+        ray_15 = _e39;
     }
     uint _e42 = _group_0_binding_0_cs.first_depth;
     depth = _e42;
@@ -975,11 +980,11 @@ void trace_sample(uint slot_1) {
             break;
         }
         {
-            Ray _e51 = ray_14;
+            Ray _e51 = ray_15;
             SurfaceHit _e52 = closest_hit(_e51);
             if (!(_e52.some)) {
                 Background _e55 = picture_background();
-                vec3 _e57 = ray_14.direction;
+                vec3 _e57 = ray_15.direction;
                 vec3 _e58 = background_color(_e55, _e57);
                 uint _e59 = attenuation_count_1;
                 vec3 _e60 = bounce_attenuated(_e58, first_2, _e59);
@@ -1003,16 +1008,16 @@ void trace_sample(uint slot_1) {
                 vector_2 = _e90.vector;
                 next_word = _e90.next_word;
             }
-            Ray _e93 = ray_14;
+            Ray _e93 = ray_15;
             vec3 _e95 = vector_2;
             Ray _e96 = bounce_ray(_e93, _e52.hit, _e76, _e95);
-            ray_14 = _e96;
+            ray_15 = _e96;
         }
     }
     PackedVec3_ _e103 = vec3_store(vec3(0.0));
     uint _e104 = next_word;
     _group_0_binding_5_cs[slot_1] = TracedSample(_e103, (_e104 - first_word), 0u);
-    Ray _e110 = ray_14;
+    Ray _e110 = ray_15;
     PackedRay _e111 = ray_store(_e110);
     uint _e112 = attenuation_count_1;
     uint _e114 = next_word;

@@ -625,8 +625,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_15 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_15;
+    const Ray ray_16 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_16;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -708,8 +708,8 @@ Ray ray_load(PackedRay ray_7)
 {
     const float3 _e2 = vec3_load(ray_7.origin);
     const float3 _e4 = vec3_load(ray_7.direction);
-    const Ray ray_16 = ConstructRay(_e2, _e4);
-    return ray_16;
+    const Ray ray_17 = ConstructRay(_e2, _e4);
+    return ray_17;
 }
 
 PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
@@ -971,7 +971,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_11)
     return surfacehit_1;
 }
 
-SurfaceHit closest_hit(Ray ray_12)
+ClosestHit intersect_every_object(Ray ray_12)
 {
     ClosestHit closest_7 = (ClosestHit)0;
     uint index_3 = 0u;
@@ -1028,8 +1028,15 @@ SurfaceHit closest_hit(Ray ray_12)
         }
     }
     ClosestHit _e30 = closest_7;
-    const SurfaceHit _e31 = surface_at(_e30, ray_12);
-    const SurfaceHit surfacehit_2 = _e31;
+    const ClosestHit closesthit_4 = _e30;
+    return closesthit_4;
+}
+
+SurfaceHit closest_hit(Ray ray_13)
+{
+    const ClosestHit _e1 = intersect_every_object(ray_13);
+    const SurfaceHit _e2 = surface_at(_e1, ray_13);
+    const SurfaceHit surfacehit_2 = _e2;
     return surfacehit_2;
 }
 
@@ -1060,7 +1067,7 @@ bool bounce_attenuates(Material material_1)
     return _e21;
 }
 
-Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
+Ray bounce_ray(Ray ray_14, Hit hit, Material material_2, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_21 = (bool)0;
@@ -1084,7 +1091,7 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
     }
     bool _e22 = local_22;
     if (_e22) {
-        const float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
+        const float3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -1095,12 +1102,12 @@ Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
     bool _e33 = local_23;
     if (_e33) {
         const float _e36 = scatter_index_ratio(material_2.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
+        const float3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     float3 _e41 = direction_7;
-    const Ray ray_17 = ConstructRay(hit.point_, _e41);
-    return ray_17;
+    const Ray ray_18 = ConstructRay(hit.point_, _e41);
+    return ray_18;
 }
 
 float3 bounce_attenuated(float3 color, uint first, uint attenuation_count)
@@ -1271,8 +1278,8 @@ Ray sample_camera_ray(uint slot)
     float column_1 = float(naga_mod(pixel, _e37));
     const Camera _e40 = picture_camera();
     const Ray _e42 = camera_ray(_e40, row_1, column_1, float2(_e20, _e29));
-    const Ray ray_18 = _e42;
-    return ray_18;
+    const Ray ray_19 = _e42;
+    return ray_19;
 }
 
 TracedSample ConstructTracedSample(PackedVec3_ arg0, uint arg1, uint arg2) {
@@ -1305,7 +1312,7 @@ PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, float arg2,
 
 void trace_sample(uint slot_1)
 {
-    Ray ray_14 = (Ray)0;
+    Ray ray_15 = (Ray)0;
     uint next_word = (uint)0;
     uint attenuation_count_1 = 0u;
     uint depth = (uint)0;
@@ -1322,14 +1329,14 @@ void trace_sample(uint slot_1)
         }
         PackedRay _e29 = ConstructPackedRay(ConstructPackedVec3_(asfloat(sample_paths.Load(0+slot_1*40+0+0)), asfloat(sample_paths.Load(0+slot_1*40+0+4)), asfloat(sample_paths.Load(0+slot_1*40+0+8))), ConstructPackedVec3_(asfloat(sample_paths.Load(0+slot_1*40+12+0)), asfloat(sample_paths.Load(0+slot_1*40+12+4)), asfloat(sample_paths.Load(0+slot_1*40+12+8))));
         const Ray _e30 = ray_load(_e29);
-        ray_14 = _e30;
+        ray_15 = _e30;
         uint _e34 = asuint(sample_paths.Load(32+slot_1*40));
         next_word = _e34;
         uint _e38 = asuint(sample_paths.Load(24+slot_1*40));
         attenuation_count_1 = _e38;
     } else {
         const Ray _e39 = sample_camera_ray(slot_1);
-        ray_14 = _e39;
+        ray_15 = _e39;
     }
     uint _e42 = asuint(picture.Load(112));
     depth = _e42;
@@ -1350,11 +1357,11 @@ void trace_sample(uint slot_1)
             break;
         }
         {
-            Ray _e51 = ray_14;
+            Ray _e51 = ray_15;
             const SurfaceHit _e52 = closest_hit(_e51);
             if (!(_e52.some)) {
                 const Background _e55 = picture_background();
-                float3 _e57 = ray_14.direction;
+                float3 _e57 = ray_15.direction;
                 const float3 _e58 = background_color(_e55, _e57);
                 uint _e59 = attenuation_count_1;
                 const float3 _e60 = bounce_attenuated(_e58, first_2, _e59);
@@ -1388,10 +1395,10 @@ void trace_sample(uint slot_1)
                 vector_2 = _e90.vector_;
                 next_word = _e90.next_word;
             }
-            Ray _e93 = ray_14;
+            Ray _e93 = ray_15;
             float3 _e95 = vector_2;
             const Ray _e96 = bounce_ray(_e93, _e52.hit, _e76, _e95);
-            ray_14 = _e96;
+            ray_15 = _e96;
         }
     }
     const PackedVec3_ _e103 = vec3_store(ZeroValuefloat3());
@@ -1407,7 +1414,7 @@ void trace_sample(uint slot_1)
         traced_samples.Store(slot_1*20+12, asuint(_value2.words));
         traced_samples.Store(slot_1*20+16, asuint(_value2.unused));
     }
-    Ray _e110 = ray_14;
+    Ray _e110 = ray_15;
     const PackedRay _e111 = ray_store(_e110);
     uint _e112 = attenuation_count_1;
     uint _e114 = next_word;

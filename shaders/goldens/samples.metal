@@ -842,7 +842,7 @@ SurfaceHit surface_at(
     return _e58;
 }
 
-SurfaceHit closest_hit(
+ClosestHit intersect_every_object(
     Ray ray_12,
     device Picture const& picture,
     device type_4 const& spheres,
@@ -903,8 +903,19 @@ SurfaceHit closest_hit(
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_12, spheres, cylinders, _buffer_sizes);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(
+    Ray ray_13,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    ClosestHit _e1 = intersect_every_object(ray_13, picture, spheres, cylinders, _buffer_sizes);
+    SurfaceHit _e2 = surface_at(_e1, ray_13, spheres, cylinders, _buffer_sizes);
+    return _e2;
 }
 
 bool bounce_attenuates(
@@ -935,7 +946,7 @@ bool bounce_attenuates(
 }
 
 Ray bounce_ray(
-    Ray ray_13,
+    Ray ray_14,
     Hit hit,
     Material material_2,
     metal::float3 scatter_vector
@@ -961,7 +972,7 @@ Ray bounce_ray(
     }
     bool _e22 = local_22;
     if (_e22) {
-        metal::float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
+        metal::float3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -972,7 +983,7 @@ Ray bounce_ray(
     bool _e33 = local_23;
     if (_e33) {
         real _e36 = scatter_index_ratio(material_2.index, hit.front);
-        metal::float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
+        metal::float3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     metal::float3 _e41 = direction_7;
@@ -1171,7 +1182,7 @@ void trace_sample(
     device type_11& sample_paths,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    Ray ray_14 = {};
+    Ray ray_15 = {};
     uint next_word = {};
     uint attenuation_count_1 = 0u;
     uint depth = {};
@@ -1187,14 +1198,14 @@ void trace_sample(
         }
         PackedRay _e29 = sample_paths[slot_1].ray;
         Ray _e30 = ray_load(_e29);
-        ray_14 = _e30;
+        ray_15 = _e30;
         uint _e34 = sample_paths[slot_1].next_word;
         next_word = _e34;
         uint _e38 = sample_paths[slot_1].attenuation_count;
         attenuation_count_1 = _e38;
     } else {
         Ray _e39 = sample_camera_ray(slot_1, picture, words, _buffer_sizes);
-        ray_14 = _e39;
+        ray_15 = _e39;
     }
     uint _e42 = picture.first_depth;
     depth = _e42;
@@ -1215,11 +1226,11 @@ void trace_sample(
             break;
         }
         {
-            Ray _e51 = ray_14;
+            Ray _e51 = ray_15;
             SurfaceHit _e52 = closest_hit(_e51, picture, spheres, cylinders, _buffer_sizes);
             if (!(_e52.some)) {
                 Background _e55 = picture_background(picture);
-                metal::float3 _e57 = ray_14.direction;
+                metal::float3 _e57 = ray_15.direction;
                 metal::float3 _e58 = background_color(_e55, _e57);
                 uint _e59 = attenuation_count_1;
                 metal::float3 _e60 = bounce_attenuated(_e58, first_2, _e59, materials, attenuations, _buffer_sizes);
@@ -1243,16 +1254,16 @@ void trace_sample(
                 vector_2 = _e90.vector;
                 next_word = _e90.next_word;
             }
-            Ray _e93 = ray_14;
+            Ray _e93 = ray_15;
             metal::float3 _e95 = vector_2;
             Ray _e96 = bounce_ray(_e93, _e52.hit, _e76, _e95);
-            ray_14 = _e96;
+            ray_15 = _e96;
         }
     }
     PackedVec3_ _e103 = vec3_store(metal::float3 {});
     uint _e104 = next_word;
     traced_samples[slot_1] = TracedSample {_e103, _e104 - first_word, 0u};
-    Ray _e110 = ray_14;
+    Ray _e110 = ray_15;
     PackedRay _e111 = ray_store(_e110);
     uint _e112 = attenuation_count_1;
     uint _e114 = next_word;

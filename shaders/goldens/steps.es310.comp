@@ -662,7 +662,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10) {
     return _e58;
 }
 
-SurfaceHit closest_hit(Ray ray_11) {
+ClosestHit intersect_every_object(Ray ray_11) {
     ClosestHit closest_7 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
     uint index_3 = 0u;
     uint index_4 = 0u;
@@ -711,11 +711,16 @@ SurfaceHit closest_hit(Ray ray_11) {
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_11);
-    return _e31;
+    return _e30;
 }
 
-Ray bounce_ray(Ray ray_12, Hit hit, Material material_1, vec3 scatter_vector) {
+SurfaceHit closest_hit(Ray ray_12) {
+    ClosestHit _e1 = intersect_every_object(ray_12);
+    SurfaceHit _e2 = surface_at(_e1, ray_12);
+    return _e2;
+}
+
+Ray bounce_ray(Ray ray_13, Hit hit, Material material_1, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
     bool local_19 = false;
@@ -737,7 +742,7 @@ Ray bounce_ray(Ray ray_12, Hit hit, Material material_1, vec3 scatter_vector) {
     }
     bool _e22 = local_19;
     if (_e22) {
-        vec3 _e25 = scatter_metal(ray_12.direction, hit.normal, scatter_vector);
+        vec3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -748,7 +753,7 @@ Ray bounce_ray(Ray ray_12, Hit hit, Material material_1, vec3 scatter_vector) {
     bool _e33 = local_20;
     if (_e33) {
         float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_12.direction, hit.normal, _e36);
+        vec3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     vec3 _e41 = direction_7;

@@ -609,8 +609,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_13 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_13;
+    const Ray ray_14 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_14;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -932,7 +932,7 @@ SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10)
     return surfacehit_1;
 }
 
-SurfaceHit closest_hit(Ray ray_11)
+ClosestHit intersect_every_object(Ray ray_11)
 {
     ClosestHit closest_7 = (ClosestHit)0;
     uint index_3 = 0u;
@@ -989,12 +989,19 @@ SurfaceHit closest_hit(Ray ray_11)
         }
     }
     ClosestHit _e30 = closest_7;
-    const SurfaceHit _e31 = surface_at(_e30, ray_11);
-    const SurfaceHit surfacehit_2 = _e31;
+    const ClosestHit closesthit_4 = _e30;
+    return closesthit_4;
+}
+
+SurfaceHit closest_hit(Ray ray_12)
+{
+    const ClosestHit _e1 = intersect_every_object(ray_12);
+    const SurfaceHit _e2 = surface_at(_e1, ray_12);
+    const SurfaceHit surfacehit_2 = _e2;
     return surfacehit_2;
 }
 
-Ray bounce_ray(Ray ray_12, Hit hit, Material material_1, float3 scatter_vector)
+Ray bounce_ray(Ray ray_13, Hit hit, Material material_1, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
@@ -1018,7 +1025,7 @@ Ray bounce_ray(Ray ray_12, Hit hit, Material material_1, float3 scatter_vector)
     }
     bool _e22 = local_19;
     if (_e22) {
-        const float3 _e25 = scatter_metal(ray_12.direction, hit.normal, scatter_vector);
+        const float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -1029,12 +1036,12 @@ Ray bounce_ray(Ray ray_12, Hit hit, Material material_1, float3 scatter_vector)
     bool _e33 = local_20;
     if (_e33) {
         const float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_12.direction, hit.normal, _e36);
+        const float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     float3 _e41 = direction_7;
-    const Ray ray_14 = ConstructRay(hit.point_, _e41);
-    return ray_14;
+    const Ray ray_15 = ConstructRay(hit.point_, _e41);
+    return ray_15;
 }
 
 uint naga_div(uint lhs, uint rhs) {

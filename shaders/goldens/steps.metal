@@ -810,7 +810,7 @@ SurfaceHit surface_at(
     return _e58;
 }
 
-SurfaceHit closest_hit(
+ClosestHit intersect_every_object(
     Ray ray_11,
     device Picture const& picture,
     device type_4 const& spheres,
@@ -871,12 +871,23 @@ SurfaceHit closest_hit(
         }
     }
     ClosestHit _e30 = closest_7;
-    SurfaceHit _e31 = surface_at(_e30, ray_11, spheres, cylinders, _buffer_sizes);
-    return _e31;
+    return _e30;
+}
+
+SurfaceHit closest_hit(
+    Ray ray_12,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    ClosestHit _e1 = intersect_every_object(ray_12, picture, spheres, cylinders, _buffer_sizes);
+    SurfaceHit _e2 = surface_at(_e1, ray_12, spheres, cylinders, _buffer_sizes);
+    return _e2;
 }
 
 Ray bounce_ray(
-    Ray ray_12,
+    Ray ray_13,
     Hit hit,
     Material material_1,
     metal::float3 scatter_vector
@@ -902,7 +913,7 @@ Ray bounce_ray(
     }
     bool _e22 = local_19;
     if (_e22) {
-        metal::float3 _e25 = scatter_metal(ray_12.direction, hit.normal, scatter_vector);
+        metal::float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -913,7 +924,7 @@ Ray bounce_ray(
     bool _e33 = local_20;
     if (_e33) {
         real _e36 = scatter_index_ratio(material_1.index, hit.front);
-        metal::float3 _e39 = scatter_refract(ray_12.direction, hit.normal, _e36);
+        metal::float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     metal::float3 _e41 = direction_7;

@@ -44,8 +44,9 @@ modules! {
     "layout" in "wgsl/layout.wgsl" needs ["ray"];
     "picture" in "wgsl/picture.wgsl" needs ["layout" "sphere" "cylinder" "camera" "background" "material"];
     "surface" in "wgsl/surface.wgsl" needs ["picture" "features"];
-    "closest_hit" in "wgsl/closest_hit.wgsl" needs ["surface"];
-    "hierarchy" in "wgsl/hierarchy.wgsl" needs ["surface"];
+    "every_object" in "wgsl/every_object.wgsl" needs ["surface"];
+    "closest_hit" in "wgsl/closest_hit.wgsl" needs ["every_object"];
+    "hierarchy" in "wgsl/hierarchy.wgsl" needs ["every_object"];
     "bounce" in "wgsl/bounce.wgsl" needs ["closest_hit" "scatter"];
     "trace" in "wgsl/trace.wgsl" needs ["bounce"];
     "uniform" in "wgsl/uniform.wgsl" needs [];

@@ -1,18 +1,7 @@
-// The closest hit of a ray among all objects; twin of cpu/src/accel/every_object.rs. hierarchy.wgsl has the same
-// functions for scenes of many objects.
+// The surface that a ray hits first, found by a loop over all objects. In scenes of many objects hierarchy.wgsl stands in
+// for this module.
 
-// intersect_every_object: returns the closest hit of the ray, found by a loop over all objects.
+// Returns the surface at the closest hit of the ray, if there is one.
 fn closest_hit(ray: Ray) -> SurfaceHit {
-    var closest: ClosestHit;
-    if has_spheres {
-        for (var index = 0u; index < picture.sphere_count; index++) {
-            closest = intersect_sphere(closest, ray, index);
-        }
-    }
-    if has_cylinders {
-        for (var index = 0u; index < picture.cylinder_count; index++) {
-            closest = intersect_cylinder(closest, ray, index);
-        }
-    }
-    return surface_at(closest, ray);
+    return surface_at(intersect_every_object(ray), ray);
 }

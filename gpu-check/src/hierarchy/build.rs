@@ -19,10 +19,13 @@ pub struct Item {
     pub object: u32,
 }
 
-/// Returns the nodes over `items` in depth-first order. Of two children, the one whose box is nearer to `camera` comes
-/// first. The items are reordered.
-pub fn build(items: &mut [Item], camera: Vec3) -> Vec<Node> {
-    let mut nodes = Vec::with_capacity(2 * items.len());
+/// Returns a leaf for each of the `first` items, and then the nodes of a tree over `items` in depth-first order. Of two
+/// children, the one whose box is nearer to `camera` comes first. The items are reordered.
+pub fn build(first: &[Item], items: &mut [Item], camera: Vec3) -> Vec<Node> {
+    let mut nodes = Vec::with_capacity(first.len() + 2 * items.len());
+    for (&Item { bounds, growth, object }, next) in first.iter().zip(1..) {
+        nodes.push(Node { bounds, growth, next, object });
+    }
     if !items.is_empty() {
         add(items, camera, 0, &mut nodes);
     }

@@ -127,14 +127,18 @@ mutants! {
         "lambda, order, closest.lambda, closest.order" => "closest.lambda, closest.order, lambda, order",
         "closest.part, point" => "TOP, point",
     ;
-    "closest_hit":
+    "every_object":
         "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
+        "index < picture.cylinder_count" => "index + 1u < picture.cylinder_count",
+    ;
+    "closest_hit":
+        "intersect_every_object(ray), ray" => "ClosestHit(), ray",
     ;
     "hierarchy":
         "at = node.next" => "at = node.next + 1u",
-        "select(low - margin, high + margin, is_backwards)" => "select(high + margin, low - margin, is_backwards)",
-        "select(high + margin, low - margin, is_backwards)" => "select(low - margin, high + margin, is_backwards)",
-        "leaves < enters" => "enters < leaves",
+        "select(low, high, ray.is_backwards)" => "select(high, low, ray.is_backwards)",
+        "select(high, low, ray.is_backwards)" => "select(low, high, ray.is_backwards)",
+        "!(leaves < enters)" => "leaves < enters",
         "let index = node.object / 2u" => "let index = node.object",
         "f32(closest.lambda) * 1.0000002" => "f32(closest.lambda) * 0.5",
         "select(reciprocal, -reciprocal, component < 0.0)" => "reciprocal",
