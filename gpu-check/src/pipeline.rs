@@ -121,8 +121,8 @@ impl Pipeline {
         gpu.scoped(|| self.dispatch(gpu, &contents, 0))?.1.map(drop)
     }
 
-    /// Runs the kernel with `contents` bound in the order of the bindings' numbers. It runs once, or once for each entry of a
-    /// [`Content::Inputs`].
+    /// Runs the kernel with `contents` bound in the order of the bindings' numbers. It runs once, or once for each
+    /// entry of a [`Content::Inputs`].
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or an error of the driver.

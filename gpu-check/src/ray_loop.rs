@@ -11,8 +11,9 @@ use crate::{Error, Float, Picture};
 /// without an error, so the colours would be wrong.
 pub(crate) const MAX_ITERATIONS: u64 = 65_535;
 
-/// Largest number of nodes that the rays of an invocation visit in one run; `MOST_VISITS` in `hierarchy.wgsl`. It leaves
-/// iterations for the other loops. A ray that would visit more nodes gives up, and then the run returns an error.
+/// Largest number of nodes that the rays of an invocation visit in one run; `MOST_VISITS` in `hierarchy.wgsl`. It
+/// leaves iterations for the other loops. A ray that would visit more nodes gives up, and then the run returns an
+/// error.
 const MOST_VISITS: u64 = 60_000;
 
 /// Largest number of objects over which a ray loops if its hierarchy is useless; `MOST_OBJECTS` in `hierarchy.wgsl`.

@@ -155,7 +155,7 @@ fn a_ray_that_visits_too_many_nodes_is_an_error_and_not_a_wrong_colour() {
     assert_eq!(source.matches("MOST_VISITS: u32 = 60000u").count(), 1);
     let source = source.replace("MOST_VISITS: u32 = 60000u", "MOST_VISITS: u32 = 20u");
     library.replace("hierarchy", "few.wgsl", source).expect("it exists");
-    let case = scenes::random(1);
+    let case = large::ten_thousand(16);
     let features = features_of(&case.config, &case.scene).expect("it is valid");
     let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
     let renderer = Renderer::<f64>::new(&gpu, &library, &features).expect("it compiles");

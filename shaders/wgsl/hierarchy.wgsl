@@ -1,10 +1,10 @@
 // The closest hit of a ray in a hierarchy of boxes. It stands in for closest_hit.wgsl in scenes of many objects, and
-// gives the same bits. gpu_check::hierarchy builds the hierarchy: a list of dominant objects, which every ray intersects,
-// and a tree of boxes over all others. A box is enlarged for each ray, so that it contains every point that the formulas
-// may report for this ray.
+// gives the same bits. gpu_check::hierarchy builds the hierarchy: a list of dominant objects, which every ray
+// intersects, and a tree of boxes over all others. A box is enlarged for each ray, so that it contains every point that
+// the formulas may report for this ray.
 //
-// The nodes of the tree are in depth-first order. Each knows where to go on if the ray misses its box, so the traversal needs no
-// stack. A parent's child that is nearer to the camera comes first.
+// The nodes of the tree are in depth-first order. Each knows where to go on if the ray misses its box, so the traversal
+// needs no stack. A parent's child that is nearer to the camera comes first.
 
 // gpu_check::hierarchy::Node
 struct HierarchyNode {
@@ -72,8 +72,8 @@ fn hierarchy_reciprocal(component: f32) -> f32 {
     return select(reciprocal, -reciprocal, component < 0.0);
 }
 
-// A ray prepared for boxes. The distance of a plane along an axis is the plane times `reciprocal` minus `near_origin` or
-// `far_origin`, so that no error can make a box smaller.
+// A ray prepared for boxes. The distance of a plane along an axis is the plane times `reciprocal` minus `near_origin`
+// or `far_origin`, so that no error can make a box smaller.
 struct BoxRay {
     origin: vec3<f32>,
     farthest_origin: f32,

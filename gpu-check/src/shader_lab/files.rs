@@ -109,8 +109,8 @@ fn fault(path: &Path, message: String) -> Error {
     Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
 }
 
-/// Whether a scene of `objects` objects gets a hierarchy: if it has many, and the user does not replace the loop over all
-/// objects.
+/// Whether a scene of `objects` objects gets a hierarchy: if it has many, and the user does not replace the loop over
+/// all objects.
 #[must_use]
 pub fn has_hierarchy(modules: &[UserModule], objects: usize) -> bool {
     objects >= WORTHWHILE && !modules.iter().any(|module| module.name == "closest_hit")

@@ -14,17 +14,17 @@ use crate::{is_everything, render};
 /// iterations of a loop.
 const MOST_SPHERES: usize = 1_000_000;
 
-/// Returns `scenes/ten-thousand` with 480 x 270 pixels.
-fn ten_thousand() -> Case {
+/// Returns `scenes/ten-thousand` with `width` columns of pixels.
+pub fn ten_thousand(width: u64) -> Case {
     let cases = scenes::in_folder(&scenes::repository("scenes")).unwrap_or_else(|error| panic!("{error}"));
     let mut case = cases.into_iter().find(|case| case.name.contains("ten-thousand")).expect("the scene exists");
-    case.config.image_width = 480;
+    case.config.image_width = width;
     case
 }
 
 fn ten_thousand_objects_are_rendered<T: Float>() {
     let gpu = crate::common::gpu();
-    let case = ten_thousand();
+    let case = ten_thousand(480);
     let tree = render::<T>(&gpu, &Library::standard().in_hierarchy(), &case);
     assert_eq!((tree.size.width(), tree.size.height()), (480, 270));
     println!("ten-thousand, 480 x 270, {}: {:.2?} in the hierarchy", T::PRECISION, tree.time);
