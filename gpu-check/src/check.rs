@@ -58,13 +58,24 @@ pub fn timed_results<T: Float>(
     kernel: &Kernel,
     cases: &[T],
 ) -> Result<(Vec<T>, Duration), Error> {
-    let width = kernel.inputs.max(kernel.outputs.len()) * size_of::<T>();
+    rows_of_results(gpu, pipeline, [kernel.inputs, kernel.outputs.len()], cases)
+}
+
+/// Returns the results of any pipeline that reads rows of `inputs` numbers and writes rows of `outputs` numbers, and
+/// the time of the device.
+pub(crate) fn rows_of_results<T: Float>(
+    gpu: &Gpu,
+    pipeline: &Pipeline,
+    [inputs, outputs]: [usize; 2],
+    cases: &[T],
+) -> Result<(Vec<T>, Duration), Error> {
+    let width = inputs.max(outputs) * size_of::<T>();
     let batch = BATCH.min(gpu.binding_limit() / width as u64).min(MAX_INVOCATIONS) as usize;
-    let mut results = Vec::with_capacity(cases.len() / kernel.inputs * kernel.outputs.len());
+    let mut results = Vec::with_capacity(cases.len() / inputs * outputs);
     let mut time = Duration::ZERO;
-    for cases in cases.chunks(batch * kernel.inputs) {
-        let rows = cases.len() / kernel.inputs;
-        let output = (rows * kernel.outputs.len() * size_of::<T>()) as u64;
+    for cases in cases.chunks(batch * inputs) {
+        let rows = cases.len() / inputs;
+        let output = (rows * outputs * size_of::<T>()) as u64;
         let contents = [Content::Input(bytemuck::cast_slice(cases)), Content::Output(output)];
         let run = pipeline.run(gpu, &contents, rows as u64)?;
         time += run.time;
@@ -78,10 +89,22 @@ pub fn timed_results<T: Float>(
 /// Compares `results`, the kernel's results for `cases`, with the results of the formula in Rust.
 #[must_use]
 pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
-    let formula = T::formula(kernel);
-    let mut expected = vec![T::of(0.0); kernel.outputs.len()];
-    let mut tally = Tally { kernel: kernel.module, cases: 0, numbers: 0, nonzero: 0, differing: 0, shown: Vec::new() };
-    for (case, actual) in cases.chunks(kernel.inputs).zip(results.chunks(kernel.outputs.len())) {
+    compare_rows(kernel.module, kernel.inputs, kernel.outputs, T::formula(kernel), cases, results)
+}
+
+/// Compares rows of results with those of any `formula` in Rust. `kernel` is the name of the kernel's module, and
+/// `names` has the name of each number of a result.
+pub(crate) fn compare_rows<T: Float>(
+    kernel: &'static str,
+    inputs: usize,
+    names: &[&str],
+    formula: fn(&[T], &mut [T]),
+    cases: &[T],
+    results: &[T],
+) -> Tally {
+    let mut expected = vec![T::of(0.0); names.len()];
+    let mut tally = Tally { kernel, cases: 0, numbers: 0, nonzero: 0, differing: 0, shown: Vec::new() };
+    for (case, actual) in cases.chunks(inputs).zip(results.chunks(names.len())) {
         formula(case, &mut expected);
         tally.cases += 1;
         tally.numbers += actual.len();
@@ -89,7 +112,7 @@ pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
         if expected.iter().zip(actual).any(|(expected, actual)| !expected.same(*actual)) {
             tally.differing += 1;
             if tally.shown.len() < SHOWN {
-                tally.shown.push(show(kernel, case, &expected, actual));
+                tally.shown.push(show(names, case, &expected, actual));
             }
         }
     }
@@ -116,9 +139,9 @@ pub fn check<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &
 }
 
 /// Returns a text with the inputs of the case and the results that differ.
-fn show<T: Float>(kernel: &Kernel, case: &[T], expected: &[T], actual: &[T]) -> String {
+fn show<T: Float>(names: &[&str], case: &[T], expected: &[T], actual: &[T]) -> String {
     let mut text = format!("case {case:?}");
-    for ((name, expected), actual) in kernel.outputs.iter().zip(expected).zip(actual) {
+    for ((name, expected), actual) in names.iter().zip(expected).zip(actual) {
         if !expected.same(*actual) {
             let bits = format!("{:#x} and {:#x}", expected.bits(), actual.bits());
             text.push_str(&format!("\n  {name}: {expected:?} in Rust, {actual:?} in WGSL ({bits})"));

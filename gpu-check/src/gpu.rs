@@ -60,10 +60,12 @@ impl Gpu {
 
     fn of(adapter: &Adapter) -> Result<Self, Error> {
         let info = adapter.get_info();
-        // The limits of the WebGPU standard, which browsers have too. One limit is 128 MiB for a binding.
+        // The limits of the WebGPU standard, which browsers have too. One limit is 128 MiB for a binding. Only pictures
+        // with random numbers in a hierarchy bind one buffer more than the standard's 8, if the adapter has them.
+        let buffers = adapter.limits().max_storage_buffers_per_shader_stage.clamp(8, 9);
         let descriptor = DeviceDescriptor {
             required_features: adapter.features() & Features::SHADER_F64,
-            required_limits: Limits::default(),
+            required_limits: Limits { max_storage_buffers_per_shader_stage: buffers, ..Limits::default() },
             ..DeviceDescriptor::default()
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))

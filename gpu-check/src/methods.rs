@@ -86,7 +86,7 @@ impl<T: Float> Method for Wgsl<T> {
 }
 
 /// Returns the cases as rows of inputs for the kernels.
-fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
+pub(crate) fn rows<T: Float>(cases: &[Case]) -> Vec<T> {
     let mut rows = Vec::new();
     for Case { shape, ray } in cases {
         let mut vector = |vector: Vec3| rows.extend(vector.to_array().map(T::of));

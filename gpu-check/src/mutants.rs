@@ -8,7 +8,7 @@ mod examiner;
 mod table;
 
 pub use examiner::Examiner;
-pub use table::MUTANTS;
+use table::{MUTANTS, exact};
 
 use shaders::Library;
 
@@ -21,6 +21,11 @@ pub struct Mutant {
     pub from: &'static str,
     /// The wrong text that replaces it.
     pub to: &'static str,
+}
+
+/// Returns all mutants that the checks must notice.
+pub fn all() -> impl Iterator<Item = &'static Mutant> {
+    MUTANTS.iter().chain(exact::MUTANTS)
 }
 
 impl Mutant {
@@ -51,7 +56,7 @@ mod tests {
 
     #[test]
     fn every_mutant_is_a_valid_and_different_shader() {
-        for mutant in MUTANTS {
+        for mutant in all() {
             assert_ne!(mutant.from, mutant.to);
             let library = mutant.library().expect("its module exists");
             for precision in Precision::ALL {
@@ -59,9 +64,10 @@ mod tests {
                 result.unwrap_or_else(|error| panic!("{mutant:?}: {error}"));
             }
         }
-        assert!(MUTANTS.len() >= 25);
-        let different: BTreeSet<_> = MUTANTS.iter().map(|mutant| (mutant.module, mutant.from, mutant.to)).collect();
-        assert_eq!(different.len(), MUTANTS.len());
+        let count = all().count();
+        assert!(count >= 25);
+        let different: BTreeSet<_> = all().map(|mutant| (mutant.module, mutant.from, mutant.to)).collect();
+        assert_eq!(different.len(), count);
     }
 
     #[test]
@@ -70,7 +76,7 @@ mod tests {
         let formulas =
             MODULES.iter().filter(|module| !module.name.starts_with("kernels/") && module.name != "features");
         for module in formulas {
-            assert!(MUTANTS.iter().any(|mutant| mutant.module == module.name), "{} has none", module.name);
+            assert!(all().any(|mutant| mutant.module == module.name), "{} has none", module.name);
         }
     }
 }

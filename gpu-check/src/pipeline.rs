@@ -20,7 +20,7 @@ const WORKGROUP: u64 = 64;
 /// Largest number of invocations in one run, because WebGPU allows 65,535 workgroups in a dimension.
 pub const MAX_INVOCATIONS: u64 = 65_535 * WORKGROUP;
 
-/// The content of one buffer. Its position in a list is the number of the binding.
+/// The content of one buffer. A list of contents is in the order of the bindings' numbers.
 #[derive(Clone, Copy, Debug)]
 pub enum Content<'a> {
     /// Bytes that the kernel reads, in every run.
@@ -42,8 +42,8 @@ pub struct Pipeline {
     precision: Precision,
     pipeline: ComputePipeline,
     layout: BindGroupLayout,
-    /// Number of buffers that the kernel binds.
-    bindings: usize,
+    /// The numbers of the bindings, in ascending order.
+    bindings: Vec<u32>,
 }
 
 /// The results of one call of [`Pipeline::run`].
@@ -85,7 +85,9 @@ impl Pipeline {
             return Err(Error::NoF64 { adapter: gpu.name().to_owned() });
         }
         let shader = composition.validate()?;
-        let entries: Vec<_> = shader.bindings().map(layout_entry).collect();
+        let mut entries: Vec<_> = shader.bindings().map(layout_entry).collect();
+        entries.sort_unstable_by_key(|entry| entry.binding);
+        let bindings = entries.iter().map(|entry| entry.binding).collect();
         gpu.scoped(|| {
             let name = composition.root();
             let layout = gpu
@@ -106,7 +108,7 @@ impl Pipeline {
                 compilation_options: PipelineCompilationOptions { constants, ..PipelineCompilationOptions::default() },
                 cache: None,
             });
-            Self { name, precision: composition.precision(), pipeline, layout, bindings: entries.len() }
+            Self { name, precision: composition.precision(), pipeline, layout, bindings }
         })
     }
 
@@ -117,12 +119,12 @@ impl Pipeline {
     /// [`Error::Timeout`], or an error of the driver.
     pub fn warm_up(&self, gpu: &Gpu) -> Result<(), Error> {
         gpu.check_lost()?;
-        let contents = vec![Content::Scratch(0); self.bindings];
+        let contents = vec![Content::Scratch(0); self.bindings.len()];
         gpu.scoped(|| self.dispatch(gpu, &contents, 0))?.1.map(drop)
     }
 
-    /// Runs the kernel with `contents` bound at 0, 1, 2 and so on. It runs once, or once for each entry of a
-    /// [`Content::Inputs`].
+    /// Runs the kernel with `contents` bound in the order of the bindings' numbers. It runs once, or once for each
+    /// entry of a [`Content::Inputs`].
     ///
     /// # Errors
     /// [`Error::TooLarge`], [`Error::Timeout`], [`Error::Unwritten`], or an error of the driver.
@@ -193,8 +195,9 @@ impl Pipeline {
     }
 
     fn bind(&self, gpu: &Gpu, buffers: &[Buffer]) -> BindGroup {
-        let entries = (0..).zip(buffers);
-        let entries = entries.map(|(binding, buffer)| BindGroupEntry { binding, resource: buffer.as_entire_binding() });
+        let entries = self.bindings.iter().zip(buffers);
+        let entries =
+            entries.map(|(&binding, buffer)| BindGroupEntry { binding, resource: buffer.as_entire_binding() });
         gpu.device.create_bind_group(&BindGroupDescriptor {
             label: Some(self.name),
             layout: &self.layout,

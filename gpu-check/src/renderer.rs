@@ -11,6 +11,7 @@ use shaders::{Features, Library};
 use crate::head::{Part, head};
 use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
+use crate::ray_loop::{RayLoop, steps};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Largest number of pixels in one run. The device's limit on a binding may be lower.
@@ -24,10 +25,6 @@ pub(crate) const TESTS: u64 = 1 << 28;
 /// Smallest number of pixels in one run, unless a limit requires fewer. With fewer, most of a device would be idle.
 pub(crate) const LEAST_BATCH: u64 = 1 << 10;
 
-/// Largest number of iterations of all loops of an invocation together. After 65,535 iterations lavapipe leaves a loop
-/// without an error, so the colours would be wrong.
-pub(crate) const MAX_ITERATIONS: u64 = 65_535;
-
 /// A pipeline that renders pictures in one precision, with one set of features.
 #[derive(Debug)]
 pub struct Renderer<'a, T> {
@@ -36,6 +33,8 @@ pub struct Renderer<'a, T> {
     features: Features,
     /// Largest number of surfaces that paths hit in one run; `None` if only the limit on iterations applies.
     step: Option<u32>,
+    /// Whether rays find their closest hit in a hierarchy of boxes.
+    in_hierarchy: bool,
     precision: PhantomData<T>,
 }
 
@@ -72,7 +71,8 @@ impl<'a, T: Float> Renderer<'a, T> {
         let composition = library.compose("kernels/image", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
-        Ok(Self { gpu, pipeline, features: *features, step: None, precision: PhantomData })
+        let in_hierarchy = library.has_hierarchy();
+        Ok(Self { gpu, pipeline, features: *features, step: None, in_hierarchy, precision: PhantomData })
     }
 
     /// Returns this renderer, changed so that a path hits at most `surfaces` surfaces in each run. Tests use it to show
@@ -106,17 +106,17 @@ impl<'a, T: Float> Renderer<'a, T> {
         let color = size_of::<Vec3<T>>() as u64;
         let path = u64::from(self.features.max_depth) * size_of::<u32>() as u64;
         // At least one pixel. If the path of one pixel is too long for a binding, the run returns an error.
-        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        let tests = (objects * u64::from(self.features.max_depth)).max(1);
+        let ray_loop = RayLoop::new(picture, self.in_hierarchy);
+        let tests = (ray_loop.tests() * u64::from(self.features.max_depth)).max(1);
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / color.max(path)).max(1);
         let batch = batch.min((TESTS / tests).max(LEAST_BATCH));
-        let depths = self.depths(picture)?;
+        let depths = self.depths(picture, &ray_loop)?;
         let mut rendering = Rendering { size: picture.size, pixels: Vec::new(), time: Duration::ZERO };
         for first in (0..count).step_by(batch as usize) {
             let pixels = batch.min(count - first);
             let part = Part::Pixels { first: first as u32, count: pixels as u32 };
             let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
-            let contents = [
+            let mut contents = vec![
                 Content::Inputs(&heads),
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
@@ -125,6 +125,7 @@ impl<'a, T: Float> Renderer<'a, T> {
                 Content::Output(pixels * color),
                 Content::Scratch(pixels * (2 * color + 2 * size_of::<u32>() as u64)),
             ];
+            contents.extend(ray_loop.content());
             let run = self.pipeline.run(self.gpu, &contents, pixels)?;
             rendering.time += run.time;
             let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
@@ -135,34 +136,11 @@ impl<'a, T: Float> Renderer<'a, T> {
     }
 
     /// Returns ranges of depths that together cover 0 to the maximum depth. Each range is small enough for one run.
-    fn depths(&self, picture: &Picture<T>) -> Result<Vec<Range<u32>>, Error> {
+    fn depths(&self, picture: &Picture<T>, ray_loop: &RayLoop) -> Result<Vec<Range<u32>>, Error> {
         // A pipeline for deeper paths renders a picture of less depth too.
         let depth = self.features.max_depth.min(picture.max_depth);
-        if let Some(step) = self.step {
-            return Ok(steps(depth, step));
-        }
-        let objects = picture.spheres.len() as u64 + picture.cylinders.len() as u64;
-        Ok(steps(depth, surfaces_of_a_run(objects, depth, 0)?))
+        Ok(steps(depth, self.step.map_or_else(|| ray_loop.surfaces_of_a_run(depth, 0), Ok)?))
     }
-}
-
-/// Returns how many surfaces of each path one run may loop over, at least one. `tries` is the largest number of vectors
-/// from which the shader chooses a scatter vector in a loop; 0 if it has no such loop.
-///
-/// # Errors
-/// [`Error::TooManyIterations`] if one surface already takes more than [`MAX_ITERATIONS`].
-pub(crate) fn surfaces_of_a_run(objects: u64, depth: u32, tries: u64) -> Result<u32, Error> {
-    // For each surface there is a loop over the objects. In addition the loop over a path's materials is counted, since
-    // the invocations of a workgroup run together, and the path of a neighbour may end at any surface.
-    match MAX_ITERATIONS / (objects + u64::from(depth) + 1 + tries) {
-        0 => Err(Error::TooManyIterations { objects, depth: depth.into(), limit: MAX_ITERATIONS }),
-        surfaces => Ok(surfaces as u32),
-    }
-}
-
-/// Divides `0..depth` into ranges of length `step`. Returns at least one range, even if it is empty.
-pub(crate) fn steps(depth: u32, step: u32) -> Vec<Range<u32>> {
-    (0..depth.max(1)).step_by(step as usize).map(|first| first..first.saturating_add(step).min(depth)).collect()
 }
 
 #[cfg(test)]
@@ -189,22 +167,6 @@ mod tests {
         assert_eq!(head(&picture, &Part::Pixels { first: 0, count: 1 }, &(0..5)).len(), size("Picture"));
         assert_eq!(size_of::<Vec3<T>>(), size("PackedVec3"));
         assert_eq!(2 * size_of::<Vec3<T>>() + 8, size("PackedPath"));
-    }
-
-    #[test]
-    fn a_depth_is_taken_in_steps() {
-        assert_eq!(steps(5, 13_000), [Range { start: 0, end: 5 }]);
-        assert_eq!(steps(7, 3), [0..3, 3..6, 6..7]);
-    }
-
-    #[test]
-    fn as_many_objects_and_surfaces_as_the_limit_are_taken_and_one_more_is_refused() {
-        assert!(matches!(surfaces_of_a_run(65_529, 5, 0), Ok(1)));
-        assert!(matches!(surfaces_of_a_run(0, 65_534, 0), Ok(1)));
-        assert!(matches!(surfaces_of_a_run(65_530, 5, 0), Err(Error::TooManyIterations { .. })));
-        assert!(matches!(surfaces_of_a_run(0, 65_535, 0), Err(Error::TooManyIterations { .. })));
-        assert!(matches!(surfaces_of_a_run(4, 5, 0), Ok(6553)));
-        assert!(matches!(surfaces_of_a_run(4, 5, 100), Ok(595)));
     }
 
     #[test]

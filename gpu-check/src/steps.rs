@@ -10,7 +10,8 @@ use shaders::{Features, Library};
 use crate::head::{Part, head};
 use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::renderer::{BATCH, MAX_ITERATIONS};
+use crate::ray_loop::{MAX_ITERATIONS, RayLoop};
+use crate::renderer::BATCH;
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Names of the numbers of a step (one ray of a path and its hit), in the order of `kernels/steps.wgsl`.
@@ -125,13 +126,14 @@ fn store<T: Copy>(vector: Vec3<T>, place: &mut [T]) {
 }
 
 /// Returns an error when the paths through a scene of `objects` objects, to the maximum depth `depth`, take more
-/// iterations than one run may have.
+/// iterations than one run may have. In a hierarchy few objects are visited, so only the depth counts.
 ///
 /// # Errors
 /// [`Error::TooManyIterations`].
-pub fn check_iterations(objects: usize, depth: u32) -> Result<(), Error> {
+pub fn check_iterations(objects: usize, in_hierarchy: bool, depth: u32) -> Result<(), Error> {
     let (objects, depth) = (objects as u64, u64::from(depth));
-    if (objects + 1) * depth > MAX_ITERATIONS {
+    let visited = if in_hierarchy { 0 } else { objects };
+    if (visited + 1) * depth > MAX_ITERATIONS {
         return Err(Error::TooManyIterations { objects, depth, limit: MAX_ITERATIONS });
     }
     Ok(())
@@ -143,6 +145,7 @@ pub struct Follower<'a, T> {
     gpu: &'a Gpu,
     pipeline: Pipeline,
     depth: u32,
+    in_hierarchy: bool,
     precision: PhantomData<T>,
 }
 
@@ -156,14 +159,16 @@ impl<'a, T: Float> Follower<'a, T> {
         let composition = library.compose("kernels/steps", T::PRECISION)?;
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
-        Ok(Self { gpu, pipeline, depth: features.max_depth, precision: PhantomData })
+        let in_hierarchy = library.has_hierarchy();
+        Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, precision: PhantomData })
     }
 
     /// Records the steps of `count` pixels, from the pixel `first`. Calls `each` with the index and the steps of each
     /// pixel.
     ///
     /// # Errors
-    /// [`Error::TooManyIterations`] if the paths need more than one run, or the errors of [`Pipeline::run`].
+    /// [`Error::TooManyIterations`] if the paths need more than one run, or the errors of [`Pipeline::run`]. In a
+    /// hierarchy, [`Error::Unwritten`] if a path visits too many nodes for one run.
     pub fn follow(
         &self,
         picture: &Picture<T>,
@@ -171,7 +176,7 @@ impl<'a, T: Float> Follower<'a, T> {
         count: usize,
         mut each: impl FnMut(usize, &[Step<T>]),
     ) -> Result<(), Error> {
-        check_iterations(picture.spheres.len() + picture.cylinders.len(), self.depth)?;
+        check_iterations(picture.spheres.len() + picture.cylinders.len(), self.in_hierarchy, self.depth)?;
         let depth = u64::from(self.depth);
         if depth == 0 {
             (first..first + count).for_each(|pixel| each(pixel, &[]));
@@ -179,13 +184,14 @@ impl<'a, T: Float> Follower<'a, T> {
         }
         let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
         let materials = buffer(&picture.materials);
+        let ray_loop = RayLoop::new(picture, self.in_hierarchy);
         let row = depth * size_of::<Step<T>>() as u64;
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / row).max(1) as usize;
         for start in (first..first + count).step_by(batch) {
             let pixels = batch.min(first + count - start);
             let part = Part::Pixels { first: start as u32, count: pixels as u32 };
             let head = head(picture, &part, &(0..self.depth));
-            let contents = [
+            let mut contents = vec![
                 Content::Input(&head),
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
@@ -194,6 +200,7 @@ impl<'a, T: Float> Follower<'a, T> {
                 Content::Scratch(0),
                 Content::Output(pixels as u64 * row),
             ];
+            contents.extend(ray_loop.content());
             let run = self.pipeline.run(self.gpu, &contents, pixels as u64)?;
             let numbers = bytemuck::pod_collect_to_vec::<u8, T>(&run.outputs.concat());
             let steps: Vec<_> = numbers.chunks_exact(NAMES.len()).map(to_step).collect();

@@ -19,6 +19,7 @@ use gpu_check::sampled::{Convention, SampledRendering};
 use gpu_check::scenes::Case;
 use libtest_mimic::{Arguments, Failed, Trial};
 use sampled::{Pipelines, Tally, is_everything, record};
+use shaders::Library;
 use test_support::digest;
 use test_support::golden::{self, Golden};
 
@@ -82,7 +83,8 @@ fn compare(golden: &Golden) -> Result<(), Failed> {
     let case = Case { name: golden.name.clone(), config, scene };
     let features = features_of(&case.config, &case.scene)?;
     let recording = record(&case, convention);
-    let rendering = Pipelines::<f64>::new(&gpu).render(&case, &features, &recording);
+    let library = Library::standard();
+    let rendering = Pipelines::<f64>::new(&gpu, &library).render(&case, &features, &recording);
     let mut tally = Tally::default();
     tally.add(&golden.name, &rendering, &recording);
     let Tally { pixels, samples, words, faults, .. } = tally;

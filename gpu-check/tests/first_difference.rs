@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use gpu_check::first_difference::report::{Places, report};
 use gpu_check::first_difference::{FirstDifference, of_pixel};
-use gpu_check::mutants::{Examiner, MUTANTS, Mutant};
+use gpu_check::mutants::{self, Examiner, Mutant};
 use gpu_check::{Picture, features_of, scenes};
 use shaders::Library;
 
@@ -47,7 +47,7 @@ fn the_function_of_nearly_every_mutant_is_named() {
     let all = std::env::var_os("FIRST_DIFFERENCES").is_some_and(|value| value == "all");
     let step = if all { 1 } else { STEP };
     let (mut found, mut missed, mut longest) = (0, Vec::new(), Duration::ZERO);
-    for mutant in MUTANTS.iter().step_by(step) {
+    for mutant in mutants::all().step_by(step) {
         let library = mutant.library().expect("its module exists");
         let located = examiner.first_difference(&library, mutant.module);
         let Some(((trace, difference), time)) = located.unwrap_or_else(|error| panic!("{mutant:?}: {error}")) else {

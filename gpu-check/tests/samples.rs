@@ -44,8 +44,8 @@ fn random(seed: u64) -> Case {
 }
 
 /// Compares pictures of `cases` in both conventions with the reference's.
-fn compare(gpu: &Gpu, cases: &[Case], features: impl Fn(&Case) -> Features) -> Tally {
-    let (mut tally, mut pipelines) = (Tally::default(), Pipelines::<f64>::new(gpu));
+fn compare(gpu: &Gpu, library: &Library, cases: &[Case], features: impl Fn(&Case) -> Features) -> Tally {
+    let (mut tally, mut pipelines) = (Tally::default(), Pipelines::<f64>::new(gpu, library));
     for case in cases {
         for convention in Convention::ALL {
             let recording = record(case, convention);
@@ -74,7 +74,7 @@ fn pictures_of_the_repositorys_scenes_are_the_references_to_the_bit() {
     cases.extend(in_folder("scenes", TESTS));
     assert!(cases.len() >= 22, "{}", cases.len());
     let features = |case: &Case| features_of(&case.config, &case.scene).expect("it is not deep");
-    check(&compare(&gpu, &cases, features), 500_000);
+    check(&compare(&gpu, &Library::standard(), &cases, features), 500_000);
 }
 
 #[test]
@@ -83,7 +83,19 @@ fn pictures_of_random_and_edge_scenes_are_the_references_to_the_bit() {
     let edges = scenes::edges().into_iter().map(|case| within(case, RANDOM_TESTS));
     let cases: Vec<_> = (0..RANDOM_SCENES).map(random).chain(edges).collect();
     // All features are on, so that few pipelines have to be compiled.
-    check(&compare(&gpu, &cases, |case| Features::all(case.config.max_depth as u32)), 500_000);
+    let features = |case: &Case| Features::all(case.config.max_depth as u32);
+    check(&compare(&gpu, &Library::standard(), &cases, features), 500_000);
+}
+
+#[test]
+fn pictures_in_the_hierarchy_are_the_references_to_the_bit() {
+    let gpu = common::gpu();
+    let mut cases = in_folder("tests/cases", TESTS / 20);
+    cases.extend(in_folder("scenes", TESTS / 20));
+    cases.extend((0..RANDOM_SCENES / 10).map(random));
+    let library = Library::standard().in_hierarchy();
+    let features = |case: &Case| Features::all(case.config.max_depth as u32);
+    check(&compare(&gpu, &library, &cases, features), 100_000);
 }
 
 #[test]
@@ -137,7 +149,9 @@ fn a_wrong_recording_is_noticed() {
 #[test]
 fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
     let gpu = common::gpu();
-    let (mut pipelines, mut squares, mut pixels, mut samples, mut disagreeing) = (Pipelines::new(&gpu), 0.0, 0, 0, 0);
+    let library = Library::standard();
+    let (mut pipelines, mut squares, mut pixels, mut samples, mut disagreeing) =
+        (Pipelines::new(&gpu, &library), 0.0, 0, 0, 0);
     let mut cases = in_folder("tests/cases", TESTS / 10);
     cases.extend(in_folder("scenes", TESTS / 10));
     cases.extend((0..20).map(random));

@@ -268,12 +268,32 @@ fn a_scene_of_many_objects_is_rendered_in_runs_that_end_in_time() {
 }
 
 #[test]
-fn a_path_that_is_too_long_is_refused_before_the_picture_is_rendered() {
+fn paths_through_many_objects_are_shown_in_the_hierarchy() {
     let folder = Folder::new();
     fs::write(folder.file("background.wgsl"), standard("background")).expect("the folder is writable");
+    let config = fs::read_to_string(repository("scenes/ten-thousand/config.txt")).expect("it is there");
+    fs::write(folder.file("few"), config + "image_width: 16\n").expect("the folder is writable");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
+    command.current_dir(&folder).args(["background.wgsl", "--config", "few", "--out", "out.png", "--scene"]);
+    command.arg(repository("scenes/ten-thousand/scene.txt")).args(["--show", "steps", "--pixel", "8", "6"]);
+    let output = command.output().expect("the program starts");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    for line in
+        ["f64: 0 of 144 pixels differ", "\n0 of 144 pixels have another bit on their way\n", "\nno bit differs\n"]
+    {
+        assert!(text.contains(line), "{text}");
+    }
+}
+
+#[test]
+fn a_path_that_is_too_long_is_refused_before_the_picture_is_rendered() {
+    let folder = Folder::new();
+    // The user's loop over all objects takes the place of the hierarchy.
+    fs::write(folder.file("closest_hit.wgsl"), standard("closest_hit")).expect("the folder is writable");
     for option in ["--pixel 0 0", "--show steps"] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-        command.current_dir(&folder).arg("background.wgsl").args(option.split(' ')).args(["--out", "out.png"]);
+        command.current_dir(&folder).arg("closest_hit.wgsl").args(option.split(' ')).args(["--out", "out.png"]);
         command.arg("--config").arg(repository("scenes/ten-thousand/config.txt"));
         let output = command.arg("--scene").arg(repository("scenes/ten-thousand/scene.txt")).output();
         let output = output.expect("the program starts");

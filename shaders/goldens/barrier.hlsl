@@ -13,6 +13,16 @@ static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
 static const float BELOW_ONE = 0.99999994;
 static const float LEAST_SQUARED = 0.0;
+static const float ERROR_UNDERFLOW = 0.0;
+static const float ERROR_OVERFLOW = 3e38;
+static const float SHORTEST_SQUARED = 0.0;
+static const float LONGEST_SQUARED = 3e38;
+static const float EXTENT_UNDERFLOW = 0.0;
+static const float SPLITTER = 4097.0;
+static const float SPLIT_LIMIT = 1e33;
+static const float SPLIT_SCALE = 1.5258789e-5;
+static const float SPLIT_UNSCALE = 65536.0;
+static const float UNWRITTEN = -2.8735182e-16;
 
 ByteAddressBuffer cases : register(t0);
 RWByteAddressBuffer results : register(u1);

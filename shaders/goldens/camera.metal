@@ -61,6 +61,16 @@ constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
 constant real BELOW_ONE = 0.99999994;
 constant real LEAST_SQUARED = 0.0;
+constant real ERROR_UNDERFLOW = 0.0;
+constant real ERROR_OVERFLOW = 300000000000000000000000000000000000000.0;
+constant real SHORTEST_SQUARED = 0.0;
+constant real LONGEST_SQUARED = 300000000000000000000000000000000000000.0;
+constant real EXTENT_UNDERFLOW = 0.0;
+constant real SPLITTER = 4097.0;
+constant real SPLIT_LIMIT = 1000000000000000000000000000000000.0;
+constant real SPLIT_SCALE = 0.000015258789;
+constant real SPLIT_UNSCALE = 65536.0;
+constant real UNWRITTEN = -0.00000000000000028735182;
 
 real vec3_dot(
     metal::float3 a,

@@ -158,6 +158,16 @@ const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
 const float BELOW_ONE = 0.99999994;
 const float LEAST_SQUARED = 0.0;
+const float ERROR_UNDERFLOW = 0.0;
+const float ERROR_OVERFLOW = 3e38;
+const float SHORTEST_SQUARED = 0.0;
+const float LONGEST_SQUARED = 3e38;
+const float EXTENT_UNDERFLOW = 0.0;
+const float SPLITTER = 4097.0;
+const float SPLIT_LIMIT = 1e33;
+const float SPLIT_SCALE = 1.5258789e-5;
+const float SPLIT_UNSCALE = 65536.0;
+const float UNWRITTEN = -2.8735182e-16;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;
@@ -178,6 +188,8 @@ layout(std430, binding = 1) readonly buffer type_4_block_1Compute { PlacedSphere
 layout(std430, binding = 2) readonly buffer type_5_block_2Compute { PlacedCylinder _group_0_binding_2_cs[]; };
 
 layout(std430, binding = 3) readonly buffer type_6_block_3Compute { PackedMaterial _group_0_binding_3_cs[]; };
+
+bool closest_hit_gave_up = false;
 
 layout(std430, binding = 4) buffer type_7_block_4Compute { uint _group_0_binding_4_cs[]; };
 
@@ -583,48 +595,108 @@ bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1) {
     return _e12;
 }
 
-SurfaceHit closest_hit(Ray ray_9) {
-    ClosestHit closest_4 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
-    uint index_1 = 0u;
+ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_9, uint index_1) {
     bool local_14 = false;
-    uint index_2 = 0u;
+    PlacedSphere _e5 = _group_0_binding_1_cs[index_1];
+    SphereRecord _e6 = sphere_load(_e5);
+    Root _e7 = sphere_intersect(_e6, ray_9);
+    uint order_2 = _group_0_binding_1_cs[index_1].order;
+    if (_e7.some) {
+        bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
+        local_14 = _e16;
+    } else {
+        local_14 = false;
+    }
+    bool _e18 = local_14;
+    if (_e18) {
+        return ClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
+    }
+    return closest_4;
+}
+
+ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_10, uint index_2) {
     bool local_15 = false;
+    PlacedCylinder _e5 = _group_0_binding_2_cs[index_2];
+    CylinderRecord _e6 = cylinder_load(_e5);
+    CylinderRoot _e7 = cylinder_intersect(_e6, ray_10);
+    uint order_3 = _group_0_binding_2_cs[index_2].order;
+    if (_e7.some) {
+        bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
+        local_15 = _e16;
+    } else {
+        local_15 = false;
+    }
+    bool _e18 = local_15;
+    if (_e18) {
+        return ClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
+    }
+    return closest_5;
+}
+
+SurfaceHit surface_at(ClosestHit closest_6, Ray ray_11) {
     SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
     bool local_16 = false;
     bool local_17 = false;
+    if (!(closest_6.some)) {
+        SurfaceHit _e5 = surface;
+        return _e5;
+    }
+    vec3 _e7 = ray_at(ray_11, closest_6.lambda);
+    if (has_spheres) {
+        local_16 = !(closest_6.is_cylinder);
+    } else {
+        local_16 = false;
+    }
+    bool _e14 = local_16;
+    if (_e14) {
+        PlacedSphere _e18 = _group_0_binding_1_cs[closest_6.index];
+        SphereRecord _e19 = sphere_load(_e18);
+        vec3 _e20 = sphere_outward(_e19, _e7);
+        Hit _e22 = hit_facing(ray_11.direction, _e7, _e20);
+        uint material_3 = _group_0_binding_1_cs[closest_6.index].material;
+        surface = SurfaceHit(true, _e22, material_3, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    if (has_cylinders) {
+        local_17 = closest_6.is_cylinder;
+    } else {
+        local_17 = false;
+    }
+    bool _e38 = local_17;
+    if (_e38) {
+        PlacedCylinder _e42 = _group_0_binding_2_cs[closest_6.index];
+        CylinderRecord _e43 = cylinder_load(_e42);
+        vec3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
+        Hit _e47 = hit_facing(ray_11.direction, _e7, _e45);
+        uint material_4 = _group_0_binding_2_cs[closest_6.index].material;
+        surface = SurfaceHit(true, _e47, material_4, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    SurfaceHit _e58 = surface;
+    return _e58;
+}
+
+ClosestHit intersect_every_object(Ray ray_12) {
+    ClosestHit closest_7 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
+    uint index_3 = 0u;
+    uint index_4 = 0u;
     if (has_spheres) {
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
-                uint _e36 = index_1;
-                index_1 = (_e36 + 1u);
+                uint _e14 = index_3;
+                index_3 = (_e14 + 1u);
             }
             loop_init = false;
-            uint _e5 = index_1;
+            uint _e5 = index_3;
             uint _e8 = _group_0_binding_0_cs.sphere_count;
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index_1;
-                PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
-                SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_9);
-                uint _e17 = index_1;
-                uint order_2 = _group_0_binding_1_cs[_e17].order;
-                if (_e15.some) {
-                    ClosestHit _e24 = closest_4;
-                    bool _e26 = is_closer(_e24, _e15.lambda, order_2);
-                    local_14 = _e26;
-                } else {
-                    local_14 = false;
-                }
-                bool _e28 = local_14;
-                if (_e28) {
-                    uint _e32 = index_1;
-                    closest_4 = ClosestHit(true, _e15.lambda, order_2, false, _e32, SIDE);
-                }
+                ClosestHit _e10 = closest_7;
+                uint _e11 = index_3;
+                ClosestHit _e12 = intersect_sphere(_e10, ray_12, _e11);
+                closest_7 = _e12;
             }
         }
     }
@@ -632,88 +704,32 @@ SurfaceHit closest_hit(Ray ray_9) {
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                uint _e72 = index_2;
-                index_2 = (_e72 + 1u);
+                uint _e28 = index_4;
+                index_4 = (_e28 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_2;
-            uint _e44 = _group_0_binding_0_cs.cylinder_count;
-            if ((_e41 < _e44)) {
+            uint _e19 = index_4;
+            uint _e22 = _group_0_binding_0_cs.cylinder_count;
+            if ((_e19 < _e22)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_2;
-                PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
-                CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_9);
-                uint _e53 = index_2;
-                uint order_3 = _group_0_binding_2_cs[_e53].order;
-                if (_e51.some) {
-                    ClosestHit _e60 = closest_4;
-                    bool _e62 = is_closer(_e60, _e51.lambda, order_3);
-                    local_15 = _e62;
-                } else {
-                    local_15 = false;
-                }
-                bool _e64 = local_15;
-                if (_e64) {
-                    uint _e68 = index_2;
-                    closest_4 = ClosestHit(true, _e51.lambda, order_3, true, _e68, _e51.part);
-                }
+                ClosestHit _e24 = closest_7;
+                uint _e25 = index_4;
+                ClosestHit _e26 = intersect_cylinder(_e24, ray_12, _e25);
+                closest_7 = _e26;
             }
         }
     }
-    bool _e76 = closest_4.some;
-    if (!(_e76)) {
-        SurfaceHit _e78 = surface;
-        return _e78;
-    }
-    float _e80 = closest_4.lambda;
-    vec3 _e81 = ray_at(ray_9, _e80);
-    if (has_spheres) {
-        bool _e86 = closest_4.is_cylinder;
-        local_16 = !(_e86);
-    } else {
-        local_16 = false;
-    }
-    bool _e89 = local_16;
-    if (_e89) {
-        uint _e92 = closest_4.index;
-        PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
-        SphereRecord _e95 = sphere_load(_e94);
-        vec3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
-        uint _e101 = closest_4.index;
-        uint material_3 = _group_0_binding_1_cs[_e101].material;
-        float _e107 = closest_4.lambda;
-        uint _e109 = closest_4.order;
-        uint _e111 = closest_4.part;
-        surface = SurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
-    }
-    if (has_cylinders) {
-        bool _e117 = closest_4.is_cylinder;
-        local_17 = _e117;
-    } else {
-        local_17 = false;
-    }
-    bool _e119 = local_17;
-    if (_e119) {
-        uint _e122 = closest_4.index;
-        PlacedCylinder _e124 = _group_0_binding_2_cs[_e122];
-        CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_4.part;
-        vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
-        uint _e133 = closest_4.index;
-        uint material_4 = _group_0_binding_2_cs[_e133].material;
-        float _e139 = closest_4.lambda;
-        uint _e141 = closest_4.order;
-        uint _e143 = closest_4.part;
-        surface = SurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
-    }
-    SurfaceHit _e145 = surface;
-    return _e145;
+    ClosestHit _e30 = closest_7;
+    return _e30;
+}
+
+SurfaceHit closest_hit(Ray ray_13) {
+    ClosestHit _e1 = intersect_every_object(ray_13);
+    SurfaceHit _e2 = surface_at(_e1, ray_13);
+    return _e2;
 }
 
 bool bounce_attenuates(Material material_1) {
@@ -741,7 +757,7 @@ bool bounce_attenuates(Material material_1) {
     return _e21;
 }
 
-Ray bounce_ray(Ray ray_10, Hit hit, Material material_2, vec3 scatter_vector) {
+Ray bounce_ray(Ray ray_14, Hit hit, Material material_2, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_21 = false;
     bool local_22 = false;
@@ -763,7 +779,7 @@ Ray bounce_ray(Ray ray_10, Hit hit, Material material_2, vec3 scatter_vector) {
     }
     bool _e22 = local_22;
     if (_e22) {
-        vec3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        vec3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -774,7 +790,7 @@ Ray bounce_ray(Ray ray_10, Hit hit, Material material_2, vec3 scatter_vector) {
     bool _e33 = local_23;
     if (_e33) {
         float _e36 = scatter_index_ratio(material_2.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        vec3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     vec3 _e41 = direction_7;
@@ -812,10 +828,10 @@ vec3 bounce_attenuated(vec3 color, uint first, uint attenuation_count) {
 }
 
 void trace_path(Ray primary, uint slot) {
-    Ray ray_11 = Ray(vec3(0.0), vec3(0.0));
+    Ray ray_15 = Ray(vec3(0.0), vec3(0.0));
     uint attenuation_count_1 = 0u;
     uint depth = 0u;
-    ray_11 = primary;
+    ray_15 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
@@ -827,7 +843,7 @@ void trace_path(Ray primary, uint slot) {
         }
         PackedRay _e25 = _group_0_binding_6_cs[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_11 = _e26;
+        ray_15 = _e26;
         uint _e30 = _group_0_binding_6_cs[slot].attenuation_count;
         attenuation_count_1 = _e30;
     }
@@ -847,11 +863,11 @@ void trace_path(Ray primary, uint slot) {
             break;
         }
         {
-            Ray _e42 = ray_11;
+            Ray _e42 = ray_15;
             SurfaceHit _e43 = closest_hit(_e42);
             if (!(_e43.some)) {
                 Background _e46 = picture_background();
-                vec3 _e48 = ray_11.direction;
+                vec3 _e48 = ray_15.direction;
                 vec3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 vec3 _e53 = bounce_attenuated(_e49, first_1, _e52);
@@ -869,14 +885,14 @@ void trace_path(Ray primary, uint slot) {
                 uint _e71 = attenuation_count_1;
                 attenuation_count_1 = (_e71 + 1u);
             }
-            Ray _e73 = ray_11;
+            Ray _e73 = ray_15;
             Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
-            ray_11 = _e75;
+            ray_15 = _e75;
         }
     }
     PackedVec3_ _e82 = vec3_store(vec3(0.0));
     _group_0_binding_5_cs[slot] = _e82;
-    Ray _e85 = ray_11;
+    Ray _e85 = ray_15;
     PackedRay _e86 = ray_store(_e85);
     uint _e87 = attenuation_count_1;
     _group_0_binding_6_cs[slot] = PackedPath(_e86, _e87, 0u);
@@ -901,6 +917,14 @@ void main() {
     Camera _e28 = picture_camera();
     Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
     trace_path(_e29, id.x);
-    return;
+    bool _e32 = closest_hit_gave_up;
+    if (_e32) {
+        PackedVec3_ _e38 = vec3_store(vec3(-2.8735182e-16));
+        _group_0_binding_5_cs[id.x] = _e38;
+        _group_0_binding_6_cs[id.x].ended = 1u;
+        return;
+    } else {
+        return;
+    }
 }
 

@@ -8,9 +8,9 @@ struct _mslBufferSizes {
     uint size1;
     uint size2;
     uint size3;
-    uint size4;
     uint size5;
     uint size6;
+    uint size7;
 };
 
 typedef float real;
@@ -182,6 +182,16 @@ constant real SHORT_SQUARED = 0.0;
 constant real SHORT_SCALE = 1.0;
 constant real BELOW_ONE = 0.99999994;
 constant real LEAST_SQUARED = 0.0;
+constant real ERROR_UNDERFLOW = 0.0;
+constant real ERROR_OVERFLOW = 300000000000000000000000000000000000000.0;
+constant real SHORTEST_SQUARED = 0.0;
+constant real LONGEST_SQUARED = 300000000000000000000000000000000000000.0;
+constant real EXTENT_UNDERFLOW = 0.0;
+constant real SPLITTER = 4097.0;
+constant real SPLIT_LIMIT = 1000000000000000000000000000000000.0;
+constant real SPLIT_SCALE = 0.000015258789;
+constant real SPLIT_UNSCALE = 65536.0;
+constant real UNWRITTEN = -0.00000000000000028735182;
 constant uint SIDE = 0u;
 constant uint TOP = 1u;
 constant uint BOTTOM = 2u;
@@ -719,21 +729,113 @@ bool is_closer(
     return _e12;
 }
 
-SurfaceHit closest_hit(
+ClosestHit intersect_sphere(
+    ClosestHit closest_4,
     Ray ray_9,
+    uint index_1,
+    device type_4 const& spheres,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    bool local_14 = {};
+    PlacedSphere _e5 = spheres[index_1];
+    SphereRecord _e6 = sphere_load(_e5);
+    Root _e7 = sphere_intersect(_e6, ray_9);
+    uint order_2 = spheres[index_1].order;
+    if (_e7.some) {
+        bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
+        local_14 = _e16;
+    } else {
+        local_14 = false;
+    }
+    bool _e18 = local_14;
+    if (_e18) {
+        return ClosestHit {true, {}, _e7.lambda, order_2, false, {}, index_1, SIDE};
+    }
+    return closest_4;
+}
+
+ClosestHit intersect_cylinder(
+    ClosestHit closest_5,
+    Ray ray_10,
+    uint index_2,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    bool local_15 = {};
+    PlacedCylinder _e5 = cylinders[index_2];
+    CylinderRecord _e6 = cylinder_load(_e5);
+    CylinderRoot _e7 = cylinder_intersect(_e6, ray_10);
+    uint order_3 = cylinders[index_2].order;
+    if (_e7.some) {
+        bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
+        local_15 = _e16;
+    } else {
+        local_15 = false;
+    }
+    bool _e18 = local_15;
+    if (_e18) {
+        return ClosestHit {true, {}, _e7.lambda, order_3, true, {}, index_2, _e7.part};
+    }
+    return closest_5;
+}
+
+SurfaceHit surface_at(
+    ClosestHit closest_6,
+    Ray ray_11,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    SurfaceHit surface = {};
+    bool local_16 = {};
+    bool local_17 = {};
+    if (!(closest_6.some)) {
+        SurfaceHit _e5 = surface;
+        return _e5;
+    }
+    metal::float3 _e7 = ray_at(ray_11, closest_6.lambda);
+    if (has_spheres) {
+        local_16 = !(closest_6.is_cylinder);
+    } else {
+        local_16 = false;
+    }
+    bool _e14 = local_16;
+    if (_e14) {
+        PlacedSphere _e18 = spheres[closest_6.index];
+        SphereRecord _e19 = sphere_load(_e18);
+        metal::float3 _e20 = sphere_outward(_e19, _e7);
+        Hit _e22 = hit_facing(ray_11.direction, _e7, _e20);
+        uint material_3 = spheres[closest_6.index].material;
+        surface = SurfaceHit {true, {}, _e22, material_3, closest_6.lambda, closest_6.order, closest_6.part};
+    }
+    if (has_cylinders) {
+        local_17 = closest_6.is_cylinder;
+    } else {
+        local_17 = false;
+    }
+    bool _e38 = local_17;
+    if (_e38) {
+        PlacedCylinder _e42 = cylinders[closest_6.index];
+        CylinderRecord _e43 = cylinder_load(_e42);
+        metal::float3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
+        Hit _e47 = hit_facing(ray_11.direction, _e7, _e45);
+        uint material_4 = cylinders[closest_6.index].material;
+        surface = SurfaceHit {true, {}, _e47, material_4, closest_6.lambda, closest_6.order, closest_6.part};
+    }
+    SurfaceHit _e58 = surface;
+    return _e58;
+}
+
+ClosestHit intersect_every_object(
+    Ray ray_12,
     device Picture const& picture,
     device type_4 const& spheres,
     device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    ClosestHit closest_4 = {};
-    uint index_1 = 0u;
-    bool local_14 = {};
-    uint index_2 = 0u;
-    bool local_15 = {};
-    SurfaceHit surface = {};
-    bool local_16 = {};
-    bool local_17 = {};
+    ClosestHit closest_7 = {};
+    uint index_3 = 0u;
+    uint index_4 = 0u;
     if (has_spheres) {
         uint2 loop_bound = uint2(4294967295u);
         bool loop_init = true;
@@ -741,35 +843,21 @@ SurfaceHit closest_hit(
             if (metal::all(loop_bound == uint2(0u))) { break; }
             loop_bound -= uint2(loop_bound.y == 0u, 1u);
             if (!loop_init) {
-                uint _e36 = index_1;
-                index_1 = _e36 + 1u;
+                uint _e14 = index_3;
+                index_3 = _e14 + 1u;
             }
             loop_init = false;
-            uint _e5 = index_1;
+            uint _e5 = index_3;
             uint _e8 = picture.sphere_count;
             if (_e5 < _e8) {
             } else {
                 break;
             }
             {
-                uint _e11 = index_1;
-                PlacedSphere _e13 = spheres[_e11];
-                SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_9);
-                uint _e17 = index_1;
-                uint order_2 = spheres[_e17].order;
-                if (_e15.some) {
-                    ClosestHit _e24 = closest_4;
-                    bool _e26 = is_closer(_e24, _e15.lambda, order_2);
-                    local_14 = _e26;
-                } else {
-                    local_14 = false;
-                }
-                bool _e28 = local_14;
-                if (_e28) {
-                    uint _e32 = index_1;
-                    closest_4 = ClosestHit {true, {}, _e15.lambda, order_2, false, {}, _e32, SIDE};
-                }
+                ClosestHit _e10 = closest_7;
+                uint _e11 = index_3;
+                ClosestHit _e12 = intersect_sphere(_e10, ray_12, _e11, spheres, _buffer_sizes);
+                closest_7 = _e12;
             }
         }
     }
@@ -780,88 +868,38 @@ SurfaceHit closest_hit(
             if (metal::all(loop_bound_1 == uint2(0u))) { break; }
             loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
             if (!loop_init_1) {
-                uint _e72 = index_2;
-                index_2 = _e72 + 1u;
+                uint _e28 = index_4;
+                index_4 = _e28 + 1u;
             }
             loop_init_1 = false;
-            uint _e41 = index_2;
-            uint _e44 = picture.cylinder_count;
-            if (_e41 < _e44) {
+            uint _e19 = index_4;
+            uint _e22 = picture.cylinder_count;
+            if (_e19 < _e22) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_2;
-                PlacedCylinder _e49 = cylinders[_e47];
-                CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_9);
-                uint _e53 = index_2;
-                uint order_3 = cylinders[_e53].order;
-                if (_e51.some) {
-                    ClosestHit _e60 = closest_4;
-                    bool _e62 = is_closer(_e60, _e51.lambda, order_3);
-                    local_15 = _e62;
-                } else {
-                    local_15 = false;
-                }
-                bool _e64 = local_15;
-                if (_e64) {
-                    uint _e68 = index_2;
-                    closest_4 = ClosestHit {true, {}, _e51.lambda, order_3, true, {}, _e68, _e51.part};
-                }
+                ClosestHit _e24 = closest_7;
+                uint _e25 = index_4;
+                ClosestHit _e26 = intersect_cylinder(_e24, ray_12, _e25, cylinders, _buffer_sizes);
+                closest_7 = _e26;
             }
         }
     }
-    bool _e76 = closest_4.some;
-    if (!(_e76)) {
-        SurfaceHit _e78 = surface;
-        return _e78;
-    }
-    real _e80 = closest_4.lambda;
-    metal::float3 _e81 = ray_at(ray_9, _e80);
-    if (has_spheres) {
-        bool _e86 = closest_4.is_cylinder;
-        local_16 = !(_e86);
-    } else {
-        local_16 = false;
-    }
-    bool _e89 = local_16;
-    if (_e89) {
-        uint _e92 = closest_4.index;
-        PlacedSphere _e94 = spheres[_e92];
-        SphereRecord _e95 = sphere_load(_e94);
-        metal::float3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e98 = hit_facing(ray_9.direction, _e81, _e96);
-        uint _e101 = closest_4.index;
-        uint material_3 = spheres[_e101].material;
-        real _e107 = closest_4.lambda;
-        uint _e109 = closest_4.order;
-        uint _e111 = closest_4.part;
-        surface = SurfaceHit {true, {}, _e98, material_3, _e107, _e109, _e111};
-    }
-    if (has_cylinders) {
-        bool _e117 = closest_4.is_cylinder;
-        local_17 = _e117;
-    } else {
-        local_17 = false;
-    }
-    bool _e119 = local_17;
-    if (_e119) {
-        uint _e122 = closest_4.index;
-        PlacedCylinder _e124 = cylinders[_e122];
-        CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_4.part;
-        metal::float3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        Hit _e130 = hit_facing(ray_9.direction, _e81, _e128);
-        uint _e133 = closest_4.index;
-        uint material_4 = cylinders[_e133].material;
-        real _e139 = closest_4.lambda;
-        uint _e141 = closest_4.order;
-        uint _e143 = closest_4.part;
-        surface = SurfaceHit {true, {}, _e130, material_4, _e139, _e141, _e143};
-    }
-    SurfaceHit _e145 = surface;
-    return _e145;
+    ClosestHit _e30 = closest_7;
+    return _e30;
+}
+
+SurfaceHit closest_hit(
+    Ray ray_13,
+    device Picture const& picture,
+    device type_4 const& spheres,
+    device type_5 const& cylinders,
+    constant _mslBufferSizes& _buffer_sizes
+) {
+    ClosestHit _e1 = intersect_every_object(ray_13, picture, spheres, cylinders, _buffer_sizes);
+    SurfaceHit _e2 = surface_at(_e1, ray_13, spheres, cylinders, _buffer_sizes);
+    return _e2;
 }
 
 bool bounce_attenuates(
@@ -892,7 +930,7 @@ bool bounce_attenuates(
 }
 
 Ray bounce_ray(
-    Ray ray_10,
+    Ray ray_14,
     Hit hit,
     Material material_2,
     metal::float3 scatter_vector
@@ -918,7 +956,7 @@ Ray bounce_ray(
     }
     bool _e22 = local_22;
     if (_e22) {
-        metal::float3 _e25 = scatter_metal(ray_10.direction, hit.normal, scatter_vector);
+        metal::float3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -929,7 +967,7 @@ Ray bounce_ray(
     bool _e33 = local_23;
     if (_e33) {
         real _e36 = scatter_index_ratio(material_2.index, hit.front);
-        metal::float3 _e39 = scatter_refract(ray_10.direction, hit.normal, _e36);
+        metal::float3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     metal::float3 _e41 = direction_7;
@@ -988,10 +1026,10 @@ void trace_path(
     device type_9& paths,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    Ray ray_11 = {};
+    Ray ray_15 = {};
     uint attenuation_count_1 = 0u;
     uint depth = {};
-    ray_11 = primary;
+    ray_15 = primary;
     PackedVec3_ _e5 = picture.scatter_vector;
     metal::float3 _e6 = vec3_load(_e5);
     uint first_1 = slot * max_depth;
@@ -1003,7 +1041,7 @@ void trace_path(
         }
         PackedRay _e25 = paths[slot].ray;
         Ray _e26 = ray_load(_e25);
-        ray_11 = _e26;
+        ray_15 = _e26;
         uint _e30 = paths[slot].attenuation_count;
         attenuation_count_1 = _e30;
     }
@@ -1026,11 +1064,11 @@ void trace_path(
             break;
         }
         {
-            Ray _e42 = ray_11;
+            Ray _e42 = ray_15;
             SurfaceHit _e43 = closest_hit(_e42, picture, spheres, cylinders, _buffer_sizes);
             if (!(_e43.some)) {
                 Background _e46 = picture_background(picture);
-                metal::float3 _e48 = ray_11.direction;
+                metal::float3 _e48 = ray_15.direction;
                 metal::float3 _e49 = background_color(_e46, _e48);
                 uint _e52 = attenuation_count_1;
                 metal::float3 _e53 = bounce_attenuated(_e49, first_1, _e52, materials, attenuations, _buffer_sizes);
@@ -1048,14 +1086,14 @@ void trace_path(
                 uint _e71 = attenuation_count_1;
                 attenuation_count_1 = _e71 + 1u;
             }
-            Ray _e73 = ray_11;
+            Ray _e73 = ray_15;
             Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
-            ray_11 = _e75;
+            ray_15 = _e75;
         }
     }
     PackedVec3_ _e82 = vec3_store(metal::float3 {});
     pixels[slot] = _e82;
-    Ray _e85 = ray_11;
+    Ray _e85 = ray_15;
     PackedRay _e86 = ray_store(_e85);
     uint _e87 = attenuation_count_1;
     paths[slot] = PackedPath {_e86, _e87, 0u};
@@ -1083,6 +1121,7 @@ kernel void image(
 , device type_9& paths [[buffer(6)]]
 , constant _mslBufferSizes& _buffer_sizes [[buffer(7)]]
 ) {
+    bool closest_hit_gave_up = {};
     uint _e4 = picture.pixel_count;
     if (id.x >= _e4) {
         return;
@@ -1099,5 +1138,13 @@ kernel void image(
     Camera _e28 = picture_camera(picture);
     Ray _e29 = camera_ray(_e28, row_1, column_1, offset_1);
     trace_path(_e29, id.x, picture, spheres, cylinders, materials, attenuations, pixels, paths, _buffer_sizes);
-    return;
+    bool _e32 = closest_hit_gave_up;
+    if (_e32) {
+        PackedVec3_ _e38 = vec3_store(metal::float3(-0.00000000000000028735182));
+        pixels[id.x] = _e38;
+        paths[id.x].ended = 1u;
+        return;
+    } else {
+        return;
+    }
 }

@@ -41,6 +41,16 @@ const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
 const float BELOW_ONE = 0.99999994;
 const float LEAST_SQUARED = 0.0;
+const float ERROR_UNDERFLOW = 0.0;
+const float ERROR_OVERFLOW = 3e38;
+const float SHORTEST_SQUARED = 0.0;
+const float LONGEST_SQUARED = 3e38;
+const float EXTENT_UNDERFLOW = 0.0;
+const float SPLITTER = 4097.0;
+const float SPLIT_LIMIT = 1e33;
+const float SPLIT_SCALE = 1.5258789e-5;
+const float SPLIT_UNSCALE = 65536.0;
+const float UNWRITTEN = -2.8735182e-16;
 
 layout(std430, binding = 0) readonly buffer Accumulation_block_0Compute { Accumulation _group_0_binding_0_cs; };
 

@@ -160,6 +160,16 @@ const float SHORT_SQUARED = 0.0;
 const float SHORT_SCALE = 1.0;
 const float BELOW_ONE = 0.99999994;
 const float LEAST_SQUARED = 0.0;
+const float ERROR_UNDERFLOW = 0.0;
+const float ERROR_OVERFLOW = 3e38;
+const float SHORTEST_SQUARED = 0.0;
+const float LONGEST_SQUARED = 3e38;
+const float EXTENT_UNDERFLOW = 0.0;
+const float SPLITTER = 4097.0;
+const float SPLIT_LIMIT = 1e33;
+const float SPLIT_SCALE = 1.5258789e-5;
+const float SPLIT_UNSCALE = 65536.0;
+const float UNWRITTEN = -2.8735182e-16;
 const uint SIDE = 0u;
 const uint TOP = 1u;
 const uint BOTTOM = 2u;
@@ -180,6 +190,8 @@ layout(std430, binding = 1) readonly buffer type_4_block_1Compute { PlacedSphere
 layout(std430, binding = 2) readonly buffer type_5_block_2Compute { PlacedCylinder _group_0_binding_2_cs[]; };
 
 layout(std430, binding = 3) readonly buffer type_6_block_3Compute { PackedMaterial _group_0_binding_3_cs[]; };
+
+bool closest_hit_gave_up = false;
 
 layout(std430, binding = 5) buffer type_7_block_4Compute { Step _group_0_binding_5_cs[]; };
 
@@ -569,48 +581,108 @@ bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1) {
     return _e12;
 }
 
-SurfaceHit closest_hit(Ray ray_8) {
-    ClosestHit closest_4 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
-    uint index_1 = 0u;
+ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_8, uint index_1) {
     bool local_14 = false;
-    uint index_2 = 0u;
+    PlacedSphere _e5 = _group_0_binding_1_cs[index_1];
+    SphereRecord _e6 = sphere_load(_e5);
+    Root _e7 = sphere_intersect(_e6, ray_8);
+    uint order_2 = _group_0_binding_1_cs[index_1].order;
+    if (_e7.some) {
+        bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
+        local_14 = _e16;
+    } else {
+        local_14 = false;
+    }
+    bool _e18 = local_14;
+    if (_e18) {
+        return ClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
+    }
+    return closest_4;
+}
+
+ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_9, uint index_2) {
     bool local_15 = false;
+    PlacedCylinder _e5 = _group_0_binding_2_cs[index_2];
+    CylinderRecord _e6 = cylinder_load(_e5);
+    CylinderRoot _e7 = cylinder_intersect(_e6, ray_9);
+    uint order_3 = _group_0_binding_2_cs[index_2].order;
+    if (_e7.some) {
+        bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
+        local_15 = _e16;
+    } else {
+        local_15 = false;
+    }
+    bool _e18 = local_15;
+    if (_e18) {
+        return ClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
+    }
+    return closest_5;
+}
+
+SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10) {
     SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
     bool local_16 = false;
     bool local_17 = false;
+    if (!(closest_6.some)) {
+        SurfaceHit _e5 = surface;
+        return _e5;
+    }
+    vec3 _e7 = ray_at(ray_10, closest_6.lambda);
+    if (has_spheres) {
+        local_16 = !(closest_6.is_cylinder);
+    } else {
+        local_16 = false;
+    }
+    bool _e14 = local_16;
+    if (_e14) {
+        PlacedSphere _e18 = _group_0_binding_1_cs[closest_6.index];
+        SphereRecord _e19 = sphere_load(_e18);
+        vec3 _e20 = sphere_outward(_e19, _e7);
+        Hit _e22 = hit_facing(ray_10.direction, _e7, _e20);
+        uint material_2 = _group_0_binding_1_cs[closest_6.index].material;
+        surface = SurfaceHit(true, _e22, material_2, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    if (has_cylinders) {
+        local_17 = closest_6.is_cylinder;
+    } else {
+        local_17 = false;
+    }
+    bool _e38 = local_17;
+    if (_e38) {
+        PlacedCylinder _e42 = _group_0_binding_2_cs[closest_6.index];
+        CylinderRecord _e43 = cylinder_load(_e42);
+        vec3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
+        Hit _e47 = hit_facing(ray_10.direction, _e7, _e45);
+        uint material_3 = _group_0_binding_2_cs[closest_6.index].material;
+        surface = SurfaceHit(true, _e47, material_3, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    SurfaceHit _e58 = surface;
+    return _e58;
+}
+
+ClosestHit intersect_every_object(Ray ray_11) {
+    ClosestHit closest_7 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
+    uint index_3 = 0u;
+    uint index_4 = 0u;
     if (has_spheres) {
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
-                uint _e36 = index_1;
-                index_1 = (_e36 + 1u);
+                uint _e14 = index_3;
+                index_3 = (_e14 + 1u);
             }
             loop_init = false;
-            uint _e5 = index_1;
+            uint _e5 = index_3;
             uint _e8 = _group_0_binding_0_cs.sphere_count;
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index_1;
-                PlacedSphere _e13 = _group_0_binding_1_cs[_e11];
-                SphereRecord _e14 = sphere_load(_e13);
-                Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index_1;
-                uint order_2 = _group_0_binding_1_cs[_e17].order;
-                if (_e15.some) {
-                    ClosestHit _e24 = closest_4;
-                    bool _e26 = is_closer(_e24, _e15.lambda, order_2);
-                    local_14 = _e26;
-                } else {
-                    local_14 = false;
-                }
-                bool _e28 = local_14;
-                if (_e28) {
-                    uint _e32 = index_1;
-                    closest_4 = ClosestHit(true, _e15.lambda, order_2, false, _e32, SIDE);
-                }
+                ClosestHit _e10 = closest_7;
+                uint _e11 = index_3;
+                ClosestHit _e12 = intersect_sphere(_e10, ray_11, _e11);
+                closest_7 = _e12;
             }
         }
     }
@@ -618,91 +690,35 @@ SurfaceHit closest_hit(Ray ray_8) {
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                uint _e72 = index_2;
-                index_2 = (_e72 + 1u);
+                uint _e28 = index_4;
+                index_4 = (_e28 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_2;
-            uint _e44 = _group_0_binding_0_cs.cylinder_count;
-            if ((_e41 < _e44)) {
+            uint _e19 = index_4;
+            uint _e22 = _group_0_binding_0_cs.cylinder_count;
+            if ((_e19 < _e22)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_2;
-                PlacedCylinder _e49 = _group_0_binding_2_cs[_e47];
-                CylinderRecord _e50 = cylinder_load(_e49);
-                CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_2;
-                uint order_3 = _group_0_binding_2_cs[_e53].order;
-                if (_e51.some) {
-                    ClosestHit _e60 = closest_4;
-                    bool _e62 = is_closer(_e60, _e51.lambda, order_3);
-                    local_15 = _e62;
-                } else {
-                    local_15 = false;
-                }
-                bool _e64 = local_15;
-                if (_e64) {
-                    uint _e68 = index_2;
-                    closest_4 = ClosestHit(true, _e51.lambda, order_3, true, _e68, _e51.part);
-                }
+                ClosestHit _e24 = closest_7;
+                uint _e25 = index_4;
+                ClosestHit _e26 = intersect_cylinder(_e24, ray_11, _e25);
+                closest_7 = _e26;
             }
         }
     }
-    bool _e76 = closest_4.some;
-    if (!(_e76)) {
-        SurfaceHit _e78 = surface;
-        return _e78;
-    }
-    float _e80 = closest_4.lambda;
-    vec3 _e81 = ray_at(ray_8, _e80);
-    if (has_spheres) {
-        bool _e86 = closest_4.is_cylinder;
-        local_16 = !(_e86);
-    } else {
-        local_16 = false;
-    }
-    bool _e89 = local_16;
-    if (_e89) {
-        uint _e92 = closest_4.index;
-        PlacedSphere _e94 = _group_0_binding_1_cs[_e92];
-        SphereRecord _e95 = sphere_load(_e94);
-        vec3 _e96 = sphere_outward(_e95, _e81);
-        Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e101 = closest_4.index;
-        uint material_2 = _group_0_binding_1_cs[_e101].material;
-        float _e107 = closest_4.lambda;
-        uint _e109 = closest_4.order;
-        uint _e111 = closest_4.part;
-        surface = SurfaceHit(true, _e98, material_2, _e107, _e109, _e111);
-    }
-    if (has_cylinders) {
-        bool _e117 = closest_4.is_cylinder;
-        local_17 = _e117;
-    } else {
-        local_17 = false;
-    }
-    bool _e119 = local_17;
-    if (_e119) {
-        uint _e122 = closest_4.index;
-        PlacedCylinder _e124 = _group_0_binding_2_cs[_e122];
-        CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_4.part;
-        vec3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
-        uint _e133 = closest_4.index;
-        uint material_3 = _group_0_binding_2_cs[_e133].material;
-        float _e139 = closest_4.lambda;
-        uint _e141 = closest_4.order;
-        uint _e143 = closest_4.part;
-        surface = SurfaceHit(true, _e130, material_3, _e139, _e141, _e143);
-    }
-    SurfaceHit _e145 = surface;
-    return _e145;
+    ClosestHit _e30 = closest_7;
+    return _e30;
 }
 
-Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
+SurfaceHit closest_hit(Ray ray_12) {
+    ClosestHit _e1 = intersect_every_object(ray_12);
+    SurfaceHit _e2 = surface_at(_e1, ray_12);
+    return _e2;
+}
+
+Ray bounce_ray(Ray ray_13, Hit hit, Material material_1, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
     bool local_18 = false;
     bool local_19 = false;
@@ -724,7 +740,7 @@ Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     }
     bool _e22 = local_19;
     if (_e22) {
-        vec3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        vec3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -735,7 +751,7 @@ Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, vec3 scatter_vector) {
     bool _e33 = local_20;
     if (_e33) {
         float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        vec3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        vec3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     vec3 _e41 = direction_7;
@@ -767,8 +783,8 @@ void main() {
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e109 = depth;
-            depth = (_e109 + 1u);
+            uint _e113 = depth;
+            depth = (_e113 + 1u);
         }
         loop_init_2 = false;
         uint _e39 = depth;
@@ -815,9 +831,13 @@ void main() {
                     ended = true;
                 }
             }
-            uint _e104 = depth;
-            Step _e107 = step_;
-            _group_0_binding_5_cs[((id.x * max_depth) + _e104)] = _e107;
+            bool _e101 = closest_hit_gave_up;
+            if (_e101) {
+                step_.is_hit = UNWRITTEN;
+            }
+            uint _e108 = depth;
+            Step _e111 = step_;
+            _group_0_binding_5_cs[((id.x * max_depth) + _e108)] = _e111;
         }
     }
     return;

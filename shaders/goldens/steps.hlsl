@@ -200,6 +200,16 @@ static const float SHORT_SQUARED = 0.0;
 static const float SHORT_SCALE = 1.0;
 static const float BELOW_ONE = 0.99999994;
 static const float LEAST_SQUARED = 0.0;
+static const float ERROR_UNDERFLOW = 0.0;
+static const float ERROR_OVERFLOW = 3e38;
+static const float SHORTEST_SQUARED = 0.0;
+static const float LONGEST_SQUARED = 3e38;
+static const float EXTENT_UNDERFLOW = 0.0;
+static const float SPLITTER = 4097.0;
+static const float SPLIT_LIMIT = 1e33;
+static const float SPLIT_SCALE = 1.5258789e-5;
+static const float SPLIT_UNSCALE = 65536.0;
+static const float UNWRITTEN = -2.8735182e-16;
 static const uint SIDE = 0u;
 static const uint TOP = 1u;
 static const uint BOTTOM = 2u;
@@ -217,6 +227,7 @@ ByteAddressBuffer picture : register(t0);
 ByteAddressBuffer spheres : register(t1);
 ByteAddressBuffer cylinders : register(t2);
 ByteAddressBuffer materials : register(t3);
+static bool closest_hit_gave_up = (bool)0;
 RWByteAddressBuffer ways : register(u5);
 
 float vec3_dot(float3 a, float3 b)
@@ -598,8 +609,8 @@ Ray camera_ray(Camera camera, float row, float column, float2 offset)
     float x = offset.x;
     float y = offset.y;
     float3 window_point = ((camera.origin + (camera.delta_x * (column + x))) + (camera.delta_y * (row + y)));
-    const Ray ray_10 = ConstructRay(camera.position, (window_point - camera.position));
-    return ray_10;
+    const Ray ray_14 = ConstructRay(camera.position, (window_point - camera.position));
+    return ray_14;
 }
 
 float3 background_color(Background background, float3 direction_2)
@@ -795,17 +806,6 @@ ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint
     return ret;
 }
 
-SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
-    SurfaceHit ret = (SurfaceHit)0;
-    ret.some = arg0;
-    ret.hit = arg1;
-    ret.material = arg2;
-    ret.lambda = arg3;
-    ret.order = arg4;
-    ret.part = arg5;
-    return ret;
-}
-
 PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
     PlacedSphere ret = (PlacedSphere)0;
     ret.center_ = arg0;
@@ -814,6 +814,29 @@ PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uin
     ret.order = arg3;
     ret.material = arg4;
     return ret;
+}
+
+ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_8, uint index_1)
+{
+    bool local_14 = (bool)0;
+
+    PlacedSphere _e5 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(index_1*28+0+0)), asfloat(spheres.Load(index_1*28+0+4)), asfloat(spheres.Load(index_1*28+0+8))), asfloat(spheres.Load(index_1*28+12)), asfloat(spheres.Load(index_1*28+16)), asuint(spheres.Load(index_1*28+20)), asuint(spheres.Load(index_1*28+24)));
+    const SphereRecord _e6 = sphere_load(_e5);
+    const Root _e7 = sphere_intersect(_e6, ray_8);
+    uint order_2 = asuint(spheres.Load(20+index_1*28));
+    if (_e7.some) {
+        const bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
+        local_14 = _e16;
+    } else {
+        local_14 = false;
+    }
+    bool _e18 = local_14;
+    if (_e18) {
+        const ClosestHit closesthit = ConstructClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
+        return closesthit;
+    }
+    const ClosestHit closesthit_1 = closest_4;
+    return closesthit_1;
 }
 
 PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2, PackedVec3_ arg3, float arg4, float arg5, float arg6, uint arg7, uint arg8) {
@@ -830,16 +853,90 @@ PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, Packe
     return ret;
 }
 
-SurfaceHit closest_hit(Ray ray_8)
+ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_9, uint index_2)
 {
-    ClosestHit closest_4 = (ClosestHit)0;
-    uint index_1 = 0u;
-    bool local_14 = (bool)0;
-    uint index_2 = 0u;
     bool local_15 = (bool)0;
+
+    PlacedCylinder _e5 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+0+0)), asfloat(cylinders.Load(index_2*68+0+4)), asfloat(cylinders.Load(index_2*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+12+0)), asfloat(cylinders.Load(index_2*68+12+4)), asfloat(cylinders.Load(index_2*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+24+0)), asfloat(cylinders.Load(index_2*68+24+4)), asfloat(cylinders.Load(index_2*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+36+0)), asfloat(cylinders.Load(index_2*68+36+4)), asfloat(cylinders.Load(index_2*68+36+8))), asfloat(cylinders.Load(index_2*68+48)), asfloat(cylinders.Load(index_2*68+52)), asfloat(cylinders.Load(index_2*68+56)), asuint(cylinders.Load(index_2*68+60)), asuint(cylinders.Load(index_2*68+64)));
+    const CylinderRecord _e6 = cylinder_load(_e5);
+    const CylinderRoot _e7 = cylinder_intersect(_e6, ray_9);
+    uint order_3 = asuint(cylinders.Load(60+index_2*68));
+    if (_e7.some) {
+        const bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
+        local_15 = _e16;
+    } else {
+        local_15 = false;
+    }
+    bool _e18 = local_15;
+    if (_e18) {
+        const ClosestHit closesthit_2 = ConstructClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
+        return closesthit_2;
+    }
+    const ClosestHit closesthit_3 = closest_5;
+    return closesthit_3;
+}
+
+SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
+    SurfaceHit ret = (SurfaceHit)0;
+    ret.some = arg0;
+    ret.hit = arg1;
+    ret.material = arg2;
+    ret.lambda = arg3;
+    ret.order = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10)
+{
     SurfaceHit surface = (SurfaceHit)0;
     bool local_16 = (bool)0;
     bool local_17 = (bool)0;
+
+    if (!(closest_6.some)) {
+        SurfaceHit _e5 = surface;
+        const SurfaceHit surfacehit = _e5;
+        return surfacehit;
+    }
+    const float3 _e7 = ray_at(ray_10, closest_6.lambda);
+    if (has_spheres) {
+        local_16 = !(closest_6.is_cylinder);
+    } else {
+        local_16 = false;
+    }
+    bool _e14 = local_16;
+    if (_e14) {
+        PlacedSphere _e18 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(closest_6.index*28+0+0)), asfloat(spheres.Load(closest_6.index*28+0+4)), asfloat(spheres.Load(closest_6.index*28+0+8))), asfloat(spheres.Load(closest_6.index*28+12)), asfloat(spheres.Load(closest_6.index*28+16)), asuint(spheres.Load(closest_6.index*28+20)), asuint(spheres.Load(closest_6.index*28+24)));
+        const SphereRecord _e19 = sphere_load(_e18);
+        const float3 _e20 = sphere_outward(_e19, _e7);
+        const Hit _e22 = hit_facing(ray_10.direction, _e7, _e20);
+        uint material_3 = asuint(spheres.Load(24+closest_6.index*28));
+        surface = ConstructSurfaceHit(true, _e22, material_3, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    if (has_cylinders) {
+        local_17 = closest_6.is_cylinder;
+    } else {
+        local_17 = false;
+    }
+    bool _e38 = local_17;
+    if (_e38) {
+        PlacedCylinder _e42 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+0+0)), asfloat(cylinders.Load(closest_6.index*68+0+4)), asfloat(cylinders.Load(closest_6.index*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+12+0)), asfloat(cylinders.Load(closest_6.index*68+12+4)), asfloat(cylinders.Load(closest_6.index*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+24+0)), asfloat(cylinders.Load(closest_6.index*68+24+4)), asfloat(cylinders.Load(closest_6.index*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+36+0)), asfloat(cylinders.Load(closest_6.index*68+36+4)), asfloat(cylinders.Load(closest_6.index*68+36+8))), asfloat(cylinders.Load(closest_6.index*68+48)), asfloat(cylinders.Load(closest_6.index*68+52)), asfloat(cylinders.Load(closest_6.index*68+56)), asuint(cylinders.Load(closest_6.index*68+60)), asuint(cylinders.Load(closest_6.index*68+64)));
+        const CylinderRecord _e43 = cylinder_load(_e42);
+        const float3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
+        const Hit _e47 = hit_facing(ray_10.direction, _e7, _e45);
+        uint material_4 = asuint(cylinders.Load(64+closest_6.index*68));
+        surface = ConstructSurfaceHit(true, _e47, material_4, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    SurfaceHit _e58 = surface;
+    const SurfaceHit surfacehit_1 = _e58;
+    return surfacehit_1;
+}
+
+ClosestHit intersect_every_object(Ray ray_11)
+{
+    ClosestHit closest_7 = (ClosestHit)0;
+    uint index_3 = 0u;
+    uint index_4 = 0u;
 
     if (has_spheres) {
         uint2 loop_bound = uint2(4294967295u, 4294967295u);
@@ -848,35 +945,21 @@ SurfaceHit closest_hit(Ray ray_8)
             if (all(loop_bound == uint2(0u, 0u))) { break; }
             loop_bound -= uint2(loop_bound.y == 0u, 1u);
             if (!loop_init) {
-                uint _e36 = index_1;
-                index_1 = (_e36 + 1u);
+                uint _e14 = index_3;
+                index_3 = (_e14 + 1u);
             }
             loop_init = false;
-            uint _e5 = index_1;
+            uint _e5 = index_3;
             uint _e8 = asuint(picture.Load(104));
             if ((_e5 < _e8)) {
             } else {
                 break;
             }
             {
-                uint _e11 = index_1;
-                PlacedSphere _e13 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e11*28+0+0)), asfloat(spheres.Load(_e11*28+0+4)), asfloat(spheres.Load(_e11*28+0+8))), asfloat(spheres.Load(_e11*28+12)), asfloat(spheres.Load(_e11*28+16)), asuint(spheres.Load(_e11*28+20)), asuint(spheres.Load(_e11*28+24)));
-                const SphereRecord _e14 = sphere_load(_e13);
-                const Root _e15 = sphere_intersect(_e14, ray_8);
-                uint _e17 = index_1;
-                uint order_2 = asuint(spheres.Load(20+_e17*28));
-                if (_e15.some) {
-                    ClosestHit _e24 = closest_4;
-                    const bool _e26 = is_closer(_e24, _e15.lambda, order_2);
-                    local_14 = _e26;
-                } else {
-                    local_14 = false;
-                }
-                bool _e28 = local_14;
-                if (_e28) {
-                    uint _e32 = index_1;
-                    closest_4 = ConstructClosestHit(true, _e15.lambda, order_2, false, _e32, SIDE);
-                }
+                ClosestHit _e10 = closest_7;
+                uint _e11 = index_3;
+                const ClosestHit _e12 = intersect_sphere(_e10, ray_11, _e11);
+                closest_7 = _e12;
             }
         }
     }
@@ -887,93 +970,38 @@ SurfaceHit closest_hit(Ray ray_8)
             if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
             loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
             if (!loop_init_1) {
-                uint _e72 = index_2;
-                index_2 = (_e72 + 1u);
+                uint _e28 = index_4;
+                index_4 = (_e28 + 1u);
             }
             loop_init_1 = false;
-            uint _e41 = index_2;
-            uint _e44 = asuint(picture.Load(108));
-            if ((_e41 < _e44)) {
+            uint _e19 = index_4;
+            uint _e22 = asuint(picture.Load(108));
+            if ((_e19 < _e22)) {
             } else {
                 break;
             }
             {
-                uint _e47 = index_2;
-                PlacedCylinder _e49 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+0+0)), asfloat(cylinders.Load(_e47*68+0+4)), asfloat(cylinders.Load(_e47*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+12+0)), asfloat(cylinders.Load(_e47*68+12+4)), asfloat(cylinders.Load(_e47*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+24+0)), asfloat(cylinders.Load(_e47*68+24+4)), asfloat(cylinders.Load(_e47*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e47*68+36+0)), asfloat(cylinders.Load(_e47*68+36+4)), asfloat(cylinders.Load(_e47*68+36+8))), asfloat(cylinders.Load(_e47*68+48)), asfloat(cylinders.Load(_e47*68+52)), asfloat(cylinders.Load(_e47*68+56)), asuint(cylinders.Load(_e47*68+60)), asuint(cylinders.Load(_e47*68+64)));
-                const CylinderRecord _e50 = cylinder_load(_e49);
-                const CylinderRoot _e51 = cylinder_intersect(_e50, ray_8);
-                uint _e53 = index_2;
-                uint order_3 = asuint(cylinders.Load(60+_e53*68));
-                if (_e51.some) {
-                    ClosestHit _e60 = closest_4;
-                    const bool _e62 = is_closer(_e60, _e51.lambda, order_3);
-                    local_15 = _e62;
-                } else {
-                    local_15 = false;
-                }
-                bool _e64 = local_15;
-                if (_e64) {
-                    uint _e68 = index_2;
-                    closest_4 = ConstructClosestHit(true, _e51.lambda, order_3, true, _e68, _e51.part);
-                }
+                ClosestHit _e24 = closest_7;
+                uint _e25 = index_4;
+                const ClosestHit _e26 = intersect_cylinder(_e24, ray_11, _e25);
+                closest_7 = _e26;
             }
         }
     }
-    bool _e76 = closest_4.some;
-    if (!(_e76)) {
-        SurfaceHit _e78 = surface;
-        const SurfaceHit surfacehit = _e78;
-        return surfacehit;
-    }
-    float _e80 = closest_4.lambda;
-    const float3 _e81 = ray_at(ray_8, _e80);
-    if (has_spheres) {
-        bool _e86 = closest_4.is_cylinder;
-        local_16 = !(_e86);
-    } else {
-        local_16 = false;
-    }
-    bool _e89 = local_16;
-    if (_e89) {
-        uint _e92 = closest_4.index;
-        PlacedSphere _e94 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(_e92*28+0+0)), asfloat(spheres.Load(_e92*28+0+4)), asfloat(spheres.Load(_e92*28+0+8))), asfloat(spheres.Load(_e92*28+12)), asfloat(spheres.Load(_e92*28+16)), asuint(spheres.Load(_e92*28+20)), asuint(spheres.Load(_e92*28+24)));
-        const SphereRecord _e95 = sphere_load(_e94);
-        const float3 _e96 = sphere_outward(_e95, _e81);
-        const Hit _e98 = hit_facing(ray_8.direction, _e81, _e96);
-        uint _e101 = closest_4.index;
-        uint material_3 = asuint(spheres.Load(24+_e101*28));
-        float _e107 = closest_4.lambda;
-        uint _e109 = closest_4.order;
-        uint _e111 = closest_4.part;
-        surface = ConstructSurfaceHit(true, _e98, material_3, _e107, _e109, _e111);
-    }
-    if (has_cylinders) {
-        bool _e117 = closest_4.is_cylinder;
-        local_17 = _e117;
-    } else {
-        local_17 = false;
-    }
-    bool _e119 = local_17;
-    if (_e119) {
-        uint _e122 = closest_4.index;
-        PlacedCylinder _e124 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+0+0)), asfloat(cylinders.Load(_e122*68+0+4)), asfloat(cylinders.Load(_e122*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+12+0)), asfloat(cylinders.Load(_e122*68+12+4)), asfloat(cylinders.Load(_e122*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+24+0)), asfloat(cylinders.Load(_e122*68+24+4)), asfloat(cylinders.Load(_e122*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(_e122*68+36+0)), asfloat(cylinders.Load(_e122*68+36+4)), asfloat(cylinders.Load(_e122*68+36+8))), asfloat(cylinders.Load(_e122*68+48)), asfloat(cylinders.Load(_e122*68+52)), asfloat(cylinders.Load(_e122*68+56)), asuint(cylinders.Load(_e122*68+60)), asuint(cylinders.Load(_e122*68+64)));
-        const CylinderRecord _e125 = cylinder_load(_e124);
-        uint _e127 = closest_4.part;
-        const float3 _e128 = cylinder_outward(_e125, _e127, _e81);
-        const Hit _e130 = hit_facing(ray_8.direction, _e81, _e128);
-        uint _e133 = closest_4.index;
-        uint material_4 = asuint(cylinders.Load(64+_e133*68));
-        float _e139 = closest_4.lambda;
-        uint _e141 = closest_4.order;
-        uint _e143 = closest_4.part;
-        surface = ConstructSurfaceHit(true, _e130, material_4, _e139, _e141, _e143);
-    }
-    SurfaceHit _e145 = surface;
-    const SurfaceHit surfacehit_1 = _e145;
-    return surfacehit_1;
+    ClosestHit _e30 = closest_7;
+    const ClosestHit closesthit_4 = _e30;
+    return closesthit_4;
 }
 
-Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
+SurfaceHit closest_hit(Ray ray_12)
+{
+    const ClosestHit _e1 = intersect_every_object(ray_12);
+    const SurfaceHit _e2 = surface_at(_e1, ray_12);
+    const SurfaceHit surfacehit_2 = _e2;
+    return surfacehit_2;
+}
+
+Ray bounce_ray(Ray ray_13, Hit hit, Material material_1, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
     bool local_18 = (bool)0;
@@ -997,7 +1025,7 @@ Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     }
     bool _e22 = local_19;
     if (_e22) {
-        const float3 _e25 = scatter_metal(ray_9.direction, hit.normal, scatter_vector);
+        const float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
@@ -1008,12 +1036,12 @@ Ray bounce_ray(Ray ray_9, Hit hit, Material material_1, float3 scatter_vector)
     bool _e33 = local_20;
     if (_e33) {
         const float _e36 = scatter_index_ratio(material_1.index, hit.front);
-        const float3 _e39 = scatter_refract(ray_9.direction, hit.normal, _e36);
+        const float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
     float3 _e41 = direction_7;
-    const Ray ray_11 = ConstructRay(hit.point_, _e41);
-    return ray_11;
+    const Ray ray_15 = ConstructRay(hit.point_, _e41);
+    return ray_15;
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -1068,8 +1096,8 @@ void steps(uint3 id : SV_DispatchThreadID)
         if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            uint _e109 = depth;
-            depth = (_e109 + 1u);
+            uint _e113 = depth;
+            depth = (_e113 + 1u);
         }
         loop_init_2 = false;
         uint _e39 = depth;
@@ -1116,45 +1144,49 @@ void steps(uint3 id : SV_DispatchThreadID)
                     ended = true;
                 }
             }
-            uint _e104 = depth;
-            Step _e107 = step_;
+            bool _e101 = closest_hit_gave_up;
+            if (_e101) {
+                step_.is_hit = UNWRITTEN;
+            }
+            uint _e108 = depth;
+            Step _e111 = step_;
             {
-                Step _value4 = _e107;
-                ways.Store(((id.x * max_depth) + _e104)*84+0, asuint(_value4.is_hit));
-                ways.Store(((id.x * max_depth) + _e104)*84+4, asuint(_value4.lambda));
-                ways.Store(((id.x * max_depth) + _e104)*84+8, asuint(_value4.object));
-                ways.Store(((id.x * max_depth) + _e104)*84+12, asuint(_value4.part));
-                ways.Store(((id.x * max_depth) + _e104)*84+16, asuint(_value4.front));
-                ways.Store(((id.x * max_depth) + _e104)*84+20, asuint(_value4.material));
+                Step _value4 = _e111;
+                ways.Store(((id.x * max_depth) + _e108)*84+0, asuint(_value4.is_hit));
+                ways.Store(((id.x * max_depth) + _e108)*84+4, asuint(_value4.lambda));
+                ways.Store(((id.x * max_depth) + _e108)*84+8, asuint(_value4.object));
+                ways.Store(((id.x * max_depth) + _e108)*84+12, asuint(_value4.part));
+                ways.Store(((id.x * max_depth) + _e108)*84+16, asuint(_value4.front));
+                ways.Store(((id.x * max_depth) + _e108)*84+20, asuint(_value4.material));
                 {
                     PackedVec3_ _value5 = _value4.origin;
-                    ways.Store(((id.x * max_depth) + _e104)*84+24+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e104)*84+24+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e104)*84+24+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e108)*84+24+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e108)*84+24+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e108)*84+24+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.direction;
-                    ways.Store(((id.x * max_depth) + _e104)*84+36+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e104)*84+36+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e104)*84+36+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e108)*84+36+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e108)*84+36+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e108)*84+36+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.point_;
-                    ways.Store(((id.x * max_depth) + _e104)*84+48+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e104)*84+48+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e104)*84+48+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e108)*84+48+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e108)*84+48+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e108)*84+48+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.normal;
-                    ways.Store(((id.x * max_depth) + _e104)*84+60+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e104)*84+60+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e104)*84+60+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e108)*84+60+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e108)*84+60+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e108)*84+60+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.light;
-                    ways.Store(((id.x * max_depth) + _e104)*84+72+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e104)*84+72+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e104)*84+72+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e108)*84+72+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e108)*84+72+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e108)*84+72+8, asuint(_value5.z));
                 }
             }
         }

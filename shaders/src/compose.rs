@@ -16,6 +16,8 @@ pub struct Library {
     replaced: BTreeMap<&'static str, Replacement>,
     /// What replaces f64 in compositions; `None` if they have f64.
     arithmetic: Option<Arithmetic>,
+    /// Modules that are composed in the place of others, by the names of the others.
+    instead: BTreeMap<&'static str, &'static Module>,
 }
 
 /// The text that replaces a module's own text, and the path that messages show for it.
@@ -49,6 +51,25 @@ impl Library {
         Ok(())
     }
 
+    /// Returns this library, changed so that rays find their closest hit in a hierarchy of boxes.
+    #[must_use]
+    pub fn in_hierarchy(mut self) -> Self {
+        self.instead.extend(find("hierarchy").map(|module| ("closest_hit", module)));
+        self
+    }
+
+    /// Whether rays find their closest hit in a hierarchy of boxes.
+    #[must_use]
+    pub fn has_hierarchy(&self) -> bool {
+        self.instead.contains_key("closest_hit")
+    }
+
+    /// Whether the text of the module `name` is replaced.
+    #[must_use]
+    pub fn is_replaced(&self, name: &str) -> bool {
+        self.replaced.contains_key(name)
+    }
+
     /// Returns the text of the module `name` in this library: its replacement, if it has one, or its own text.
     ///
     /// # Errors
@@ -66,7 +87,7 @@ impl Library {
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
         let mut needed = BTreeSet::new();
-        add_needed(root, &mut needed);
+        self.add_needed(root, &mut needed);
         let real = find(precision.module())?;
         let modules = std::iter::once(real).chain(MODULES.iter().filter(|module| needed.contains(module.name)));
         let (mut source, mut parts, mut line) = (String::new(), Vec::new(), 1);
@@ -87,6 +108,16 @@ impl Library {
         }
     }
 
+    /// Adds `module`, and all modules that it needs directly or indirectly, to `needed`.
+    fn add_needed(&self, module: &'static Module, needed: &mut BTreeSet<&'static str>) {
+        if needed.insert(module.name) {
+            for name in module.needs {
+                let own = || module::find(name).expect("a test checks that every needed module is listed");
+                self.add_needed(self.instead.get(name).copied().unwrap_or_else(own), needed);
+            }
+        }
+    }
+
     /// Returns the path and the text of `module`, replaced or not.
     fn text<'a>(&'a self, module: &'a Module) -> (Cow<'a, str>, &'a str) {
         match self.replaced.get(module.name) {
@@ -98,15 +129,6 @@ impl Library {
 
 fn find(name: &str) -> Result<&'static Module, Error> {
     module::find(name).ok_or_else(|| Error::UnknownModule { name: name.to_owned() })
-}
-
-/// Adds `module`, and all modules that it needs directly or indirectly, to `needed`.
-fn add_needed(module: &Module, needed: &mut BTreeSet<&'static str>) {
-    if needed.insert(module.name) {
-        for name in module.needs {
-            add_needed(module::find(name).expect("a test checks that every needed module is listed"), needed);
-        }
-    }
 }
 
 /// The joined text of several modules, which naga can read. It knows the file of each line.
@@ -266,6 +288,15 @@ mod tests {
         let last = composition.source().lines().count();
         assert_eq!(composition.origin(last), ("mine.wgsl", 1));
         assert_eq!(library.source("background"), Ok("const mine = 1;"));
+    }
+
+    #[test]
+    fn the_hierarchy_stands_in_for_the_loop_over_all_objects() {
+        let library = Library::standard().in_hierarchy();
+        let composition = library.compose("kernels/image", Precision::F32).expect("it exists");
+        assert_eq!(composition.source().matches("fn closest_hit(").count(), 1);
+        assert!(composition.source().contains("struct HierarchyNode"));
+        composition.validate().expect("it is valid");
     }
 
     #[test]

@@ -43,12 +43,27 @@ modules! {
     "features" in "wgsl/features.wgsl" needs [];
     "layout" in "wgsl/layout.wgsl" needs ["ray"];
     "picture" in "wgsl/picture.wgsl" needs ["layout" "sphere" "cylinder" "camera" "background" "material"];
-    "closest_hit" in "wgsl/closest_hit.wgsl" needs ["picture" "features"];
+    "surface" in "wgsl/surface.wgsl" needs ["picture" "features"];
+    "every_object" in "wgsl/every_object.wgsl" needs ["surface"];
+    "closest_hit" in "wgsl/closest_hit.wgsl" needs ["every_object"];
+    "hierarchy" in "wgsl/hierarchy.wgsl" needs ["every_object"];
     "bounce" in "wgsl/bounce.wgsl" needs ["closest_hit" "scatter"];
     "trace" in "wgsl/trace.wgsl" needs ["bounce"];
     "uniform" in "wgsl/uniform.wgsl" needs [];
     "scatter_vectors" in "wgsl/scatter_vectors.wgsl" needs ["picture" "uniform"];
     "trace_samples" in "wgsl/trace_samples.wgsl" needs ["bounce" "scatter_vectors"];
+    "exact/error_free" in "wgsl/exact/error_free.wgsl" needs ["exact"];
+    "exact/error_bound" in "wgsl/exact/error_bound.wgsl" needs ["cylinder"];
+    "exact/sphere" in "wgsl/exact/sphere.wgsl" needs ["sphere" "exact/error_bound"];
+    "exact/compensated" in "wgsl/exact/compensated.wgsl" needs ["exact/sphere" "exact/error_free"];
+    "exact/cylinder_side" in "wgsl/exact/cylinder_side.wgsl" needs ["exact/error_bound"];
+    "exact/cap" in "wgsl/exact/cap.wgsl" needs ["exact/cylinder_side"];
+    "exact/cylinder" in "wgsl/exact/cylinder.wgsl" needs ["exact/cap"];
+    "exact/double_double" in "wgsl/exact/double_double.wgsl" needs ["exact/error_free"];
+    "exact/precise_bound" in "wgsl/exact/precise_bound.wgsl" needs ["cylinder" "exact/double_double"];
+    "exact/precise_sphere" in "wgsl/exact/precise_sphere.wgsl" needs ["exact/precise_bound"];
+    "exact/precise_side" in "wgsl/exact/precise_side.wgsl" needs ["exact/precise_bound"];
+    "exact/precise_cylinder" in "wgsl/exact/precise_cylinder.wgsl" needs ["exact/precise_side"];
     "kernels/hit_report" in "wgsl/kernels/hit_report.wgsl" needs ["layout"];
     "kernels/sphere" in "wgsl/kernels/sphere.wgsl" needs ["sphere" "kernels/hit_report"];
     "kernels/cylinder" in "wgsl/kernels/cylinder.wgsl" needs ["cylinder" "kernels/hit_report"];
@@ -61,12 +76,19 @@ modules! {
     "kernels/metal" in "wgsl/kernels/metal.wgsl" needs ["scatter" "layout"];
     "kernels/refraction" in "wgsl/kernels/refraction.wgsl" needs ["scatter" "layout"];
     "kernels/barrier" in "wgsl/kernels/barrier.wgsl" needs ["exact"];
+    "kernels/mul_add" in "wgsl/kernels/mul_add.wgsl" needs ["exact/error_free"];
+    "kernels/exact_report" in "wgsl/kernels/exact_report.wgsl" needs ["exact/error_bound" "exact/precise_bound"];
+    "kernels/exact_sphere" in "wgsl/kernels/exact_sphere.wgsl"
+        needs ["layout" "exact/compensated" "exact/precise_sphere" "kernels/exact_report"];
+    "kernels/exact_cylinder" in "wgsl/kernels/exact_cylinder.wgsl"
+        needs ["layout" "exact/cylinder" "exact/precise_cylinder" "kernels/exact_report"];
     "kernels/rewrites" in "wgsl/kernels/rewrites.wgsl" needs [];
     "kernels/image" in "wgsl/kernels/image.wgsl" needs ["trace"];
     "kernels/steps" in "wgsl/kernels/steps.wgsl" needs ["bounce"];
     "kernels/samples" in "wgsl/kernels/samples.wgsl" needs ["trace_samples"];
     "kernels/means" in "wgsl/kernels/means.wgsl" needs ["layout"];
     "kernels/draws" in "wgsl/kernels/draws.wgsl" needs ["uniform"];
+    "kernels/rays" in "wgsl/kernels/rays.wgsl" needs ["trace"];
 }
 
 /// The two modules that define the number type `real`.
@@ -99,7 +121,7 @@ mod tests {
     fn every_file_is_a_module() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut files = 0;
-        for inner in ["wgsl", "wgsl/kernels"] {
+        for inner in ["wgsl", "wgsl/exact", "wgsl/kernels"] {
             for entry in std::fs::read_dir(folder.join(inner)).expect("the folder is there") {
                 let name = entry.expect("the folder is readable").file_name().into_string().expect("names are ASCII");
                 if name.ends_with(".wgsl") {

@@ -11,10 +11,10 @@ use rspirv::binary::Disassemble;
 use shaders::module::MODULES;
 use shaders::{Features, Library, Precision, Target, Translation, translate};
 
-/// Returns the names of all kernel modules that are compared. `hit_report` is left out.
+/// Returns the names of all kernel modules that are compared. Modules of reports are left out.
 fn kernels() -> Vec<&'static str> {
     let names = MODULES.iter().map(|module| module.name);
-    names.filter(|name| name.starts_with("kernels/") && !name.ends_with("hit_report")).collect()
+    names.filter(|name| name.starts_with("kernels/") && !name.ends_with("_report")).collect()
 }
 
 fn folder() -> PathBuf {

@@ -111,7 +111,12 @@ fn every_kernel_can_be_translated_into_every_language() {
         }
         for target in Target::ALL {
             match translate(&shader, target, &Features::all(5)).unwrap_or_else(|error| panic!("{error}")) {
-                Translation::Text(text) => assert!(!text.contains("double"), "{} in {target}", module.name),
+                Translation::Text(text) => {
+                    // The names of the exact modules have the word "double" too, so whole names are compared.
+                    let mut names = text.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+                    let is_wide = |name: &str| name.trim_end_matches(['2', '3', '4']) == "double";
+                    assert!(!names.any(is_wide), "{} in {target}", module.name);
+                }
                 Translation::Words(words) => {
                     // OpCapability Float64 would be the words 0x00020011 and 10.
                     assert!(!words.windows(2).any(|pair| pair == [0x0002_0011, 10]), "{}", module.name);

@@ -8,6 +8,7 @@ use super::twins::{Twin, twin};
 use crate::head::{Part, head};
 use crate::packed::buffer;
 use crate::pipeline::Content;
+use crate::ray_loop::RayLoop;
 use crate::steps::check_iterations;
 use crate::{Error, Float, Gpu, Kernel, Picture, Pipeline};
 
@@ -36,6 +37,8 @@ pub struct Tracer<'a, T> {
     pipeline: Pipeline,
     /// The twin of each function of the trace, if it has one.
     twins: Vec<Option<Twin<T>>>,
+    /// Whether rays find their closest hit in a hierarchy of boxes.
+    in_hierarchy: bool,
     precision: PhantomData<T>,
 }
 
@@ -58,7 +61,8 @@ impl<'a, T: Float> Tracer<'a, T> {
             shipped.iter().find(is_same).and_then(|function| twin(&function.name))
         });
         let twins = twins.collect();
-        Ok(Self { gpu, trace, pipeline, twins, precision: PhantomData })
+        let in_hierarchy = library.has_hierarchy();
+        Ok(Self { gpu, trace, pipeline, twins, in_hierarchy, precision: PhantomData })
     }
 
     /// Returns the trace's functions and text.
@@ -90,12 +94,14 @@ impl<'a, T: Float> Tracer<'a, T> {
     /// # Errors
     /// [`Error::TooManyIterations`] if the path needs more than one run, or the errors of [`Pipeline::run`].
     pub fn pixel(&self, picture: &Picture<T>, index: usize) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
-        check_iterations(picture.spheres.len() + picture.cylinders.len(), picture.max_depth)?;
+        let objects = picture.spheres.len() + picture.cylinders.len();
+        check_iterations(objects, self.in_hierarchy, picture.max_depth)?;
+        let ray_loop = RayLoop::new(picture, self.in_hierarchy);
         let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
         let materials = buffer(&picture.materials);
         let head = head(picture, &Part::Pixels { first: index as u32, count: 1 }, &(0..picture.max_depth));
         let color = 3 * size_of::<T>() as u64;
-        self.run(&[
+        let mut contents = vec![
             Content::Input(&head),
             Content::Input(&spheres),
             Content::Input(&cylinders),
@@ -103,7 +109,9 @@ impl<'a, T: Float> Tracer<'a, T> {
             Content::Scratch(u64::from(picture.max_depth) * size_of::<u32>() as u64),
             Content::Output(color),
             Content::Scratch(2 * color + 2 * size_of::<u32>() as u64),
-        ])
+        ];
+        contents.extend(ray_loop.content());
+        self.run(&contents)
     }
 
     /// Runs one invocation. Returns its calls, and the numbers of the only output in `contents`.

@@ -8,6 +8,7 @@ use shaders::{Features, Library, Precision};
 use super::Mutant;
 use crate::difference::first_differing;
 use crate::difference::{Difference, difference};
+use crate::exact::{EXACT_KERNELS, ExactKernel};
 use crate::first_difference::{self, Located};
 use crate::kernels::KERNELS;
 use crate::sampled::crafted::{self, Crafted};
@@ -17,6 +18,8 @@ use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
 
 /// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
+/// Number of cases of each kind for an exact kernel.
+const EXACT_CASES: usize = 1 << 12;
 /// Number of random scenes.
 const RANDOM_SCENES: u64 = 6;
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
@@ -30,12 +33,15 @@ const SAMPLED_TESTS: usize = 200_000;
 
 /// A first difference, and the time that the search took once a case or a pixel was known that differs.
 pub type Timed = (Located<f64>, Duration);
+/// The module that only some libraries compose.
+const HIERARCHY: &str = "hierarchy";
 
 /// The cases and pictures of the checks, prepared once for all mutants.
 #[derive(Debug)]
 pub struct Examiner<'a> {
     gpu: &'a Gpu,
     kernels: Vec<(&'static Kernel, Vec<f64>)>,
+    exact: Vec<(&'static ExactKernel, Vec<f64>)>,
     pictures: Vec<(Case, Vec<Vec3>)>,
     sampled: Vec<(Case, Recording)>,
     crafted: Vec<Crafted>,
@@ -49,10 +55,12 @@ impl<'a> Examiner<'a> {
     pub fn new(gpu: &'a Gpu) -> Result<Self, Error> {
         let cases = |kernel: &Kernel| [kernel.edge_cases(), kernel.random_cases(RANDOM_CASES, 44)].concat();
         let kernels = KERNELS.iter().map(|kernel| (kernel, cases(kernel))).collect();
+        let exact = EXACT_KERNELS.iter().map(|kernel| (kernel, kernel.cases(EXACT_CASES, 44))).collect();
         let scenes = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
         let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
-        Ok(Self { gpu, kernels, pictures, sampled: recorded.collect::<Result<_, _>>()?, crafted: crafted::all()? })
+        let sampled = recorded.collect::<Result<_, _>>()?;
+        Ok(Self { gpu, kernels, exact, pictures, sampled, crafted: crafted::all()? })
     }
 
     /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
@@ -60,7 +68,11 @@ impl<'a> Examiner<'a> {
     /// # Errors
     /// An error of the device or of the mutant's WGSL, so that no check could run.
     pub fn notice(&self, mutant: &Mutant) -> Result<Option<String>, Error> {
-        self.examine(&mutant.library()?, mutant.module)
+        match self.examine(&mutant.library()?, mutant.module) {
+            // A ray that gives up leaves its pixel unwritten.
+            Err(error @ Error::Unwritten { .. }) => Ok(Some(error.to_string())),
+            examined => examined,
+        }
     }
 
     /// Returns a description of the first check that notices an error in `library`, or `None` if no check does. Only
@@ -78,6 +90,16 @@ impl<'a> Examiner<'a> {
                 }
             }
         }
+        for (kernel, cases) in &self.exact {
+            if runs(kernel.module, module)? {
+                let tally = kernel.check(self.gpu, &kernel.compile(self.gpu, library)?, cases)?;
+                if tally.differing > 0 {
+                    return Ok(Some(format!("{}, {} of {} cases", tally.kernel, tally.differing, tally.cases)));
+                }
+            }
+        }
+        // The hierarchy is only in a library that finds the closest hit in it.
+        let library = if module == HIERARCHY { &library.clone().in_hierarchy() } else { library };
         if runs("kernels/image", module)?
             && let Some(noticed) = self.examine_pictures(library)?
         {
@@ -191,5 +213,6 @@ fn runs(kernel: &str, module: &str) -> Result<bool, Error> {
     let mut marked = Library::standard();
     let source = format!("{MARK}\n{}", marked.source(module)?);
     marked.replace(module, module, source)?;
+    let marked = if module == HIERARCHY { marked.in_hierarchy() } else { marked };
     Ok(marked.compose(kernel, Precision::F64)?.source().contains(MARK))
 }

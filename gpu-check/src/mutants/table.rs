@@ -1,13 +1,15 @@
-//! The list of the mutants, module by module.
+//! The lists of the mutants, module by module.
+
+pub(super) mod exact;
 
 use super::Mutant;
 
 macro_rules! mutants {
     ($($module:literal: $($from:literal => $to:literal,)*;)*) => {
-        /// All mutants that the checks must notice.
         pub const MUTANTS: &[Mutant] = &[$($(Mutant { module: $module, from: $from, to: $to },)*)*];
     };
 }
+use mutants;
 
 mutants! {
     "vec3":
@@ -121,10 +123,26 @@ mutants! {
         "material.index, material.extent" => "material.index, real(1.0)",
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
-    "closest_hit":
+    "surface":
         "lambda, order, closest.lambda, closest.order" => "closest.lambda, closest.order, lambda, order",
-        "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
         "closest.part, point" => "TOP, point",
+    ;
+    "every_object":
+        "index < picture.sphere_count" => "index + 1u < picture.sphere_count",
+        "index < picture.cylinder_count" => "index + 1u < picture.cylinder_count",
+    ;
+    "closest_hit":
+        "intersect_every_object(ray), ray" => "ClosestHit(), ray",
+    ;
+    "hierarchy":
+        "at = node.next" => "at = node.next + 1u",
+        "select(low, high, ray.is_backwards)" => "select(high, low, ray.is_backwards)",
+        "select(high, low, ray.is_backwards)" => "select(low, high, ray.is_backwards)",
+        "!(leaves < enters)" => "leaves < enters",
+        "let index = node.object / 2u" => "let index = node.object",
+        "f32(closest.lambda) * 1.0000002" => "f32(closest.lambda) * 0.5",
+        "select(reciprocal, -reciprocal, component < 0.0)" => "reciprocal",
+        "farthest = 3e38f" => "farthest = 1f",
     ;
     "bounce":
         "|| (has_metal" => "&& (has_metal",

@@ -12,7 +12,8 @@ use super::streams::Streams;
 use crate::head::{Part, head};
 use crate::packed::{Packed, buffer};
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::renderer::{BATCH, LEAST_BATCH, MAX_ITERATIONS, TESTS, steps, surfaces_of_a_run};
+use crate::ray_loop::{MAX_ITERATIONS, RayLoop, steps};
+use crate::renderer::{BATCH, LEAST_BATCH, TESTS};
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
 /// Number of words behind those of a run's samples, for each surface that a path may hit. A path in f32 may take more
@@ -31,6 +32,8 @@ pub struct SampleRenderer<'a, T> {
     features: Features,
     /// Largest number of samples in one run, and of surfaces that paths hit in it; `None` if only the limits apply.
     step: Option<(u64, u32)>,
+    /// Whether rays find their closest hit in a hierarchy of boxes.
+    in_hierarchy: bool,
     precision: PhantomData<T>,
 }
 
@@ -72,7 +75,8 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
         let constants = [&features.constants()[..], own].concat();
         let samples = Pipeline::with_constants(gpu, &library.compose("kernels/samples", T::PRECISION)?, &constants)?;
         let means = Pipeline::new(gpu, &library.compose("kernels/means", T::PRECISION)?, None)?;
-        Ok(Self { gpu, samples, means, features: *features, step: None, precision: PhantomData })
+        let in_hierarchy = library.has_hierarchy();
+        Ok(Self { gpu, samples, means, features: *features, step: None, in_hierarchy, precision: PhantomData })
     }
 
     /// Returns this renderer, changed so that a run has at most `samples` samples, whose paths hit at most `surfaces`
@@ -123,13 +127,15 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
             first_disagreeing: None,
             time: Duration::ZERO,
         };
+        let ray_loop = RayLoop::new(picture, self.in_hierarchy);
+        let limits = self.limits(&ray_loop, recording);
         let objects = [buffer(&picture.spheres), buffer(&picture.cylinders), buffer(&picture.materials)];
         let mut start_of_sum = Vec3::splat(T::of(0.0));
         let (per_pixel, total) = (u64::from(recording.samples_per_pixel), recording.words.len() as u64);
         let mut first = 0;
         while first < total {
             let counts = &recording.words[first as usize..];
-            let counts = &counts[..runs::samples_of_a_run(counts, self.limits(picture, recording))];
+            let counts = &counts[..runs::samples_of_a_run(counts, limits)];
             let part = Part::Samples {
                 first_pixel: (first / per_pixel) as u32,
                 first_sample: (first % per_pixel) as u32,
@@ -138,7 +144,7 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
                 convention: recording.convention,
             };
             let words = streams.next_run(counts, self.spare());
-            let traced = self.trace(picture, &objects, &part, &words, &mut rendering.time)?;
+            let traced = self.trace(picture, &objects, &ray_loop, &part, &words, &mut rendering.time)?;
             let actual = traced.chunks_exact(TracedSample::<T>::SIZE).map(TracedSample::<T>::words);
             rendering.note_words(first, counts, actual);
             // Samples are counted from the first sample of the first pixel.
@@ -161,14 +167,14 @@ impl<T: Float> SampleRenderer<'_, T> {
     }
 
     /// Returns the limits of one run.
-    fn limits(&self, picture: &Picture<T>, recording: &Recording) -> Limits {
+    fn limits(&self, ray_loop: &RayLoop, recording: &Recording) -> Limits {
         let binding = self.gpu.binding_limit();
         let entries = (binding / size_of::<[u32; 2]>() as u64).saturating_sub(self.spare());
         if let Some((samples, _)) = self.step {
             return Limits { samples, entries };
         }
         let depth = u64::from(self.features.max_depth);
-        let tests = (objects_of(picture) * depth).max(1);
+        let tests = (ray_loop.tests() * depth).max(1);
         let widest = (depth * size_of::<u32>() as u64).max(path_size::<T>());
         let samples = BATCH.min(MAX_INVOCATIONS).min(binding / widest).min((TESTS / tests).max(LEAST_BATCH));
         // The loop of `kernels/means` adds the samples of a pixel.
@@ -182,6 +188,7 @@ impl<T: Float> SampleRenderer<'_, T> {
         &self,
         picture: &Picture<T>,
         objects: &[Vec<u8>; 3],
+        ray_loop: &RayLoop,
         part: &Part,
         words: &[[u32; 2]],
         time: &mut Duration,
@@ -190,12 +197,12 @@ impl<T: Float> SampleRenderer<'_, T> {
         let depth = self.features.max_depth;
         let surfaces = match self.step {
             Some((_, surfaces)) => surfaces,
-            None => surfaces_of_a_run(objects_of(picture), depth, convention.tries())?,
+            None => ray_loop.surfaces_of_a_run(depth, convention.tries())?,
         };
         let heads: Vec<_> = steps(depth, surfaces).iter().map(|depths| head(picture, part, depths)).collect();
         let samples = u64::from(count);
         let [spheres, cylinders, materials] = objects;
-        let contents = [
+        let mut contents = vec![
             Content::Inputs(&heads),
             Content::Input(spheres),
             Content::Input(cylinders),
@@ -205,6 +212,7 @@ impl<T: Float> SampleRenderer<'_, T> {
             Content::Scratch(samples * path_size::<T>()),
             Content::Input(bytemuck::cast_slice(words)),
         ];
+        contents.extend(ray_loop.content());
         let run = self.samples.run(self.gpu, &contents, samples)?;
         *time += run.time;
         Ok(run.outputs.concat())
@@ -257,11 +265,6 @@ impl<T> TracedSample<T> {
         let at = 3 * size_of::<T>();
         bytemuck::pod_read_unaligned(&bytes[at..at + size_of::<u32>()])
     }
-}
-
-/// Returns the number of objects of a picture.
-fn objects_of<T>(picture: &Picture<T>) -> u64 {
-    picture.spheres.len() as u64 + picture.cylinders.len() as u64
 }
 
 /// Returns the size in bytes of the structure `PackedSamplePath` of `trace_samples.wgsl`.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use shaders::{Library, module};
 
 use crate::Error;
+use crate::hierarchy::WORTHWHILE;
 
 /// The start of a first line that names the module which the file replaces.
 const MARK: &str = "// module:";
@@ -108,16 +109,23 @@ fn fault(path: &Path, message: String) -> Error {
     Error::File { path: path.to_owned(), cause: std::io::Error::other(message) }
 }
 
-/// Returns the crate's modules, in which `modules` replace some.
+/// Whether a scene of `objects` objects gets a hierarchy: if it has many, and the user does not replace the loop over
+/// all objects.
+#[must_use]
+pub fn has_hierarchy(modules: &[UserModule], objects: usize) -> bool {
+    objects >= WORTHWHILE && !modules.iter().any(|module| module.name == "closest_hit")
+}
+
+/// Returns the crate's modules for a scene of `objects` objects, in which `modules` replace some.
 ///
 /// # Errors
 /// [`Error::Shader`] if a name is not that of a module.
-pub fn library(modules: &[UserModule]) -> Result<Library, Error> {
+pub fn library(modules: &[UserModule], objects: usize) -> Result<Library, Error> {
     let mut library = Library::standard();
     for module in modules {
         library.replace(&module.name, &shown(&module.path), module.text.as_str())?;
     }
-    Ok(library)
+    Ok(if has_hierarchy(modules, objects) { library.in_hierarchy() } else { library })
 }
 
 #[cfg(test)]

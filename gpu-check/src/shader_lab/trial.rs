@@ -16,9 +16,11 @@ use super::view::{View, mark};
 use super::{guard, pixel, png};
 use crate::difference::{difference, first_differing};
 use crate::first_difference;
+use crate::picture::depth;
+use crate::sampled::Convention;
 use crate::sampled::recording::check_samples;
 use crate::steps::{Follower, check_iterations};
-use crate::{Error, Float, Gpu, Picture, features_of};
+use crate::{Error, Float, Gpu, Picture, features_of, ray_loop};
 
 /// The inputs of a trial, which is one rendering with the user's modules.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +68,7 @@ impl Held for f32 {
 /// # Errors
 /// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] when
 /// the paths are too long for one run.
-pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Error> {
+pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: &Scene) -> Result<(), Error> {
     check_size(config)?;
     if options.samples.is_some() {
         check_samples(config)?;
@@ -79,11 +81,14 @@ pub fn check(options: &Options, config: &Config, scene: &Scene) -> Result<(), Er
         return Err(Error::Request { message });
     }
     let (features, _) = options.apply(features_of(config, scene)?).map_err(|message| Error::Request { message })?;
+    let objects = scene.objects.len();
+    let in_hierarchy = files::has_hierarchy(modules, objects);
+    ray_loop::check(objects, in_hierarchy, depth(config)?, options.samples.map_or(0, Convention::tries))?;
     if options.pixel.is_some() || options.first_difference {
-        check_iterations(scene.objects.len(), features.max_depth)?;
+        check_iterations(objects, in_hierarchy, features.max_depth)?;
     }
     match options.view {
-        Some(view) if view != View::Difference => check_iterations(scene.objects.len(), depth_of(view, features)),
+        Some(view) if view != View::Difference => check_iterations(objects, in_hierarchy, depth_of(view, features)),
         _ => Ok(()),
     }
 }
@@ -102,7 +107,7 @@ impl Trial<'_> {
     pub fn run<T: Held>(&self, places: Places) -> Result<Outcome, Error> {
         let Self { gpu, options, modules, truth } = *self;
         let Places { out, difference: beside, view: both } = places;
-        let library = files::library(modules)?;
+        let library = self.library()?;
         let (features, own) =
             options.apply(features_of(&truth.config, &truth.scene)?).map_err(|message| Error::Request { message })?;
         let kernel = rendered::check_modules(&library, modules, truth, T::PRECISION)?;
@@ -216,9 +221,14 @@ impl Trial<'_> {
         Ok(report)
     }
 
+    /// Returns the modules for the picture, in which the user's modules replace some.
+    fn library(&self) -> Result<Library, Error> {
+        files::library(self.modules, self.truth.scene.objects.len())
+    }
+
     /// Returns a [`Follower`] with the user's modules. They are compiled in the separate process first.
     fn follower<T: Held>(&self, features: &Features, own: &[(&str, f64)]) -> Result<Follower<'_, T>, Error> {
-        let library = files::library(self.modules)?;
+        let library = self.library()?;
         guard::check(&library.compose("kernels/steps", T::PRECISION)?, &constants(features, own))?;
         Follower::new(self.gpu, &library, features, own)
     }
@@ -258,7 +268,7 @@ impl Trial<'_> {
 
     /// Returns an error if `own` has a constant that no module declares.
     fn check_constants<T: Held>(&self, kernel: &str, own: &[(&str, f64)]) -> Result<(), Error> {
-        let shader = files::library(self.modules)?.compose(kernel, T::PRECISION)?.validate()?;
+        let shader = self.library()?.compose(kernel, T::PRECISION)?.validate()?;
         let known: Vec<_> =
             shader.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
         match own.iter().find(|(name, _)| !known.contains(name)) {

@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 use cpu::{Config, Scatter, Scene, Vec3, reference};
 
 use super::progress::Progress;
+use crate::hierarchy::WORTHWHILE;
 use crate::picture::depth;
-use crate::renderer::surfaces_of_a_run;
 use crate::sampled::{Convention, Recording};
-use crate::{Error, Picture};
+use crate::{Error, Picture, ray_loop};
 
 /// The start of each report on the progress of the CPU's rendering.
 const WORDS: &str = "the CPU renders";
@@ -33,13 +33,14 @@ pub fn check_size(config: &Config) -> Result<(), Error> {
 }
 
 /// Refuses a depth with which no run on a device can trace the paths of `scene`. The reference could take any time and
-/// memory for such a depth, so this is checked before it renders.
+/// memory for such a depth, so this is checked before it renders. A scene of many objects may get a hierarchy.
 ///
 /// # Errors
 /// [`Error::TooLarge`] or [`Error::TooManyIterations`].
 fn check_depth(config: &Config, scene: &Scene, samples: Option<Convention>) -> Result<(), Error> {
     let tries = samples.map_or(0, Convention::tries);
-    surfaces_of_a_run(scene.objects.len() as u64, depth(config)?, tries).map(drop)
+    let objects = scene.objects.len();
+    ray_loop::check(objects, objects >= WORTHWHILE, depth(config)?, tries)
 }
 
 /// A configuration, a scene, and their picture by the CPU.

@@ -60,7 +60,7 @@ impl Lab {
             self.truth = None;
             let (config, scene) = sources.parse(&self.options)?;
             // Checked before the CPU renders, which with many objects takes half a minute.
-            trial::check(&self.options, &config, &scene)?;
+            trial::check(&self.options, modules, &config, &scene)?;
             terminal::note("the CPU renders by the definition ...");
             self.truth = Some(Truth::new(config, scene, self.options.samples)?);
             self.texts = Some(sources.texts.clone());

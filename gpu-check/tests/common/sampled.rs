@@ -17,19 +17,20 @@ pub fn is_everything() -> bool {
 /// Renders pictures with the pipelines of this device. One pipeline serves all scenes with the same features.
 pub struct Pipelines<'a, T> {
     gpu: &'a Gpu,
+    library: &'a Library,
     renderers: BTreeMap<String, SampleRenderer<'a, T>>,
 }
 
 impl<'a, T: Float> Pipelines<'a, T> {
-    pub fn new(gpu: &'a Gpu) -> Self {
-        Self { gpu, renderers: BTreeMap::new() }
+    pub fn new(gpu: &'a Gpu, library: &'a Library) -> Self {
+        Self { gpu, library, renderers: BTreeMap::new() }
     }
 
     /// Renders a picture with the pipeline for `features`.
     pub fn render(&mut self, case: &Case, features: &Features, recording: &Recording) -> SampledRendering<T> {
         let key = format!("{features:?}");
         if !self.renderers.contains_key(&key) {
-            let renderer = SampleRenderer::new(self.gpu, &Library::standard(), features);
+            let renderer = SampleRenderer::new(self.gpu, self.library, features);
             self.renderers.insert(key.clone(), renderer.unwrap_or_else(|error| panic!("{}: {error}", case.name)));
         }
         let picture = Picture::new(&case.config, &case.scene).unwrap_or_else(|error| panic!("{error}"));

@@ -54,6 +54,10 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
                 ended = true;
             }
         }
+        // The program reports an error for a number that still has the bits of an output that was not written.
+        if closest_hit_gave_up {
+            step.is_hit = UNWRITTEN;
+        }
         ways[id.x * max_depth + depth] = step;
     }
 }

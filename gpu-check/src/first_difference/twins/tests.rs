@@ -1,5 +1,6 @@
 use super::*;
 use crate::kernel::Reader;
+use crate::kernels::KERNELS;
 use shaders::{Library, Precision};
 
 /// Functions without a twin: parts of functions that have one, and functions that read buffers.
@@ -23,9 +24,9 @@ const WITHOUT: [&str; 14] = [
 #[test]
 fn every_function_has_a_twin_with_as_many_numbers_or_is_listed() {
     let mut names = Vec::new();
-    let kernels = shaders::module::MODULES.iter().filter(|module| module.name.starts_with("kernels/"));
-    for kernel in kernels.filter(|kernel| !["kernels/hit_report", "kernels/rewrites"].contains(&kernel.name)) {
-        let composition = Library::standard().compose(kernel.name, Precision::F64).expect("it exists");
+    let pictures = ["kernels/image", "kernels/steps", "kernels/samples"];
+    for kernel in KERNELS.iter().map(|kernel| kernel.module).chain(pictures) {
+        let composition = Library::standard().compose(kernel, Precision::F64).expect("it exists");
         for function in composition.with_call_trace().expect("it is valid").functions {
             let Some(twin) = twin::<f64>(&function.name) else {
                 names.push(function.name);

@@ -1,0 +1,107 @@
+//! Compares the exact intersections in WGSL with `cpu::exact`, step by step and bit by bit.
+//!
+//! The programs intersect by a plain formula with an error bound, then by a compensated formula, then in double-double,
+//! and at last in dyadic arithmetic. The first three steps exist in WGSL too (`shaders/wgsl/exact`). A kernel computes
+//! all three for every ray, also if an earlier one is certain. Where all three are uncertain, the kernel reports that,
+//! and the comparison demands that they are uncertain in Rust for exactly these rays.
+//!
+//! The comparison needs f64: in f32 the constants of the bounds have no proof.
+
+mod formulas;
+mod rays;
+
+use shaders::Library;
+
+use crate::check::{Tally, compare_rows, rows_of_results};
+use crate::{Error, Float, Gpu, Pipeline};
+
+/// A kernel over f64, with the function of `cpu` that must give its bits. It is like [`crate::Kernel`], whose formulas
+/// exist in every precision.
+#[derive(Clone, Copy, Debug)]
+pub struct ExactKernel {
+    /// The name of the kernel's module in `shaders`.
+    pub module: &'static str,
+    /// Number of numbers in a case, which are the inputs. The last one is the barrier, which is 1.
+    pub inputs: usize,
+    /// Names of the numbers in a result, which are the outputs.
+    pub outputs: &'static [&'static str],
+    formula: fn(&[f64], &mut [f64]),
+    cases: fn(usize, u64) -> Vec<f64>,
+}
+
+/// Names of the numbers of an `ExactReport`, in the order of `kernels/exact_report.wgsl`.
+const REPORT: &[&str] = &[
+    "step",
+    "some",
+    "lambda",
+    "part",
+    "plain",
+    "plain lambda",
+    "compensated",
+    "compensated lambda",
+    "double-double",
+    "double-double lambda, high",
+    "double-double lambda, low",
+];
+
+/// The multiply-add that rounds once, and the products with their rounding errors.
+pub const MUL_ADD: ExactKernel = ExactKernel {
+    module: "kernels/mul_add",
+    inputs: 4,
+    outputs: &["product", "error", "mul_add"],
+    formula: formulas::mul_add,
+    cases: rays::products,
+};
+/// The exact intersection of a ray with a sphere.
+pub const SPHERE: ExactKernel = ExactKernel {
+    module: "kernels/exact_sphere",
+    inputs: 11,
+    outputs: REPORT,
+    formula: formulas::sphere,
+    cases: rays::spheres,
+};
+/// The exact intersection of a ray with a cylinder.
+pub const CYLINDER: ExactKernel = ExactKernel {
+    module: "kernels/exact_cylinder",
+    inputs: 14,
+    outputs: REPORT,
+    formula: formulas::cylinder,
+    cases: rays::cylinders,
+};
+
+/// All exact kernels.
+pub const EXACT_KERNELS: [ExactKernel; 3] = [MUL_ADD, SPHERE, CYLINDER];
+
+impl ExactKernel {
+    /// Returns edge cases, and `count` random cases of each kind. The kinds are the random cases of the plain formula,
+    /// and the regimes of `stability`. Equal seeds give equal cases.
+    #[must_use]
+    pub fn cases(&self, count: usize, seed: u64) -> Vec<f64> {
+        (self.cases)(count, seed)
+    }
+
+    /// Compiles the kernel from `library`, in f64.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::new`].
+    pub fn compile(&self, gpu: &Gpu, library: &Library) -> Result<Pipeline, Error> {
+        Pipeline::new(gpu, &library.compose(self.module, f64::PRECISION)?, None)
+    }
+
+    /// Returns the result of one case by the functions of `cpu`.
+    #[must_use]
+    pub fn expected(&self, case: &[f64]) -> Vec<f64> {
+        let mut result = vec![0.0; self.outputs.len()];
+        (self.formula)(case, &mut result);
+        result
+    }
+
+    /// Runs the kernel for `cases`, and compares its results with those of `cpu`.
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::run`].
+    pub fn check(&self, gpu: &Gpu, pipeline: &Pipeline, cases: &[f64]) -> Result<Tally, Error> {
+        let (results, _) = rows_of_results(gpu, pipeline, [self.inputs, self.outputs.len()], cases)?;
+        Ok(compare_rows(self.module, self.inputs, self.outputs, self.formula, cases, &results))
+    }
+}

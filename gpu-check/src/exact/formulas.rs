@@ -1,0 +1,102 @@
+//! The results that the exact kernels must give, by the functions of `cpu`.
+
+use cpu::internals::exact::error_bound::Decision;
+use cpu::internals::exact::{cylinder, sphere, sphere_compensated};
+use cpu::internals::geometry::cylinder::{CylinderPart, CylinderRecord};
+use cpu::internals::geometry::sphere::SphereRecord;
+use cpu::internals::math::double_double::DoubleDouble;
+use cpu::internals::math::error_free::two_product;
+use cpu::internals::math::real::Real;
+use cpu::{Ray, intersect};
+
+use crate::kernel::Reader;
+
+/// A decision of one of the steps, in the order of the steps. Both parts of a lambda in double-double are compared.
+struct Steps {
+    plain: Decision<Option<(f64, CylinderPart)>>,
+    compensated: Decision<Option<(f64, CylinderPart)>>,
+    doubled: Decision<Option<(DoubleDouble, CylinderPart)>>,
+}
+
+/// Writes the product of two numbers with its rounding error, and the multiply-add.
+pub fn mul_add(case: &[f64], result: &mut [f64]) {
+    let mut case = Reader(case);
+    let (a, b, c) = (case.number(), case.number(), case.number());
+    let (product, error) = two_product(a, b);
+    result.copy_from_slice(&[product, error, a.mul_add(b, c)]);
+}
+
+/// Writes the answers of all steps for a ray and a sphere.
+pub fn sphere(case: &[f64], result: &mut [f64]) {
+    let mut case = Reader(case);
+    let ray = Ray { origin: case.vector(), direction: case.vector() };
+    let record = SphereRecord::new(case.vector(), case.number());
+    let compensated = sphere_compensated::compensated(&record, &ray);
+    let precise = SphereRecord::new(record.center.map(DoubleDouble::of), DoubleDouble::of(record.radius));
+    let steps = Steps {
+        plain: on_the_side(sphere::filtered(&record, &ray)),
+        compensated: on_the_side(match compensated.certain {
+            true => Decision::Certain(Some(compensated.lambda)),
+            false => Decision::Uncertain,
+        }),
+        doubled: on_the_side(sphere::filtered(&precise, &ray.lanes())),
+    };
+    let answer = || intersect::sphere(&record, &ray).map(|lambda| (lambda, CylinderPart::Side));
+    write(&steps, answer, result);
+}
+
+/// Writes the answers of all steps for a ray and a cylinder. There is no compensated formula for cylinders.
+pub fn cylinder(case: &[f64], result: &mut [f64]) {
+    let mut case = Reader(case);
+    let ray = Ray { origin: case.vector(), direction: case.vector() };
+    let (center, radius, axis) = (case.vector(), case.number(), case.vector());
+    let record = CylinderRecord::new(center, radius, axis);
+    let of = DoubleDouble::of;
+    let precise = CylinderRecord::new(center.map(of), of(radius), axis.map(of));
+    let steps = Steps {
+        plain: cylinder::filtered(&record, &ray),
+        compensated: Decision::Uncertain,
+        doubled: cylinder::filtered(&precise, &ray.lanes()),
+    };
+    write(&steps, || intersect::cylinder(&record, &axis, &ray), result);
+}
+
+fn on_the_side<T>(decision: Decision<Option<T>>) -> Decision<Option<(T, CylinderPart)>> {
+    match decision {
+        Decision::Certain(hit) => Decision::Certain(hit.map(|lambda| (lambda, CylinderPart::Side))),
+        Decision::Uncertain => Decision::Uncertain,
+    }
+}
+
+/// Writes a report. If a step is certain, `answer` is called for the result of the function that the programs call.
+fn write(steps: &Steps, answer: impl Fn() -> Option<(f64, CylinderPart)>, result: &mut [f64]) {
+    let certain = [
+        steps.plain != Decision::Uncertain,
+        steps.compensated != Decision::Uncertain,
+        steps.doubled != Decision::Uncertain,
+    ];
+    let step = certain.into_iter().position(|certain| certain).map_or(0, |index| index + 1);
+    let hit = if step == 0 { None } else { answer() };
+    let (lambda, part) = hit.map_or((0.0, 0.0), |(lambda, part)| (lambda, f64::from(part as u32)));
+    result[..4].copy_from_slice(&[step as f64, f64::from(u8::from(hit.is_some())), lambda, part]);
+    let (plain, compensated, doubled) = (code(&steps.plain), code(&steps.compensated), code(&steps.doubled));
+    let of = |lambda: Option<DoubleDouble>| lambda.unwrap_or_default();
+    result[4..].copy_from_slice(&[
+        plain.0,
+        plain.1.unwrap_or(0.0),
+        compensated.0,
+        compensated.1.unwrap_or(0.0),
+        doubled.0,
+        of(doubled.1).high,
+        of(doubled.1).low,
+    ]);
+}
+
+/// Returns the number of `exact_code` in `kernels/exact_report.wgsl` for a decision, and the lambda of a hit.
+fn code<T: Copy>(decision: &Decision<Option<(T, CylinderPart)>>) -> (f64, Option<T>) {
+    match decision {
+        Decision::Uncertain => (0.0, None),
+        Decision::Certain(None) => (1.0, None),
+        Decision::Certain(Some((lambda, part))) => (2.0 + f64::from(*part as u32), Some(*lambda)),
+    }
+}

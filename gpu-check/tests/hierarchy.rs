@@ -1,0 +1,183 @@
+//! Compares the hierarchy in WGSL with the loop over all objects: all pictures and random rays must have equal bits.
+//!
+//! `RENDER_HIERARCHY_RAYS` sets the number of random rays.
+
+mod common;
+#[path = "hierarchy/large.rs"]
+mod large;
+
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::{Config, Ray, Scene, Vec3};
+use gpu_check::closest_hits::closest_hits;
+use gpu_check::difference::difference;
+use gpu_check::scenes::{self, Case};
+use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of, special};
+use shaders::Library;
+
+/// Number of random rays, unless the variable sets another one.
+const RAYS: usize = 1 << 17;
+/// Number of rays in each random scene.
+const RAYS_OF_A_SCENE: usize = 1 << 14;
+/// Largest number of pixels times objects of a picture; see [`Case::within`].
+const TESTS: usize = 8_000_000;
+
+/// Whether everything is rendered and compared, which tests/extensive does.
+fn is_everything() -> bool {
+    std::env::var_os("RENDER_HIERARCHY").is_some_and(|value| value == "all")
+}
+
+fn render<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {
+    features_of(&case.config, &case.scene)
+        .and_then(|features| Renderer::<T>::new(gpu, library, &features))
+        .and_then(|renderer| renderer.render(&Picture::new(&case.config, &case.scene)?))
+        .unwrap_or_else(|error| panic!("{}: {error}", case.name))
+}
+
+fn pictures_have_the_same_bits<T: Float>() {
+    let gpu = common::gpu();
+    let (all, tree) = (Library::standard(), Library::standard().in_hierarchy());
+    let mut cases = scenes::edges();
+    for folder in ["scenes", "tests/cases"] {
+        cases.extend(scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}")));
+    }
+    cases.extend((0..20).map(scenes::random));
+    let mut pixels = 0;
+    for case in cases.into_iter().map(|case| case.within(TESTS)) {
+        let (expected, actual) = (render::<T>(&gpu, &all, &case), render::<T>(&gpu, &tree, &case));
+        let found = difference(&actual.pixels, &expected.pixels);
+        println!("{}: {found}; {:.1?} in the hierarchy, {:.1?} without", case.name, actual.time, expected.time);
+        assert_eq!(found.differing, 0, "{}: {found}", case.name);
+        pixels += found.pixels;
+    }
+    println!("{pixels} pixels compared");
+    assert!(pixels > 100_000);
+}
+
+#[test]
+fn f64_pictures_have_the_bits_of_the_loop_over_all_objects() {
+    pictures_have_the_same_bits::<f64>();
+}
+
+#[test]
+fn f32_pictures_have_the_bits_of_the_loop_over_all_objects() {
+    pictures_have_the_same_bits::<f32>();
+}
+
+/// Returns a scene of about 300 objects of very different sizes, of which every third has a ground sphere.
+fn scene(draws: &mut Uniform, number: usize) -> Scene {
+    let mut text = String::from("matte: m .5 .5 .5\n");
+    for _ in 0..300 {
+        let center = special::in_cube(draws, 10.0);
+        let radius = special::of_any_size(draws, -2.5, 0.3).abs();
+        if draws.canonical() < 0.5 {
+            text.push_str(&format!("sphere: {} {} {} {radius} m\n", center.x, center.y, center.z));
+        } else {
+            let mut axis = special::direction(draws) * special::of_any_size(draws, -2.0, 0.5).abs();
+            if draws.canonical() < 0.2 {
+                axis = Vec3::new(0.0, axis.length(), 0.0);
+            }
+            let [x, y, z] = axis.to_array();
+            text.push_str(&format!("cylinder: {} {} {} {radius} {x} {y} {z} m\n", center.x, center.y, center.z));
+        }
+    }
+    if number % 3 == 0 {
+        text.push_str("sphere: 0 -1010 0 1000 m\n");
+    }
+    Scene::parse(text.as_bytes()).expect("it is valid")
+}
+
+/// Returns a ray that starts anywhere or on an object, and aims past the middle of an object by about its radius.
+fn ray<T: Float>(draws: &mut Uniform, picture: &Picture<T>) -> Ray<T> {
+    let objects = picture.spheres.len() + picture.cylinders.len();
+    let mut object = || {
+        let index = (draws.canonical() * objects as f64) as usize;
+        let (center, radius) = match index.checked_sub(picture.spheres.len()) {
+            None => (picture.spheres[index].record.center, picture.spheres[index].record.radius),
+            Some(index) => (picture.cylinders[index].record.center, picture.cylinders[index].record.radius),
+        };
+        (center.map(Float::wide), radius.wide())
+    };
+    let ((from, from_radius), (center, radius)) = (object(), object());
+    let origin = match draws.canonical() {
+        place if place < 0.3 => from + special::direction(draws) * from_radius,
+        place if place < 0.98 => special::in_cube(draws, 12.0),
+        // Far away from all objects.
+        _ => special::in_cube(draws, 1e4),
+    };
+    let off = match draws.canonical() {
+        aim if aim < 0.5 => 1.0 + special::of_any_size(draws, -17.0, -1.0),
+        _ => draws.canonical() * 1.2,
+    };
+    let across = special::direction(draws).perpendicular_to((center - origin).unit());
+    let direction = center + across.unit() * (radius * off) - origin;
+    let size = if draws.canonical() < 0.05 { special::of_any_size(draws, -9.0, 17.0).abs() } else { 1.0 };
+    Ray { origin: origin.map(T::of), direction: (direction * size).map(T::of) }
+}
+
+fn rays_have_the_same_hits<T: Float>() {
+    let gpu = common::gpu();
+    let count = std::env::var("RENDER_HIERARCHY_RAYS").map_or(RAYS, |text| text.parse().expect("it is a number"));
+    let mut draws = Uniform::new(30);
+    let config = Config { image_width: 8, ..Config::default() };
+    let (mut hits, mut done) = (0, 0);
+    for number in 0..count.div_ceil(RAYS_OF_A_SCENE) {
+        let picture = Picture::<T>::new(&config, &scene(&mut draws, number)).expect("it is valid");
+        let rays: Vec<_> = (0..RAYS_OF_A_SCENE).map(|_| ray(&mut draws, &picture)).collect();
+        let find =
+            |library: &Library| closest_hits(&gpu, library, &picture, &rays).unwrap_or_else(|error| panic!("{error}"));
+        let (expected, actual) = (find(&Library::standard()), find(&Library::standard().in_hierarchy()));
+        for ((ray, expected), actual) in rays.iter().zip(&expected).zip(&actual) {
+            let same = expected.iter().zip(actual).all(|(expected, actual)| expected.same(*actual));
+            assert!(same, "{ray:?} in scene {number}: {expected:?} of all objects, {actual:?} in the hierarchy");
+        }
+        hits += expected.iter().filter(|hit| hit[1].wide() >= 0.0).count();
+        done += rays.len();
+    }
+    println!("{}: {done} rays, {hits} hits, 0 differ", T::PRECISION);
+    assert!(hits * 2 > done, "{hits} of {done}");
+}
+
+#[test]
+fn random_rays_in_f64_have_the_hits_of_the_loop_over_all_objects() {
+    rays_have_the_same_hits::<f64>();
+}
+
+#[test]
+fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
+    rays_have_the_same_hits::<f32>();
+}
+
+#[test]
+fn a_ray_that_visits_too_many_nodes_is_an_error_and_not_a_wrong_colour() {
+    let gpu = common::gpu();
+    let mut library = Library::standard().in_hierarchy();
+    let source = library.source("hierarchy").expect("it exists");
+    assert_eq!(source.matches("MOST_VISITS: u32 = 60000u").count(), 1);
+    let source = source.replace("MOST_VISITS: u32 = 60000u", "MOST_VISITS: u32 = 20u");
+    library.replace("hierarchy", "few.wgsl", source).expect("it exists");
+    let case = large::ten_thousand(16);
+    let features = features_of(&case.config, &case.scene).expect("it is valid");
+    let picture = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let renderer = Renderer::<f64>::new(&gpu, &library, &features).expect("it compiles");
+    let error = renderer.render(&picture).map(|rendering| rendering.size).expect_err("20 nodes are too few");
+    assert!(error.to_string().contains("did not write"), "{error}");
+}
+
+#[test]
+fn more_objects_than_a_loop_may_pass_are_rendered_in_a_hierarchy() {
+    let gpu = common::gpu();
+    // Only the last of 70,000 spheres is in front of the camera.
+    let mut text = String::from("matte: red .9 .1 .1\n");
+    for number in 0..70_000 {
+        text.push_str(&format!("sphere: {} {} -900 1 red\n", number % 300 * 3, number / 300 * 3));
+    }
+    text.push_str("sphere: 0 0 0 5 red\n");
+    let scene = Scene::parse(text.as_bytes()).expect("it is valid");
+    let config = Config { image_width: 16, aspect_ratio: [1, 1], max_depth: 3, ..Config::default() };
+    let case = Case { name: "70,001 spheres".to_owned(), config, scene };
+    let rendering = render::<f64>(&gpu, &Library::standard().in_hierarchy(), &case);
+    let twin = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let expected: Vec<_> = (0..rendering.pixels.len()).map(|index| twin.color(index)).collect();
+    let found = difference(&rendering.pixels, &expected);
+    assert_eq!(found.differing, 0, "{found}");
+}

@@ -1,0 +1,84 @@
+//! Renders scenes of many objects in the hierarchy, and prints the times.
+
+use std::time::Instant;
+
+use cpu::{Config, Scene, Vec3};
+use gpu_check::difference::difference;
+use gpu_check::scenes::{self, Case};
+use gpu_check::{Float, Picture};
+use shaders::Library;
+
+use crate::{is_everything, render};
+
+/// Number of spheres of the largest scene, if everything is rendered. By default it has 70,000, which are more than the
+/// iterations of a loop.
+const MOST_SPHERES: usize = 1_000_000;
+
+/// Returns `scenes/ten-thousand` with `width` columns of pixels.
+pub fn ten_thousand(width: u64) -> Case {
+    let cases = scenes::in_folder(&scenes::repository("scenes")).unwrap_or_else(|error| panic!("{error}"));
+    let mut case = cases.into_iter().find(|case| case.name.contains("ten-thousand")).expect("the scene exists");
+    case.config.image_width = width;
+    case
+}
+
+fn ten_thousand_objects_are_rendered<T: Float>() {
+    let gpu = crate::common::gpu();
+    let case = ten_thousand(480);
+    let tree = render::<T>(&gpu, &Library::standard().in_hierarchy(), &case);
+    assert_eq!((tree.size.width(), tree.size.height()), (480, 270));
+    println!("ten-thousand, 480 x 270, {}: {:.2?} in the hierarchy", T::PRECISION, tree.time);
+    if is_everything() {
+        let all = render::<T>(&gpu, &Library::standard(), &case);
+        let found = difference(&tree.pixels, &all.pixels);
+        println!("ten-thousand, 480 x 270, {}: {found}; {:.1?} without the hierarchy", T::PRECISION, all.time);
+        assert_eq!(found.differing, 0, "{found}");
+    }
+}
+
+#[test]
+fn ten_thousand_objects_are_rendered_in_f64() {
+    ten_thousand_objects_are_rendered::<f64>();
+}
+
+#[test]
+fn ten_thousand_objects_are_rendered_in_f32() {
+    ten_thousand_objects_are_rendered::<f32>();
+}
+
+#[test]
+fn a_million_spheres_are_rendered() {
+    let count = if is_everything() { MOST_SPHERES } else { 70_000 };
+    let side = (count as f64).cbrt().ceil() as usize;
+    let mut text = String::from("matte: red .9 .1 .1\nmetal: grey .6 .6 .6 0\n");
+    for number in 0..count {
+        let [x, y, z] = [number % side, number / side % side, number / side / side].map(|place| 2 * place);
+        let material = if number % 7 == 0 { "grey" } else { "red" };
+        text.push_str(&format!("sphere: {x} {y} -{z} {} {material}\n", 0.3 + 0.001 * (number % 300) as f64));
+    }
+    let scene = Scene::parse(text.as_bytes()).expect("it is valid");
+    let middle = side as f64;
+    let config = Config {
+        image_width: 240,
+        max_depth: 5,
+        camera_position: Vec3::new(middle, middle, 30.0),
+        camera_target: Vec3::new(0.6 * middle, 0.7 * middle, -middle),
+        ..Config::default()
+    };
+    let case = Case { name: format!("{count} spheres"), config, scene };
+    let gpu = crate::common::gpu();
+    let start = Instant::now();
+    let tree = render::<f64>(&gpu, &Library::standard().in_hierarchy(), &case);
+    println!("{}: {:.2?} on the device, {:.1?} with building and transfers", case.name, tree.time, start.elapsed());
+    // The CPU loops over all objects too, so it computes a few pixels.
+    let twin = Picture::<f64>::new(&case.config, &case.scene).expect("it is valid");
+    let mut hits = 0;
+    for index in (0..tree.pixels.len()).step_by(tree.pixels.len() / 24) {
+        let expected = twin.color(index);
+        let actual = tree.pixels[index];
+        assert!(actual.to_array().iter().zip(expected.to_array()).all(|(one, other)| one.same(other)), "{index}");
+        hits += usize::from(twin.steps(index)[0].is_hit() == 1.0);
+    }
+    println!("{hits} of 24 compared pixels show a sphere");
+    assert!(hits > 6);
+}

@@ -1,0 +1,858 @@
+struct Ray {
+    float3 origin;
+    int _pad1_0;
+    float3 direction;
+    int _end_pad_0;
+};
+
+struct Root {
+    bool some;
+    float lambda;
+};
+
+struct Hit {
+    float3 point_;
+    int _pad1_0;
+    float3 normal;
+    bool front;
+};
+
+struct SphereRecord {
+    float3 center_;
+    float radius;
+    float radius_squared;
+    int _end_pad_0;
+    int _end_pad_1;
+    int _end_pad_2;
+};
+
+struct SphereView {
+    float3 r_c;
+    float c;
+};
+
+struct SphereQuadratic {
+    float h;
+    float discriminant;
+};
+
+struct CylinderRecord {
+    float3 center_;
+    int _pad1_0;
+    float3 axis;
+    int _pad2_0;
+    float3 top;
+    int _pad3_0;
+    float3 bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    int _end_pad_0;
+    int _end_pad_1;
+};
+
+struct CylinderView {
+    float3 r_c;
+    float c;
+};
+
+struct CylinderQuadratic {
+    float a;
+    float h;
+    float discriminant;
+};
+
+struct CylinderRoot {
+    bool some;
+    float lambda;
+    uint part;
+};
+
+struct PackedVec3_ {
+    float x;
+    float y;
+    float z;
+};
+
+struct PackedRay {
+    PackedVec3_ origin;
+    PackedVec3_ direction;
+};
+
+struct PlacedSphere {
+    PackedVec3_ center_;
+    float radius;
+    float radius_squared;
+    uint order;
+    uint material;
+};
+
+struct PlacedCylinder {
+    PackedVec3_ center_;
+    PackedVec3_ axis;
+    PackedVec3_ top;
+    PackedVec3_ bottom;
+    float radius;
+    float radius_squared;
+    float half_height;
+    uint order;
+    uint material;
+};
+
+struct PackedCamera {
+    PackedVec3_ position;
+    PackedVec3_ origin;
+    PackedVec3_ delta_x;
+    PackedVec3_ delta_y;
+};
+
+struct PackedBackground {
+    PackedVec3_ dark;
+    PackedVec3_ light;
+};
+
+struct Picture {
+    PackedCamera camera;
+    PackedBackground background;
+    float offset_x;
+    float offset_y;
+    PackedVec3_ scatter_vector;
+    uint width;
+    uint first_pixel;
+    uint pixel_count;
+    uint sphere_count;
+    uint cylinder_count;
+    uint first_depth;
+    uint end_depth;
+    uint sample_count;
+    uint first_sample;
+    uint samples_per_pixel;
+    uint convention;
+    uint unused;
+};
+
+struct ClosestHit {
+    bool some;
+    float lambda;
+    uint order;
+    bool is_cylinder;
+    uint index;
+    uint part;
+};
+
+struct SurfaceHit {
+    bool some;
+    int _pad1_0;
+    int _pad1_1;
+    int _pad1_2;
+    Hit hit;
+    uint material;
+    float lambda;
+    uint order;
+    uint part;
+};
+
+struct PackedPath {
+    PackedRay ray;
+    uint attenuation_count;
+    uint ended;
+};
+
+static const float SHORT_SQUARED = 0.0;
+static const float SHORT_SCALE = 1.0;
+static const float BELOW_ONE = 0.99999994;
+static const float LEAST_SQUARED = 0.0;
+static const float ERROR_UNDERFLOW = 0.0;
+static const float ERROR_OVERFLOW = 3e38;
+static const float SHORTEST_SQUARED = 0.0;
+static const float LONGEST_SQUARED = 3e38;
+static const float EXTENT_UNDERFLOW = 0.0;
+static const float SPLITTER = 4097.0;
+static const float SPLIT_LIMIT = 1e33;
+static const float SPLIT_SCALE = 1.5258789e-5;
+static const float SPLIT_UNSCALE = 65536.0;
+static const float UNWRITTEN = -2.8735182e-16;
+static const uint SIDE = 0u;
+static const uint TOP = 1u;
+static const uint BOTTOM = 2u;
+static const uint MATTE = 0u;
+static const uint METAL = 1u;
+static const uint REFRACTIVE = 2u;
+static const bool has_spheres = true;
+static const bool has_cylinders = true;
+
+ByteAddressBuffer picture : register(t0);
+ByteAddressBuffer spheres : register(t1);
+ByteAddressBuffer cylinders : register(t2);
+static bool closest_hit_gave_up = (bool)0;
+RWByteAddressBuffer pixels : register(u5);
+RWByteAddressBuffer paths : register(u6);
+
+float vec3_dot(float3 a, float3 b)
+{
+    return (((a.x * b.x) + (a.y * b.y)) + (a.z * b.z));
+}
+
+float vec3_length(float3 v)
+{
+    const float _e1 = vec3_dot(v, v);
+    return sqrt(_e1);
+}
+
+float3 vec3_perpendicular_to(float3 v_1, float3 axis)
+{
+    const float _e2 = vec3_dot(v_1, axis);
+    return (v_1 - (axis * _e2));
+}
+
+float3 ray_at(Ray ray, float lambda)
+{
+    return (ray.origin + (ray.direction * lambda));
+}
+
+bool in_range(float lambda_1)
+{
+    return (0.001 <= lambda_1);
+}
+
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
+Root root_none()
+{
+    const Root root = ConstructRoot(false, 0.0);
+    return root;
+}
+
+Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
+    Hit ret = (Hit)0;
+    ret.point_ = arg0;
+    ret.normal = arg1;
+    ret.front = arg2;
+    return ret;
+}
+
+Hit hit_facing(float3 direction, float3 point_, float3 outward)
+{
+    const float _e3 = vec3_dot(direction, outward);
+    bool front = (_e3 < 0.0);
+    if (front) {
+        const Hit hit = ConstructHit(point_, outward, front);
+        return hit;
+    }
+    const Hit hit_1 = ConstructHit(point_, -(outward), front);
+    return hit_1;
+}
+
+SphereView ConstructSphereView(float3 arg0, float arg1) {
+    SphereView ret = (SphereView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+SphereView sphere_seen_from(SphereRecord sphere, float3 origin)
+{
+    float3 r_c = (sphere.center_ - origin);
+    const float _e4 = vec3_dot(r_c, r_c);
+    const SphereView sphereview = ConstructSphereView(r_c, (_e4 - sphere.radius_squared));
+    return sphereview;
+}
+
+SphereQuadratic ConstructSphereQuadratic(float arg0, float arg1) {
+    SphereQuadratic ret = (SphereQuadratic)0;
+    ret.h = arg0;
+    ret.discriminant = arg1;
+    return ret;
+}
+
+SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
+{
+    const float _e4 = vec3_dot(direction_1, view.r_c);
+    const SphereQuadratic spherequadratic = ConstructSphereQuadratic(_e4, ((_e4 * _e4) - (a_1 * view.c)));
+    return spherequadratic;
+}
+
+Root sphere_first_root(float a_2, float h, float discriminant)
+{
+    float root_1 = sqrt(discriminant);
+    float near = ((h - root_1) / a_2);
+    float far = ((h + root_1) / a_2);
+    const bool _e8 = in_range(near);
+    float lambda_6 = (_e8 ? near : far);
+    const bool _e10 = in_range(lambda_6);
+    const Root root_2 = ConstructRoot(_e10, lambda_6);
+    return root_2;
+}
+
+float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
+{
+    return ((point_1 - sphere_1.center_) / (sphere_1.radius).xxx);
+}
+
+Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
+{
+    const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
+    const SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
+    const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
+    if ((_e8.discriminant < 0.0)) {
+        const Root _e12 = root_none();
+        const Root root_3 = _e12;
+        return root_3;
+    }
+    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_4 = _e15;
+    return root_4;
+}
+
+bool tie_later_is_closer(float lambda_2, float closest)
+{
+    return (lambda_2 <= closest);
+}
+
+bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
+{
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+
+    const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
+    if (_e4) {
+        if (!((lambda_3 < closest_1))) {
+            local_1 = (order >= closest_order);
+        } else {
+            local_1 = true;
+        }
+        bool _e13 = local_1;
+        local = _e13;
+    } else {
+        local = false;
+    }
+    bool _e15 = local;
+    return _e15;
+}
+
+CylinderView ConstructCylinderView(float3 arg0, float arg1) {
+    CylinderView ret = (CylinderView)0;
+    ret.r_c = arg0;
+    ret.c = arg1;
+    return ret;
+}
+
+CylinderView cylinder_seen_from(CylinderRecord cylinder, float3 origin_1)
+{
+    const float3 _e5 = vec3_perpendicular_to((origin_1 - cylinder.center_), cylinder.axis);
+    const float _e6 = vec3_dot(_e5, _e5);
+    const CylinderView cylinderview = ConstructCylinderView(_e5, (_e6 - cylinder.radius_squared));
+    return cylinderview;
+}
+
+CylinderQuadratic ConstructCylinderQuadratic(float arg0, float arg1, float arg2) {
+    CylinderQuadratic ret = (CylinderQuadratic)0;
+    ret.a = arg0;
+    ret.h = arg1;
+    ret.discriminant = arg2;
+    return ret;
+}
+
+CylinderQuadratic cylinder_quadratic(CylinderRecord cylinder_1, CylinderView view_1, float3 along)
+{
+    const float3 _e4 = vec3_perpendicular_to(along, cylinder_1.axis);
+    const float _e5 = vec3_dot(_e4, _e4);
+    const float _e7 = vec3_dot(view_1.r_c, _e4);
+    const CylinderQuadratic cylinderquadratic = ConstructCylinderQuadratic(_e5, _e7, ((_e7 * _e7) - (_e5 * view_1.c)));
+    return cylinderquadratic;
+}
+
+bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4)
+{
+    const float3 _e3 = ray_at(ray_2, lambda_4);
+    const float _e7 = vec3_dot((_e3 - cylinder_2.center_), cylinder_2.axis);
+    return (abs(_e7) <= cylinder_2.half_height);
+}
+
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
+{
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
+
+    float root_5 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    const bool _e15 = in_range(near_1);
+    if (_e15) {
+        const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
+        local_2 = _e18;
+    } else {
+        local_2 = false;
+    }
+    bool near_counts = local_2;
+    const bool _e21 = in_range(far_1);
+    if (_e21) {
+        const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
+        local_3 = _e24;
+    } else {
+        local_3 = false;
+    }
+    bool far_counts = local_3;
+    if (!(near_counts)) {
+        local_4 = far_counts;
+    } else {
+        local_4 = true;
+    }
+    bool _e31 = local_4;
+    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
+    return root_6;
+}
+
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_)
+{
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
+
+    const float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
+    const float _e9 = vec3_dot((center_ - ray_4.origin), cylinder_4.axis);
+    float lambda_7 = (_e9 / _e5);
+    const float3 _e11 = ray_at(ray_4, lambda_7);
+    const float _e13 = vec3_length((_e11 - center_));
+    bool on_disc = (_e13 <= cylinder_4.radius);
+    if (!((abs(_e5) < 1e-8))) {
+        const bool _e22 = in_range(lambda_7);
+        local_5 = _e22;
+    } else {
+        local_5 = false;
+    }
+    bool _e24 = local_5;
+    if (_e24) {
+        local_6 = on_disc;
+    } else {
+        local_6 = false;
+    }
+    bool _e28 = local_6;
+    const Root root_7 = ConstructRoot(_e28, lambda_7);
+    return root_7;
+}
+
+float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
+{
+    switch(part) {
+        case 0u: {
+            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+            return _e6;
+        }
+        case 1u: {
+            return cylinder_5.axis;
+        }
+        default: {
+            return -(cylinder_5.axis);
+        }
+    }
+}
+
+CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
+    CylinderRoot ret = (CylinderRoot)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.part = arg2;
+    return ret;
+}
+
+CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side)
+{
+    CylinderRoot closest_2 = (CylinderRoot)0;
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+
+    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
+    const Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    if (_e9.some) {
+        bool _e14 = closest_2.some;
+        if (!(!(_e14))) {
+            float _e21 = closest_2.lambda;
+            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
+            local_8 = _e22;
+        } else {
+            local_8 = true;
+        }
+        bool _e24 = local_8;
+        local_7 = _e24;
+    } else {
+        local_7 = false;
+    }
+    bool _e26 = local_7;
+    if (_e26) {
+        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
+    }
+    const Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    if (_e32.some) {
+        bool _e37 = closest_2.some;
+        if (!(!(_e37))) {
+            float _e44 = closest_2.lambda;
+            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
+            local_10 = _e45;
+        } else {
+            local_10 = true;
+        }
+        bool _e47 = local_10;
+        local_9 = _e47;
+    } else {
+        local_9 = false;
+    }
+    bool _e49 = local_9;
+    if (_e49) {
+        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
+    }
+    CylinderRoot _e54 = closest_2;
+    const CylinderRoot cylinderroot = _e54;
+    return cylinderroot;
+}
+
+CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6)
+{
+    Root side_1 = (Root)0;
+
+    const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
+    const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
+    if (!((_e5.discriminant < 0.0))) {
+        const Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
+        side_1 = _e11;
+    }
+    Root _e12 = side_1;
+    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
+    const CylinderRoot cylinderroot_1 = _e13;
+    return cylinderroot_1;
+}
+
+float3 vec3_load(PackedVec3_ v_2)
+{
+    return float3(v_2.x, v_2.y, v_2.z);
+}
+
+PackedVec3_ ConstructPackedVec3_(float arg0, float arg1, float arg2) {
+    PackedVec3_ ret = (PackedVec3_)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.z = arg2;
+    return ret;
+}
+
+PackedVec3_ vec3_store(float3 v_3)
+{
+    const PackedVec3_ packedvec3_ = ConstructPackedVec3_(v_3.x, v_3.y, v_3.z);
+    return packedvec3_;
+}
+
+Ray ConstructRay(float3 arg0, float3 arg1) {
+    Ray ret = (Ray)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+Ray ray_load(PackedRay ray_7)
+{
+    const float3 _e2 = vec3_load(ray_7.origin);
+    const float3 _e4 = vec3_load(ray_7.direction);
+    const Ray ray_13 = ConstructRay(_e2, _e4);
+    return ray_13;
+}
+
+SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
+    SphereRecord ret = (SphereRecord)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    return ret;
+}
+
+SphereRecord sphere_load(PlacedSphere sphere_3)
+{
+    const float3 _e2 = vec3_load(sphere_3.center_);
+    const SphereRecord sphererecord = ConstructSphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
+    return sphererecord;
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
+{
+    const float3 _e2 = vec3_load(cylinder_8.center_);
+    const float3 _e4 = vec3_load(cylinder_8.axis);
+    const float3 _e6 = vec3_load(cylinder_8.top);
+    const float3 _e8 = vec3_load(cylinder_8.bottom);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
+    return cylinderrecord;
+}
+
+bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1)
+{
+    bool local_11 = (bool)0;
+
+    if (!(!(closest_3.some))) {
+        const bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+        local_11 = _e10;
+    } else {
+        local_11 = true;
+    }
+    bool _e12 = local_11;
+    return _e12;
+}
+
+ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
+    ClosestHit ret = (ClosestHit)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    ret.order = arg2;
+    ret.is_cylinder = arg3;
+    ret.index = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
+    PlacedSphere ret = (PlacedSphere)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    ret.order = arg3;
+    ret.material = arg4;
+    return ret;
+}
+
+ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_8, uint index)
+{
+    bool local_12 = (bool)0;
+
+    PlacedSphere _e5 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(index*28+0+0)), asfloat(spheres.Load(index*28+0+4)), asfloat(spheres.Load(index*28+0+8))), asfloat(spheres.Load(index*28+12)), asfloat(spheres.Load(index*28+16)), asuint(spheres.Load(index*28+20)), asuint(spheres.Load(index*28+24)));
+    const SphereRecord _e6 = sphere_load(_e5);
+    const Root _e7 = sphere_intersect(_e6, ray_8);
+    uint order_2 = asuint(spheres.Load(20+index*28));
+    if (_e7.some) {
+        const bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
+        local_12 = _e16;
+    } else {
+        local_12 = false;
+    }
+    bool _e18 = local_12;
+    if (_e18) {
+        const ClosestHit closesthit = ConstructClosestHit(true, _e7.lambda, order_2, false, index, SIDE);
+        return closesthit;
+    }
+    const ClosestHit closesthit_1 = closest_4;
+    return closesthit_1;
+}
+
+PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2, PackedVec3_ arg3, float arg4, float arg5, float arg6, uint arg7, uint arg8) {
+    PlacedCylinder ret = (PlacedCylinder)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    ret.order = arg7;
+    ret.material = arg8;
+    return ret;
+}
+
+ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_9, uint index_1)
+{
+    bool local_13 = (bool)0;
+
+    PlacedCylinder _e5 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(index_1*68+0+0)), asfloat(cylinders.Load(index_1*68+0+4)), asfloat(cylinders.Load(index_1*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_1*68+12+0)), asfloat(cylinders.Load(index_1*68+12+4)), asfloat(cylinders.Load(index_1*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_1*68+24+0)), asfloat(cylinders.Load(index_1*68+24+4)), asfloat(cylinders.Load(index_1*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_1*68+36+0)), asfloat(cylinders.Load(index_1*68+36+4)), asfloat(cylinders.Load(index_1*68+36+8))), asfloat(cylinders.Load(index_1*68+48)), asfloat(cylinders.Load(index_1*68+52)), asfloat(cylinders.Load(index_1*68+56)), asuint(cylinders.Load(index_1*68+60)), asuint(cylinders.Load(index_1*68+64)));
+    const CylinderRecord _e6 = cylinder_load(_e5);
+    const CylinderRoot _e7 = cylinder_intersect(_e6, ray_9);
+    uint order_3 = asuint(cylinders.Load(60+index_1*68));
+    if (_e7.some) {
+        const bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
+        local_13 = _e16;
+    } else {
+        local_13 = false;
+    }
+    bool _e18 = local_13;
+    if (_e18) {
+        const ClosestHit closesthit_2 = ConstructClosestHit(true, _e7.lambda, order_3, true, index_1, _e7.part);
+        return closesthit_2;
+    }
+    const ClosestHit closesthit_3 = closest_5;
+    return closesthit_3;
+}
+
+SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
+    SurfaceHit ret = (SurfaceHit)0;
+    ret.some = arg0;
+    ret.hit = arg1;
+    ret.material = arg2;
+    ret.lambda = arg3;
+    ret.order = arg4;
+    ret.part = arg5;
+    return ret;
+}
+
+SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10)
+{
+    SurfaceHit surface = (SurfaceHit)0;
+    bool local_14 = (bool)0;
+    bool local_15 = (bool)0;
+
+    if (!(closest_6.some)) {
+        SurfaceHit _e5 = surface;
+        const SurfaceHit surfacehit = _e5;
+        return surfacehit;
+    }
+    const float3 _e7 = ray_at(ray_10, closest_6.lambda);
+    if (has_spheres) {
+        local_14 = !(closest_6.is_cylinder);
+    } else {
+        local_14 = false;
+    }
+    bool _e14 = local_14;
+    if (_e14) {
+        PlacedSphere _e18 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(closest_6.index*28+0+0)), asfloat(spheres.Load(closest_6.index*28+0+4)), asfloat(spheres.Load(closest_6.index*28+0+8))), asfloat(spheres.Load(closest_6.index*28+12)), asfloat(spheres.Load(closest_6.index*28+16)), asuint(spheres.Load(closest_6.index*28+20)), asuint(spheres.Load(closest_6.index*28+24)));
+        const SphereRecord _e19 = sphere_load(_e18);
+        const float3 _e20 = sphere_outward(_e19, _e7);
+        const Hit _e22 = hit_facing(ray_10.direction, _e7, _e20);
+        uint material = asuint(spheres.Load(24+closest_6.index*28));
+        surface = ConstructSurfaceHit(true, _e22, material, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    if (has_cylinders) {
+        local_15 = closest_6.is_cylinder;
+    } else {
+        local_15 = false;
+    }
+    bool _e38 = local_15;
+    if (_e38) {
+        PlacedCylinder _e42 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+0+0)), asfloat(cylinders.Load(closest_6.index*68+0+4)), asfloat(cylinders.Load(closest_6.index*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+12+0)), asfloat(cylinders.Load(closest_6.index*68+12+4)), asfloat(cylinders.Load(closest_6.index*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+24+0)), asfloat(cylinders.Load(closest_6.index*68+24+4)), asfloat(cylinders.Load(closest_6.index*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+36+0)), asfloat(cylinders.Load(closest_6.index*68+36+4)), asfloat(cylinders.Load(closest_6.index*68+36+8))), asfloat(cylinders.Load(closest_6.index*68+48)), asfloat(cylinders.Load(closest_6.index*68+52)), asfloat(cylinders.Load(closest_6.index*68+56)), asuint(cylinders.Load(closest_6.index*68+60)), asuint(cylinders.Load(closest_6.index*68+64)));
+        const CylinderRecord _e43 = cylinder_load(_e42);
+        const float3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
+        const Hit _e47 = hit_facing(ray_10.direction, _e7, _e45);
+        uint material_1 = asuint(cylinders.Load(64+closest_6.index*68));
+        surface = ConstructSurfaceHit(true, _e47, material_1, closest_6.lambda, closest_6.order, closest_6.part);
+    }
+    SurfaceHit _e58 = surface;
+    const SurfaceHit surfacehit_1 = _e58;
+    return surfacehit_1;
+}
+
+ClosestHit intersect_every_object(Ray ray_11)
+{
+    ClosestHit closest_7 = (ClosestHit)0;
+    uint index_2 = 0u;
+    uint index_3 = 0u;
+
+    if (has_spheres) {
+        uint2 loop_bound = uint2(4294967295u, 4294967295u);
+        bool loop_init = true;
+        while(true) {
+            if (all(loop_bound == uint2(0u, 0u))) { break; }
+            loop_bound -= uint2(loop_bound.y == 0u, 1u);
+            if (!loop_init) {
+                uint _e14 = index_2;
+                index_2 = (_e14 + 1u);
+            }
+            loop_init = false;
+            uint _e5 = index_2;
+            uint _e8 = asuint(picture.Load(104));
+            if ((_e5 < _e8)) {
+            } else {
+                break;
+            }
+            {
+                ClosestHit _e10 = closest_7;
+                uint _e11 = index_2;
+                const ClosestHit _e12 = intersect_sphere(_e10, ray_11, _e11);
+                closest_7 = _e12;
+            }
+        }
+    }
+    if (has_cylinders) {
+        uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+        bool loop_init_1 = true;
+        while(true) {
+            if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
+            loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+            if (!loop_init_1) {
+                uint _e28 = index_3;
+                index_3 = (_e28 + 1u);
+            }
+            loop_init_1 = false;
+            uint _e19 = index_3;
+            uint _e22 = asuint(picture.Load(108));
+            if ((_e19 < _e22)) {
+            } else {
+                break;
+            }
+            {
+                ClosestHit _e24 = closest_7;
+                uint _e25 = index_3;
+                const ClosestHit _e26 = intersect_cylinder(_e24, ray_11, _e25);
+                closest_7 = _e26;
+            }
+        }
+    }
+    ClosestHit _e30 = closest_7;
+    const ClosestHit closesthit_4 = _e30;
+    return closesthit_4;
+}
+
+SurfaceHit closest_hit(Ray ray_12)
+{
+    const ClosestHit _e1 = intersect_every_object(ray_12);
+    const SurfaceHit _e2 = surface_at(_e1, ray_12);
+    const SurfaceHit surfacehit_2 = _e2;
+    return surfacehit_2;
+}
+
+PackedRay ConstructPackedRay(PackedVec3_ arg0, PackedVec3_ arg1) {
+    PackedRay ret = (PackedRay)0;
+    ret.origin = arg0;
+    ret.direction = arg1;
+    return ret;
+}
+
+[numthreads(64, 1, 1)]
+void rays(uint3 id : SV_DispatchThreadID)
+{
+    float3 report = (-1.0).xxx;
+
+    uint _e4 = asuint(picture.Load(100));
+    if ((id.x >= _e4)) {
+        return;
+    }
+    PackedRay _e10 = ConstructPackedRay(ConstructPackedVec3_(asfloat(paths.Load(0+id.x*32+0+0)), asfloat(paths.Load(0+id.x*32+0+4)), asfloat(paths.Load(0+id.x*32+0+8))), ConstructPackedVec3_(asfloat(paths.Load(0+id.x*32+12+0)), asfloat(paths.Load(0+id.x*32+12+4)), asfloat(paths.Load(0+id.x*32+12+8))));
+    const Ray _e11 = ray_load(_e10);
+    const SurfaceHit _e12 = closest_hit(_e11);
+    if (_e12.some) {
+        report = float3(_e12.lambda, float(_e12.order), float(_e12.part));
+    }
+    bool _e24 = closest_hit_gave_up;
+    if (_e24) {
+        report = (-2.8735182e-16).xxx;
+    }
+    float3 _e30 = report;
+    const PackedVec3_ _e31 = vec3_store(_e30);
+    {
+        PackedVec3_ _value2 = _e31;
+        pixels.Store(id.x*12+0, asuint(_value2.x));
+        pixels.Store(id.x*12+4, asuint(_value2.y));
+        pixels.Store(id.x*12+8, asuint(_value2.z));
+    }
+    return;
+}

@@ -1,0 +1,56 @@
+// Products with their rounding errors, and a multiply-add that rounds once; twin of cpu/src/math/error_free.rs and of
+// `f64::mul_add`.
+//
+// WGSL's own `fma` may round twice, and does on lavapipe. So the product is split into four exact partial products
+// (Dekker 1971), and the result is rounded once by comparisons (the idea of Boldo and Melquiond 2008, with a test for
+// ties in the place of rounding to odd). A product below 2^-960 may lose its error to underflow, as the error is then
+// smaller than the smallest number. The bounds of the exact intersections have a term for that.
+
+// The barrier of exact.wgsl. A kernel loads this 1 at run time, and sets it before it calls a function of exact/.
+var<private> exact_one: real;
+
+// The two halves of a number, of at most 26 bits each: their sum is the number.
+struct ExactHalves {
+    high: real,
+    low: real,
+}
+
+// Returns the halves of `a` (Veltkamp).
+fn exact_halves(a: real) -> ExactHalves {
+    let large = a * SPLITTER;
+    let high = large * exact_one - (large - a);
+    return ExactHalves(high, a - high);
+}
+
+// two_product: returns the rounded product and its rounding error.
+fn exact_two_product(a: real, b: real) -> ExactSum {
+    let scales_a = SPLIT_LIMIT < abs(a);
+    let scales_b = SPLIT_LIMIT < abs(b);
+    let x = select(a, a * SPLIT_SCALE, scales_a);
+    let y = select(b, b * SPLIT_SCALE, scales_b);
+    let product = x * y;
+    let xs = exact_halves(x);
+    let ys = exact_halves(y);
+    let error = ((xs.high * ys.high - product) + xs.high * ys.low + xs.low * ys.high) + xs.low * ys.low;
+    let unscaled = select(error, error * SPLIT_UNSCALE, scales_a);
+    return ExactSum(a * b, select(unscaled, unscaled * SPLIT_UNSCALE, scales_b));
+}
+
+// f64::mul_add: returns `a b + c`, rounded once.
+//
+// The exact value is `sum + rest + left`, where `sum` is rounded from the two largest terms, `rest` is the error of
+// that rounding, and `left` is smaller than the last place of the second term. So `left` matters only if `rest` is
+// exactly half a unit in the last place: then `sum` may have been rounded to the even neighbour on the wrong side.
+fn exact_mul_add(a: real, b: real, c: real) -> real {
+    let product = exact_two_product(a, b);
+    let low = exact_two_sum(c, product.error, exact_one);
+    let high = exact_two_sum(product.sum, low.sum, exact_one);
+    let middle = exact_two_sum(low.error, high.error, exact_one);
+    let sum = exact_two_sum(high.sum, middle.sum, exact_one);
+    // The neighbour of the sum on the side of the rest, if the rest is more than a third of a unit.
+    let neighbor = sum.sum * exact_one + sum.error * real(1.5);
+    let is_tie = sum.error + sum.error == neighbor - sum.sum;
+    let zero = real(0.0);
+    let same_side = (zero < sum.error && zero < middle.error) || (sum.error < zero && middle.error < zero);
+    return select(sum.sum, neighbor, is_tie && same_side);
+}

@@ -1,0 +1,29 @@
+// Each invocation intersects one ray with one cylinder, in every step of the exact intersection.
+
+struct ExactCylinderCase {
+    ray: PackedRay,
+    center: PackedVec3,
+    radius: real,
+    axis: PackedVec3,
+    // The barrier of exact.wgsl, which is 1 in every case.
+    one: real,
+}
+
+@group(0) @binding(0) var<storage, read> cases: array<ExactCylinderCase>;
+@group(0) @binding(1) var<storage, read_write> reports: array<ExactReport>;
+
+@compute @workgroup_size(64)
+fn exact_cylinder(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= arrayLength(&cases) {
+        return;
+    }
+    exact_one = cases[id.x].one;
+    let ray = ray_load(cases[id.x].ray);
+    let center = vec3_load(cases[id.x].center);
+    let axis = vec3_load(cases[id.x].axis);
+    let radius = cases[id.x].radius;
+    let plain = exact_cylinder_filtered(cylinder_new(center, radius, axis), ray);
+    let doubled = precise_cylinder_filtered(center, radius, axis, ray);
+    // There is no compensated formula for cylinders.
+    reports[id.x] = exact_report(plain, decision_uncertain(), doubled);
+}

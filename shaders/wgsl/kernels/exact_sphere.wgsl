@@ -1,0 +1,27 @@
+// Each invocation intersects one ray with one sphere, in every step of the exact intersection.
+
+struct ExactSphereCase {
+    ray: PackedRay,
+    center: PackedVec3,
+    radius: real,
+    // The barrier of exact.wgsl, which is 1 in every case.
+    one: real,
+}
+
+@group(0) @binding(0) var<storage, read> cases: array<ExactSphereCase>;
+@group(0) @binding(1) var<storage, read_write> reports: array<ExactReport>;
+
+@compute @workgroup_size(64)
+fn exact_sphere(@builtin(global_invocation_id) id: vec3<u32>) {
+    if id.x >= arrayLength(&cases) {
+        return;
+    }
+    exact_one = cases[id.x].one;
+    let ray = ray_load(cases[id.x].ray);
+    let center = vec3_load(cases[id.x].center);
+    let radius = cases[id.x].radius;
+    let record = sphere_new(center, radius);
+    let plain = exact_sphere_filtered(record, ray);
+    let compensated = exact_sphere_compensated(record, ray);
+    reports[id.x] = exact_report(plain, compensated, precise_sphere_filtered(center, radius, ray));
+}

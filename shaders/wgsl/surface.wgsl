@@ -1,0 +1,73 @@
+// The closest hit of a ray so far, and the surface there; twin of cpu/src/accel/closest_hit.rs.
+
+// Whether a call of `closest_hit` ended early, because it took too many iterations. Only hierarchy.wgsl sets it. The
+// kernels then write UNWRITTEN, and the program reports an error.
+var<private> closest_hit_gave_up: bool;
+
+// ClosestHit: the closest hit found so far.
+struct ClosestHit {
+    some: bool,
+    lambda: real,
+    order: u32,
+    is_cylinder: bool,
+    index: u32,
+    part: u32,
+}
+
+// ClosestHit::update: returns whether a hit at `lambda` replaces the closest hit found so far.
+fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
+    return !closest.some || tie_is_closer(lambda, order, closest.lambda, closest.order);
+}
+
+// The surface that a ray hits first, if `some` is true. Only steps.wgsl and debug views read `lambda`, `order` and
+// `part`.
+struct SurfaceHit {
+    some: bool,
+    hit: Hit,
+    material: u32,
+    lambda: real,
+    order: u32,
+    part: u32,
+}
+
+// Intersects the ray with the sphere at `index`, and updates `closest`.
+fn intersect_sphere(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
+    let root = sphere_intersect(sphere_load(spheres[index]), ray);
+    let order = spheres[index].order;
+    if root.some && is_closer(closest, root.lambda, order) {
+        return ClosestHit(true, root.lambda, order, false, index, SIDE);
+    }
+    return closest;
+}
+
+// Intersects the ray with the cylinder at `index`, and updates `closest`.
+fn intersect_cylinder(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
+    let root = cylinder_intersect(cylinder_load(cylinders[index]), ray);
+    let order = cylinders[index].order;
+    if root.some && is_closer(closest, root.lambda, order) {
+        return ClosestHit(true, root.lambda, order, true, index, root.part);
+    }
+    return closest;
+}
+
+// Returns the surface at the closest hit, if there is one.
+fn surface_at(closest: ClosestHit, ray: Ray) -> SurfaceHit {
+    var surface: SurfaceHit;
+    if !closest.some {
+        return surface;
+    }
+    let point = ray_at(ray, closest.lambda);
+    if has_spheres && !closest.is_cylinder {
+        let outward = sphere_outward(sphere_load(spheres[closest.index]), point);
+        let hit = hit_facing(ray.direction, point, outward);
+        let material = spheres[closest.index].material;
+        surface = SurfaceHit(true, hit, material, closest.lambda, closest.order, closest.part);
+    }
+    if has_cylinders && closest.is_cylinder {
+        let outward = cylinder_outward(cylinder_load(cylinders[closest.index]), closest.part, point);
+        let hit = hit_facing(ray.direction, point, outward);
+        let material = cylinders[closest.index].material;
+        surface = SurfaceHit(true, hit, material, closest.lambda, closest.order, closest.part);
+    }
+    return surface;
+}
