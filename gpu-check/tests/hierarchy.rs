@@ -80,7 +80,7 @@ fn scene(draws: &mut Uniform, number: usize) -> Scene {
             text.push_str(&format!("cylinder: {} {} {} {radius} {x} {y} {z} m\n", center.x, center.y, center.z));
         }
     }
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         text.push_str("sphere: 0 -1010 0 1000 m\n");
     }
     Scene::parse(text.as_bytes()).expect("it is valid")

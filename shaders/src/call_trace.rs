@@ -78,27 +78,13 @@ impl Composition {
     }
 }
 
-/// Returns the buffer with the records, and the functions that write into it.
+/// Returns the buffer with the records, and the state of the trace.
 fn buffer(binding: u32) -> String {
     format!(
         "
 @group(0) @binding({binding}) var<storage, read_write> call_trace: array<real>;
 var<private> call_trace_next: u32 = 1u;
 var<private> call_trace_depth: u32;
-
-fn call_trace_write(number: real) {{
-    if call_trace_next < arrayLength(&call_trace) {{
-        call_trace[call_trace_next] = number;
-    }}
-    call_trace_next++;
-}}
-
-fn call_trace_end() {{
-    call_trace_depth--;
-    if call_trace_next <= arrayLength(&call_trace) {{
-        call_trace[0] = real(call_trace_next);
-    }}
-}}
 "
     )
 }
@@ -118,16 +104,30 @@ impl Recorded {
         Some(Self { name: function.name.clone()?, lines, parameters, arguments, results })
     }
 
-    /// Returns the text of the wrapper with this signature. `index` is that of the function in the list.
+    /// Returns the text of the wrapper with this signature. `index` is that of the function in the list. A record for
+    /// which there is no room counts too, so that no later record stands in its place.
     fn wrapper(&self, signature: &str, index: usize) -> String {
         let Self { name, parameters, arguments, results, .. } = self;
-        let values = arguments.iter().chain(results);
-        let writes: String = values.map(|Number { value, .. }| format!("    call_trace_write({value});\n")).collect();
+        let head = [index.to_string(), "call_trace_depth".to_owned()].map(|number| format!("real({number})"));
+        let values: Vec<_> =
+            head.into_iter().chain(arguments.iter().chain(results).map(|number| number.value.clone())).collect();
+        let write = |(at, value): (usize, &String)| format!("        call_trace[call_trace_next + {at}u] = {value};\n");
+        let writes: String = values.iter().enumerate().map(write).collect();
+        let (parameters, count) = (parameters.join(", "), values.len());
         format!(
-            "\n{signature} {{\n    call_trace_depth++;\n    let {RESULT} = {name}_called({});\n    \
-             call_trace_write(real({index}));\n    call_trace_write(real(call_trace_depth));\n{writes}    \
-             call_trace_end();\n    return {RESULT};\n}}\n",
-            parameters.join(", "),
+            "
+{signature} {{
+    call_trace_depth++;
+    let {RESULT} = {name}_called({parameters});
+    let call_trace_end = call_trace_next + {count}u;
+    if call_trace_end <= arrayLength(&call_trace) {{
+{writes}        call_trace[0] = real(call_trace_end);
+    }}
+    call_trace_next = call_trace_end;
+    call_trace_depth--;
+    return {RESULT};
+}}
+"
         )
     }
 }

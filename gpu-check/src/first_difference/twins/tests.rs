@@ -4,12 +4,15 @@ use crate::kernels::KERNELS;
 use shaders::{Library, Precision};
 
 /// Functions without a twin: parts of functions that have one, and functions that read buffers.
-const WITHOUT: [&str; 14] = [
+const WITHOUT: [&str; 18] = [
     "bounce_attenuated",
     "cylinder_side",
     "cylinder_with_caps",
     "hit_report",
     "hit_report_none",
+    "intersect_cylinder",
+    "intersect_every_object",
+    "intersect_sphere",
     "is_closer",
     "projected_crossings",
     "sample_camera_ray",
@@ -18,6 +21,7 @@ const WITHOUT: [&str; 14] = [
     "scatter_vector_published",
     "scatter_word",
     "sphere_first_root",
+    "surface_at",
     "tie_is_closer",
 ];
 
