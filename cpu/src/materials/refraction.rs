@@ -18,9 +18,9 @@
 
 use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
-/// The ratio of refractive indices in Snell's law: the index on the side that the ray comes from, divided by the index
-/// on the other side. With an object of index `rho` this is `1 / rho` for a ray that enters, and `rho` for a ray that
-/// leaves.
+/// The two ratios of refractive indices that Snell's law needs for one material, computed once. A ratio is the index on
+/// the side that the ray comes from, divided by the index on the other side. With an object of index `rho` it is
+/// `1 / rho` for a ray that enters, and `rho` for a ray that leaves. [`IndexRatio::at`] chooses one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IndexRatio {
     /// `1 / rho`.
