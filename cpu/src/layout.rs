@@ -10,8 +10,8 @@ pub mod soa;
 
 use crate::{
     geometry::cylinder::CylinderRecord, geometry::sphere::SphereRecord, image::Image, input::error,
-    input::error::Error, input::scene::Cylinder, input::scene::MaterialId, input::scene::Scene, input::scene::Shape,
-    input::scene::Sphere, math::vec3::Vec3,
+    input::error::Error, input::scene::Cylinder, input::scene::MaterialId, input::scene::Object, input::scene::Scene,
+    input::scene::Shape, input::scene::Sphere, math::vec3::Vec3,
 };
 
 /// A layout in memory, which the renderer takes as a type parameter. Its associated types are the containers that store
@@ -63,9 +63,14 @@ pub trait Objects: Sized {
     fn axis(&self, index: usize) -> Vec3;
 }
 
+/// Returns the objects of `scene` in the order of the scene file, each with its place.
+fn in_file_order(scene: &Scene) -> impl Iterator<Item = (&Object, u32)> {
+    scene.objects.iter().zip(0..)
+}
+
 /// Returns the spheres of `scene` in the order of the scene file.
 fn spheres(scene: &Scene) -> impl Iterator<Item = Placed<SphereRecord>> {
-    scene.objects.iter().zip(0..).filter_map(|(object, order)| {
+    in_file_order(scene).filter_map(|(object, order)| {
         let Shape::Sphere(Sphere { center, radius }) = object.shape else { return None };
         Some(Placed { record: SphereRecord::new(center, radius), order, material: object.material })
     })
@@ -73,7 +78,7 @@ fn spheres(scene: &Scene) -> impl Iterator<Item = Placed<SphereRecord>> {
 
 /// Returns the cylinders of `scene` in the order of the scene file, each with its axis as in the file.
 fn cylinders(scene: &Scene) -> impl Iterator<Item = (Placed<CylinderRecord>, Vec3)> {
-    scene.objects.iter().zip(0..).filter_map(|(object, order)| {
+    in_file_order(scene).filter_map(|(object, order)| {
         let Shape::Cylinder(Cylinder { center, radius, axis }) = object.shape else { return None };
         let record = CylinderRecord::new(center, radius, axis);
         Some((Placed { record, order, material: object.material }, axis))

@@ -9,7 +9,9 @@
 //!
 //! With a [`SmallScene`] three more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With more, lanes hold several objects for one ray (`accel/small_scene.rs`). Specular
-//! chains are traced in lanes (`render/specular_chains.rs`).
+//! chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`] ([`Accel::boxes`]).
+//! The limits stand beside what they limit: `accel/extent.rs`, `accel/object_lanes.rs`, `accel/flat_filter.rs`,
+//! `accel/filter_ray.rs` and `accel/small_scene.rs`.
 //!
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 
@@ -51,6 +53,18 @@ impl Accel {
         } else {
             Self::Bvh(Bvh::new(objects, extent)?)
         })
+    }
+
+    /// Returns the structure whose few objects are intersected with one ray in each lane, if the scene has it.
+    #[inline(always)]
+    pub const fn in_lanes(&self) -> Option<&SmallScene> {
+        if let Self::SmallScene(small_scene) = self { Some(small_scene) } else { None }
+    }
+
+    /// Returns the tree of boxes, if the scene has one.
+    #[inline(always)]
+    pub const fn boxes(&self) -> Option<&Bvh> {
+        if let Self::Bvh(bvh) = self { Some(bvh) } else { None }
     }
 
     /// Disables the shortcut for isolated objects, to measure what it gains.

@@ -18,9 +18,10 @@ use crate::exact::error_bound::in_scale;
 use crate::geometry::{cap::PARALLEL, ray::LAMBDA_MIN, ray::Ray};
 use crate::layout::Objects;
 
-/// The first of two thresholds that show that a ray is not parallel to the caps of a cylinder. Let `p` be the dot
-/// product of the ray's direction `d` and the cylinder's axis. The ray certainly is not parallel if `|p| > STEEP` and
-/// `p^2 > STEEP_SHARE |d|^2`. `STEEP` is twice [`PARALLEL`], below which a cap is not hit.
+/// If the dot product `p` of a ray's direction `d` and a cylinder's axis exceeds this in magnitude, and `p^2` exceeds
+/// `STEEP_SHARE |d|^2`, the ray is certainly not parallel to the caps: `|p|` is not below [`PARALLEL`], whatever its
+/// rounding errors are. By the specification a parallel ray hits no cap, so it may hit nothing although it starts
+/// inside.
 const STEEP: f64 = 2.0 * PARALLEL;
 /// The second threshold, 2^-40; see [`STEEP`]. If `p^2` exceeds it, the rounding error of `p`, at most `7 u |d|` with
 /// `u = 2^-53`, is less than `2^-30 |p|`. So rounding cannot move `|p|` from `STEEP` to `PARALLEL`.

@@ -11,7 +11,7 @@ use crate::accel::{
 use crate::{geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd, simd::SimdF64};
 
 /// If a scene has at least this many objects, a ray of a path is tested against several objects at once, one in each
-/// lane. Fewer objects would fill too few lanes, so paths are then traced with a lookahead.
+/// lane. Fewer objects would fill too few lanes, so such a scene may be traced with a lookahead instead.
 const FEWEST_IN_LANES: usize = 4;
 
 /// The structure for up to eight objects.

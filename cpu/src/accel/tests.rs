@@ -17,7 +17,8 @@ use crate::simd::instruction_set::InstructionSet;
 use crate::simd::tests::positive_nan::PositiveNan;
 use crate::simd::{Kernel, Simd};
 
-/// Returns `count` objects of both kinds in a cube, and a much larger sphere below them.
+/// Returns `count` objects, spheres and cylinders in turn, whose centres are in a cube of side 20, and one more sphere
+/// below them, of radius 110. The radii of the `count` objects are between a tenth of `size` and `size`.
 fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
     let mut draws = Uniform::new(seed);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -120 0 110 m\n");

@@ -3,7 +3,7 @@
 //!
 //! There are three results: a ray certainly hits a cap, certainly misses it, or the decision is uncertain. [`Plane`]
 //! serves one ray and lanes, in `f64` and in double-double. [`filtered`] calls it for one ray. If double-double is
-//! uncertain too, `Setting::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference has a literal
+//! uncertain too, `Inputs::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference has a literal
 //! copy of the rule in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
 
 use crate::exact::{

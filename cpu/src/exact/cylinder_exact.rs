@@ -47,9 +47,9 @@ pub fn intersect(center: Vec3, radius: f64, axis: Vec3, ray: &Ray) -> Result<Opt
     let r_c = Exact3::new(ray.origin)?.minus(&Exact3::new(center)?);
     let (half, slope, height) = (axis.dot(&axis).scaled(-1), direction.dot(&axis), r_c.dot(&axis));
     let (radius_squared, least) = (exact(radius)?.squared(), exact(LAMBDA_MIN)?);
-    let setting = Inputs { direction, r_c, axis, radius_squared, half, slope, height, least };
-    let side = setting.side();
-    let caps = [setting.cap(false)?, setting.cap(true)?];
+    let inputs = Inputs { direction, r_c, axis, radius_squared, half, slope, height, least };
+    let side = inputs.side();
+    let caps = [inputs.cap(false)?, inputs.cap(true)?];
     Ok(closest_part(side, caps))
 }
 

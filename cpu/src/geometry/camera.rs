@@ -4,6 +4,9 @@ use crate::geometry::ray::Ray;
 use crate::input::{config::Config, error::Error, error::Picture, size::Size};
 use crate::math::{real::Real, tangent::tangent, vec3::Vec3, vec3::broadcast};
 
+/// The largest offset of a sample from the middle of its pixel, in pixels (specification, section 6.2).
+pub const HALF_PIXEL: f64 = 0.5;
+
 /// The constants from which every camera ray is computed, in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]

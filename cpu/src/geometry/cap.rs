@@ -5,6 +5,9 @@
 //! `center`. The programs use the exact counterpart of this rule, `exact/cap.rs`. They call [`intersect`] only for
 //! numbers that are not finite. The reference has a literal copy in `cap` of `reference/nearest.rs`, and WGSL has one
 //! in `cylinder_cap` of `cylinder.wgsl`.
+//!
+//! `geometry/cylinder.rs` has the centres of both caps and their normals, and the order in which the caps follow the
+//! side. A ray that starts inside a cylinder and certainly leaves it is told in `accel/inside.rs`.
 
 use crate::{geometry::ray::Ray, geometry::ray::in_range, math::real::Real, math::vec3::Vec3};
 

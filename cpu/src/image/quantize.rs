@@ -1,5 +1,5 @@
 //! The rule from a mean to a byte (specification, section 5.2): `trunc(255 * mean^(1 / gamma))`, at most 255, and 0 for
-//! NaN.
+//! NaN. `render/accumulation.rs` has the mean: the sum of the samples in their order, divided by their number.
 //!
 //! [`quantize`] is the definition, which the reference uses too. WGSL has no copy, because tests compare its means. The
 //! power is slow, so [`Quantizer`] has a table with the interval of means of each of the 256 bytes. It calls

@@ -4,10 +4,11 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a configuration or a scene was refused, or why a picture could not be rendered or written.
+/// Why a configuration or a scene could not be read or was refused, or why a picture could not be rendered. A failure
+/// to write a picture is an [`io::Error`] instead.
 ///
-/// [`Error::message`] returns the message, without the leading `Error: ` that the programs print. Lines and keys are
-/// bytes, because the input need not be UTF-8 and the message shows it unchanged.
+/// [`Error::message`] returns the message, without the leading `Error: ` that the programs print. Text that comes from
+/// the input is kept as bytes, because the input need not be UTF-8 and the message shows it unchanged.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Error {

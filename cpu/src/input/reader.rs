@@ -9,7 +9,8 @@ use std::path::Path;
 
 use crate::input::{error::Error, text::MAX_FILE_BYTES, text::too_large};
 
-/// An open file from which at most a limited number of bytes can be read.
+/// An open file of which at most a limited number of bytes may be read. If the file is longer, reading beyond the limit
+/// is an error, and not the end of the file.
 #[derive(Debug)]
 pub struct Input {
     file: File,

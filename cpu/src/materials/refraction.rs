@@ -7,8 +7,8 @@
 //!    and otherwise `rho`. `facing` in `geometry/ray.rs` decides whether a ray enters.
 //! 2. If the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
 //! 3. No random number is drawn, and the reflectance is 1 in every channel. So the renderer records no attenuation for
-//!    a refractive surface (`scatter` in `render/path.rs`, and `render/specular_chains.rs`). Only the reference
-//!    multiplies by 1.
+//!    a refractive surface (`scatter` in `render/path.rs`, and `render/specular_chains.rs`). `input/material.rs` has the
+//!    reflectance. Only the reference multiplies by 1.
 //!
 //! On the side of a cylinder the normal is as long as the radius (section 9.2), and the same formula is used. So the
 //! cosine must be limited to 1, and the square root is that of a magnitude.
@@ -18,9 +18,9 @@
 
 use crate::{materials::reflection::reflect, math::real::Real, math::vec3::Vec3};
 
-/// The ratio of refractive indices in Snell's law: the index on the side that the ray comes from, divided by the index
-/// on the other side. With an object of index `rho` this is `1 / rho` for a ray that enters, and `rho` for a ray that
-/// leaves.
+/// The two ratios of refractive indices that Snell's law needs for one material, computed once. A ratio is the index on
+/// the side that the ray comes from, divided by the index on the other side. With an object of index `rho` it is
+/// `1 / rho` for a ray that enters, and `rho` for a ray that leaves. [`IndexRatio::at`] chooses one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IndexRatio {
     /// `1 / rho`.

@@ -5,7 +5,8 @@ use crate::input::scene::{Cylinder, Sphere};
 use crate::math::vec3::Vec3;
 use crate::reference::intersect::Intersect;
 
-/// A hit of a ray on an object.
+/// A hit of a ray on an object: where it is, and where the surface faces there. It does not say which object is hit;
+/// the caller keeps that object's material.
 #[derive(Clone, Copy)]
 pub(super) struct Hit {
     pub lambda: f64,

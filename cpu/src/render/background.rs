@@ -31,6 +31,18 @@ impl<T: Real> Background<T> {
     }
 }
 
+/// Returns the lowest and the highest mean of a channel of background pixels, if the mean of `unit(direction).y` is at
+/// most `radius` from `middle`. `dark` and `light` are the channel at the ends of the gradient. `rounding` is added on
+/// both sides.
+#[inline(always)]
+pub fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: f64) -> [T; 2] {
+    let half = T::of(0.5);
+    let (light, difference) = (T::of(light), T::of(dark - light));
+    let mean = light + difference * ((middle + T::of(1.0)) * half);
+    let radius = difference.abs() * (radius * half) + T::of(rounding);
+    [mean - radius, mean + radius]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,7 +10,8 @@
 //! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.
 //! 4. If the smaller interval does not give a single byte either, the pixel's rays are traced like all others.
 //!
-//! Neither the reference nor WGSL has this rule: they trace every ray.
+//! `image/quantize.rs` tells whether an interval gives a single byte. Neither the reference nor WGSL has this rule: they
+//! trace every ray.
 //!
 //! If a bound is NaN, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or scene are
 //! extreme, lengths may underflow and the derivative has no meaning. So in such a scene every pixel is traced
@@ -25,6 +26,7 @@
 use crate::image::quantize::Quantizer;
 use crate::layout::Layout;
 use crate::math::real::Real;
+use crate::render::background::interval;
 use crate::render::background_slope::{DerivativeBound, pixel_radius};
 use crate::render::span::{Span, WIDEST};
 use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
@@ -50,18 +52,6 @@ pub struct BackgroundPixels {
     rounding: f64,
     /// The bytes of the last pixel. They are tried first for the next pixel, which mostly has the same bytes.
     last: [u8; 3],
-}
-
-/// Returns the lowest and the highest mean of a channel, if the mean of `s`
-/// ([`background_slope`](crate::render::background_slope)) is at most `radius` from `middle`. `dark` and `light` are
-/// the channel at the ends of the gradient. `rounding` is added on both sides.
-#[inline(always)]
-fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: f64) -> [T; 2] {
-    let half = T::of(0.5);
-    let (light, difference) = (T::of(light), T::of(dark - light));
-    let mean = light + difference * ((middle + T::of(1.0)) * half);
-    let radius = difference.abs() * (radius * half) + T::of(rounding);
-    [mean - radius, mean + radius]
 }
 
 /// Returns the lowest and the highest mean of red, then those of green, then those of blue. `mean` is the middle and

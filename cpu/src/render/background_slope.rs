@@ -9,7 +9,7 @@
 //! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
 //! is at most `6 / |d|^2`.
 
-use crate::{geometry::camera::Camera, math::real::Real, math::vec3::Vec3};
+use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::Real, math::vec3::Vec3};
 
 /// Returns an upper bound of the distance of a pixel's points from the pixel's centre, in the projection window and in
 /// scene units: half of the sum of the pixel's width and height. It bounds `|e|` in the documentation of [this
@@ -55,7 +55,7 @@ impl<T: Real> DerivativeBound<T> {
     /// Returns the middle and the radius of an interval that contains `s` for every point of the pixel.
     #[inline(always)]
     pub fn anywhere(&self) -> (T, T) {
-        (self.middle, (self.along[0].abs() + self.along[1].abs()) * T::of(0.5) + self.remainder)
+        (self.middle, (self.along[0].abs() + self.along[1].abs()) * T::of(HALF_PIXEL) + self.remainder)
     }
 }
 

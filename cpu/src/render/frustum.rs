@@ -9,8 +9,8 @@
 
 use crate::render::{prepared::Prepared, span::Span};
 use crate::{
-    accel::bounds::Bounds, accel::choice::Accel, accel::object, accel::object::ObjectId, accel::object::ObjectRef,
-    counters::Counter, counters::add, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
+    accel::bounds::Bounds, accel::object, accel::object::ObjectId, accel::object::ObjectRef, counters::Counter,
+    counters::add, geometry::camera::HALF_PIXEL, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
     geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::Objects,
     layout::with_room, math::vec3::Vec3,
 };
@@ -117,9 +117,9 @@ impl Candidates {
         let camera = &prepared.camera;
         let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
         let inside = at(row as f64);
-        let planes = [-0.5, 0.5].map(|side| half_space(camera.delta_x, at(row as f64 + side), inside));
+        let planes = [-HALF_PIXEL, HALF_PIXEL].map(|side| half_space(camera.delta_x, at(row as f64 + side), inside));
         self.row.clear();
-        if let Accel::Bvh(bvh) = &prepared.accel {
+        if let Some(bvh) = prepared.accel.boxes() {
             let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes);
             self.boxed.clear();
             bvh.visit(may_overlap, |id| self.boxed.push((object::order_of(&prepared.objects, id), id)));
@@ -138,7 +138,7 @@ impl Candidates {
         let at = |column: f64| center + camera.delta_x * column;
         let (first, last) = (span.first as f64, span.last as f64);
         let inside = at((first + last) / 2.0);
-        let planes = [first - 0.5, last + 0.5].map(|side| half_space(camera.delta_y, at(side), inside));
+        let planes = [first - HALF_PIXEL, last + HALF_PIXEL].map(|side| half_space(camera.delta_y, at(side), inside));
         self.span.clear();
         for outline in self.row.iter().filter(|outline| !self.are_culled || outline.may_overlap(&planes)) {
             let candidate = match ObjectRef::of(objects, outline.id) {

@@ -6,7 +6,8 @@
 //!
 //! The whole renderer counts with [`RaysLeft`], from the camera rays through specular chains to the paths. At a hit
 //! with [`RaysLeft::is_none`] the sample becomes black: a path by `terminate` in `render/path_ends.rs`, and a specular
-//! chain by `terminate` in `render/samples.rs`. A lookahead may skip the hit of a last ray (`render/lookahead.rs`). The
+//! chain by `terminate` in `render/samples.rs`. `render/path.rs` and `render/trace_paths.rs` take the scatter sample of
+//! that surface. A lookahead may skip the hit of a last ray (`render/lookahead.rs`). The
 //! reference has a copy of this rule in the loop of `color` in `reference.rs`, and WGSL has one in the loop of
 //! `trace.wgsl`.
 

@@ -7,10 +7,10 @@ use crate::render::{
     surface_hit::SurfaceHit,
 };
 use crate::{
-    accel::choice::Accel, accel::conservative::ConservativeRay, accel::conservative::is_too_short,
-    accel::object::ObjectId, accel::object::ObjectRef, accel::small_scene::SmallScene, counters::Counter,
-    counters::add, geometry::ray::Ray, layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask,
-    simd::Simd, simd::SimdF64, simd::columns::Columns, simd::valid_lanes,
+    accel::conservative::ConservativeRay, accel::conservative::is_too_short, accel::object::ObjectId,
+    accel::object::ObjectRef, accel::small_scene::SmallScene, counters::Counter, counters::add, geometry::ray::Ray,
+    layout::Layout, layout::Objects, math::vec3::Vec3, simd::Kernel, simd::LaneMask, simd::Simd, simd::SimdF64,
+    simd::columns::Columns, simd::valid_lanes,
 };
 
 /// A kernel that traces the samples of the specular queue until each hits a matte or metal surface, escapes, or is at
@@ -24,7 +24,7 @@ impl<L: Layout> Kernel for TraceSpecularChains<'_, '_, L> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let SpanState { prepared, batch, tracer, .. } = self.0;
-        if let Accel::SmallScene(small_scene) = &prepared.accel {
+        if let Some(small_scene) = prepared.accel.in_lanes() {
             let mut rays = RaysLeft::after_camera_ray(prepared.max_depth);
             while !rays.is_none() && batch.specular.count > 0 {
                 rays = rays.minus_one();

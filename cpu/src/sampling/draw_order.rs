@@ -11,11 +11,16 @@
 //! with bytes that are known without a ray ([`PixelJitter::pass_over`]); and scenes in which `needs_samples` of
 //! `render/prepared.rs` finds no material for which a scatter sample matters at this maximum depth. The reference's
 //! copy of the rule is in `reference.rs` (`render_observed` and `scatter`), and the copy in WGSL is in
-//! `trace_samples.wgsl`. `render/path.rs`, `render/trace_paths.rs` and `render/lookahead.rs` take scatter samples by
-//! this rule.
+//! `trace_samples.wgsl`.
+//!
+//! The order follows from the loops over rows in `render.rs` and over the pixels of a span in `render/span.rs`. Which
+//! samples take random numbers is decided in `render/samples.rs`, and which surfaces take a scatter sample in
+//! `takes_scatter_sample` of `materials/prepared.rs`. `render/path.rs`, `render/trace_paths.rs` and
+//! `render/lookahead.rs` take the samples. How many numbers a sample takes depends on the convention
+//! (`sampling/scatter_vectors.rs`).
 
 use crate::sampling::block::BlockUniform;
-use crate::{counters::Counter, counters::add, simd::SimdF64, simd::columns::Columns};
+use crate::{counters::Counter, counters::add, geometry::camera::HALF_PIXEL, simd::SimdF64, simd::columns::Columns};
 
 /// Number of random numbers for the position of one sample in its pixel: one to the right, one down.
 pub const DRAWS_OF_OFFSET: usize = 2;
@@ -58,7 +63,7 @@ impl PixelJitter {
         add(Counter::RayDraws, (DRAWS_OF_OFFSET * count) as u64);
         self.next_draws(&mut draws[..DRAWS_OF_OFFSET * count]);
         // By the specification a draw in [-1/2, 1/2) is u * 1 - 1/2, and the factor 1 changes nothing.
-        let half = V::of(0.5);
+        let half = V::of(HALF_PIXEL);
         for at in (0..count).step_by(V::LANES) {
             let next = &draws[DRAWS_OF_OFFSET * at..];
             let (right, down) = V::load(next).unzip(V::load(&next[V::LANES..]));

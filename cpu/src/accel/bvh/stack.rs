@@ -1,8 +1,10 @@
 //! The traversal stack: the nodes that wait to be visited.
 
-/// Largest number of entries during a traversal. A visit removes one entry and adds at most 16, so a level adds 15. The
-/// builder limits the number of levels.
-pub const CAPACITY: usize = 512;
+/// Number of entries for which the stack has room, more than a traversal can need. A visit removes one entry and adds
+/// at most 16, so a level of the tree adds at most 15. There are at most 45 levels: 16 that the builder splits by area,
+/// 28 in which it halves at most 2^32 objects until at most 16 are left, and one more. So 1 + 15 * 45 = 676 entries
+/// suffice.
+pub const CAPACITY: usize = 1024;
 
 /// A stack of nodes: the index of each node, and the lambda at which the ray enters its box. The traversal stores the
 /// number of entries, `depth`. The stack is reused for all rays, because clearing it would cost more than a visit.
