@@ -1,4 +1,4 @@
-//! Random scenes and rays on which a hierarchy may fail: rays that graze small objects, start far away, or follow an axis.
+//! Random scenes and rays on which a hierarchy may fail: rays that graze small objects, or that start far away.
 
 use cpu::internals::sampling::uniform::Uniform;
 use cpu::{Ray, Scene, Vec3};
