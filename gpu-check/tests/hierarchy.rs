@@ -12,6 +12,7 @@ use cpu::{Config, Scene};
 use gpu_check::closest_hits::{closest_hits, random};
 use gpu_check::difference::difference;
 use gpu_check::scenes::{self, Case};
+use gpu_check::steps::{Follower, Step, first_difference};
 use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
@@ -98,6 +99,32 @@ fn random_rays_in_f64_have_the_hits_of_the_loop_over_all_objects() {
 #[test]
 fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
     rays_have_the_same_hits::<f32>();
+}
+
+#[test]
+fn steps_of_paths_are_those_of_rust_in_any_number_of_runs() {
+    let gpu = common::gpu();
+    let (mut compared, mut hits) = (0, 0);
+    for case in [large::ten_thousand(16), scenes::random(3), scenes::random(8)] {
+        let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
+        let features = features_of(&case.config, &case.scene).expect("it is valid");
+        let expected: Vec<_> = (0..100).map(|index| picture.steps(index)).collect();
+        for library in [Library::standard(), Library::standard().in_hierarchy()] {
+            let follower = || Follower::<f32>::new(&gpu, &library, &features, &[]).expect("it compiles");
+            for follower in [follower(), follower().in_steps_of(1), follower().in_steps_of(3)] {
+                let compare = |index: usize, steps: &[Step<f32>]| {
+                    for (depth, (one, other)) in expected[index].iter().zip(steps).enumerate() {
+                        assert_eq!(first_difference(one, other), None, "{}, pixel {index}, {depth}", case.name);
+                        compared += 1;
+                        hits += usize::from(one.is_hit() == 1.0);
+                    }
+                };
+                follower.follow(&picture, 0, expected.len(), compare).expect("it is small");
+            }
+        }
+    }
+    println!("{compared} steps, {hits} hits");
+    assert!(hits > 1000, "{hits}");
 }
 
 #[test]
