@@ -25,7 +25,7 @@ pub fn scene(draws: &mut Uniform, number: usize) -> Result<Scene, Error> {
             text.push_str(&format!("cylinder: {} {} {} {radius} {x} {y} {z} m\n", center.x, center.y, center.z));
         }
     }
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         text.push_str("sphere: 0 -1010 0 1000 m\n");
     }
     Ok(Scene::parse(text.as_bytes())?)
