@@ -151,8 +151,8 @@ impl<'a, T: Float> Follower<'a, T> {
         Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, step: None, precision: PhantomData })
     }
 
-    /// Returns this pipeline, changed so that a run traces at most `surfaces` surfaces of each path. Tests use it to show
-    /// that steps do not depend on the number of runs.
+    /// Returns this pipeline, changed so that a run traces at most `surfaces` surfaces of each path. Tests use it to
+    /// show that steps do not depend on the number of runs.
     ///
     /// # Panics
     /// If `surfaces` is 0.

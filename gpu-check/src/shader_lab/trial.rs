@@ -65,8 +65,8 @@ impl Held for f32 {
 /// picture is rendered, so that an error comes early.
 ///
 /// # Errors
-/// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] if one
-/// surface of a path already takes too many iterations.
+/// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] if
+/// one surface of a path already takes too many iterations.
 pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: &Scene) -> Result<(), Error> {
     check_size(config)?;
     if options.samples.is_some() {
