@@ -10,7 +10,7 @@ use shaders::{Features, Library};
 use crate::head::{Part, head};
 use crate::packed::buffer;
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::ray_loop::{MAX_ITERATIONS, RayLoop};
+use crate::ray_loop::{RayLoop, steps};
 use crate::renderer::BATCH;
 use crate::{Error, Float, Gpu, Picture, Pipeline};
 
@@ -125,20 +125,6 @@ fn store<T: Copy>(vector: Vec3<T>, place: &mut [T]) {
     place[..3].copy_from_slice(&vector.to_array());
 }
 
-/// Returns an error when the paths through a scene of `objects` objects, to the maximum depth `depth`, take more
-/// iterations than one run may have. In a hierarchy few objects are visited, so only the depth counts.
-///
-/// # Errors
-/// [`Error::TooManyIterations`].
-pub fn check_iterations(objects: usize, in_hierarchy: bool, depth: u32) -> Result<(), Error> {
-    let (objects, depth) = (objects as u64, u64::from(depth));
-    let visited = if in_hierarchy { 0 } else { objects };
-    if (visited + 1) * depth > MAX_ITERATIONS {
-        return Err(Error::TooManyIterations { objects, depth, limit: MAX_ITERATIONS });
-    }
-    Ok(())
-}
-
 /// A pipeline that records the steps of pixels on a device.
 #[derive(Debug)]
 pub struct Follower<'a, T> {
@@ -146,6 +132,8 @@ pub struct Follower<'a, T> {
     pipeline: Pipeline,
     depth: u32,
     in_hierarchy: bool,
+    /// Largest number of surfaces in one run; `None` if only the limit on iterations applies.
+    step: Option<u32>,
     precision: PhantomData<T>,
 }
 
@@ -160,15 +148,26 @@ impl<'a, T: Float> Follower<'a, T> {
         let constants = [&features.constants()[..], own].concat();
         let pipeline = Pipeline::with_constants(gpu, &composition, &constants)?;
         let in_hierarchy = library.has_hierarchy();
-        Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, precision: PhantomData })
+        Ok(Self { gpu, pipeline, depth: features.max_depth, in_hierarchy, step: None, precision: PhantomData })
+    }
+
+    /// Returns this pipeline, changed so that a run traces at most `surfaces` surfaces of each path. Tests use it to
+    /// show that steps do not depend on the number of runs.
+    ///
+    /// # Panics
+    /// If `surfaces` is 0.
+    #[must_use]
+    pub fn in_steps_of(self, surfaces: u32) -> Self {
+        assert!(surfaces > 0, "a run needs at least one surface");
+        Self { step: Some(surfaces), ..self }
     }
 
     /// Records the steps of `count` pixels, from the pixel `first`. Calls `each` with the index and the steps of each
     /// pixel.
     ///
     /// # Errors
-    /// [`Error::TooManyIterations`] if the paths need more than one run, or the errors of [`Pipeline::run`]. In a
-    /// hierarchy, [`Error::Unwritten`] if a path visits too many nodes for one run.
+    /// [`Error::TooManyIterations`] if one surface already takes too many, or the errors of [`Pipeline::run`]. In a
+    /// hierarchy, [`Error::Unwritten`] if a ray visits too many nodes.
     pub fn follow(
         &self,
         picture: &Picture<T>,
@@ -176,7 +175,6 @@ impl<'a, T: Float> Follower<'a, T> {
         count: usize,
         mut each: impl FnMut(usize, &[Step<T>]),
     ) -> Result<(), Error> {
-        check_iterations(picture.spheres.len() + picture.cylinders.len(), self.in_hierarchy, self.depth)?;
         let depth = u64::from(self.depth);
         if depth == 0 {
             (first..first + count).for_each(|pixel| each(pixel, &[]));
@@ -185,14 +183,15 @@ impl<'a, T: Float> Follower<'a, T> {
         let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
         let materials = buffer(&picture.materials);
         let ray_loop = RayLoop::new(picture, self.in_hierarchy);
+        let depths = steps(self.depth, self.step.map_or_else(|| ray_loop.surfaces_of_a_run(self.depth, 0), Ok)?);
         let row = depth * size_of::<Step<T>>() as u64;
         let batch = BATCH.min(MAX_INVOCATIONS).min(self.gpu.binding_limit() / row).max(1) as usize;
         for start in (first..first + count).step_by(batch) {
             let pixels = batch.min(first + count - start);
             let part = Part::Pixels { first: start as u32, count: pixels as u32 };
-            let head = head(picture, &part, &(0..self.depth));
+            let heads: Vec<_> = depths.iter().map(|depths| head(picture, &part, depths)).collect();
             let mut contents = vec![
-                Content::Input(&head),
+                Content::Inputs(&heads),
                 Content::Input(&spheres),
                 Content::Input(&cylinders),
                 Content::Input(&materials),

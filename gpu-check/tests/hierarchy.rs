@@ -1,21 +1,24 @@
 //! Compares the hierarchy in WGSL with the loop over all objects: all pictures and random rays must have equal bits.
 //!
-//! `RENDER_HIERARCHY_RAYS` sets the number of random rays.
+//! `RENDER_HIERARCHY=all` compares all pictures in full size and more rays, and renders a million objects, which
+//! tests/extensive does. `RENDER_HIERARCHY_RAYS` sets the number of random rays.
 
 mod common;
 #[path = "hierarchy/large.rs"]
 mod large;
 
 use cpu::internals::sampling::uniform::Uniform;
-use cpu::{Config, Ray, Scene, Vec3};
-use gpu_check::closest_hits::closest_hits;
+use cpu::{Config, Scene};
+use gpu_check::closest_hits::{closest_hits, random};
 use gpu_check::difference::difference;
 use gpu_check::scenes::{self, Case};
-use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of, special};
+use gpu_check::steps::{Follower, Step, first_difference};
+use gpu_check::{Float, Gpu, Picture, Renderer, Rendering, features_of};
 use shaders::Library;
 
-/// Number of random rays, unless the variable sets another one.
+/// Number of random rays, and their number if everything is compared, unless the variable sets another one.
 const RAYS: usize = 1 << 17;
+const ALL_RAYS: usize = 1 << 20;
 /// Number of rays in each random scene.
 const RAYS_OF_A_SCENE: usize = 1 << 14;
 /// Largest number of pixels times objects of a picture; see [`Case::within`].
@@ -42,7 +45,7 @@ fn pictures_have_the_same_bits<T: Float>() {
     }
     cases.extend((0..20).map(scenes::random));
     let mut pixels = 0;
-    for case in cases.into_iter().map(|case| case.within(TESTS)) {
+    for case in cases.into_iter().map(|case| if is_everything() { case } else { case.within(TESTS) }) {
         let (expected, actual) = (render::<T>(&gpu, &all, &case), render::<T>(&gpu, &tree, &case));
         let found = difference(&actual.pixels, &expected.pixels);
         println!("{}: {found}; {:.1?} in the hierarchy, {:.1?} without", case.name, actual.time, expected.time);
@@ -63,66 +66,17 @@ fn f32_pictures_have_the_bits_of_the_loop_over_all_objects() {
     pictures_have_the_same_bits::<f32>();
 }
 
-/// Returns a scene of about 300 objects of very different sizes, of which every third has a ground sphere.
-fn scene(draws: &mut Uniform, number: usize) -> Scene {
-    let mut text = String::from("matte: m .5 .5 .5\n");
-    for _ in 0..300 {
-        let center = special::in_cube(draws, 10.0);
-        let radius = special::of_any_size(draws, -2.5, 0.3).abs();
-        if draws.canonical() < 0.5 {
-            text.push_str(&format!("sphere: {} {} {} {radius} m\n", center.x, center.y, center.z));
-        } else {
-            let mut axis = special::direction(draws) * special::of_any_size(draws, -2.0, 0.5).abs();
-            if draws.canonical() < 0.2 {
-                axis = Vec3::new(0.0, axis.length(), 0.0);
-            }
-            let [x, y, z] = axis.to_array();
-            text.push_str(&format!("cylinder: {} {} {} {radius} {x} {y} {z} m\n", center.x, center.y, center.z));
-        }
-    }
-    if number.is_multiple_of(3) {
-        text.push_str("sphere: 0 -1010 0 1000 m\n");
-    }
-    Scene::parse(text.as_bytes()).expect("it is valid")
-}
-
-/// Returns a ray that starts anywhere or on an object, and aims past the middle of an object by about its radius.
-fn ray<T: Float>(draws: &mut Uniform, picture: &Picture<T>) -> Ray<T> {
-    let objects = picture.spheres.len() + picture.cylinders.len();
-    let mut object = || {
-        let index = (draws.canonical() * objects as f64) as usize;
-        let (center, radius) = match index.checked_sub(picture.spheres.len()) {
-            None => (picture.spheres[index].record.center, picture.spheres[index].record.radius),
-            Some(index) => (picture.cylinders[index].record.center, picture.cylinders[index].record.radius),
-        };
-        (center.map(Float::wide), radius.wide())
-    };
-    let ((from, from_radius), (center, radius)) = (object(), object());
-    let origin = match draws.canonical() {
-        place if place < 0.3 => from + special::direction(draws) * from_radius,
-        place if place < 0.98 => special::in_cube(draws, 12.0),
-        // Far away from all objects.
-        _ => special::in_cube(draws, 1e4),
-    };
-    let off = match draws.canonical() {
-        aim if aim < 0.5 => 1.0 + special::of_any_size(draws, -17.0, -1.0),
-        _ => draws.canonical() * 1.2,
-    };
-    let across = special::direction(draws).perpendicular_to((center - origin).unit());
-    let direction = center + across.unit() * (radius * off) - origin;
-    let size = if draws.canonical() < 0.05 { special::of_any_size(draws, -9.0, 17.0).abs() } else { 1.0 };
-    Ray { origin: origin.map(T::of), direction: (direction * size).map(T::of) }
-}
-
 fn rays_have_the_same_hits<T: Float>() {
     let gpu = common::gpu();
-    let count = std::env::var("RENDER_HIERARCHY_RAYS").map_or(RAYS, |text| text.parse().expect("it is a number"));
+    let usual = if is_everything() { ALL_RAYS } else { RAYS };
+    let count = std::env::var("RENDER_HIERARCHY_RAYS").map_or(usual, |text| text.parse().expect("it is a number"));
     let mut draws = Uniform::new(30);
     let config = Config { image_width: 8, ..Config::default() };
     let (mut hits, mut done) = (0, 0);
     for number in 0..count.div_ceil(RAYS_OF_A_SCENE) {
-        let picture = Picture::<T>::new(&config, &scene(&mut draws, number)).expect("it is valid");
-        let rays: Vec<_> = (0..RAYS_OF_A_SCENE).map(|_| ray(&mut draws, &picture)).collect();
+        let scene = random::scene(&mut draws, number).expect("it is valid");
+        let picture = Picture::<T>::new(&config, &scene).expect("it is valid");
+        let rays: Vec<_> = (0..RAYS_OF_A_SCENE).map(|_| random::ray(&mut draws, &picture)).collect();
         let find =
             |library: &Library| closest_hits(&gpu, library, &picture, &rays).unwrap_or_else(|error| panic!("{error}"));
         let (expected, actual) = (find(&Library::standard()), find(&Library::standard().in_hierarchy()));
@@ -145,6 +99,32 @@ fn random_rays_in_f64_have_the_hits_of_the_loop_over_all_objects() {
 #[test]
 fn random_rays_in_f32_have_the_hits_of_the_loop_over_all_objects() {
     rays_have_the_same_hits::<f32>();
+}
+
+#[test]
+fn steps_of_paths_are_those_of_rust_in_any_number_of_runs() {
+    let gpu = common::gpu();
+    let (mut compared, mut hits) = (0, 0);
+    for case in [large::ten_thousand(16), scenes::random(3), scenes::random(8)] {
+        let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
+        let features = features_of(&case.config, &case.scene).expect("it is valid");
+        let expected: Vec<_> = (0..100).map(|index| picture.steps(index)).collect();
+        for library in [Library::standard(), Library::standard().in_hierarchy()] {
+            let follower = || Follower::<f32>::new(&gpu, &library, &features, &[]).expect("it compiles");
+            for follower in [follower(), follower().in_steps_of(1), follower().in_steps_of(3)] {
+                let compare = |index: usize, steps: &[Step<f32>]| {
+                    for (depth, (one, other)) in expected[index].iter().zip(steps).enumerate() {
+                        assert_eq!(first_difference(one, other), None, "{}, pixel {index}, {depth}", case.name);
+                        compared += 1;
+                        hits += usize::from(one.is_hit() == 1.0);
+                    }
+                };
+                follower.follow(&picture, 0, expected.len(), compare).expect("it is small");
+            }
+        }
+    }
+    println!("{compared} steps, {hits} hits");
+    assert!(hits > 1000, "{hits}");
 }
 
 #[test]

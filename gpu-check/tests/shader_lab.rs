@@ -289,13 +289,14 @@ fn paths_through_many_objects_are_shown_in_the_hierarchy() {
 #[test]
 fn a_path_that_is_too_long_is_refused_before_the_picture_is_rendered() {
     let folder = Folder::new();
-    // The user's loop over all objects takes the place of the hierarchy.
+    // The user's loop over all objects takes the place of the hierarchy. With a path's own loop it is too long.
+    fs::write(folder.file("deep"), "max_depth: 60000\n").expect("the folder is writable");
     fs::write(folder.file("closest_hit.wgsl"), standard("closest_hit")).expect("the folder is writable");
     for option in ["--pixel 0 0", "--show steps"] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
         command.current_dir(&folder).arg("closest_hit.wgsl").args(option.split(' ')).args(["--out", "out.png"]);
-        command.arg("--config").arg(repository("scenes/ten-thousand/config.txt"));
-        let output = command.arg("--scene").arg(repository("scenes/ten-thousand/scene.txt")).output();
+        let output =
+            command.args(["--config", "deep", "--scene"]).arg(repository("scenes/ten-thousand/scene.txt")).output();
         let output = output.expect("the program starts");
         let message = String::from_utf8(output.stderr).expect("it is text");
         assert_eq!(output.status.code(), Some(2), "{message}");

@@ -780,64 +780,87 @@ void main() {
     uint _e30 = _group_0_binding_0_cs.width;
     Ray _e33 = camera_ray(_e22, float((pixel / _e25)), float((pixel % _e30)), offset_1);
     ray = _e33;
+    uint _e39 = _group_0_binding_0_cs.first_depth;
+    if ((_e39 > 0u)) {
+        uint _e48 = _group_0_binding_0_cs.first_depth;
+        Step last = _group_0_binding_5_cs[(((id.x * max_depth) + _e48) - 1u)];
+        ended = (last.is_hit != 1.0);
+        vec3 _e58 = vec3_load(last.origin);
+        vec3 _e60 = vec3_load(last.direction);
+        ray = Ray(_e58, _e60);
+        bool _e62 = ended;
+        if (!(_e62)) {
+            vec3 _e65 = vec3_load(last.point);
+            vec3 _e67 = vec3_load(last.normal);
+            Hit hit_1 = Hit(_e65, _e67, (last.front == 1.0));
+            Ray _e72 = ray;
+            PackedMaterial _e77 = _group_0_binding_3_cs[uint(last.material)];
+            Material _e78 = material_load(_e77);
+            Ray _e79 = bounce_ray(_e72, hit_1, _e78, _e21);
+            ray = _e79;
+        }
+    }
+    uint _e82 = _group_0_binding_0_cs.first_depth;
+    depth = _e82;
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            uint _e113 = depth;
-            depth = (_e113 + 1u);
+            uint _e162 = depth;
+            depth = (_e162 + 1u);
         }
         loop_init_2 = false;
-        uint _e39 = depth;
-        if ((_e39 < max_depth)) {
+        uint _e84 = depth;
+        uint _e88 = _group_0_binding_0_cs.end_depth;
+        if ((_e84 < min(max_depth, _e88))) {
         } else {
             break;
         }
         {
             step_ = Step(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0), PackedVec3_(0.0, 0.0, 0.0));
-            bool _e44 = ended;
-            if (_e44) {
+            bool _e93 = ended;
+            if (_e93) {
                 step_.is_hit = -1.0;
             } else {
-                vec3 _e49 = ray.origin;
-                PackedVec3_ _e50 = vec3_store(_e49);
-                step_.origin = _e50;
-                vec3 _e53 = ray.direction;
-                PackedVec3_ _e54 = vec3_store(_e53);
-                step_.direction = _e54;
-                Ray _e55 = ray;
-                SurfaceHit _e56 = closest_hit(_e55);
-                if (_e56.some) {
+                vec3 _e98 = ray.origin;
+                PackedVec3_ _e99 = vec3_store(_e98);
+                step_.origin = _e99;
+                vec3 _e102 = ray.direction;
+                PackedVec3_ _e103 = vec3_store(_e102);
+                step_.direction = _e103;
+                Ray _e104 = ray;
+                SurfaceHit _e105 = closest_hit(_e104);
+                if (_e105.some) {
                     step_.is_hit = 1.0;
-                    step_.lambda = _e56.lambda;
-                    step_.object = float(_e56.order);
-                    step_.part = float(_e56.part);
-                    step_.front = (_e56.hit.front ? 1.0 : 0.0);
-                    step_.material = float(_e56.material);
-                    PackedVec3_ _e80 = vec3_store(_e56.hit.point);
-                    step_.point = _e80;
-                    PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
-                    step_.normal = _e84;
-                    Ray _e85 = ray;
-                    PackedMaterial _e90 = _group_0_binding_3_cs[_e56.material];
-                    Material _e91 = material_load(_e90);
-                    Ray _e92 = bounce_ray(_e85, _e56.hit, _e91, _e21);
-                    ray = _e92;
+                    step_.lambda = _e105.lambda;
+                    step_.object = float(_e105.order);
+                    step_.part = float(_e105.part);
+                    step_.front = (_e105.hit.front ? 1.0 : 0.0);
+                    step_.material = float(_e105.material);
+                    PackedVec3_ _e129 = vec3_store(_e105.hit.point);
+                    step_.point = _e129;
+                    PackedVec3_ _e133 = vec3_store(_e105.hit.normal);
+                    step_.normal = _e133;
+                    Ray _e134 = ray;
+                    PackedMaterial _e139 = _group_0_binding_3_cs[_e105.material];
+                    Material _e140 = material_load(_e139);
+                    Ray _e141 = bounce_ray(_e134, _e105.hit, _e140, _e21);
+                    ray = _e141;
                 } else {
-                    Background _e94 = picture_background();
-                    vec3 _e96 = ray.direction;
-                    vec3 _e97 = background_color(_e94, _e96);
-                    PackedVec3_ _e98 = vec3_store(_e97);
-                    step_.light = _e98;
+                    Background _e143 = picture_background();
+                    vec3 _e145 = ray.direction;
+                    vec3 _e146 = background_color(_e143, _e145);
+                    PackedVec3_ _e147 = vec3_store(_e146);
+                    step_.light = _e147;
                     ended = true;
                 }
             }
-            bool _e101 = closest_hit_gave_up;
-            if (_e101) {
+            bool _e150 = closest_hit_gave_up;
+            if (_e150) {
                 step_.is_hit = UNWRITTEN;
             }
-            uint _e108 = depth;
-            Step _e111 = step_;
-            _group_0_binding_5_cs[((id.x * max_depth) + _e108)] = _e111;
+            uint _e157 = depth;
+            Step _e160 = step_;
+            _group_0_binding_5_cs[((id.x * max_depth) + _e157)] = _e160;
         }
     }
     return;

@@ -1056,6 +1056,26 @@ Step ZeroValueStep() {
     return (Step)0;
 }
 
+uint naga_f2u32(float value) {
+    return uint(clamp(value, 0.0, 4294967000.0));
+}
+
+Step ConstructStep(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, PackedVec3_ arg6, PackedVec3_ arg7, PackedVec3_ arg8, PackedVec3_ arg9, PackedVec3_ arg10) {
+    Step ret = (Step)0;
+    ret.is_hit = arg0;
+    ret.lambda = arg1;
+    ret.object = arg2;
+    ret.part = arg3;
+    ret.front = arg4;
+    ret.material = arg5;
+    ret.origin = arg6;
+    ret.direction = arg7;
+    ret.point_ = arg8;
+    ret.normal = arg9;
+    ret.light = arg10;
+    return ret;
+}
+
 PackedMaterial ConstructPackedMaterial(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
     PackedMaterial ret = (PackedMaterial)0;
     ret.reflectance = arg0;
@@ -1071,7 +1091,7 @@ void steps(uint3 id : SV_DispatchThreadID)
 {
     Ray ray = (Ray)0;
     bool ended = false;
-    uint depth = 0u;
+    uint depth = (uint)0;
     Step step_ = (Step)0;
 
     uint _e4 = asuint(picture.Load(100));
@@ -1090,103 +1110,126 @@ void steps(uint3 id : SV_DispatchThreadID)
     uint _e30 = asuint(picture.Load(92));
     const Ray _e33 = camera_ray(_e22, float(naga_div(pixel, _e25)), float(naga_mod(pixel, _e30)), offset_1);
     ray = _e33;
+    uint _e39 = asuint(picture.Load(112));
+    if ((_e39 > 0u)) {
+        uint _e48 = asuint(picture.Load(112));
+        Step last = ConstructStep(asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+0)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+4)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+8)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+12)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+16)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+20)), ConstructPackedVec3_(asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+24+0)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+24+4)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+24+8))), ConstructPackedVec3_(asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+36+0)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+36+4)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+36+8))), ConstructPackedVec3_(asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+48+0)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+48+4)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+48+8))), ConstructPackedVec3_(asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+60+0)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+60+4)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+60+8))), ConstructPackedVec3_(asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+72+0)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+72+4)), asfloat(ways.Load((((id.x * max_depth) + _e48) - 1u)*84+72+8))));
+        ended = (last.is_hit != 1.0);
+        const float3 _e58 = vec3_load(last.origin);
+        const float3 _e60 = vec3_load(last.direction);
+        ray = ConstructRay(_e58, _e60);
+        bool _e62 = ended;
+        if (!(_e62)) {
+            const float3 _e65 = vec3_load(last.point_);
+            const float3 _e67 = vec3_load(last.normal);
+            Hit hit_3 = ConstructHit(_e65, _e67, (last.front == 1.0));
+            Ray _e72 = ray;
+            PackedMaterial _e77 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(naga_f2u32(last.material)*28+0+0)), asfloat(materials.Load(naga_f2u32(last.material)*28+0+4)), asfloat(materials.Load(naga_f2u32(last.material)*28+0+8))), asfloat(materials.Load(naga_f2u32(last.material)*28+12)), asfloat(materials.Load(naga_f2u32(last.material)*28+16)), asuint(materials.Load(naga_f2u32(last.material)*28+20)), asuint(materials.Load(naga_f2u32(last.material)*28+24)));
+            const Material _e78 = material_load(_e77);
+            const Ray _e79 = bounce_ray(_e72, hit_3, _e78, _e21);
+            ray = _e79;
+        }
+    }
+    uint _e82 = asuint(picture.Load(112));
+    depth = _e82;
     uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
     bool loop_init_2 = true;
     while(true) {
         if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            uint _e113 = depth;
-            depth = (_e113 + 1u);
+            uint _e162 = depth;
+            depth = (_e162 + 1u);
         }
         loop_init_2 = false;
-        uint _e39 = depth;
-        if ((_e39 < max_depth)) {
+        uint _e84 = depth;
+        uint _e88 = asuint(picture.Load(116));
+        if ((_e84 < min(max_depth, _e88))) {
         } else {
             break;
         }
         {
             step_ = ZeroValueStep();
-            bool _e44 = ended;
-            if (_e44) {
+            bool _e93 = ended;
+            if (_e93) {
                 step_.is_hit = -1.0;
             } else {
-                float3 _e49 = ray.origin;
-                const PackedVec3_ _e50 = vec3_store(_e49);
-                step_.origin = _e50;
-                float3 _e53 = ray.direction;
-                const PackedVec3_ _e54 = vec3_store(_e53);
-                step_.direction = _e54;
-                Ray _e55 = ray;
-                const SurfaceHit _e56 = closest_hit(_e55);
-                if (_e56.some) {
+                float3 _e98 = ray.origin;
+                const PackedVec3_ _e99 = vec3_store(_e98);
+                step_.origin = _e99;
+                float3 _e102 = ray.direction;
+                const PackedVec3_ _e103 = vec3_store(_e102);
+                step_.direction = _e103;
+                Ray _e104 = ray;
+                const SurfaceHit _e105 = closest_hit(_e104);
+                if (_e105.some) {
                     step_.is_hit = 1.0;
-                    step_.lambda = _e56.lambda;
-                    step_.object = float(_e56.order);
-                    step_.part = float(_e56.part);
-                    step_.front = (_e56.hit.front ? 1.0 : 0.0);
-                    step_.material = float(_e56.material);
-                    const PackedVec3_ _e80 = vec3_store(_e56.hit.point_);
-                    step_.point_ = _e80;
-                    const PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
-                    step_.normal = _e84;
-                    Ray _e85 = ray;
-                    PackedMaterial _e90 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e56.material*28+0+0)), asfloat(materials.Load(_e56.material*28+0+4)), asfloat(materials.Load(_e56.material*28+0+8))), asfloat(materials.Load(_e56.material*28+12)), asfloat(materials.Load(_e56.material*28+16)), asuint(materials.Load(_e56.material*28+20)), asuint(materials.Load(_e56.material*28+24)));
-                    const Material _e91 = material_load(_e90);
-                    const Ray _e92 = bounce_ray(_e85, _e56.hit, _e91, _e21);
-                    ray = _e92;
+                    step_.lambda = _e105.lambda;
+                    step_.object = float(_e105.order);
+                    step_.part = float(_e105.part);
+                    step_.front = (_e105.hit.front ? 1.0 : 0.0);
+                    step_.material = float(_e105.material);
+                    const PackedVec3_ _e129 = vec3_store(_e105.hit.point_);
+                    step_.point_ = _e129;
+                    const PackedVec3_ _e133 = vec3_store(_e105.hit.normal);
+                    step_.normal = _e133;
+                    Ray _e134 = ray;
+                    PackedMaterial _e139 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(_e105.material*28+0+0)), asfloat(materials.Load(_e105.material*28+0+4)), asfloat(materials.Load(_e105.material*28+0+8))), asfloat(materials.Load(_e105.material*28+12)), asfloat(materials.Load(_e105.material*28+16)), asuint(materials.Load(_e105.material*28+20)), asuint(materials.Load(_e105.material*28+24)));
+                    const Material _e140 = material_load(_e139);
+                    const Ray _e141 = bounce_ray(_e134, _e105.hit, _e140, _e21);
+                    ray = _e141;
                 } else {
-                    const Background _e94 = picture_background();
-                    float3 _e96 = ray.direction;
-                    const float3 _e97 = background_color(_e94, _e96);
-                    const PackedVec3_ _e98 = vec3_store(_e97);
-                    step_.light = _e98;
+                    const Background _e143 = picture_background();
+                    float3 _e145 = ray.direction;
+                    const float3 _e146 = background_color(_e143, _e145);
+                    const PackedVec3_ _e147 = vec3_store(_e146);
+                    step_.light = _e147;
                     ended = true;
                 }
             }
-            bool _e101 = closest_hit_gave_up;
-            if (_e101) {
+            bool _e150 = closest_hit_gave_up;
+            if (_e150) {
                 step_.is_hit = UNWRITTEN;
             }
-            uint _e108 = depth;
-            Step _e111 = step_;
+            uint _e157 = depth;
+            Step _e160 = step_;
             {
-                Step _value4 = _e111;
-                ways.Store(((id.x * max_depth) + _e108)*84+0, asuint(_value4.is_hit));
-                ways.Store(((id.x * max_depth) + _e108)*84+4, asuint(_value4.lambda));
-                ways.Store(((id.x * max_depth) + _e108)*84+8, asuint(_value4.object));
-                ways.Store(((id.x * max_depth) + _e108)*84+12, asuint(_value4.part));
-                ways.Store(((id.x * max_depth) + _e108)*84+16, asuint(_value4.front));
-                ways.Store(((id.x * max_depth) + _e108)*84+20, asuint(_value4.material));
+                Step _value4 = _e160;
+                ways.Store(((id.x * max_depth) + _e157)*84+0, asuint(_value4.is_hit));
+                ways.Store(((id.x * max_depth) + _e157)*84+4, asuint(_value4.lambda));
+                ways.Store(((id.x * max_depth) + _e157)*84+8, asuint(_value4.object));
+                ways.Store(((id.x * max_depth) + _e157)*84+12, asuint(_value4.part));
+                ways.Store(((id.x * max_depth) + _e157)*84+16, asuint(_value4.front));
+                ways.Store(((id.x * max_depth) + _e157)*84+20, asuint(_value4.material));
                 {
                     PackedVec3_ _value5 = _value4.origin;
-                    ways.Store(((id.x * max_depth) + _e108)*84+24+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e108)*84+24+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e108)*84+24+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e157)*84+24+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e157)*84+24+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e157)*84+24+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.direction;
-                    ways.Store(((id.x * max_depth) + _e108)*84+36+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e108)*84+36+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e108)*84+36+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e157)*84+36+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e157)*84+36+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e157)*84+36+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.point_;
-                    ways.Store(((id.x * max_depth) + _e108)*84+48+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e108)*84+48+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e108)*84+48+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e157)*84+48+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e157)*84+48+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e157)*84+48+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.normal;
-                    ways.Store(((id.x * max_depth) + _e108)*84+60+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e108)*84+60+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e108)*84+60+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e157)*84+60+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e157)*84+60+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e157)*84+60+8, asuint(_value5.z));
                 }
                 {
                     PackedVec3_ _value5 = _value4.light;
-                    ways.Store(((id.x * max_depth) + _e108)*84+72+0, asuint(_value5.x));
-                    ways.Store(((id.x * max_depth) + _e108)*84+72+4, asuint(_value5.y));
-                    ways.Store(((id.x * max_depth) + _e108)*84+72+8, asuint(_value5.z));
+                    ways.Store(((id.x * max_depth) + _e157)*84+72+0, asuint(_value5.x));
+                    ways.Store(((id.x * max_depth) + _e157)*84+72+4, asuint(_value5.y));
+                    ways.Store(((id.x * max_depth) + _e157)*84+72+8, asuint(_value5.z));
                 }
             }
         }

@@ -938,6 +938,10 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+uint naga_f2u32(float value) {
+    return static_cast<uint>(metal::clamp(value, 0.0, 4294967000.0));
+}
+
 
 struct stepsInput {
 };
@@ -953,7 +957,7 @@ kernel void steps(
     bool closest_hit_gave_up = {};
     Ray ray = {};
     bool ended = false;
-    uint depth = 0u;
+    uint depth = {};
     Step step = {};
     uint _e4 = picture.pixel_count;
     if (id.x >= _e4) {
@@ -971,67 +975,90 @@ kernel void steps(
     uint _e30 = picture.width;
     Ray _e33 = camera_ray(_e22, static_cast<float>(naga_div(pixel, _e25)), static_cast<float>(naga_mod(pixel, _e30)), offset_1);
     ray = _e33;
+    uint _e39 = picture.first_depth;
+    if (_e39 > 0u) {
+        uint _e48 = picture.first_depth;
+        Step last = ways[((id.x * max_depth) + _e48) - 1u];
+        ended = last.is_hit != 1.0;
+        metal::float3 _e58 = vec3_load(last.origin);
+        metal::float3 _e60 = vec3_load(last.direction);
+        ray = Ray {_e58, _e60};
+        bool _e62 = ended;
+        if (!(_e62)) {
+            metal::float3 _e65 = vec3_load(last.point);
+            metal::float3 _e67 = vec3_load(last.normal);
+            Hit hit_1 = Hit {_e65, _e67, last.front == 1.0};
+            Ray _e72 = ray;
+            PackedMaterial _e77 = materials[naga_f2u32(last.material)];
+            Material _e78 = material_load(_e77);
+            Ray _e79 = bounce_ray(_e72, hit_1, _e78, _e21);
+            ray = _e79;
+        }
+    }
+    uint _e82 = picture.first_depth;
+    depth = _e82;
     uint2 loop_bound_2 = uint2(4294967295u);
     bool loop_init_2 = true;
     while(true) {
         if (metal::all(loop_bound_2 == uint2(0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            uint _e113 = depth;
-            depth = _e113 + 1u;
+            uint _e162 = depth;
+            depth = _e162 + 1u;
         }
         loop_init_2 = false;
-        uint _e39 = depth;
-        if (_e39 < max_depth) {
+        uint _e84 = depth;
+        uint _e88 = picture.end_depth;
+        if (_e84 < metal::min(max_depth, _e88)) {
         } else {
             break;
         }
         {
             step = Step {};
-            bool _e44 = ended;
-            if (_e44) {
+            bool _e93 = ended;
+            if (_e93) {
                 step.is_hit = -1.0;
             } else {
-                metal::float3 _e49 = ray.origin;
-                PackedVec3_ _e50 = vec3_store(_e49);
-                step.origin = _e50;
-                metal::float3 _e53 = ray.direction;
-                PackedVec3_ _e54 = vec3_store(_e53);
-                step.direction = _e54;
-                Ray _e55 = ray;
-                SurfaceHit _e56 = closest_hit(_e55, picture, spheres, cylinders, _buffer_sizes);
-                if (_e56.some) {
+                metal::float3 _e98 = ray.origin;
+                PackedVec3_ _e99 = vec3_store(_e98);
+                step.origin = _e99;
+                metal::float3 _e102 = ray.direction;
+                PackedVec3_ _e103 = vec3_store(_e102);
+                step.direction = _e103;
+                Ray _e104 = ray;
+                SurfaceHit _e105 = closest_hit(_e104, picture, spheres, cylinders, _buffer_sizes);
+                if (_e105.some) {
                     step.is_hit = 1.0;
-                    step.lambda = _e56.lambda;
-                    step.object = static_cast<float>(_e56.order);
-                    step.part = static_cast<float>(_e56.part);
-                    step.front = _e56.hit.front ? 1.0 : 0.0;
-                    step.material = static_cast<float>(_e56.material);
-                    PackedVec3_ _e80 = vec3_store(_e56.hit.point);
-                    step.point = _e80;
-                    PackedVec3_ _e84 = vec3_store(_e56.hit.normal);
-                    step.normal = _e84;
-                    Ray _e85 = ray;
-                    PackedMaterial _e90 = materials[_e56.material];
-                    Material _e91 = material_load(_e90);
-                    Ray _e92 = bounce_ray(_e85, _e56.hit, _e91, _e21);
-                    ray = _e92;
+                    step.lambda = _e105.lambda;
+                    step.object = static_cast<float>(_e105.order);
+                    step.part = static_cast<float>(_e105.part);
+                    step.front = _e105.hit.front ? 1.0 : 0.0;
+                    step.material = static_cast<float>(_e105.material);
+                    PackedVec3_ _e129 = vec3_store(_e105.hit.point);
+                    step.point = _e129;
+                    PackedVec3_ _e133 = vec3_store(_e105.hit.normal);
+                    step.normal = _e133;
+                    Ray _e134 = ray;
+                    PackedMaterial _e139 = materials[_e105.material];
+                    Material _e140 = material_load(_e139);
+                    Ray _e141 = bounce_ray(_e134, _e105.hit, _e140, _e21);
+                    ray = _e141;
                 } else {
-                    Background _e94 = picture_background(picture);
-                    metal::float3 _e96 = ray.direction;
-                    metal::float3 _e97 = background_color(_e94, _e96);
-                    PackedVec3_ _e98 = vec3_store(_e97);
-                    step.light = _e98;
+                    Background _e143 = picture_background(picture);
+                    metal::float3 _e145 = ray.direction;
+                    metal::float3 _e146 = background_color(_e143, _e145);
+                    PackedVec3_ _e147 = vec3_store(_e146);
+                    step.light = _e147;
                     ended = true;
                 }
             }
-            bool _e101 = closest_hit_gave_up;
-            if (_e101) {
+            bool _e150 = closest_hit_gave_up;
+            if (_e150) {
                 step.is_hit = UNWRITTEN;
             }
-            uint _e108 = depth;
-            Step _e111 = step;
-            ways[(id.x * max_depth) + _e108] = _e111;
+            uint _e157 = depth;
+            Step _e160 = step;
+            ways[(id.x * max_depth) + _e157] = _e160;
         }
     }
     return;

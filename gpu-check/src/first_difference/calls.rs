@@ -8,8 +8,7 @@ use super::twins::{Twin, twin};
 use crate::head::{Part, head};
 use crate::packed::buffer;
 use crate::pipeline::Content;
-use crate::ray_loop::RayLoop;
-use crate::steps::check_iterations;
+use crate::ray_loop::{MAX_ITERATIONS, RayLoop};
 use crate::{Error, Float, Gpu, Kernel, Picture, Pipeline};
 
 /// Largest number of numbers of a trace. In f32 every whole number up to this one is exact, so the trace can hold its
@@ -94,9 +93,11 @@ impl<'a, T: Float> Tracer<'a, T> {
     /// # Errors
     /// [`Error::TooManyIterations`] if the path needs more than one run, or the errors of [`Pipeline::run`].
     pub fn pixel(&self, picture: &Picture<T>, index: usize) -> Result<(Vec<Call<T>>, Vec<T>), Error> {
-        let objects = picture.spheres.len() + picture.cylinders.len();
-        check_iterations(objects, self.in_hierarchy, picture.max_depth)?;
         let ray_loop = RayLoop::new(picture, self.in_hierarchy);
+        if ray_loop.surfaces_of_a_run(picture.max_depth, 0)? < picture.max_depth {
+            let objects = (picture.spheres.len() + picture.cylinders.len()) as u64;
+            return Err(Error::TooManyIterations { objects, depth: picture.max_depth.into(), limit: MAX_ITERATIONS });
+        }
         let [spheres, cylinders] = [buffer(&picture.spheres), buffer(&picture.cylinders)];
         let materials = buffer(&picture.materials);
         let head = head(picture, &Part::Pixels { first: index as u32, count: 1 }, &(0..picture.max_depth));

@@ -2,10 +2,12 @@
 
 use std::time::{Duration, Instant};
 
-use cpu::{Scatter, Vec3, reference};
+use cpu::internals::sampling::uniform::Uniform;
+use cpu::{Config, Ray, Scatter, Vec3, reference};
 use shaders::{Features, Library, Precision};
 
 use super::Mutant;
+use crate::closest_hits::{closest_hits, random};
 use crate::difference::first_differing;
 use crate::difference::{Difference, difference};
 use crate::exact::{EXACT_KERNELS, ExactKernel};
@@ -14,7 +16,7 @@ use crate::kernels::KERNELS;
 use crate::sampled::crafted::{self, Crafted};
 use crate::sampled::{Convention, Recording, SampleRenderer, SampledRendering};
 use crate::scenes::{self, Case};
-use crate::{Error, Gpu, Kernel, Picture, Renderer, check, features_of};
+use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, check, features_of};
 
 /// Number of random cases of each kernel.
 const RANDOM_CASES: usize = 1 << 14;
@@ -33,6 +35,11 @@ const SAMPLED_TESTS: usize = 200_000;
 
 /// A first difference, and the time that the search took once a case or a pixel was known that differs.
 pub type Timed = (Located<f64>, Duration);
+
+/// Number of random scenes for rays, and of rays in each of them.
+const RAY_SCENES: usize = 4;
+const RAYS: usize = 1 << 14;
+
 /// The module that only some libraries compose.
 const HIERARCHY: &str = "hierarchy";
 
@@ -45,7 +52,11 @@ pub struct Examiner<'a> {
     pictures: Vec<(Case, Vec<Vec3>)>,
     sampled: Vec<(Case, Recording)>,
     crafted: Vec<Crafted>,
+    rays: Vec<Rays>,
 }
+
+/// Rays in f32, where the boxes of a hierarchy have the largest margins, with their hits in Rust.
+type Rays = (Picture<f32>, Vec<Ray<f32>>, Vec<[f32; 3]>);
 
 impl<'a> Examiner<'a> {
     /// Prepares the cases of all kernels, and the reference's pictures of all scenes.
@@ -60,7 +71,9 @@ impl<'a> Examiner<'a> {
         let pictures = scenes.map(|case| expected(case.within(TESTS))).collect::<Result<_, _>>()?;
         let recorded = (0..SAMPLED_SCENES).flat_map(|seed| Convention::ALL.map(|convention| record(seed, convention)));
         let sampled = recorded.collect::<Result<_, _>>()?;
-        Ok(Self { gpu, kernels, exact, pictures, sampled, crafted: crafted::all()? })
+        let mut draws = Uniform::new(45);
+        let rays = (0..RAY_SCENES).map(|number| random_rays(&mut draws, number)).collect::<Result<_, _>>()?;
+        Ok(Self { gpu, kernels, exact, pictures, sampled, crafted: crafted::all()?, rays })
     }
 
     /// Returns a description of the first check that notices `mutant`, or `None` if no check does.
@@ -100,6 +113,11 @@ impl<'a> Examiner<'a> {
         }
         // The hierarchy is only in a library that finds the closest hit in it.
         let library = if module == HIERARCHY { &library.clone().in_hierarchy() } else { library };
+        if runs("kernels/rays", module)?
+            && let Some(noticed) = self.examine_rays(library)?
+        {
+            return Ok(Some(noticed));
+        }
         if runs("kernels/image", module)?
             && let Some(noticed) = self.examine_pictures(library)?
         {
@@ -148,6 +166,20 @@ impl<'a> Examiner<'a> {
         Ok(None)
     }
 
+    /// Examines the closest hits of random rays.
+    fn examine_rays(&self, library: &Library) -> Result<Option<String>, Error> {
+        for (picture, rays, expected) in &self.rays {
+            let hits = closest_hits(self.gpu, library, picture, rays)?;
+            let is_same =
+                |(one, other): &(&[f32; 3], &[f32; 3])| one.iter().zip(*other).all(|(one, other)| one.same(*other));
+            let differing = hits.iter().zip(expected).filter(|pair| !is_same(pair)).count();
+            if differing > 0 {
+                return Ok(Some(format!("closest hits, {differing} of {} rays", rays.len())));
+            }
+        }
+        Ok(None)
+    }
+
     /// Examines pictures in deterministic mode.
     fn examine_pictures(&self, library: &Library) -> Result<Option<String>, Error> {
         for (case, expected) in &self.pictures {
@@ -188,6 +220,19 @@ impl<'a> Examiner<'a> {
         }
         Ok(None)
     }
+}
+
+/// Returns a random scene, rays in it, and lambda, order and part of their closest hits in Rust.
+fn random_rays(draws: &mut Uniform, number: usize) -> Result<Rays, Error> {
+    let config = Config { image_width: 8, ..Config::default() };
+    let picture = Picture::<f32>::new(&config, &random::scene(draws, number)?)?;
+    let rays: Vec<_> = (0..RAYS).map(|_| random::ray(draws, &picture)).collect();
+    let hit = |ray: &Ray<f32>| {
+        let found = picture.closest_hit(ray);
+        found.map_or([-1.0; 3], |found| [found.lambda, found.order as f32, found.part as f32])
+    };
+    let hits = rays.iter().map(hit).collect();
+    Ok((picture, rays, hits))
 }
 
 /// Returns a random scene with few pixels and 7 samples for each, and its recording.

@@ -143,6 +143,16 @@ mutants! {
         "f32(closest.lambda) * 1.0000002" => "f32(closest.lambda) * 0.5",
         "select(reciprocal, -reciprocal, component < 0.0)" => "reciprocal",
         "farthest = 3e38f" => "farthest = 1f",
+        "enlarged + hierarchy.point" => "hierarchy.point",
+        "node.linear * distance" => "node.linear",
+        "node.bend * square" => "node.bend * distance",
+        "node.low_z) - margin" => "node.low_z)",
+        "node.high_z) + margin" => "node.high_z)",
+        "1e-28 < magnitude" => "1e-2 < magnitude",
+        "node.object % 2u == 1u" => "node.object % 2u == 0u",
+        "at = node.next" => "at = at + 2u",
+        "near = select(low, high, ray.is_backwards) * ray.reciprocal" => "near = select(low, high, ray.is_backwards) / ray.reciprocal",
+        "surface_at(intersect_every_object(ray), ray)" => "surface_at(closest, ray)",
     ;
     "bounce":
         "|| (has_metal" => "&& (has_metal",

@@ -177,6 +177,16 @@ mod tests {
     }
 
     #[test]
+    fn many_objects_get_a_hierarchy_unless_the_user_replaces_the_loop() {
+        let module = |name: &str| UserModule { name: name.to_owned(), path: PathBuf::new(), text: String::new() };
+        let hierarchy = |name, objects| library(&[module(name)], objects).expect("it exists").has_hierarchy();
+        assert!(!hierarchy("background", WORTHWHILE - 1));
+        assert!(hierarchy("background", WORTHWHILE));
+        assert!(hierarchy("hierarchy", 10_000));
+        assert!(!hierarchy("closest_hit", 10_000));
+    }
+
+    #[test]
     fn the_template_says_which_module_it_is() {
         let name = name(Path::new("anything.wgsl"), super::super::TEMPLATE);
         assert!(module::find(&name).is_some(), "{name}");

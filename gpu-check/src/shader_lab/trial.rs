@@ -19,7 +19,7 @@ use crate::first_difference;
 use crate::picture::depth;
 use crate::sampled::Convention;
 use crate::sampled::recording::check_samples;
-use crate::steps::{Follower, check_iterations};
+use crate::steps::Follower;
 use crate::{Error, Float, Gpu, Picture, features_of, ray_loop};
 
 /// The inputs of a trial, which is one rendering with the user's modules.
@@ -66,8 +66,8 @@ impl Held for f32 {
 /// picture is rendered, so that an error comes early.
 ///
 /// # Errors
-/// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] when
-/// the paths are too long for one run.
+/// [`Error::Request`] for a pixel outside the picture or a constant that is refused, [`Error::TooManyIterations`] if
+/// one surface of a path already takes too many iterations.
 pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: &Scene) -> Result<(), Error> {
     check_size(config)?;
     if options.samples.is_some() {
@@ -82,15 +82,9 @@ pub fn check(options: &Options, modules: &[UserModule], config: &Config, scene: 
     }
     let (features, _) = options.apply(features_of(config, scene)?).map_err(|message| Error::Request { message })?;
     let objects = scene.objects.len();
-    let in_hierarchy = files::has_hierarchy(modules, objects);
-    ray_loop::check(objects, in_hierarchy, depth(config)?, options.samples.map_or(0, Convention::tries))?;
-    if options.pixel.is_some() || options.first_difference {
-        check_iterations(objects, in_hierarchy, features.max_depth)?;
-    }
-    match options.view {
-        Some(view) if view != View::Difference => check_iterations(objects, in_hierarchy, depth_of(view, features)),
-        _ => Ok(()),
-    }
+    let deepest = depth(config)?.max(features.max_depth);
+    let tries = options.samples.map_or(0, Convention::tries);
+    ray_loop::check(objects, files::has_hierarchy(modules, objects), deepest, tries)
 }
 
 /// Returns the largest number of surfaces of a path that a view needs.

@@ -53,7 +53,7 @@ fn a_million_spheres_are_rendered() {
     let mut text = String::from("matte: red .9 .1 .1\nmetal: grey .6 .6 .6 0\n");
     for number in 0..count {
         let [x, y, z] = [number % side, number / side % side, number / side / side].map(|place| 2 * place);
-        let material = if number % 7 == 0 { "grey" } else { "red" };
+        let material = if number.is_multiple_of(7) { "grey" } else { "red" };
         text.push_str(&format!("sphere: {x} {y} -{z} {} {material}\n", 0.3 + 0.001 * (number % 300) as f64));
     }
     let scene = Scene::parse(text.as_bytes()).expect("it is valid");

@@ -18,7 +18,7 @@ struct Step {
     light: PackedVec3,
 }
 
-// Each invocation writes `max_depth` steps.
+// Each invocation writes `max_depth` steps, in one run or in several. A run continues from the step of the last one.
 @group(0) @binding(5) var<storage, read_write> ways: array<Step>;
 
 @compute @workgroup_size(64)
@@ -31,7 +31,16 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
     let scatter_vector = vec3_load(picture.scatter_vector);
     var ray = camera_ray(picture_camera(), real(pixel / picture.width), real(pixel % picture.width), offset);
     var ended = false;
-    for (var depth = 0u; depth < max_depth; depth++) {
+    if picture.first_depth > 0u {
+        let last = ways[id.x * max_depth + picture.first_depth - 1u];
+        ended = last.is_hit != real(1.0);
+        ray = Ray(vec3_load(last.origin), vec3_load(last.direction));
+        if !ended {
+            let hit = Hit(vec3_load(last.point), vec3_load(last.normal), last.front == real(1.0));
+            ray = bounce_ray(ray, hit, material_load(materials[u32(last.material)]), scatter_vector);
+        }
+    }
+    for (var depth = picture.first_depth; depth < min(max_depth, picture.end_depth); depth++) {
         var step: Step;
         if ended {
             step.is_hit = real(-1.0);
