@@ -7,8 +7,8 @@
 //!    and otherwise `rho`. `facing` in `geometry/ray.rs` decides whether a ray enters.
 //! 2. If the ratio times the sine of incidence is larger than 1, the ray is reflected instead.
 //! 3. No random number is drawn, and the reflectance is 1 in every channel. So the renderer records no attenuation for
-//!    a refractive surface (`scatter` in `render/path.rs`, and `render/specular_chains.rs`). `input/material.rs` has the
-//!    reflectance. Only the reference multiplies by 1.
+//!    a refractive surface (`scatter` in `render/path.rs`, and `render/specular_chains.rs`). `input/material.rs` has
+//!    the reflectance. Only the reference multiplies by 1.
 //!
 //! On the side of a cylinder the normal is as long as the radius (section 9.2), and the same formula is used. So the
 //! cosine must be limited to 1, and the square root is that of a magnitude.

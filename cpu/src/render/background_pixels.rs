@@ -10,8 +10,8 @@
 //! 3. Otherwise the offsets of the samples are drawn, and their mean gives a smaller interval.
 //! 4. If the smaller interval does not give a single byte either, the pixel's rays are traced like all others.
 //!
-//! `image/quantize.rs` tells whether an interval gives a single byte. Neither the reference nor WGSL has this rule: they
-//! trace every ray.
+//! `image/quantize.rs` tells whether an interval gives a single byte. Neither the reference nor WGSL has this rule:
+//! they trace every ray.
 //!
 //! If a bound is NaN, it is in no byte's interval, so the pixel is traced. If the magnitudes of camera or scene are
 //! extreme, lengths may underflow and the derivative has no meaning. So in such a scene every pixel is traced
