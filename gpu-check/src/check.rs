@@ -6,7 +6,7 @@ use std::time::Duration;
 use shaders::Library;
 
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::{Error, Float, Gpu, Kernel, Pipeline};
+use crate::{Error, Float, Formulas, Gpu, Kernel, Pipeline};
 
 /// Largest number of cases in one run. The device's limit on a binding may be lower.
 const BATCH: u64 = 1 << 18;
@@ -77,7 +77,7 @@ pub fn timed_results<T: Float>(
 
 /// Compares `results`, the kernel's results for `cases`, with the results of the formula in Rust.
 #[must_use]
-pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
+pub fn compare<T: Formulas>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     let formula = T::formula(kernel);
     let mut expected = vec![T::of(0.0); kernel.outputs.len()];
     let mut tally = Tally { kernel: kernel.module, cases: 0, numbers: 0, nonzero: 0, differing: 0, shown: Vec::new() };
@@ -100,7 +100,7 @@ pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
 ///
 /// # Errors
 /// The errors of [`Pipeline::run`].
-pub fn check<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Tally, Error> {
+pub fn check<T: Formulas>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Tally, Error> {
     Ok(compare(kernel, cases, &results(gpu, pipeline, kernel, cases)?))
 }
 
