@@ -1,9 +1,10 @@
 // Connects the parts of the page.
-import { Editor } from './editor';
+import { Editor, linesOf } from './editor';
 import { inWorker, native } from './engines';
 import { example, FIRST, names } from './examples';
 import { Checker } from './faults';
 import * as link from './link';
+import { Studio } from './studio';
 import { compile, instructionSet, Renderer, type Row } from './module';
 import { Picture } from './picture';
 import * as store from './store';
@@ -32,6 +33,7 @@ class Page {
     #timer = 0;
     readonly #editors: [Editor, Editor];
     readonly #checker: Checker;
+    readonly #studio: Studio;
     readonly #picture = new Picture((fault) => {
         if (fault.text < 2) {
             this.#checker.show(fault.text as 0 | 1, fault);
@@ -39,12 +41,19 @@ class Page {
         this.#picture.say(fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message));
     });
 
-    constructor(private readonly module: WebAssembly.Module, tables: [Row[], Row[]]) {
+    constructor(private readonly module: WebAssembly.Module, renderer: Renderer) {
+        const tables = [renderer.table(0), renderer.table(1)] as const;
         const listener = { changed: () => this.#changed(), render: () => void this.render() };
         const editor = (name: string, rows: Row[]) =>
-            new Editor(element(`${name}-editor`), rows, element(`${name}-label`), listener);
+            new Editor(element(`${name}-editor`), linesOf(rows), element(`${name}-label`), listener);
         this.#editors = [editor('config', tables[0]), editor('scene', tables[1])];
         this.#checker = new Checker(module, this.#editors, [element('config-faults'), element('scene-faults')]);
+        this.#studio = new Studio(module, renderer, {
+            texts: () => this.#texts,
+            replaceConfig: (config) => (this.#editors[0].text = config),
+            say: (text) => this.say(text),
+            render: () => void this.render(),
+        });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {
             if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) {
@@ -77,6 +86,7 @@ class Page {
         this.#isTyped = isTyped;
         this.#keep();
         this.showEarlier();
+        this.#studio.changed();
     }
 
     /** Keeps texts that are not those of the editors as earlier texts. */
@@ -119,6 +129,9 @@ class Page {
     async #settle(): Promise<void> {
         this.#keep();
         const fault = await this.#checker.check();
+        if (!fault) {
+            this.#studio.changed();
+        }
         if (live.checked && !fault) {
             void this.render();
         }
@@ -186,7 +199,7 @@ async function start(): Promise<void> {
         throw new Error(say('noModule', String(error)));
     });
     const renderer = await Renderer.create(module);
-    const page = new Page(module, [renderer.table(0), renderer.table(1)]);
+    const page = new Page(module, renderer);
     document.documentElement.dataset.instructionSet = instructionSet;
     if (view.isServed) {
         element('engine-line').hidden = false;

@@ -41,6 +41,26 @@ const ENGLISH = {
     notKept: 'This browser does not keep what you type: {0}',
     reloaded: 'A file has changed and was loaded again.',
     unreachable: 'render-lab view does not answer. What you type is kept here.',
+    views: 'Views',
+    liveView: 'Live view',
+    liveNone: 'This browser has no WebGPU, so the exact renderer draws a small picture here.',
+    liveTake: 'Take over the camera',
+    liveReset: 'Back to the camera of the text',
+    liveAdd: 'Add samples with random numbers',
+    liveHelp: 'Drag to turn, with Shift or the right button to move, wheel or two fingers to come closer. '
+        + 'Keys: arrows, Shift+arrows, + and -, Home.',
+    liveSamples: '{0} samples',
+    liveRate: '{0} frames/s',
+    liveRefused: 'A shader has an error, so the last good picture stays.',
+    liveFault: 'The texts have an error, so the last good picture stays: {0}',
+    liveStopped: 'The live view stopped: {0}',
+    liveTaken: 'The camera is in the configuration.',
+    shaders: 'Shaders (WGSL)',
+    module: 'Module',
+    shaderReset: 'Back to the original text',
+    shaderHelp: 'The live view compiles the modules after each pause. A comment makes a slider or a colour picker: '
+        + 'override gain: f32 = 0.5; // slider 0..1 step .01 — const tint = vec3<real>(1.0, 0.5, 0.2); // color',
+    noShaders: 'This browser has no WebGPU, so the modules are kept but not compiled.',
     default: 'default',
     material: 'material',
 };
@@ -89,6 +109,26 @@ const SPANISH: Record<Key, string> = {
     notKept: 'Este navegador no guarda lo que escribe: {0}',
     reloaded: 'Un archivo ha cambiado y se ha vuelto a cargar.',
     unreachable: 'render-lab view no responde. Lo que escribe se guarda aquí.',
+    views: 'Vistas',
+    liveView: 'Vista en vivo',
+    liveNone: 'Este navegador no tiene WebGPU; el renderizador exacto dibuja aquí una imagen pequeña.',
+    liveTake: 'Adoptar la cámara',
+    liveReset: 'Volver a la cámara del texto',
+    liveAdd: 'Sumar muestras con números aleatorios',
+    liveHelp: 'Arrastrar gira; con Mayús o el botón derecho desplaza; rueda o dos dedos acercan. '
+        + 'Teclas: flechas, Mayús+flechas, + y -, Inicio.',
+    liveSamples: '{0} muestras',
+    liveRate: '{0} imágenes/s',
+    liveRefused: 'Un sombreador tiene un error; queda la última imagen buena.',
+    liveFault: 'Los textos tienen un error; queda la última imagen buena: {0}',
+    liveStopped: 'La vista en vivo se ha detenido: {0}',
+    liveTaken: 'La cámara está en la configuración.',
+    shaders: 'Sombreadores (WGSL)',
+    module: 'Módulo',
+    shaderReset: 'Volver al texto original',
+    shaderHelp: 'La vista en vivo compila los módulos tras cada pausa. Un comentario crea un control o un selector de color: '
+        + 'override gain: f32 = 0.5; // slider 0..1 step .01 — const tint = vec3<real>(1.0, 0.5, 0.2); // color',
+    noShaders: 'Este navegador no tiene WebGPU; los módulos se guardan pero no se compilan.',
     default: 'por defecto',
     material: 'material',
 };
@@ -136,5 +176,8 @@ export function speak(language: Language): void {
     document.title = words.title;
     for (const element of document.querySelectorAll<HTMLElement>('[data-words]')) {
         element.textContent = words[element.dataset.words as Key];
+    }
+    for (const element of document.querySelectorAll<HTMLElement>('[data-label]')) {
+        element.ariaLabel = words[element.dataset.label as Key];
     }
 }

@@ -60,7 +60,7 @@ export const tests = {
             check(hasRing, `${name} shows that it has the focus`);
             reached.push(name);
         }
-        const expected = 'examples,language,config-editor,scene-editor,render,save-ppm,save-png,share,live';
+        const expected = 'examples,language,config-editor,scene-editor,shader-summary,tab-exact,render,save-ppm,save-png,live,share';
         equal(reached.join(), expected, 'the order of the keyboard');
         await page.focus('#examples');
         await page.keyboard.press('l');

@@ -5,12 +5,14 @@
 import { tests as editing } from './editing.mjs';
 import { tests as exact } from './exact.mjs';
 import { tests as keeping } from './keeping.mjs';
+import { tests as live } from './live.mjs';
 import { tests as looks } from './looks.mjs';
+import { tests as shaders } from './shaders.mjs';
 import { browse, check, serve } from './tools.mjs';
 import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
 
-const all = { ...editing, ...exact, ...keeping, ...looks, ...timing, ...view };
+const all = { ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));
