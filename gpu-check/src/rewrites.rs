@@ -10,7 +10,7 @@ use cpu::internals::sampling::uniform::Uniform;
 use shaders::Library;
 
 use crate::pipeline::{Content, Pipeline};
-use crate::{Error, Float, Formulas, Gpu, check, kernels, special};
+use crate::{Error, Formulas, Gpu, check, kernels, special};
 
 /// Number of random cases. It is large enough that every rewriting changes at least one result.
 const CASES: usize = 4096;

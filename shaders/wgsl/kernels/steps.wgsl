@@ -32,7 +32,8 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
     var ray = camera_ray(picture_camera(), real(pixel / picture.width), real(pixel % picture.width), offset);
     var ended = false;
     for (var depth = 0u; depth < max_depth; depth++) {
-        var step: Step;
+        // Chromium's SwiftShader keeps the values of the iteration before if the initial value is left out.
+        var step = Step();
         if ended {
             step.is_hit = real(-1.0);
         } else {

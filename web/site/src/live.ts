@@ -2,18 +2,18 @@
 import * as camera from './camera';
 import type { Camera } from './camera';
 import { Refused, type Device } from './gpu/device';
-import type { Shaders } from './gpu/shaders';
+import { hasProbe as hasProbes } from './gpu/compose';
+import type { Mode, Shaders } from './gpu/shaders';
 import { Gestures } from './gestures';
+import type { Source } from './pixel';
 import { Faulty, type Facts, type Preparer } from './preparer';
+import { developed, paint, shownConfig } from './shown';
 import { say } from './words';
 
 const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
 
 /** Largest width of the view in pixels, with WebGPU and without. */
 const [WIDTH, WIDTH_WITHOUT] = [480, 160];
-
-/** Largest number of tests of a ray against an object in a frame. With more, a frame would take seconds. */
-const TESTS = 2 ** 28;
 
 /** Number of samples at which the view stops to add more, as the noise is below a step of a byte then. */
 const ENOUGH = 4096;
@@ -27,6 +27,7 @@ export interface Listener {
     refused(fault: Refused | null): void;
     /** The camera was moved, and its lines are wanted in the configuration. */
     taken(camera: Camera): void;
+    /** A pixel was clicked. */
     clicked(column: number, row: number, facts: Facts): void;
 }
 
@@ -35,6 +36,7 @@ export class Live {
     readonly #canvas = element<HTMLCanvasElement>('live-canvas');
     readonly #status = element('live-status');
     readonly #accumulates = element<HTMLInputElement>('live-samples');
+    readonly #probes = element<HTMLInputElement>('live-probe');
     #config = '';
     #facts: Facts | null = null;
     #camera: Camera | null = null;
@@ -48,6 +50,8 @@ export class Live {
     #version = 0;
     #seen = 0;
     #isRefused = false;
+    /** The smallest and the largest value that is probed. */
+    #range: [number, number] = [0, 1];
     #times: number[] = [];
 
     constructor(
@@ -59,6 +63,7 @@ export class Live {
         element('live-none').hidden = device !== null;
         element('live-samples-line').hidden = device === null;
         this.#accumulates.addEventListener('change', () => this.#restart());
+        this.#probes.addEventListener('change', () => this.#restart());
         element('live-take').addEventListener('click', () => this.#camera && listener.taken(this.#camera));
         element('live-reset').addEventListener('click', () => this.#move(this.#start));
         new Gestures(this.#canvas, {
@@ -98,6 +103,11 @@ export class Live {
         } catch (error) {
             this.#failed(error);
         }
+    }
+
+    /** The scene as the view shows it, for the path of a pixel. */
+    get source(): Source | null {
+        return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
     }
 
     /** Compiles and renders again, after a shader has changed. */
@@ -150,9 +160,7 @@ export class Live {
             }
             const image = this.shaders ? await this.#frame(this.shaders) : await this.#slow();
             if (image) {
-                this.#canvas.width = image.width;
-                this.#canvas.height = image.height;
-                this.#canvas.getContext('2d')?.putImageData(image, 0, 0);
+                paint(this.#canvas, image);
             }
             // The next frame shows a change during this one.
             this.#samples = this.#seen === this.#version ? this.#samples + 1 : 0;
@@ -162,45 +170,40 @@ export class Live {
     }
 
     get #adds(): boolean {
-        return this.shaders !== null && this.#accumulates.checked;
+        return this.shaders !== null && this.#accumulates.checked && !this.#probes.checked;
     }
 
     async #frame(shaders: Shaders): Promise<ImageData | null> {
         const samples = this.#samples;
-        await shaders.render(this.#adds ? 'accumulate' : 'image', samples);
+        const mode = this.#mode;
+        await shaders.render(mode, samples);
         if (this.#isRefused) {
             this.#isRefused = false;
             this.listener.refused(null);
         }
-        return shaders.develop(this.#adds ? samples + 1 : 1);
+        if (mode === 'probe') {
+            this.#range = rangeOf(await shaders.colors());
+            return shaders.develop(1, this.#range);
+        }
+        return shaders.develop(mode === 'accumulate' ? samples + 1 : 1);
+    }
+
+    /** What the next frame shows. */
+    get #mode(): Mode {
+        const hasProbe = Object.values(this.shaders?.edits ?? {}).some(hasProbes);
+        element('live-probe-line').hidden = !hasProbe;
+        return hasProbe && this.#probes.checked ? 'probe' : this.#adds ? 'accumulate' : 'image';
     }
 
     /** A frame by the exact renderer in WebAssembly. */
     async #slow(): Promise<ImageData | null> {
         const facts = this.#facts;
-        if (!facts) {
-            return null;
-        }
-        const colors = await this.preparer.truth(false);
-        const image = new ImageData(facts.width, facts.height);
-        for (let pixel = 0; pixel < facts.width * facts.height; pixel++) {
-            for (let channel = 0; channel < 3; channel++) {
-                const mean = Math.min(Math.max(colors[3 * pixel + channel] ?? 0, 0), 1);
-                image.data[4 * pixel + channel] = Math.floor(255 * mean ** (1 / facts.gamma));
-            }
-            image.data[4 * pixel + 3] = 255;
-        }
-        return image;
+        return facts && developed(await this.preparer.truth(false), facts);
     }
 
-    /** The configuration with the camera and the size of the view. Of two lines with one key the last one counts. */
-    #aimed({ width, height, objects, depth }: Facts): string {
-        const largest = this.device ? WIDTH : WIDTH_WITHOUT;
-        const tests = Math.max(objects * depth, 1);
-        const least = Math.sqrt((TESTS / tests) * (width / height));
-        const shown = Math.max(Math.min(width, largest, Math.floor(least)), 16);
-        const rows = this.#camera ? camera.lines(this.#camera, false).map((row) => row.join(' ')) : [];
-        return [this.#config, `image_width: ${shown}`, ...rows, ''].join('\n');
+    /** The configuration with the camera and the size of the view. */
+    #aimed(facts: Facts): string {
+        return shownConfig(this.#config, facts, this.device ? WIDTH : WIDTH_WITHOUT, this.#camera);
     }
 
     #tell(): void {
@@ -214,7 +217,9 @@ export class Live {
         this.#canvas.dataset.samples = String(this.#samples);
         const samples = this.#adds ? `, ${say('liveSamples', this.#samples)}` : '';
         const name = this.device?.name ?? 'WebAssembly';
-        this.#status.textContent = `${width} × ${height}${samples}, ${say('liveRate', rate.toFixed(1))}, ${name}`;
+        const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
+        const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
+        this.#status.textContent = `${width} × ${height}${samples}${probed}, ${say('liveRate', rate.toFixed(1))}, ${name}`;
     }
 
     #failed(error: unknown): void {
@@ -228,4 +233,16 @@ export class Live {
             this.#status.textContent = say('liveStopped', String(error));
         }
     }
+}
+
+/** Returns the smallest and the largest finite number, or 0 and 1 if all are the same. */
+function rangeOf(numbers: Float32Array): [number, number] {
+    let [low, high] = [Infinity, -Infinity];
+    for (const number of numbers) {
+        if (Number.isFinite(number)) {
+            low = Math.min(low, number);
+            high = Math.max(high, number);
+        }
+    }
+    return low < high ? [low, high] : [0, 1];
 }

@@ -1,12 +1,14 @@
 // The views that use the shaders. They are made when one of them is shown for the first time, so that a page without
 // them starts sooner.
 import { taken, type Camera } from './camera';
-import { Device } from './gpu/device';
+import { Comparison } from './compare';
+import { Device, type Refused } from './gpu/device';
 import type { Edits } from './gpu/compose';
 import { Shaders } from './gpu/shaders';
 import { Live } from './live';
 import { keptEdits, ShaderEditor } from './shader-editor';
 import type { Renderer } from './module';
+import { PixelView, type Source } from './pixel';
 import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
@@ -23,7 +25,11 @@ export interface Owner {
 /** The parts that exist once a view of the shaders is shown. */
 interface Parts {
     live: Live;
-    shaders: Shaders | null;
+    /** Null in a browser without WebGPU. */
+    comparison: Comparison | null;
+    pixel: PixelView;
+    /** The shaders of the live view and of the comparison. */
+    shaders: Shaders[];
 }
 
 /** The views of the shaders. */
@@ -31,7 +37,8 @@ export class Studio {
     readonly #tabs = new Tabs((name) => void this.#shown(name));
     #parts: Promise<Parts> | null = null;
     #editor: ShaderEditor | null = null;
-    #isStale = true;
+    /** The views that have not seen the last texts. */
+    #stale = new Set(['live-pane', 'compare-pane']);
 
     constructor(
         private readonly module: WebAssembly.Module,
@@ -45,21 +52,22 @@ export class Studio {
 
     /** Takes the texts of the editors, which are valid. */
     changed(): void {
-        this.#isStale = true;
+        this.#stale = new Set(['live-pane', 'compare-pane']);
         void this.#shown(this.#tabs.current);
     }
 
     async #shown(name: string): Promise<void> {
-        const isExact = name === 'exact';
-        if (isExact && !this.#parts) {
+        if (name === 'exact' && !this.#parts) {
             return;
         }
         this.#parts ??= this.#make();
-        const { live } = await this.#parts;
-        if (!isExact && this.#isStale) {
-            this.#isStale = false;
+        const { live, comparison } = await this.#parts;
+        if (name === 'live-pane' && this.#stale.delete(name)) {
             const { config, scene } = this.owner.texts();
             await live.show(config, scene);
+        }
+        if (name === 'compare-pane' && this.#stale.delete(name)) {
+            await comparison?.show(this.owner.texts());
         }
         live.isShown = this.#tabs.current === 'live-pane';
     }
@@ -76,25 +84,43 @@ export class Studio {
             this.#tabs.show('live-pane');
         }
         this.#parts ??= this.#make();
-        const { live, shaders } = await this.#parts;
-        if (shaders) {
-            shaders.edits = edits;
-            live.refresh();
+        const { live, comparison, pixel, shaders } = await this.#parts;
+        shaders.forEach((one) => (one.edits = edits));
+        live.refresh();
+        if (this.#tabs.current === 'compare-pane') {
+            void comparison?.refresh();
+        } else {
+            this.#stale.add('compare-pane');
+        }
+        if (this.#tabs.current === 'pixel-pane') {
+            void pixel.refresh();
         }
     }
 
     async #make(): Promise<Parts> {
         const device = await Device.open((reason) => this.owner.say(say('liveStopped', reason)));
-        const shaders = device && new Shaders(device, this.renderer.wgsl());
-        const live = new Live(new Preparer(this.module), device, shaders, {
-            refused: (refused) => this.#editor?.show(refused?.faults ?? []),
-            clicked: () => null,
+        const modules = this.renderer.wgsl();
+        const pixel = new PixelView(this.renderer.stepNames());
+        const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
+        shaders.forEach((one) => (one.edits = this.#editor?.edits ?? keptEdits()));
+        const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
+        const follow = (source: Source | null | undefined, column: number, row: number) => {
+            if (source) {
+                this.#tabs.show('pixel-pane');
+                void pixel.show(source, column, row);
+            }
+        };
+        const live = new Live(new Preparer(this.module), device, shaders[0] ?? null, {
+            refused,
+            clicked: (column, row) => follow(live.source, column, row),
             taken: (camera) => this.#take(camera),
         });
-        if (shaders) {
-            shaders.edits = keptEdits();
-        }
-        return { live, shaders };
+        const comparison: Comparison | null = shaders[1] ? new Comparison(new Preparer(this.module), shaders[1], {
+            refused,
+            clicked: (column, row) => follow(comparison?.source, column, row),
+        }) : null;
+        document.getElementById('compare-none')!.hidden = comparison !== null;
+        return { live, comparison, pixel, shaders };
     }
 
     #take(camera: Camera): void {

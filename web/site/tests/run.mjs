@@ -2,6 +2,7 @@
 //
 // SITE is the folder of the built page, EXPECTED a JSON list of pictures with their digests, RENDER_LAB the program.
 // CHROMIUM may name the browser, and SCREENSHOTS a folder for pictures of the page.
+import { tests as compare } from './compare.mjs';
 import { tests as editing } from './editing.mjs';
 import { tests as exact } from './exact.mjs';
 import { tests as keeping } from './keeping.mjs';
@@ -12,7 +13,7 @@ import { browse, check, serve } from './tools.mjs';
 import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
 
-const all = { ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view };
+const all = { ...compare, ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));

@@ -3,7 +3,7 @@ import { check, equal, frame, pixels, rmse, shoot } from './tools.mjs';
 import { openLive } from './live.mjs';
 
 /** Opens the live view with the editor of a module. */
-async function openModule(open, url, name) {
+export async function openModule(open, url, name) {
     const page = await openLive(open, url);
     await page.click('#shader-part summary');
     await page.selectOption('#module', name);
@@ -11,7 +11,7 @@ async function openModule(open, url, name) {
 }
 
 /** Replaces a part of the module's text, and returns the new text. */
-async function edit(page, from, to) {
+export async function edit(page, from, to) {
     const text = await moduleText(page);
     check(text.includes(from), `the module has [${from}]`);
     await page.focus('#shader-editor .cm-content');

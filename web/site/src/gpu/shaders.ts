@@ -1,6 +1,6 @@
 // Renders with the WGSL port: whole pictures in deterministic mode, frames that add up samples, and the steps of a pixel.
 import type { Facts, Prepared } from '../preparer';
-import { compose, withoutEntry, type Composition, type Edits, type Module } from './compose';
+import { compose, hasProbe, withoutEntry, type Composition, type Edits, type Module } from './compose';
 import developSource from './develop.wgsl';
 import type { Device, Kernel } from './device';
 import accumulateSource from './live.wgsl';
@@ -195,6 +195,14 @@ export class Shaders {
         const bytes = await this.device.read(encoder, steps, size);
         steps.destroy();
         return new Float32Array(bytes);
+    }
+
+    /** Returns the value that a shader gives to `probe` for a pixel, or null if no module calls it. */
+    async probed(pixel: number): Promise<number[] | null> {
+        if (!Object.values(this.edits).some(hasProbe) || !(await this.render('probe', 0))) {
+            return null;
+        }
+        return Array.from((await this.colors()).subarray(3 * pixel, 3 * pixel + 3));
     }
 
     /** The constants of the scene's features. */
