@@ -110,6 +110,16 @@ export class Live {
         return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
     }
 
+    /** Waits until the moved camera counts, without a frame. */
+    async settle(): Promise<void> {
+        if (!this.#isAimed && this.#facts) {
+            this.#isAimed = true;
+            const aimed = await this.preparer.aim(this.#aimed(this.#facts));
+            this.#facts = aimed.facts;
+            this.shaders?.load(aimed);
+        }
+    }
+
     /** Compiles and renders again, after a shader has changed. */
     refresh(): void {
         this.#restart();
@@ -152,12 +162,7 @@ export class Live {
     async #run(): Promise<void> {
         while (this.#isShown && this.#facts && (this.#samples === 0 || (this.#adds && this.#samples < ENOUGH))) {
             this.#seen = this.#version;
-            if (!this.#isAimed) {
-                this.#isAimed = true;
-                const aimed = await this.preparer.aim(this.#aimed(this.#facts));
-                this.#facts = aimed.facts;
-                this.shaders?.load(aimed);
-            }
+            await this.settle();
             const image = this.shaders ? await this.#frame(this.shaders) : await this.#slow();
             if (image) {
                 paint(this.#canvas, image);

@@ -76,8 +76,11 @@ class Page {
 
     /** Replaces both texts. What the user had typed becomes one of the earlier texts. */
     load(texts: Texts, isTyped = false): void {
-        if (this.#isTyped) {
-            this.#tryTo(() => store.keepEarlier(this.#texts));
+        const own = store.modules();
+        const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
+            && JSON.stringify(own) !== JSON.stringify(texts.modules);
+        if (this.#isTyped || losesModules) {
+            this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
         }
         this.#isLoading = true;
         this.#editors[0].text = texts.config;
@@ -87,11 +90,21 @@ class Page {
         this.#keep();
         this.showEarlier();
         this.#studio.changed();
+        if (texts.modules) {
+            this.#studio.modules = texts.modules;
+        }
+    }
+
+    /** Shows the view of a link. */
+    show(view: link.View | null): void {
+        if (view) {
+            void this.#studio.show(view);
+        }
     }
 
     /** Keeps texts that are not those of the editors as earlier texts. */
     keepEarlier(texts: Texts): void {
-        this.#tryTo(() => store.keepEarlier(texts));
+        this.#tryTo(() => store.keepEarlier({ ...texts, modules: store.modules() }));
     }
 
     /** Checks both texts, and renders them if they are valid. */
@@ -150,7 +163,7 @@ class Page {
     }
 
     async #share(): Promise<void> {
-        const text = await link.make(this.#texts);
+        const text = await link.make({ ...this.#texts, modules: store.modules(), view: await this.#studio.view() });
         const field = element<HTMLInputElement>('link');
         field.value = text;
         element('link-line').hidden = false;
@@ -163,9 +176,9 @@ class Page {
 }
 
 /** Returns the texts with which the page starts, and whether the user has typed them. */
-async function firstTexts(page: Page): Promise<store.Current> {
+async function firstTexts(page: Page): Promise<store.Current & { view?: link.View | null }> {
     const kept = store.current();
-    const replaceBy = (texts: Texts): store.Current => {
+    const replaceBy = <T extends Texts>(texts: T): T & store.Current => {
         if (kept?.isTyped) {
             page.keepEarlier(kept);
         }
@@ -227,11 +240,16 @@ async function start(): Promise<void> {
     });
     addEventListener('hashchange', () => {
         if (link.isLink(location.hash)) {
-            use(link.read(location.hash)).then(forgetLink, () => page.say(say('badLink')));
+            link.read(location.hash).then(async ({ view: shown, ...texts }) => {
+                await use(texts);
+                page.show(shown);
+                forgetLink();
+            }).catch(() => page.say(say('badLink')));
         }
     });
-    const { isTyped, ...texts } = await firstTexts(page);
+    const { isTyped, view: shown, ...texts } = await firstTexts(page);
     page.load(texts, isTyped);
+    page.show(shown ?? null);
     forgetLink();
     await page.render();
     names().then(

@@ -61,6 +61,12 @@ export class PixelView {
         }
     }
 
+    /** The column and the row of the pixel, or null if none is shown. */
+    get place(): [number, number] | null {
+        const value = (id: string) => Number(element<HTMLInputElement>(id).value);
+        return this.#source && [value('pixel-column'), value('pixel-row')];
+    }
+
     /** Shows the path of a pixel. */
     async show(source: Source, column: number, row: number): Promise<void> {
         this.#source = source;

@@ -14,11 +14,15 @@ const PAUSE = 200;
 /** The module that is shown first: its formula is short, and all of the picture shows it. */
 const FIRST = 'background';
 
-/** The key under which the user's texts are kept. */
-const KEY = 'modules';
-
 /** The modules that the user may edit: those of the picture and of the steps of a pixel. */
 const ROOTS = ['kernels/image', 'kernels/steps'];
+
+/** What the editor tells the page. */
+export interface Listener {
+    changed(edits: Edits): void;
+    render(): void;
+    say(text: string): void;
+}
 
 /** The editor. */
 export class ShaderEditor {
@@ -32,13 +36,13 @@ export class ShaderEditor {
     #isLoading = false;
     #timer = 0;
 
-    constructor(modules: readonly Module[], private readonly changed: (edits: Edits) => void, render: () => void) {
+    constructor(modules: readonly Module[], private readonly listener: Listener) {
         const needed = new Set(ROOTS.flatMap((root) => modules.find((one) => one.name === root)?.needed ?? []));
         this.#modules = modules.filter((module) => needed.has(module.name));
-        this.#edits = keptEdits();
+        this.#edits = store.modules();
         this.#editor = new Editor(element('shader-editor'), wgsl, element('shader-label'), {
             changed: () => this.#typed(),
-            render,
+            render: () => listener.render(),
         });
         this.#knobs = new Knobs(element('knobs'), this.#editor);
         this.#fill();
@@ -46,8 +50,9 @@ export class ShaderEditor {
         element('shader-reset').addEventListener('click', () => {
             this.#editor.text = this.#module?.source ?? '';
         });
-        this.#select.value = Object.keys(this.#edits)[0] ?? FIRST;
-        this.#load();
+        this.#choose();
+        // The last words may have been typed less than a pause ago.
+        addEventListener('pagehide', () => this.#keep());
     }
 
     /** The user's texts, by the names of their modules. */
@@ -59,8 +64,9 @@ export class ShaderEditor {
     set edits(edits: Edits) {
         this.#edits = edits;
         this.#keep();
-        this.#load();
-        this.changed(edits);
+        this.#fill();
+        this.#choose();
+        this.listener.changed(edits);
     }
 
     /** Shows the faults of the compiler, or removes them. */
@@ -103,6 +109,15 @@ export class ShaderEditor {
         this.#select.value = chosen;
     }
 
+    /** Shows the first module that the user has changed, or else the one to begin with. */
+    #choose(): void {
+        this.#select.value = Object.keys(this.#edits)[0] ?? FIRST;
+        if (!this.#module) {
+            this.#select.value = FIRST;
+        }
+        this.#load();
+    }
+
     #load(): void {
         const module = this.#module;
         this.#isLoading = true;
@@ -132,27 +147,15 @@ export class ShaderEditor {
         clearTimeout(this.#timer);
         this.#timer = window.setTimeout(() => {
             this.#keep();
-            this.changed(this.#edits);
+            this.listener.changed(this.#edits);
         }, PAUSE);
     }
 
-    /** Keeps the texts in local storage. The page calls it also when it is left. */
     #keep(): void {
-        store.keepSetting(KEY, JSON.stringify(this.#edits));
+        try {
+            store.keepModules(this.#edits);
+        } catch (error) {
+            this.listener.say(say('notKept', String(error)));
+        }
     }
-}
-
-/** Returns the texts that were kept, or none. */
-export function keptEdits(): Edits {
-    try {
-        return isEdits(JSON.parse(store.setting(KEY) ?? '{}'));
-    } catch {
-        return {};
-    }
-}
-
-/** Returns the entries of a value that are texts. */
-export function isEdits(value: unknown): Edits {
-    const entries = typeof value === 'object' && value !== null ? Object.entries(value) : [];
-    return Object.fromEntries(entries.filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
 }

@@ -6,7 +6,9 @@ import { Device, type Refused } from './gpu/device';
 import type { Edits } from './gpu/compose';
 import { Shaders } from './gpu/shaders';
 import { Live } from './live';
-import { keptEdits, ShaderEditor } from './shader-editor';
+import type { View } from './link';
+import { ShaderEditor } from './shader-editor';
+import * as store from './store';
 import type { Renderer } from './module';
 import { PixelView, type Source } from './pixel';
 import { Preparer } from './preparer';
@@ -36,7 +38,9 @@ interface Parts {
 export class Studio {
     readonly #tabs = new Tabs((name) => void this.#shown(name));
     #parts: Promise<Parts> | null = null;
+    readonly #part = document.getElementById('shader-part') as HTMLDetailsElement;
     #editor: ShaderEditor | null = null;
+    #reading = Promise.resolve();
     /** The views that have not seen the last texts. */
     #stale = new Set(['live-pane', 'compare-pane']);
 
@@ -45,9 +49,8 @@ export class Studio {
         private readonly renderer: Renderer,
         private readonly owner: Owner,
     ) {
-        const part = document.getElementById('shader-part') as HTMLDetailsElement;
-        part.addEventListener('toggle', () => part.open && this.#edit());
-        part.open = Object.keys(keptEdits()).length > 0;
+        this.#part.addEventListener('toggle', () => this.#part.open && this.#edit());
+        this.#part.open = Object.keys(store.modules()).length > 0;
     }
 
     /** Takes the texts of the editors, which are valid. */
@@ -56,15 +59,55 @@ export class Studio {
         void this.#shown(this.#tabs.current);
     }
 
+    /** Replaces the user's modules. */
+    set modules(modules: Edits) {
+        if (this.#editor || Object.keys(modules).length > 0 || Object.keys(store.modules()).length > 0) {
+            this.#edit().edits = modules;
+        }
+        this.#part.open ||= Object.keys(modules).length > 0;
+    }
+
+    /** Returns what is shown, for a link. */
+    async view(): Promise<View> {
+        const parts = await this.#parts;
+        const tab = this.#tabs.current;
+        return { tab, camera: parts?.live.moved ?? null, pixel: tab === 'pixel-pane' ? parts?.pixel.place ?? null : null };
+    }
+
+    /** Shows a view of a link. */
+    async show({ tab, camera, pixel }: View): Promise<void> {
+        if (tab !== 'exact' || camera) {
+            this.#parts ??= this.#make();
+            const { live, pixel: path } = await this.#parts;
+            await this.#read(live);
+            if (camera) {
+                live.moved = camera;
+            }
+            if (pixel && live.source) {
+                await live.settle();
+                await path.show(live.source, ...pixel);
+            }
+        }
+        this.#tabs.show(tab);
+    }
+
+    /** Gives the texts to the live view, if it has not seen them. */
+    #read(live: Live): Promise<void> {
+        if (this.#stale.delete('live-pane')) {
+            const { config, scene } = this.owner.texts();
+            this.#reading = live.show(config, scene);
+        }
+        return this.#reading;
+    }
+
     async #shown(name: string): Promise<void> {
         if (name === 'exact' && !this.#parts) {
             return;
         }
         this.#parts ??= this.#make();
         const { live, comparison } = await this.#parts;
-        if (name === 'live-pane' && this.#stale.delete(name)) {
-            const { config, scene } = this.owner.texts();
-            await live.show(config, scene);
+        if (name === 'live-pane') {
+            await this.#read(live);
         }
         if (name === 'compare-pane' && this.#stale.delete(name)) {
             await comparison?.show(this.owner.texts());
@@ -74,7 +117,11 @@ export class Studio {
 
     /** Opens the editor of the shaders. */
     #edit(): ShaderEditor {
-        this.#editor ??= new ShaderEditor(this.renderer.wgsl(), (edits) => void this.#edited(edits), () => this.owner.render());
+        this.#editor ??= new ShaderEditor(this.renderer.wgsl(), {
+            changed: (edits) => void this.#edited(edits),
+            render: () => this.owner.render(),
+            say: (text) => this.owner.say(text),
+        });
         return this.#editor;
     }
 
@@ -102,7 +149,7 @@ export class Studio {
         const modules = this.renderer.wgsl();
         const pixel = new PixelView(this.renderer.stepNames());
         const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
-        shaders.forEach((one) => (one.edits = this.#editor?.edits ?? keptEdits()));
+        shaders.forEach((one) => (one.edits = this.#editor?.edits ?? store.modules()));
         const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
         const follow = (source: Source | null | undefined, column: number, row: number) => {
             if (source) {

@@ -23,8 +23,11 @@ export class Tabs {
         return this.#tabs.find((tab) => tab.ariaSelected === 'true')?.getAttribute('aria-controls') ?? '';
     }
 
-    /** Shows the view whose element has the id `name`. */
+    /** Shows the view whose element has the id `name`. Another name changes nothing. */
     show(name: string): void {
+        if (!this.#tabs.some((tab) => tab.getAttribute('aria-controls') === name)) {
+            return;
+        }
         for (const tab of this.#tabs) {
             const controls = tab.getAttribute('aria-controls') ?? '';
             const isShown = controls === name;

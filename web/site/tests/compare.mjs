@@ -37,7 +37,9 @@ export const tests = {
 
     async 'a planted fault is seen in the map, and the first difference is at its step'({ open, url }) {
         const page = await openModule(open, url, 'sphere');
+        const shown = await frame(page);
         await edit(page, ...FAULT);
+        await frame(page, shown);
         const differing = await compareSingle(page);
         check(differing > 0, 'the fault makes a difference');
         await page.selectOption('#compare-view', 'ulps');

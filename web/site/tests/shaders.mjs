@@ -21,7 +21,7 @@ export async function edit(page, from, to) {
 }
 
 /** Returns the text of the module, of which the editor shows a part. */
-const moduleText = (page) => page.evaluate(() => {
+export const moduleText = (page) => page.evaluate(() => {
     const { state } = document.querySelector('#shader-editor .cm-content').cmTile?.view
         ?? document.querySelector('#shader-editor .cm-content').cmView.view;
     return state.doc.toString();
