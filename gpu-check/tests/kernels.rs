@@ -6,7 +6,7 @@ mod common;
 use gpu_check::bound::spread;
 use gpu_check::check::{check, compile, results};
 use gpu_check::kernels::KERNELS;
-use gpu_check::{Error, Float, Formulas, Gpu, Kernel};
+use gpu_check::{Error, Formulas, Gpu, Kernel};
 use shaders::Library;
 
 const RANDOM_CASES: usize = 1 << 20;

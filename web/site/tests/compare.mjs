@@ -4,7 +4,7 @@ import { openLive } from './live.mjs';
 import { edit, openModule } from './shaders.mjs';
 
 /** Waits for the figures of a comparison, and returns the number of pixels that differ. */
-async function figures(page) {
+export async function figures(page) {
     await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
     return Number(await page.getAttribute('#compare-figures', 'data-differing'));
 }
@@ -19,7 +19,7 @@ async function compareSingle(page) {
 }
 
 /** The planted fault: a product with 1 / a instead of a quotient, which rounds twice. */
-const FAULT = ['let near = (h - root) / a;', 'let near = (h - root) * (real(1.0) / a);'];
+export const FAULT = ['let near = (h - root) / a;', 'let near = (h - root) * (real(1.0) / a);'];
 
 export const tests = {
     async 'the shaders have the bits of Rust in f32, and nearly the exact picture'({ open, url }) {

@@ -12,8 +12,9 @@ import { tests as shaders } from './shaders.mjs';
 import { browse, check, serve } from './tools.mjs';
 import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
+import { tests as walk } from './walk.mjs';
 
-const all = { ...compare, ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view };
+const all = { ...compare, ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));
