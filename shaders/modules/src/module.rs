@@ -93,8 +93,8 @@ pub fn find(name: &str) -> Option<&'static Module> {
     MODULES.iter().chain(&REALS).find(|module| module.name == name)
 }
 
-/// Returns the modules that `root` needs, directly or indirectly, and `root` itself. Each module comes after all modules
-/// that it needs.
+/// Returns the modules that `root` needs, directly or indirectly, and `root` itself. Each module comes after all
+/// modules that it needs.
 #[must_use]
 pub fn needed(root: &Module) -> Vec<&'static Module> {
     let mut names = BTreeSet::new();

@@ -62,7 +62,7 @@ export function lines({ position, target, north }: Camera, isRounded: boolean): 
     return [['camera_position:', text(position)], ['camera_target:', text(target)], ['camera_north:', text(north)]];
 }
 
-/** Returns a configuration with the lines of the camera. They replace the last lines with their keys, or come at the end. */
+/** Returns a configuration with the lines of the camera. They replace the last lines with their keys, or are added. */
 export function taken(config: string, camera: Camera): string {
     let rows = config.split('\n');
     for (const [key, value] of lines(camera, true)) {

@@ -56,8 +56,10 @@ export function linesOf(rows: Row[]): Extension {
     return [language, EditorState.languageData.of(() => [{ autocomplete: source }])];
 }
 
-/** Number of characters from which on inserted text goes to the editor directly. Otherwise the browser first puts it into
- * the page line by line, which takes minutes for some megabytes. */
+/**
+ * Number of characters from which on inserted text goes to the editor directly. Otherwise the browser first puts it
+ * into the page line by line, which takes minutes for some megabytes.
+ */
 const LONG_INPUT = 1000;
 
 /** An editor of one text. */

@@ -57,7 +57,8 @@ export class Knobs {
     show(): void {
         const knobs = knobsOf(this.editor.text);
         const inputs = Array.from(this.parent.querySelectorAll('input'));
-        if (inputs.map((input) => `${input.type} ${input.name}`).join() !== knobs.map((knob) => `${knob.kind} ${knob.name}`).join()) {
+        const shown = inputs.map((input) => `${input.type} ${input.name}`).join();
+        if (shown !== knobs.map((knob) => `${knob.kind} ${knob.name}`).join()) {
             this.parent.replaceChildren(...knobs.map((knob) => this.#label(knob)));
         }
         this.parent.querySelectorAll('input').forEach((input, index) => {
@@ -89,7 +90,8 @@ export class Knobs {
             this.editor.replace(knob.from, knob.to, float(value));
         } else if (knob) {
             const channels = [1, 3, 5].map((place) => parseInt(value.slice(place, place + 2), 16) / 255);
-            this.editor.replace(knob.from, knob.to, channels.map((channel) => float(String(Number(channel.toFixed(3))))).join(', '));
+            const texts = channels.map((channel) => float(String(Number(channel.toFixed(3)))));
+            this.editor.replace(knob.from, knob.to, texts.join(', '));
         }
     }
 }

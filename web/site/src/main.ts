@@ -258,7 +258,7 @@ async function start(): Promise<void> {
     );
 }
 
-/** Removes the texts from the address. Otherwise they would replace what the user types when the page is loaded again. */
+/** Removes the texts from the address. Otherwise they would replace later texts when the page is loaded again. */
 function forgetLink(): void {
     if (link.isLink(location.hash)) {
         history.replaceState(null, '', location.pathname + location.search);

@@ -19,7 +19,7 @@ const [HIT, ESCAPE] = [18, [0, 6, 7, 8, 9, 10, 11, 18, 19, 20]];
 /** Names of numbers that have no fraction. */
 const WHOLE = new Set(['is_hit', 'object', 'part', 'front', 'material']);
 
-/** Returns the places of the numbers of a step that are shown. `hit` is 1 for a hit, 0 for an escape, -1 after the end. */
+/** Returns the places of the numbers that are shown. `hit` is 1 for a hit, 0 for an escape, -1 after the end. */
 function shown(hit: number): number[] {
     return hit === 1 ? Array.from({ length: HIT }, (_, place) => place) : hit === 0 ? ESCAPE : [];
 }

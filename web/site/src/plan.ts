@@ -23,7 +23,8 @@ function outline([kind, center, radius, axis]: ShapeOf, right: number, up: numbe
     }
     const length = Math.hypot(dx, dy);
     const [nx, ny] = [(-dy / length) * radius, (dx / length) * radius];
-    const corners = [[x - dx + nx, y - dy + ny], [x + dx + nx, y + dy + ny], [x + dx - nx, y + dy - ny], [x - dx - nx, y - dy - ny]];
+    const corners = [[-1, 1], [1, 1], [1, -1], [-1, -1]].map(([along = 0, across = 0]) =>
+        [x + along * dx + across * nx, y + along * dy + across * ny]);
     return draw('polygon', { points: corners.map((corner) => corner.join(',')).join(' ') });
 }
 
@@ -51,7 +52,8 @@ function view(facts: Facts, points: readonly number[][], right: number, up: numb
     svg.append(draw('polyline', { points: way }));
     points.forEach((point, index) => index % 2 === 1
         && svg.append(draw('circle', { class: 'hit', cx: point[right] ?? 0, cy: -(point[up] ?? 0), r: size / 90 })));
-    svg.append(draw('circle', { class: 'camera', cx: facts.position[right], cy: -facts.position[up as 0 | 1 | 2], r: size / 60 }));
+    const [cameraX, cameraY] = [facts.position[right] ?? 0, -(facts.position[up] ?? 0)];
+    svg.append(draw('circle', { class: 'camera', cx: cameraX, cy: cameraY, r: size / 60 }));
     return svg;
 }
 

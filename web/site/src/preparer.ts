@@ -55,7 +55,7 @@ export class Preparer {
         return this.#prepared(await this.#ask({ kind: 'prepare', config, scene }));
     }
 
-    /** Reads the configuration again for the scene of the last {@link prepare}. The result has the first buffer alone. */
+    /** Reads the configuration again for the scene of the last {@link prepare}. The result has one buffer. */
     async aim(config: string): Promise<Prepared> {
         return this.#prepared(await this.#ask({ kind: 'aim', config }));
     }

@@ -6,8 +6,8 @@ import type { Facts } from './preparer';
 const TESTS = 2 ** 28;
 
 /**
- * Returns the configuration of a picture of the shaders: at most `largest` pixels wide, and seen by `camera` if there is
- * one. Of two lines with one key the last one counts.
+ * Returns the configuration of a picture of the shaders: at most `largest` pixels wide, and seen by `camera` if there
+ * is one. Of two lines with one key the last one counts.
  */
 export function shownConfig(config: string, facts: Facts, largest: number, camera: Camera | null): string {
     const { width, height, objects, depth } = facts;

@@ -15,7 +15,7 @@ struct Development {
 @group(0) @binding(1) var<storage, read> colors: array<f32>;
 @group(0) @binding(2) var<storage, read_write> bytes: array<u32>;
 
-// Returns the byte of a channel, as cpu/src/image/quantizer.rs defines it, but in f32.
+// Returns the byte of a channel, as cpu/src/image/quantize.rs defines it, but in f32.
 fn byte_of(sum: f32) -> u32 {
     if development.is_scaled != 0u {
         return u32(255.0 * clamp((sum - development.low) / (development.high - development.low), 0.0, 1.0));

@@ -1,11 +1,8 @@
 // The page's own kernels for the live view. They use the modules of shaders/wgsl.
 
-// The numbers of a frame. `size` is the number of columns and of all pixels. `frame` counts the frames since the picture
-// has changed, from 0.
+// `number` counts the frames since the picture has changed, from 0.
 struct Frame {
-    size: vec2<u32>,
-    frame: u32,
-    gamma: f32,
+    number: u32,
 }
 
 @group(0) @binding(5) var<storage, read_write> sums: array<PackedVec3>;
@@ -27,16 +24,16 @@ fn random_draw(low: real, high: real) -> real {
     return uniform_draw(vec2<u32>(random_next(), random_next()), low, high);
 }
 
-// Adds one sample of each pixel to its sum, with random numbers as in the convention of the statement: a position in the
-// pixel, and for each surface a vector in a cube. The random numbers are not those of render-aos.
+// Adds one sample of each pixel to its sum. Its random numbers follow the convention of the statement: a position in
+// the pixel, and for each surface a vector in a cube. They are not the numbers of render-aos.
 @compute @workgroup_size(64)
 fn accumulate(@builtin(global_invocation_id) id: vec3<u32>) {
     if id.x >= picture.pixel_count {
         return;
     }
     let pixel = picture.first_pixel + id.x;
-    random_state = pixel * 1664525u + frame.frame * 1013904223u;
-    random_state = random_next() ^ frame.frame;
+    random_state = pixel * 1664525u + frame.number * 1013904223u;
+    random_state = random_next() ^ frame.number;
     let half = real(0.5);
     let offset = vec2<real>(random_draw(-half, half), random_draw(-half, half));
     var ray = camera_ray(picture_camera(), real(pixel / picture.width), real(pixel % picture.width), offset);
@@ -63,7 +60,7 @@ fn accumulate(@builtin(global_invocation_id) id: vec3<u32>) {
         }
         ray = bounce_ray(ray, surface.hit, material, vector);
     }
-    if frame.frame > 0u {
+    if frame.number > 0u {
         color = color + vec3_load(sums[id.x]);
     }
     sums[id.x] = vec3_store(color);

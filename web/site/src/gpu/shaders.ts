@@ -1,4 +1,4 @@
-// Renders with the WGSL port: whole pictures in deterministic mode, frames that add up samples, and the steps of a pixel.
+// Renders with the WGSL port: pictures in deterministic mode, frames that add up samples, and the steps of a pixel.
 import type { Facts, Prepared } from '../preparer';
 import { compose, hasProbe, withoutEntry, type Composition, type Edits, type Module } from './compose';
 import developSource from './develop.wgsl';
@@ -68,8 +68,10 @@ export class Shaders {
         }
         const pixels = facts.width * facts.height;
         const tests = Math.max(facts.objects * facts.depth, 1);
-        const batch = Math.min(BATCH, pixels, Math.floor(LARGEST / (4 * Math.max(facts.depth, 1))), Math.max(1024, Math.floor(TESTS / tests)));
-        const isSame = old && old.facts.width * old.facts.height === pixels && old.facts.depth === facts.depth && old.batch === batch;
+        const affordable = Math.max(1024, Math.floor(TESTS / tests));
+        const batch = Math.min(BATCH, pixels, Math.floor(LARGEST / (4 * Math.max(facts.depth, 1))), affordable);
+        const size = ({ width, height, depth }: Facts) => `${width * height} ${depth}`;
+        const isSame = old && size(old.facts) === size(facts) && old.batch === batch;
         if (old && !isSame) {
             [old.attenuations, old.colors, old.states].forEach((buffer) => buffer.destroy());
             this.#bytes?.destroy();
@@ -108,7 +110,7 @@ export class Shaders {
         const { gpu } = this.device;
         const { facts, head, inputs, attenuations, colors, states, batch } = loaded;
         const pixels = facts.width * facts.height;
-        gpu.queue.writeBuffer(this.#frame, 0, new Uint32Array([facts.width, pixels, frame, 0]));
+        gpu.queue.writeBuffer(this.#frame, 0, new Uint32Array([frame]));
         const isWhole = batch >= pixels;
         const part = isWhole ? colors : this.device.buffer(12 * batch);
         for (let first = 0; first < pixels; first += batch) {
@@ -211,7 +213,12 @@ export class Shaders {
     }
 
     /** Compiles a kernel once for each text and set of constants. */
-    #compiled(composition: Composition, entry: string, written: readonly boolean[], constants: Record<string, number>): Promise<Kernel> {
+    #compiled(
+        composition: Composition,
+        entry: string,
+        written: readonly boolean[],
+        constants: Record<string, number>,
+    ): Promise<Kernel> {
         const key = `${entry} ${JSON.stringify(constants)} ${composition.code}`;
         const known = this.#kernels.get(key);
         if (known) {
