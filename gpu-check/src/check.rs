@@ -6,7 +6,7 @@ use std::time::Duration;
 use shaders::Library;
 
 use crate::pipeline::{Content, MAX_INVOCATIONS};
-use crate::{Error, Float, Gpu, Kernel, Pipeline};
+use crate::{Error, Float, Formulas, Gpu, Kernel, Pipeline};
 
 /// Largest number of cases in one run. The device's limit on a binding may be lower.
 const BATCH: u64 = 1 << 18;
@@ -88,7 +88,7 @@ pub(crate) fn rows_of_results<T: Float>(
 
 /// Compares `results`, the kernel's results for `cases`, with the results of the formula in Rust.
 #[must_use]
-pub fn compare<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
+pub fn compare<T: Formulas>(kernel: &Kernel, cases: &[T], results: &[T]) -> Tally {
     compare_rows(kernel.module, kernel.inputs, kernel.outputs, T::formula(kernel), cases, results)
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn compare_rows<T: Float>(
 
 /// Returns the index of the first case whose result differs from that of the formula in Rust.
 #[must_use]
-pub fn first_differing<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) -> Option<usize> {
+pub fn first_differing<T: Formulas>(kernel: &Kernel, cases: &[T], results: &[T]) -> Option<usize> {
     let mut expected = vec![T::of(0.0); kernel.outputs.len()];
     let rows = cases.chunks(kernel.inputs).zip(results.chunks(kernel.outputs.len()));
     rows.into_iter().position(|(case, actual)| {
@@ -134,7 +134,7 @@ pub fn first_differing<T: Float>(kernel: &Kernel, cases: &[T], results: &[T]) ->
 ///
 /// # Errors
 /// The errors of [`Pipeline::run`].
-pub fn check<T: Float>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Tally, Error> {
+pub fn check<T: Formulas>(gpu: &Gpu, pipeline: &Pipeline, kernel: &Kernel, cases: &[T]) -> Result<Tally, Error> {
     Ok(compare(kernel, cases, &results(gpu, pipeline, kernel, cases)?))
 }
 

@@ -118,3 +118,16 @@ pub enum Error {
         cause: std::io::Error,
     },
 }
+
+impl From<twin::Error> for Error {
+    fn from(error: twin::Error) -> Self {
+        match error {
+            twin::Error::Scene(error) => Self::Scene(error),
+            twin::Error::TooDeep { depth } => Self::TooLarge {
+                what: "the materials that attenuate each path",
+                bytes: depth.saturating_mul(4),
+                limit: u64::from(u32::MAX),
+            },
+        }
+    }
+}

@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 use shaders::{CallTrace, Features, Library};
 
 use crate::kernel::Reader;
-use crate::{Error, Float, Gpu, Kernel, Picture};
+use crate::{Error, Float, Formulas, Gpu, Kernel, Picture};
 use arguments::Arguments;
 use calls::{Call, Tracer};
 
@@ -68,7 +68,7 @@ pub struct Unequal<T> {
 ///
 /// # Errors
 /// The errors of [`crate::Pipeline::run`].
-pub fn of_case<T: Float>(
+pub fn of_case<T: Formulas>(
     gpu: &Gpu,
     library: &Library,
     kernel: &Kernel,

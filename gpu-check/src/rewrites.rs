@@ -10,7 +10,7 @@ use cpu::internals::sampling::uniform::Uniform;
 use shaders::Library;
 
 use crate::pipeline::{Content, Pipeline};
-use crate::{Error, Float, Gpu, check, kernels, special};
+use crate::{Error, Formulas, Gpu, check, kernels, special};
 
 /// Number of random cases. It is large enough that every rewriting changes at least one result.
 const CASES: usize = 4096;
@@ -36,7 +36,7 @@ pub struct Rewrites {
 ///
 /// # Errors
 /// The errors of [`Pipeline::new`] and [`Pipeline::run`].
-pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error> {
+pub fn observe<T: Formulas>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error> {
     let pipeline = Pipeline::new(gpu, &library.compose("kernels/rewrites", T::PRECISION)?, None)?;
     let mut draws = Uniform::new(7);
     let mut case = || {
@@ -64,7 +64,7 @@ pub fn observe<T: Float>(gpu: &Gpu, library: &Library) -> Result<Rewrites, Error
 ///
 /// # Errors
 /// [`Error::BarrierBroken`] if a sum or an error differs, or the errors of [`Pipeline::new`] and [`Pipeline::run`].
-pub fn require_barrier<T: Float>(gpu: &Gpu, library: &Library) -> Result<(), Error> {
+pub fn require_barrier<T: Formulas>(gpu: &Gpu, library: &Library) -> Result<(), Error> {
     let kernel = kernels::KERNELS.iter().find(|kernel| kernel.module == "kernels/barrier").expect("it is listed");
     let pipeline = check::compile::<T>(gpu, library, kernel)?;
     let tally = check::check::<T>(gpu, &pipeline, kernel, &kernel.random_cases(CASES, 7))?;

@@ -5,7 +5,7 @@ mod common;
 use std::process::Command;
 
 use gpu_check::pipeline::{Content, Pipeline};
-use gpu_check::{Error, Float, Gpu, Kernel, Picture, Renderer, check, kernels, rewrites};
+use gpu_check::{Error, Formulas, Gpu, Kernel, Picture, Renderer, check, kernels, rewrites};
 use shaders::{Features, Library, Precision};
 
 fn sphere_pipeline(gpu: &Gpu) -> (&'static Kernel, Pipeline) {
@@ -102,7 +102,7 @@ fn a_fault_in_a_replaced_module_is_shown_where_it_stands() {
     assert!(lines[1].starts_with("11 |     let m = ") && lines[2].trim_start() == "^^", "{error}");
 }
 
-fn keeps_the_barrier<T: Float>(gpu: &Gpu) {
+fn keeps_the_barrier<T: Formulas>(gpu: &Gpu) {
     let rewrites = rewrites::observe::<T>(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));
     println!("{}: {rewrites}", T::PRECISION);
     rewrites::require_barrier::<T>(gpu, &Library::standard()).unwrap_or_else(|error| panic!("{error}"));

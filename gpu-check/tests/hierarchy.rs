@@ -31,6 +31,7 @@ fn is_everything() -> bool {
 
 fn render<T: Float>(gpu: &Gpu, library: &Library, case: &Case) -> Rendering<T> {
     features_of(&case.config, &case.scene)
+        .map_err(gpu_check::Error::from)
         .and_then(|features| Renderer::<T>::new(gpu, library, &features))
         .and_then(|renderer| renderer.render(&Picture::new(&case.config, &case.scene)?))
         .unwrap_or_else(|error| panic!("{}: {error}", case.name))

@@ -6,14 +6,14 @@ mod common;
 use gpu_check::bound::spread;
 use gpu_check::check::{check, compile, results};
 use gpu_check::kernels::KERNELS;
-use gpu_check::{Error, Float, Gpu, Kernel};
+use gpu_check::{Error, Formulas, Gpu, Kernel};
 use shaders::Library;
 
 const RANDOM_CASES: usize = 1 << 20;
 const FEWEST_EDGES: usize = 400;
 
 /// Compares the results of edge cases and random cases. Returns the number of compared results.
-fn gives_the_bits_of_cpu<T: Float>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, Error> {
+fn gives_the_bits_of_cpu<T: Formulas>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, Error> {
     let pipeline = compile::<T>(gpu, &Library::standard(), kernel)?;
     let (edges, random) = (kernel.edge_cases::<T>(), kernel.random_cases::<T>(RANDOM_CASES, 42));
     let mut compared = 0;
@@ -28,7 +28,7 @@ fn gives_the_bits_of_cpu<T: Float>(gpu: &Gpu, kernel: &Kernel) -> Result<usize, 
     Ok(compared)
 }
 
-fn every_kernel_gives_the_bits_of_cpu<T: Float>() {
+fn every_kernel_gives_the_bits_of_cpu<T: Formulas>() {
     let gpu = common::gpu();
     let compared: usize = KERNELS
         .iter()

@@ -160,7 +160,8 @@ fn f32_pictures_are_their_twins_to_the_bit_and_near_the_reference() {
             let recording = record(case, convention);
             let features = Features::all(case.config.max_depth as u32);
             let rendering: SampledRendering<f32> = pipelines.render(case, &features, &recording);
-            let twin = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid").means(&recording, |_| ());
+            let picture = Picture::<f32>::new(&case.config, &case.scene).expect("it is valid");
+            let twin = gpu_check::sampled::twin::means(&picture, &recording, |_| ());
             let found = difference(&rendering.pixels, &twin);
             assert_eq!(found.differing, 0, "{}, {convention:?}: {found} from f32 in Rust", case.name);
             let Difference { rmse, .. } = difference(&rendering.pixels, &recording.means);

@@ -4,10 +4,10 @@
 //! module appears once, after all modules that it needs. The composition stores which lines came from which file.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::lower::{self, Arithmetic};
-use crate::module::{self, MODULES, Module};
+use crate::module::{self, Module};
 use crate::{Error, Precision, Validated};
 
 /// The texts of all modules: the crate's own texts, or the texts that replace some of them.
@@ -86,10 +86,7 @@ impl Library {
     /// [`Composition::lowered`].
     pub fn compose(&self, root: &str, precision: Precision) -> Result<Composition, Error> {
         let root = find(root)?;
-        let mut needed = BTreeSet::new();
-        self.add_needed(root, &mut needed);
-        let real = find(precision.module())?;
-        let modules = std::iter::once(real).chain(MODULES.iter().filter(|module| needed.contains(module.name)));
+        let modules = std::iter::once(find(precision.module())?).chain(module::needed(root, &self.instead));
         let (mut source, mut parts, mut line) = (String::new(), Vec::new(), 1);
         for module in modules {
             let (path, text) = self.text(module);
@@ -105,16 +102,6 @@ impl Library {
         match &self.arithmetic {
             Some(arithmetic) if composition.needs_f64() => composition.lowered(arithmetic),
             _ => Ok(composition),
-        }
-    }
-
-    /// Adds `module`, and all modules that it needs directly or indirectly, to `needed`.
-    fn add_needed(&self, module: &'static Module, needed: &mut BTreeSet<&'static str>) {
-        if needed.insert(module.name) {
-            for name in module.needs {
-                let own = || module::find(name).expect("a test checks that every needed module is listed");
-                self.add_needed(self.instead.get(name).copied().unwrap_or_else(own), needed);
-            }
         }
     }
 

@@ -5,13 +5,12 @@
 //! modules use the number type `real`, so that one text composes to `f64` and to `f32`. In `f64` the lavapipe driver
 //! gives the bits of `cpu`. naga can translate the `f32` text for every target.
 //!
-//! - [`module`] lists the modules and the modules that each one needs;
+//! - the package [`modules`] lists the modules and the modules that each one needs;
 //! - [`compose`] joins a module and the modules that it needs into one text, and can replace any of them;
 //! - [`validate`] checks that text with naga, and reports errors with their places in the module's own file;
 //! - [`limits`] limits the size and the nesting of the texts that naga reads;
 //! - [`call_trace`] records every call of a function with its arguments and its result;
 //! - [`lower`] replaces f64 by integers, for devices and languages without f64;
-//! - [`features`] has the scene's needs as pipeline-overridable constants;
 //! - [`mod@translate`] writes the result for SPIR-V, Metal, Direct3D and OpenGL.
 //!
 //! ```
@@ -27,11 +26,8 @@ pub mod call_trace;
 pub mod compose;
 pub mod diagnostic;
 pub mod error;
-pub mod features;
 pub mod limits;
 pub mod lower;
-pub mod module;
-pub mod precision;
 pub mod translate;
 pub mod validate;
 
@@ -39,7 +35,23 @@ pub use call_trace::CallTrace;
 pub use compose::{Composition, Library};
 pub use diagnostic::Diagnostic;
 pub use error::Error;
-pub use features::Features;
-pub use precision::Precision;
+pub use modules::{Features, Precision, features, module, precision};
 pub use translate::{Target, Translation, translate};
 pub use validate::{Binding, Validated};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shader_has_these_constants_and_no_others() {
+        let composition = Library::standard().compose("features", Precision::F32).expect("it exists");
+        let validated = composition.validate().expect("it is valid");
+        let mut in_shader: Vec<_> =
+            validated.module.overrides.iter().filter_map(|(_, constant)| constant.name.as_deref()).collect();
+        let mut here = Features::all(5).constants().map(|(name, _)| name);
+        in_shader.sort_unstable();
+        here.sort_unstable();
+        assert_eq!(in_shader, here);
+    }
+}

@@ -1,5 +1,5 @@
 // The layout of the buffers. Every structure here has only scalar fields, so that it has no padding in f32 or in f64.
-// The comment above a structure names the Rust type that has the same bytes; gpu_check::packed writes them.
+// The comment above a structure names the Rust type that has the same bytes; twin::packed writes them.
 
 // cpu::Vec3<T>
 struct PackedVec3 {

@@ -38,7 +38,7 @@ fn cylinder_load(cylinder: PlacedCylinder) -> CylinderRecord {
     );
 }
 
-// gpu_check::picture::PackedMaterial<T>, which is made from cpu::Material. `unused` makes the size a multiple of 8
+// twin::picture::PackedMaterial<T>, which is made from cpu::Material. `unused` makes the size a multiple of 8
 // bytes, as f64 needs it.
 struct PackedMaterial {
     reflectance: PackedVec3,
@@ -66,7 +66,7 @@ struct PackedBackground {
     light: PackedVec3,
 }
 
-// gpu_check::picture::Picture<T> without its lists, and the pixels, samples and depths of one run; gpu_check::head
+// twin::Picture<T> without its lists, and the pixels, samples and depths of one run; twin::head
 // packs it. Only trace.wgsl uses `pixel_count`, and only trace_samples.wgsl the four fields from `sample_count` on.
 struct Picture {
     camera: PackedCamera,

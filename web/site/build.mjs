@@ -13,9 +13,10 @@ if (!out) {
 }
 
 await build({
-    entryPoints: [...['main', 'worker', 'checking'].map((name) => join(here, `src/${name}.ts`))],
+    entryPoints: [...['main', 'worker', 'checking', 'preparing'].map((name) => join(here, `src/${name}.ts`))],
     outdir: out,
     bundle: true,
+    loader: { '.wgsl': 'text' },
     minify: true,
     format: 'esm',
     target: 'es2022',

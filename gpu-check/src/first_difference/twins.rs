@@ -17,8 +17,8 @@ use stability::methods::projected;
 use crate::first_difference::arguments::Arguments;
 use crate::kernels::two_sum;
 use crate::picture::{Kind, PackedMaterial};
-use crate::twin::scattered;
 use crate::{Float, Picture};
+use twin::trace::scattered;
 
 /// The numbers of a result. `None` stands for a number that has no meaning, such as the lambda of a miss.
 pub type Numbers<T> = Vec<Option<T>>;

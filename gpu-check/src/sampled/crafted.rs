@@ -7,7 +7,7 @@ use std::time::Duration;
 use cpu::{Config, Scene, Vec3};
 
 use super::streams::{Streams, Words};
-use super::twin::MAX_TRIES;
+use super::twin::{MAX_TRIES, means_from};
 use super::{Convention, Recording};
 use crate::{Error, Picture};
 
@@ -78,7 +78,7 @@ fn craft(name: &'static str, material: &str, convention: Convention, words: &[u6
         words: vec![words.len() as u32],
         time: Duration::ZERO,
     };
-    recording.means = picture.means_from(&recording, streams.clone(), |_| ());
+    recording.means = means_from(&picture, &recording, streams.clone(), |_| ());
     Ok(Crafted { name, picture, recording, streams })
 }
 

@@ -6,9 +6,9 @@ use std::time::Duration;
 use cpu::{Size, Vec3};
 use shaders::{Features, Library};
 
-use super::Recording;
 use super::runs::{self, Limits};
 use super::streams::Streams;
+use super::{Convention, Recording};
 use crate::head::{Part, head};
 use crate::packed::{Packed, buffer};
 use crate::pipeline::{Content, MAX_INVOCATIONS};
@@ -141,7 +141,7 @@ impl<'a, T: Float> SampleRenderer<'a, T> {
                 first_sample: (first % per_pixel) as u32,
                 count: counts.len() as u32,
                 samples_per_pixel: recording.samples_per_pixel,
-                convention: recording.convention,
+                convention: recording.convention as u32,
             };
             let words = streams.next_run(counts, self.spare());
             let traced = self.trace(picture, &objects, &ray_loop, &part, &words, &mut rendering.time)?;
@@ -197,7 +197,7 @@ impl<T: Float> SampleRenderer<'_, T> {
         let depth = self.features.max_depth;
         let surfaces = match self.step {
             Some((_, surfaces)) => surfaces,
-            None => ray_loop.surfaces_of_a_run(depth, convention.tries())?,
+            None => ray_loop.surfaces_of_a_run(depth, tries_of(convention))?,
         };
         let heads: Vec<_> = steps(depth, surfaces).iter().map(|depths| head(picture, part, depths)).collect();
         let samples = u64::from(count);
@@ -270,6 +270,11 @@ impl<T> TracedSample<T> {
 /// Returns the size in bytes of the structure `PackedSamplePath` of `trace_samples.wgsl`.
 const fn path_size<T>() -> u64 {
     (6 * size_of::<T>() + 4 * size_of::<u32>()) as u64
+}
+
+/// Returns the largest number of vectors that the convention with this number chooses a scatter vector from.
+fn tries_of(convention: u32) -> u64 {
+    Convention::ALL.into_iter().find(|one| *one as u32 == convention).map_or(0, Convention::tries)
 }
 
 #[cfg(test)]

@@ -10,42 +10,40 @@ use crate::{Float, Picture};
 /// The largest number of vectors that a scatter vector is chosen from, as in `scatter_vectors.wgsl`.
 pub const MAX_TRIES: u64 = 100;
 
-impl<T: Float> Picture<T> {
-    /// Returns the mean colours of the picture. Every path starts at its recorded place in the stream of scatter
-    /// vectors, also if the path before it takes another number of words in this precision. Calls `tell` after each
-    /// pixel with the number of finished pixels.
-    pub fn means(&self, recording: &Recording, mut tell: impl FnMut(usize)) -> Vec<Vec3<T>> {
-        self.means_from(recording, Streams::new(recording), &mut tell)
-    }
+/// Returns the mean colours of `picture`. Every path starts at its recorded place in the stream of scatter vectors,
+/// also if the path before it takes another number of words in this precision. Calls `tell` after each pixel with the
+/// number of finished pixels.
+pub fn means<T: Float>(picture: &Picture<T>, recording: &Recording, mut tell: impl FnMut(usize)) -> Vec<Vec3<T>> {
+    means_from(picture, recording, Streams::new(recording), &mut tell)
+}
 
-    /// Returns the mean colours as [`Self::means`] does, with other streams than those of the recording's seeds.
-    pub(crate) fn means_from(
-        &self,
-        recording: &Recording,
-        streams: Streams,
-        mut tell: impl FnMut(usize),
-    ) -> Vec<Vec3<T>> {
-        let Streams { mut jitter, mut scatter } = streams;
-        let width = self.size.width();
-        let mut means = Vec::with_capacity(self.size.pixels());
-        for counts in recording.words.chunks(recording.samples_per_pixel as usize) {
-            let [row, column] = [means.len() / width, means.len() % width].map(|number| T::of(number as f64));
-            let mut sum = Vec3::splat(T::of(0.0));
-            for count in counts {
-                let half = T::of(0.5);
-                let offset = [(); 2].map(|()| draw(&mut jitter, -half, half));
-                let mut own = scatter.clone();
-                let ray = self.camera.ray(row, column, offset);
-                sum = sum + self.color_along(ray, |extent| scatter_vector(&mut own, recording.convention, extent));
-                for _ in 0..*count {
-                    scatter.next_word();
-                }
+/// Returns the mean colours as [`means`] does, with other streams than those of the recording's seeds.
+pub(crate) fn means_from<T: Float>(
+    picture: &Picture<T>,
+    recording: &Recording,
+    streams: Streams,
+    mut tell: impl FnMut(usize),
+) -> Vec<Vec3<T>> {
+    let Streams { mut jitter, mut scatter } = streams;
+    let width = picture.size.width();
+    let mut means = Vec::with_capacity(picture.size.pixels());
+    for counts in recording.words.chunks(recording.samples_per_pixel as usize) {
+        let [row, column] = [means.len() / width, means.len() % width].map(|number| T::of(number as f64));
+        let mut sum = Vec3::splat(T::of(0.0));
+        for count in counts {
+            let half = T::of(0.5);
+            let offset = [(); 2].map(|()| draw(&mut jitter, -half, half));
+            let mut own = scatter.clone();
+            let ray = picture.camera.ray(row, column, offset);
+            sum = sum + picture.color_along(ray, |extent| scatter_vector(&mut own, recording.convention, extent));
+            for _ in 0..*count {
+                scatter.next_word();
             }
-            means.push(sum / T::of(f64::from(recording.samples_per_pixel)));
-            tell(means.len());
         }
-        means
+        means.push(sum / T::of(f64::from(recording.samples_per_pixel)));
+        tell(means.len());
     }
+    means
 }
 
 /// Returns the next scatter vector, as `scatter_vector_next` does.

@@ -8,6 +8,7 @@ use cpu::{Config, Scatter, Scene, Vec3, reference};
 use super::progress::Progress;
 use crate::hierarchy::WORTHWHILE;
 use crate::picture::depth;
+use crate::sampled::twin::means;
 use crate::sampled::{Convention, Recording};
 use crate::{Error, Picture, ray_loop};
 
@@ -102,7 +103,7 @@ impl Truth {
         colors.get_or_init(|| {
             let mut progress = Progress::start(WORDS);
             if let Some(recording) = &self.recording {
-                return picture.means(recording, |pixels| progress.note_row(pixels, picture.size));
+                return means(picture, recording, |pixels| progress.note_row(pixels, picture.size));
             }
             let mut colors = Vec::with_capacity(picture.size.pixels());
             for index in 0..picture.size.pixels() {

@@ -9,7 +9,7 @@ use shaders::{Library, Precision};
 use crate::head::{Part, head};
 use crate::kernels::KERNELS;
 use crate::packed::buffer;
-use crate::{Error, Float, Gpu, Kernel, Picture, Renderer, features_of};
+use crate::{Error, Formulas, Gpu, Kernel, Picture, Renderer, features_of};
 
 /// Number of random cases of each formula. They follow its edge cases.
 const RANDOM: usize = 1 << 14;

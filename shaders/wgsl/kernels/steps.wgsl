@@ -1,6 +1,6 @@
 // Records every step of a pixel's path, for debug views and to compare two implementations step by step.
 
-// A step: one ray of a path and its hit; twin of gpu_check::steps::Step. All fields are numbers, so that one function
+// A step: one ray of a path and its hit; twin of twin::steps::Step. All fields are numbers, so that one function
 // can compare them all.
 struct Step {
     // 1 if the ray hits an object, 0 if it escapes to the background, -1 after the end of the path.
@@ -41,7 +41,8 @@ fn steps(@builtin(global_invocation_id) id: vec3<u32>) {
         }
     }
     for (var depth = picture.first_depth; depth < min(max_depth, picture.end_depth); depth++) {
-        var step: Step;
+        // Chromium's SwiftShader keeps the values of the iteration before if the initial value is left out.
+        var step = Step();
         if ended {
             step.is_hit = real(-1.0);
         } else {

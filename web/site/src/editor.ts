@@ -1,13 +1,13 @@
-// An editor for one of the two texts, with colours, completions and the renderer's faults.
+// An editor for one text, with colours, completions and marks for faults.
 import { isolateHistory } from '@codemirror/commands';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
-import { EditorState, Prec, Transaction } from '@codemirror/state';
+import { EditorState, Prec, Transaction, type Extension } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import { basicSetup } from 'codemirror';
 import { completions } from './complete';
-import type { Fault, Row } from './module';
+import type { Row } from './module';
 
 /** What an editor tells the page. */
 export interface Listener {
@@ -15,16 +15,29 @@ export interface Listener {
     render(): void;
 }
 
+/** A fault at its place in a text. */
+export interface Mark {
+    /** Counted from 1; 0 if the fault is not about a line. */
+    line: number;
+    /** Counted from 1, in units of UTF-16. */
+    column: number;
+    /** Length of the wrong word in units of UTF-16; 0 if a word is missing. */
+    length: number;
+    message: string;
+}
+
 const colours = HighlightStyle.define([
     { tag: tags.keyword, class: 'tag' },
     { tag: tags.number, class: 'number' },
     { tag: tags.name, class: 'name' },
+    { tag: tags.comment, class: 'comment' },
 ]);
 
-/** Returns the language of a text whose lines begin with the tags of `rows`. */
-function language(rows: Row[]) {
+/** Returns the language of a text whose lines begin with the tags of `rows`, with completions. */
+export function linesOf(rows: Row[]): Extension {
     const known = new Set(rows.map((row) => row.tag));
-    return StreamLanguage.define<{ isFirst: boolean }>({
+    const source = completions(rows);
+    const language = StreamLanguage.define<{ isFirst: boolean }>({
         startState: () => ({ isFirst: true }),
         token(stream, state) {
             state.isFirst ||= stream.sol();
@@ -40,24 +53,25 @@ function language(rows: Row[]) {
             return /^[-+.\d][-+.\deE]*$/.test(word[0]) ? 'number' : 'name';
         },
     });
+    return [language, EditorState.languageData.of(() => [{ autocomplete: source }])];
 }
 
-/** Number of characters from which on inserted text goes to the editor directly. Otherwise the browser first puts it into
- * the page line by line, which takes minutes for some megabytes. */
+/**
+ * Number of characters from which on inserted text goes to the editor directly. Otherwise the browser first puts it
+ * into the page line by line, which takes minutes for some megabytes.
+ */
 const LONG_INPUT = 1000;
 
 /** An editor of one text. */
 export class Editor {
     readonly #view: EditorView;
 
-    constructor(parent: HTMLElement, rows: Row[], label: HTMLElement, listener: Listener) {
-        const source = completions(rows);
+    constructor(parent: HTMLElement, language: Extension, label: HTMLElement, listener: Listener) {
         const extensions = [
             Prec.highest(keymap.of([{ key: 'Mod-Enter', run: () => (listener.render(), true) }])),
             basicSetup,
-            language(rows),
+            language,
             syntaxHighlighting(colours),
-            EditorState.languageData.of(() => [{ autocomplete: source }]),
             EditorView.contentAttributes.of({ 'aria-labelledby': label.id, spellcheck: 'false', autocapitalize: 'off' }),
             EditorView.domEventHandlers({
                 beforeinput(event, view) {
@@ -92,26 +106,29 @@ export class Editor {
         });
     }
 
-    /** Marks the fault in the text, or removes the mark. */
-    mark(fault: Fault | null): void {
-        const { state } = this.#view;
-        const diagnostics = [];
-        if (fault && fault.line > 0) {
+    /** Replaces a part of the text, as if the user had typed it. */
+    replace(from: number, to: number, insert: string): void {
+        this.#view.dispatch({ changes: { from, to, insert }, userEvent: 'input.type' });
+    }
+
+    /** Marks faults in the text, and removes the marks before. */
+    mark(faults: readonly Mark[]): void {
+        const diagnostics = faults.filter((fault) => fault.line > 0).map((fault) => {
             const [from, to] = this.#span(fault);
-            diagnostics.push({ from, to, severity: 'error' as const, message: fault.message });
-        }
-        this.#view.dispatch(setDiagnostics(state, diagnostics));
+            return { from, to, severity: 'error' as const, message: fault.message };
+        });
+        this.#view.dispatch(setDiagnostics(this.#view.state, diagnostics));
     }
 
     /** Moves the cursor to the fault. */
-    show(fault: Fault): void {
+    show(fault: Mark): void {
         const [anchor] = this.#span(fault);
         this.#view.dispatch({ selection: { anchor }, scrollIntoView: true });
         this.#view.focus();
     }
 
     /** Returns the offsets of the fault's first and last character. A missing word is marked behind the line. */
-    #span(fault: Fault): [number, number] {
+    #span(fault: Mark): [number, number] {
         const { doc } = this.#view.state;
         const line = doc.line(Math.min(Math.max(fault.line, 1), doc.lines));
         const from = Math.min(line.from + Math.max(fault.column, 1) - 1, line.to);

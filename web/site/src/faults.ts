@@ -34,7 +34,7 @@ export class Checker {
 
     /** Marks a fault of a text and lists it, or removes the mark. */
     show(text: TextNumber, fault: Fault | null): void {
-        this.editors[text].mark(fault);
+        this.editors[text].mark(fault ? [fault] : []);
         const list = this.lists[text];
         list.replaceChildren();
         if (!fault) {

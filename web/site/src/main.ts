@@ -1,9 +1,10 @@
 // Connects the parts of the page.
-import { Editor } from './editor';
+import { Editor, linesOf } from './editor';
 import { inWorker, native } from './engines';
 import { example, FIRST, names } from './examples';
 import { Checker } from './faults';
 import * as link from './link';
+import { Studio } from './studio';
 import { compile, instructionSet, Renderer, type Row } from './module';
 import { Picture } from './picture';
 import * as store from './store';
@@ -32,6 +33,7 @@ class Page {
     #timer = 0;
     readonly #editors: [Editor, Editor];
     readonly #checker: Checker;
+    readonly #studio: Studio;
     readonly #picture = new Picture((fault) => {
         if (fault.text < 2) {
             this.#checker.show(fault.text as 0 | 1, fault);
@@ -39,12 +41,19 @@ class Page {
         this.#picture.say(fault.text < 2 ? this.#faultIn(fault.text) : say('failed', fault.message));
     });
 
-    constructor(private readonly module: WebAssembly.Module, tables: [Row[], Row[]]) {
+    constructor(private readonly module: WebAssembly.Module, renderer: Renderer) {
+        const tables = [renderer.table(0), renderer.table(1)] as const;
         const listener = { changed: () => this.#changed(), render: () => void this.render() };
         const editor = (name: string, rows: Row[]) =>
-            new Editor(element(`${name}-editor`), rows, element(`${name}-label`), listener);
+            new Editor(element(`${name}-editor`), linesOf(rows), element(`${name}-label`), listener);
         this.#editors = [editor('config', tables[0]), editor('scene', tables[1])];
         this.#checker = new Checker(module, this.#editors, [element('config-faults'), element('scene-faults')]);
+        this.#studio = new Studio(module, renderer, {
+            texts: () => this.#texts,
+            replaceConfig: (config) => (this.#editors[0].text = config),
+            say: (text) => this.say(text),
+            render: () => void this.render(),
+        });
         addEventListener('pagehide', () => this.#keep());
         document.addEventListener('keydown', (event) => {
             if (event.key === 'Enter' && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) {
@@ -67,8 +76,11 @@ class Page {
 
     /** Replaces both texts. What the user had typed becomes one of the earlier texts. */
     load(texts: Texts, isTyped = false): void {
-        if (this.#isTyped) {
-            this.#tryTo(() => store.keepEarlier(this.#texts));
+        const own = store.modules();
+        const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
+            && JSON.stringify(own) !== JSON.stringify(texts.modules);
+        if (this.#isTyped || losesModules) {
+            this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
         }
         this.#isLoading = true;
         this.#editors[0].text = texts.config;
@@ -77,11 +89,22 @@ class Page {
         this.#isTyped = isTyped;
         this.#keep();
         this.showEarlier();
+        this.#studio.changed();
+        if (texts.modules) {
+            this.#studio.modules = texts.modules;
+        }
+    }
+
+    /** Shows the view of a link. */
+    show(view: link.View | null): void {
+        if (view) {
+            void this.#studio.show(view);
+        }
     }
 
     /** Keeps texts that are not those of the editors as earlier texts. */
     keepEarlier(texts: Texts): void {
-        this.#tryTo(() => store.keepEarlier(texts));
+        this.#tryTo(() => store.keepEarlier({ ...texts, modules: store.modules() }));
     }
 
     /** Checks both texts, and renders them if they are valid. */
@@ -119,6 +142,9 @@ class Page {
     async #settle(): Promise<void> {
         this.#keep();
         const fault = await this.#checker.check();
+        if (!fault) {
+            this.#studio.changed();
+        }
         if (live.checked && !fault) {
             void this.render();
         }
@@ -137,7 +163,7 @@ class Page {
     }
 
     async #share(): Promise<void> {
-        const text = await link.make(this.#texts);
+        const text = await link.make({ ...this.#texts, modules: store.modules(), view: await this.#studio.view() });
         const field = element<HTMLInputElement>('link');
         field.value = text;
         element('link-line').hidden = false;
@@ -150,9 +176,9 @@ class Page {
 }
 
 /** Returns the texts with which the page starts, and whether the user has typed them. */
-async function firstTexts(page: Page): Promise<store.Current> {
+async function firstTexts(page: Page): Promise<store.Current & { view?: link.View | null }> {
     const kept = store.current();
-    const replaceBy = (texts: Texts): store.Current => {
+    const replaceBy = <T extends Texts>(texts: T): T & store.Current => {
         if (kept?.isTyped) {
             page.keepEarlier(kept);
         }
@@ -186,7 +212,7 @@ async function start(): Promise<void> {
         throw new Error(say('noModule', String(error)));
     });
     const renderer = await Renderer.create(module);
-    const page = new Page(module, [renderer.table(0), renderer.table(1)]);
+    const page = new Page(module, renderer);
     document.documentElement.dataset.instructionSet = instructionSet;
     if (view.isServed) {
         element('engine-line').hidden = false;
@@ -214,11 +240,16 @@ async function start(): Promise<void> {
     });
     addEventListener('hashchange', () => {
         if (link.isLink(location.hash)) {
-            use(link.read(location.hash)).then(forgetLink, () => page.say(say('badLink')));
+            link.read(location.hash).then(async ({ view: shown, ...texts }) => {
+                await use(texts);
+                page.show(shown);
+                forgetLink();
+            }).catch(() => page.say(say('badLink')));
         }
     });
-    const { isTyped, ...texts } = await firstTexts(page);
+    const { isTyped, view: shown, ...texts } = await firstTexts(page);
     page.load(texts, isTyped);
+    page.show(shown ?? null);
     forgetLink();
     await page.render();
     names().then(
@@ -227,7 +258,7 @@ async function start(): Promise<void> {
     );
 }
 
-/** Removes the texts from the address. Otherwise they would replace what the user types when the page is loaded again. */
+/** Removes the texts from the address. Otherwise they would replace later texts when the page is loaded again. */
 function forgetLink(): void {
     if (link.isLink(location.hash)) {
         history.replaceState(null, '', location.pathname + location.search);

@@ -1,4 +1,5 @@
 // Loads the WebAssembly module of web/wasm, and calls its functions with texts instead of addresses.
+import type { Module } from './gpu/compose';
 
 /** The number of a text: 0 is the configuration, 1 the scene. */
 export type TextNumber = 0 | 1;
@@ -38,6 +39,13 @@ interface Exports {
     render(layout: number, isPublished: number, isPortable: number): number;
     digest(): void;
     table(text: number): void;
+    prepare(): number;
+    aim(): number;
+    packed(part: number): number;
+    truth(isSingle: number): number;
+    steps(pixel: number): number;
+    step_names(): void;
+    wgsl(): void;
     result(): number;
     result_length(): number;
     fault_text(): number;
@@ -45,6 +53,9 @@ interface Exports {
     fault_column(): number;
     fault_length(): number;
 }
+
+/** Whether a result is a fault. */
+export const isFault = (result: object): result is Fault => 'message' in result;
 
 /** A module with one function that uses a 128-bit lane. It is valid only where such lanes are known. */
 const LANES = new Uint8Array([
@@ -122,6 +133,47 @@ export class Renderer {
             const [tag = '', values = '', start = '', meaning = ''] = line.split('\t');
             return { tag, values, default: start, meaning };
         });
+    }
+
+    /** Reads both texts for the shaders. Returns their fault or null. */
+    prepare(): Fault | null {
+        return this.#exports.prepare() === 0 ? null : this.#fault();
+    }
+
+    /** Reads the configuration again for the shaders. Returns its fault or null. */
+    aim(): Fault | null {
+        return this.#exports.aim() === 0 ? null : this.#fault();
+    }
+
+    /** Returns a buffer for the shaders (0 to 3) or the facts about the picture (4). */
+    packed(part: number): Uint8Array<ArrayBuffer> | Fault {
+        return this.#bytesOr(this.#exports.packed(part));
+    }
+
+    /** Returns the linear colours in deterministic mode as the bytes of f64. */
+    truth(isSingle: boolean): Uint8Array<ArrayBuffer> | Fault {
+        return this.#bytesOr(this.#exports.truth(isSingle ? 1 : 0));
+    }
+
+    /** Returns the steps of a pixel's path as the bytes of f32. */
+    steps(pixel: number): Uint8Array<ArrayBuffer> | Fault {
+        return this.#bytesOr(this.#exports.steps(pixel));
+    }
+
+    /** Returns the names of a step's numbers. */
+    stepNames(): string[] {
+        this.#exports.step_names();
+        return this.#text().split('\n');
+    }
+
+    /** Returns the WGSL modules. */
+    wgsl(): Module[] {
+        this.#exports.wgsl();
+        return JSON.parse(this.#text()) as Module[];
+    }
+
+    #bytesOr(status: number): Uint8Array<ArrayBuffer> | Fault {
+        return status === 0 ? this.#result().slice() : this.#fault();
     }
 
     #result(): Uint8Array<ArrayBuffer> {

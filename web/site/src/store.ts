@@ -1,9 +1,13 @@
 // Keeps what the user types in the browser's local storage. Texts that are replaced stay in a list of earlier texts.
 
+import type { Edits } from './gpu/compose';
+
 /** A configuration and a scene. */
 export interface Texts {
     config: string;
     scene: string;
+    /** The user's texts of WGSL modules; without them, those of the page stay. */
+    modules?: Edits;
 }
 
 /** Texts that the user had before others were loaded. */
@@ -20,6 +24,7 @@ export interface Current extends Texts {
 
 const CURRENT = 'render.texts';
 const EARLIER = 'render.earlier';
+const MODULES = 'render.modules';
 
 /** Largest number of earlier texts. */
 const MAX_EARLIER = 20;
@@ -51,6 +56,20 @@ export function keepSetting(name: string, value: string): void {
     }
 }
 
+/** Returns the entries of a value that are texts. */
+export function editsOf(value: unknown): Edits {
+    const entries = typeof value === 'object' && value !== null ? Object.entries(value) : [];
+    return Object.fromEntries(entries.filter((entry): entry is [string, string] => typeof entry[1] === 'string'));
+}
+
+/** Returns the WGSL modules that were kept, or none. */
+export const modules = (): Edits => editsOf(read(MODULES));
+
+/** Keeps the user's WGSL modules. Throws if the browser does not allow it. */
+export function keepModules(edits: Edits): void {
+    write(MODULES, edits);
+}
+
 /** Returns the texts that the editors had last, or null. */
 export function current(): Current | null {
     const value = read(CURRENT);
@@ -60,7 +79,8 @@ export function current(): Current | null {
 /** Returns the earlier texts, the newest first. */
 export function earlier(): Earlier[] {
     const value = read(EARLIER);
-    return Array.isArray(value) ? value.filter((one): one is Earlier => isTexts(one) && 'time' in one) : [];
+    const all = Array.isArray(value) ? value.filter((one): one is Earlier => isTexts(one) && 'time' in one) : [];
+    return all.map((one) => ({ ...one, modules: editsOf(one.modules) }));
 }
 
 /** Writes `value`. The oldest of the earlier texts give way if there is too little room. */
@@ -89,7 +109,8 @@ export function keep(texts: Current): void {
 
 /** Puts texts that are about to be replaced at the front of the earlier texts. */
 export function keepEarlier(texts: Texts): void {
-    const others = earlier().filter((one) => one.config !== texts.config || one.scene !== texts.scene);
+    const content = ({ config, scene, modules: edits }: Texts) => JSON.stringify([config, scene, edits ?? {}]);
+    const others = earlier().filter((one) => content(one) !== content(texts));
     let list: Earlier[] = [{ ...texts, time: Date.now() }, ...others].slice(0, MAX_EARLIER);
     for (;;) {
         try {

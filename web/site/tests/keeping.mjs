@@ -1,5 +1,7 @@
 // Tests that nothing of what the user types is lost, and of links.
-import { check, digest, equal, render, shoot, SMALL, textOf, type } from './tools.mjs';
+import { openLive, SCENE } from './live.mjs';
+import { edit, moduleText } from './shaders.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, SMALL, textOf, type } from './tools.mjs';
 
 const BROKEN = 'matte: grey .5 .5\nthis is no scene';
 
@@ -43,7 +45,7 @@ export const tests = {
         await page.click('#share');
         await page.waitForFunction(() => document.getElementById('link').value !== '');
         const link = await page.inputValue('#link');
-        check(link.startsWith(`${url}#1:`) && link.length < 300, link);
+        check(link.startsWith(`${url}#2:`) && link.length < 400, link);
         await shoot(page, 'link');
         const other = await open(link);
         equal(await digest(other), picture, 'the picture of the link');
@@ -64,7 +66,7 @@ export const tests = {
         await digest(page);
         await type(page, 'scene', SMALL.scene);
         await page.waitForFunction((scene) => JSON.parse(localStorage.getItem('render.texts')).scene === scene, SMALL.scene);
-        for (const fragment of ['#1:AAAA', '#1:%%', '#1:']) {
+        for (const fragment of ['#1:AAAA', '#1:%%', '#1:', '#2:AAAA', '#2:']) {
             await page.evaluate((text) => (location.hash = text), fragment);
             await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('The link could'));
             equal(await textOf(page, 'scene'), SMALL.scene, fragment);
@@ -85,5 +87,39 @@ export const tests = {
         await page.waitForFunction(() => document.getElementById('status').textContent.startsWith('This browser does not keep'));
         await page.click('#render');
         await digest(page);
+    },
+
+    async 'a link has the modules and the view, and own modules stay among the earlier texts'({ open, url }) {
+        const page = await openLive(open, url);
+        await page.click('#shader-part summary');
+        const shown = await frame(page);
+        await edit(page, 'background.light * (real(1.0) - m)', 'background.dark * (real(1.0) - m)');
+        const edited = await frame(page, shown);
+        await page.focus('#live-canvas');
+        await page.keyboard.press('ArrowRight');
+        await frame(page, edited);
+        await page.waitForTimeout(300);
+        const seen = await pixels(page, 'live-canvas');
+        await page.click('#share');
+        await page.waitForFunction(() => document.getElementById('link').value !== '');
+        const link = await page.inputValue('#link');
+
+        const other = await open(link);
+        await frame(other);
+        await other.waitForTimeout(500);
+        equal(await other.getAttribute('#tab-live', 'aria-selected'), 'true', 'the live view is shown');
+        equal(rmse((await pixels(other, 'live-canvas')).bytes, seen.bytes), 0, 'the view of the link');
+        check((await moduleText(other)).includes('background.dark * (real(1.0) - m)'), 'the module of the link');
+
+        const third = await openLive(open, url, SCENE);
+        await third.click('#shader-part summary');
+        await edit(third, '// The colour', '// mine\n// The colour');
+        await third.waitForFunction(() => localStorage.getItem('render.modules')?.includes('mine'));
+        await third.goto(link.replace('#', '?again#'));
+        await frame(third);
+        check(!(await moduleText(third)).includes('mine'), 'the module of the link');
+        await third.selectOption('#earlier', '0');
+        await third.waitForFunction(() => localStorage.getItem('render.modules').includes('mine'));
+        check((await moduleText(third)).includes('// mine'), 'the own module is among the earlier texts');
     },
 };

@@ -1,5 +1,6 @@
 // Tests of small screens, the keyboard, colours and languages.
-import { check, digest, equal, shoot } from './tools.mjs';
+import { openLive, SCENE } from './live.mjs';
+import { check, digest, equal, frame, shoot } from './tools.mjs';
 
 /**
  * Returns the contrast of an element's text with its background, as WCAG defines it. The faint colour of the line with
@@ -60,7 +61,7 @@ export const tests = {
             check(hasRing, `${name} shows that it has the focus`);
             reached.push(name);
         }
-        const expected = 'examples,language,config-editor,scene-editor,render,save-ppm,save-png,share,live';
+        const expected = 'examples,language,config-editor,scene-editor,shader-summary,tab-exact,render,save-ppm,save-png,live,share';
         equal(reached.join(), expected, 'the order of the keyboard');
         await page.focus('#examples');
         await page.keyboard.press('l');
@@ -122,5 +123,49 @@ export const tests = {
             await page.keyboard.press('Escape');
         }
         equal(compared, 18, 'the compared lines');
+    },
+
+    async 'all views fit a phone, and are readable in the dark and in Spanish'({ open, url }) {
+        const page = await openLive(open, url, SCENE, {
+            viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale: 'es-ES', colorScheme: 'dark' });
+        await page.tap('#shader-part summary');
+        for (const [tab, ready] of [['live', '#live-status'], ['compare', '#compare-figures'], ['pixel', '#pixel-column']]) {
+            await page.tap(`#tab-${tab}`);
+            await page.waitForSelector(ready);
+            if (tab === 'compare') {
+                await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
+                await page.tap('#compare-stage');
+                await page.waitForSelector('#pixel-steps tr');
+            }
+            equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, `the width of ${tab}`);
+            const small = await page.evaluate(() => Array.from(document.querySelectorAll('button, select'))
+                .filter((one) => one.offsetParent && one.offsetHeight < 40 && !one.closest('.cm-editor'))
+                .map((one) => one.id || one.textContent));
+            equal(small.join(), '', 'elements that are too small to touch');
+            await shoot(page, `phone-${tab}`);
+        }
+        for (const part of ['#pixel-steps td', '#pixel-first', '#shader-editor .cm-content', '#shader-editor .comment', '#tab-live', '#tab-pixel']) {
+            const found = await contrast(page, part);
+            check(found >= 4.5, `${part}: ${found}`);
+        }
+        const empty = await page.evaluate(() => Array.from(document.querySelectorAll('[data-words]'))
+            .filter((one) => one.textContent.trim() === '').map((one) => one.dataset.words));
+        equal(empty.join(), '', 'words without a text');
+        equal(await page.textContent('#tab-compare'), 'Comparar', 'the language');
+    },
+
+    async 'the tabs are moved by the arrow keys'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await page.focus('#tab-exact');
+        await page.keyboard.press('ArrowRight');
+        equal(await page.getAttribute('#tab-live', 'aria-selected'), 'true', 'the next tab');
+        await frame(page);
+        check(await page.isVisible('#live-canvas') && !await page.isVisible('#canvas'), 'one view is shown');
+        await page.keyboard.press('Tab');
+        equal(await page.evaluate(() => document.activeElement.id), 'live-canvas', 'the picture has the focus');
+        await page.keyboard.press('Shift+Tab');
+        await page.keyboard.press('ArrowLeft');
+        check(await page.isVisible('#canvas'), 'the first view is shown again');
     },
 };

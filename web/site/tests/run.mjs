@@ -2,15 +2,19 @@
 //
 // SITE is the folder of the built page, EXPECTED a JSON list of pictures with their digests, RENDER_LAB the program.
 // CHROMIUM may name the browser, and SCREENSHOTS a folder for pictures of the page.
+import { tests as compare } from './compare.mjs';
 import { tests as editing } from './editing.mjs';
 import { tests as exact } from './exact.mjs';
 import { tests as keeping } from './keeping.mjs';
+import { tests as live } from './live.mjs';
 import { tests as looks } from './looks.mjs';
+import { tests as shaders } from './shaders.mjs';
 import { browse, check, serve } from './tools.mjs';
 import { tests as timing } from './timing.mjs';
 import { tests as view } from './view.mjs';
+import { tests as walk } from './walk.mjs';
 
-const all = { ...editing, ...exact, ...keeping, ...looks, ...timing, ...view };
+const all = { ...compare, ...editing, ...exact, ...keeping, ...live, ...looks, ...shaders, ...timing, ...view, ...walk };
 const [name] = process.argv.slice(2);
 if (name === '--list') {
     console.log(Object.keys(all).join('\n'));

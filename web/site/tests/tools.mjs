@@ -31,7 +31,7 @@ export async function serve(change = (name, bytes) => bytes) {
 export async function browse(use) {
     const browser = await chromium.launch({
         executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-        args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update'],
+        args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update', '--enable-unsafe-webgpu'],
     });
     const faults = [];
     const requests = [];
@@ -94,6 +94,25 @@ export async function type(page, editor, text) {
 
 export const textOf = (page, editor) =>
     page.evaluate((name) => JSON.parse(localStorage.getItem('render.texts'))[name], editor);
+
+/** Waits until the live view has shown a frame after the one with the number `after`, and returns its number. */
+export async function frame(page, after = 0) {
+    await page.waitForFunction((least) => Number(document.getElementById('live-canvas').dataset.frames ?? 0) > least, after);
+    return page.evaluate(() => Number(document.getElementById('live-canvas').dataset.frames));
+}
+
+/** Returns the bytes of a canvas without the fourth of each pixel, and its size. */
+export const pixels = (page, id) => page.evaluate((name) => {
+    const canvas = document.getElementById(name);
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    return { width: canvas.width, height: canvas.height, bytes: Array.from(data).filter((_, index) => index % 4 !== 3) };
+}, id);
+
+/** Returns the root of the mean squared difference of two lists of bytes. */
+export function rmse(one, other) {
+    equal(one.length, other.length, 'the number of bytes');
+    return Math.sqrt(one.reduce((sum, byte, index) => sum + (byte - other[index]) ** 2, 0) / one.length);
+}
 
 /** Writes a picture of the page, if a folder for them is given. */
 export async function shoot(page, name) {

@@ -7,9 +7,11 @@
 
 #![allow(unsafe_code, reason = "a name in the module's interface must be unique, which the compiler cannot check")]
 
+mod live;
 mod page;
 mod picture;
 mod state;
+mod texts;
 
 use std::fmt::Write;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -18,7 +20,8 @@ use cpu::internals::InstructionSet;
 use cpu::{Aos, Scatter, Soa};
 use sha2::{Digest, Sha256};
 
-use crate::state::State;
+use crate::live::Live;
+use crate::state::{Fault, State};
 
 /// The texts and the result of the last call. A module has one thread, so nothing waits for the lock.
 static STATE: Mutex<State> = Mutex::new(State::new());
@@ -134,6 +137,83 @@ pub extern "C" fn fault_column() -> usize {
 #[unsafe(no_mangle)]
 pub extern "C" fn fault_length() -> usize {
     state().fault.length
+}
+
+/// Reads both texts for the shaders, and returns 0, or 1 with a fault as after [`check`].
+#[unsafe(no_mangle)]
+pub extern "C" fn prepare() -> u32 {
+    with_state(|state| {
+        state.live = Some(Live::new(state)?);
+        Ok(Vec::new())
+    })
+}
+
+/// Reads the configuration again for the shaders, and keeps the scene of the last [`prepare`]. Returns 0, or 1 with a
+/// fault as after [`check`].
+#[unsafe(no_mangle)]
+pub extern "C" fn aim() -> u32 {
+    with_state(|state| {
+        let mut live = state.live.take().ok_or_else(unprepared)?;
+        let aimed = live.aim(state);
+        state.live = Some(live);
+        aimed.map(|()| Vec::new())
+    })
+}
+
+/// Makes the result a buffer for the shaders if `part` is 0 to 3, the binding in `shaders/wgsl/picture.wgsl`. For 4 the
+/// result is a JSON text with facts about the picture. Returns 0, or 1 with a fault as after [`check`].
+#[unsafe(no_mangle)]
+pub extern "C" fn packed(part: u32) -> u32 {
+    with_state(|state| {
+        let live = state.live.as_ref().ok_or_else(unprepared)?;
+        if part == 4 { live.facts() } else { Ok(live.packed(part)) }
+    })
+}
+
+/// Makes the result the linear colours in deterministic mode, as three f64 for each pixel. `is_single` is 1 for the
+/// twin of the shaders in f32, and 0 for the exact renderer. Returns 0, or 1 with a fault as after [`check`].
+#[unsafe(no_mangle)]
+pub extern "C" fn truth(is_single: u32) -> u32 {
+    with_state(|state| state.live.as_ref().ok_or_else(unprepared)?.truth(is_single != 0))
+}
+
+/// Makes the result the steps of a pixel's path by the twin in f32: for each step as many f32 as [`step_names`] has
+/// names. Returns 0, or 1 with a fault as after [`check`].
+#[unsafe(no_mangle)]
+pub extern "C" fn steps(pixel: usize) -> u32 {
+    with_state(|state| Ok(state.live.as_ref().ok_or_else(unprepared)?.steps(pixel)))
+}
+
+/// Makes the result the names of a step's numbers, with line ends between them.
+#[unsafe(no_mangle)]
+pub extern "C" fn step_names() {
+    state().result = twin::steps::NAMES.join("\n").into_bytes();
+}
+
+/// Makes the result a JSON list of the WGSL modules.
+#[unsafe(no_mangle)]
+pub extern "C" fn wgsl() {
+    state().result = texts::json();
+}
+
+/// The fault of a call that needs an earlier call of [`prepare`].
+fn unprepared() -> Fault {
+    Fault::own("no scene is prepared".to_owned(), 2)
+}
+
+/// Stores what `act` returns as the result, or its fault, and returns 0 or 1.
+fn with_state(act: impl FnOnce(&mut State) -> Result<Vec<u8>, Fault>) -> u32 {
+    let mut state = state();
+    match act(&mut state) {
+        Ok(result) => {
+            state.result = result;
+            0
+        }
+        Err(fault) => {
+            state.store(&fault);
+            1
+        }
+    }
 }
 
 #[cfg(test)]

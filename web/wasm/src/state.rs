@@ -4,6 +4,8 @@ use cpu::internals::input::error::Error;
 use cpu::{Config, Scene};
 use format::place;
 
+use crate::live::Live;
+
 /// The configuration and the scene as the caller wrote them, and the result of the last call.
 #[derive(Debug)]
 pub struct State {
@@ -13,6 +15,8 @@ pub struct State {
     pub result: Vec<u8>,
     /// The place of the last fault.
     pub fault: Place,
+    /// The scene for the shaders, after it has been asked for.
+    pub live: Option<Live>,
 }
 
 /// The place of a fault in a text. The three numbers are 0 if the fault is not about a line.
@@ -29,11 +33,11 @@ pub struct Place {
     pub length: usize,
 }
 
-/// An error with its place.
+/// A message with its place.
 #[derive(Debug)]
 pub struct Fault {
-    /// The error, whose message is that of `render-aos`.
-    pub error: Error,
+    /// The message, which is that of `render-aos` for its errors.
+    pub message: Vec<u8>,
     /// The place of the error.
     pub place: Place,
 }
@@ -42,7 +46,12 @@ impl Fault {
     /// Returns the fault for an error that is about no line of the text number `text`.
     pub fn without_line(error: Error, text: usize) -> Self {
         let text = if matches!(error, Error::OutOfMemory { .. }) { 2 } else { text };
-        Self { error, place: Place { text, ..Place::default() } }
+        Self { message: error.message(), place: Place { text, ..Place::default() } }
+    }
+
+    /// Returns the fault for a message that is not one of `render-aos`.
+    pub fn own(message: String, text: usize) -> Self {
+        Self { message: message.into_bytes(), place: Place { text, ..Place::default() } }
     }
 }
 
@@ -53,6 +62,7 @@ impl State {
             texts: [Vec::new(), Vec::new()],
             result: Vec::new(),
             fault: Place { text: 0, line: 0, column: 0, length: 0 },
+            live: None,
         }
     }
 
@@ -76,7 +86,7 @@ impl State {
 
     /// Stores the message and the place of a fault as the result.
     pub fn store(&mut self, fault: &Fault) {
-        self.result = fault.error.message();
+        self.result.clone_from(&fault.message);
         self.fault = fault.place;
     }
 }
@@ -94,7 +104,7 @@ fn parse<T>(bytes: &[u8], text: usize, parse: fn(&mut &[u8]) -> Result<T, Error>
         let number = 1 + read.iter().filter(|&&byte| byte == b'\n').count();
         let (start, end) = place::span(line, token);
         let place = Place { text, line: number, column: 1 + units(&line[..start]), length: units(&line[start..end]) };
-        Fault { error, place }
+        Fault { message: error.message(), place }
     })
 }
 

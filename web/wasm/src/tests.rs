@@ -51,4 +51,54 @@ fn texts_become_a_file_or_a_message() {
     assert_eq!(result_text().lines().count(), format::CONFIG.len());
     table(1);
     assert!(result_text().lines().all(|line| line.split('\t').count() == 4), "{}", result_text());
+
+    the_shaders_get_a_scene();
+}
+
+/// Part of the one test, because the functions share their state.
+fn the_shaders_get_a_scene() {
+    assert_eq!((aim(), result_text().as_str()), (1, "no scene is prepared"));
+    write(0, b"image_width: 8\naspect_ratio: 1 1\ncamera_position: 0 0 -3\nmax_depth: 3\n");
+    write(1, b"matte: grey .5 .5 .5\nsphere: 0 0 0 1 grey\ncylinder: 2 0 0 .5 0 2 0 grey\n");
+    assert_eq!(prepare(), 0);
+    let mut sizes = Vec::new();
+    for part in 0..4 {
+        assert_eq!(packed(part), 0);
+        sizes.push(result_length());
+    }
+    assert_eq!(sizes, [140, 28, 68, 28], "the sizes of the structures in WGSL");
+    assert_eq!(packed(4), 0);
+    let facts: serde_json::Value = serde_json::from_slice(&state().result).expect("it is JSON");
+    assert_eq!((&facts["width"], &facts["objects"], &facts["depth"]), (&8.into(), &2.into(), &3.into()));
+    assert_eq!(facts["shapes"][1], serde_json::json!(["cylinder", [2.0, 0.0, 0.0], 0.5, [0.0, 1.0, 0.0]]));
+
+    let colors = |is_single| {
+        assert_eq!(truth(is_single), 0);
+        let numbers: Vec<f64> =
+            state().result.chunks(8).map(|bytes| f64::from_le_bytes(bytes.try_into().expect("8 bytes"))).collect();
+        assert_eq!(numbers.len(), 8 * 8 * 3);
+        numbers
+    };
+    let (exact, single) = (colors(0), colors(1));
+    let largest = exact.iter().zip(&single).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+    assert!(largest > 0.0 && largest < 1e-4, "f32 differs from f64 by rounding: {largest}");
+
+    assert_eq!(steps(8 * 4 + 4), 0);
+    step_names_have_numbers(3);
+    assert_eq!((steps(64), result_length()), (0, 0), "there is no pixel 64");
+    write(0, b"image_width: 4\naspect_ratio: 1 1\ncamera_position: 0 0 -3\n");
+    assert_eq!((aim(), packed(4)), (0, 0));
+    assert!(result_text().contains("\"width\":4"), "{}", result_text());
+    write(0, b"image_width: none\n");
+    assert_eq!((aim(), fault()), (1, [0, 1, 14, 4]));
+    assert_eq!((truth(0), result_length()), (0, 4 * 4 * 3 * 8), "the last good scene stays");
+    wgsl();
+    assert!(result_text().contains("shaders/wgsl/sphere.wgsl"));
+}
+
+/// Compares the number of the last result's numbers with the number of names.
+fn step_names_have_numbers(depth: usize) {
+    let numbers = result_length() / 4;
+    step_names();
+    assert_eq!(numbers, depth * result_text().lines().count());
 }

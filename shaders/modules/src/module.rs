@@ -1,11 +1,13 @@
 //! The list of the WGSL modules, with the modules that each one needs.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 /// A WGSL module, which is one file of the folder `wgsl`.
 #[derive(Clone, Copy, Debug)]
 pub struct Module {
     /// The module's name: the file's path in the folder `wgsl` without its ending, such as `kernels/image`.
     pub name: &'static str,
-    /// The file's path, relative to the crate's folder.
+    /// The file's path, relative to the folder `shaders`.
     pub path: &'static str,
     /// The text of the file.
     pub source: &'static str,
@@ -21,7 +23,7 @@ macro_rules! modules {
         pub const MODULES: &[Module] = &[$(Module {
             name: $name,
             path: $path,
-            source: include_str!(concat!("../", $path)),
+            source: include_str!(concat!("../../", $path)),
             needs: &[$($need),*],
         }),*];
     };
@@ -93,14 +95,41 @@ modules! {
 
 /// The two modules that define the number type `real`.
 pub const REALS: [Module; 2] = [
-    Module { name: "real_f32", path: "wgsl/real_f32.wgsl", source: include_str!("../wgsl/real_f32.wgsl"), needs: &[] },
-    Module { name: "real_f64", path: "wgsl/real_f64.wgsl", source: include_str!("../wgsl/real_f64.wgsl"), needs: &[] },
+    Module {
+        name: "real_f32",
+        path: "wgsl/real_f32.wgsl",
+        source: include_str!("../../wgsl/real_f32.wgsl"),
+        needs: &[],
+    },
+    Module {
+        name: "real_f64",
+        path: "wgsl/real_f64.wgsl",
+        source: include_str!("../../wgsl/real_f64.wgsl"),
+        needs: &[],
+    },
 ];
 
 /// Returns the module with this name, or `None` if there is none.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Module> {
     MODULES.iter().chain(&REALS).find(|module| module.name == name)
+}
+
+/// Returns the modules that `root` needs, directly or indirectly, and `root` itself. Each module comes after all
+/// modules that it needs. If `instead` has another module for a name, that one is taken in its place.
+#[must_use]
+pub fn needed(root: &Module, instead: &BTreeMap<&str, &'static Module>) -> Vec<&'static Module> {
+    let mut names = BTreeSet::new();
+    add_needed(root.name, instead, &mut names);
+    MODULES.iter().filter(|module| names.contains(module.name)).collect()
+}
+
+fn add_needed(name: &'static str, instead: &BTreeMap<&str, &'static Module>, names: &mut BTreeSet<&'static str>) {
+    if names.insert(name) {
+        let needs = find(name).map_or(&[][..], |module| module.needs);
+        let taken = needs.iter().map(|need| instead.get(need).map_or(*need, |module| module.name));
+        taken.for_each(|need| add_needed(need, instead, names));
+    }
 }
 
 #[cfg(test)]
@@ -119,7 +148,7 @@ mod tests {
 
     #[test]
     fn every_file_is_a_module() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let mut files = 0;
         for inner in ["wgsl", "wgsl/exact", "wgsl/kernels"] {
             for entry in std::fs::read_dir(folder.join(inner)).expect("the folder is there") {

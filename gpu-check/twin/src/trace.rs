@@ -1,7 +1,6 @@
-//! The twin of `shaders/wgsl/trace.wgsl` in Rust: a renderer for any number type. [`crate::sampled::twin`] adds the
-//! random numbers. With f32 it gives the bits that the
-//! f32 shader must give. With [`crate::running::Running`] it gives a bound on the difference between f32 and f64 in
-//! each pixel.
+//! The twin of `shaders/wgsl/trace.wgsl` in Rust: a renderer for any number type. `gpu_check::sampled::twin` adds the
+//! random numbers. With f32 it gives the bits that the f32 shader must give. With `gpu_check::running::Running` it
+//! gives a bound on the difference between f32 and f64 in each pixel.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
@@ -23,14 +22,18 @@ struct ClosestHit<T> {
 }
 
 /// The surface that a ray hits first, with the hit.
-pub(crate) struct SurfaceHit<T> {
-    pub(crate) hit: Hit<T>,
-    pub(crate) material: u32,
-    pub(crate) lambda: T,
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceHit<T> {
+    /// The point and the normal.
+    pub hit: Hit<T>,
+    /// The index of the object's material.
+    pub material: u32,
+    /// The distance along the ray, in lengths of its direction.
+    pub lambda: T,
     /// The object's index in the scene file.
-    pub(crate) order: u32,
+    pub order: u32,
     /// The number of the part of a cylinder, as in `cylinder.wgsl`; 0 for a sphere.
-    pub(crate) part: u32,
+    pub part: u32,
 }
 
 enum Surface {
@@ -49,7 +52,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
 
     /// Returns the linear colour that arrives along the camera ray `ray`. `scatter_vector` returns the next scatter
     /// vector for the extent that it is given.
-    pub(crate) fn color_along(&self, mut ray: Ray<T>, mut scatter_vector: impl FnMut(T) -> Vec3<T>) -> Vec3<T> {
+    pub fn color_along(&self, mut ray: Ray<T>, mut scatter_vector: impl FnMut(T) -> Vec3<T>) -> Vec3<T> {
         let mut attenuations = Vec::new();
         for _ in 0..self.max_depth {
             let Some(surface) = self.closest_hit(&ray) else {
@@ -69,12 +72,12 @@ impl<T: Real<Mask = bool>> Picture<T> {
 
     /// Returns the ray that the surface scatters when `ray` hits it. A refractive surface does not use the scatter
     /// vector `vector`.
-    pub(crate) fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>, vector: Vec3<T>) -> Ray<T> {
+    pub fn scatter_ray(&self, ray: &Ray<T>, surface: &SurfaceHit<T>, vector: Vec3<T>) -> Ray<T> {
         scattered(ray, &surface.hit, &self.materials[surface.material as usize], vector)
     }
 
     /// Returns the closest hit of the ray, found by a loop over all objects, or `None` if the ray escapes.
-    pub(crate) fn closest_hit(&self, ray: &Ray<T>) -> Option<SurfaceHit<T>> {
+    pub fn closest_hit(&self, ray: &Ray<T>) -> Option<SurfaceHit<T>> {
         let mut closest = None;
         for (index, Placed { record, order, .. }) in self.spheres.iter().enumerate() {
             if let Some(lambda) = record.intersect(ray) {
@@ -99,7 +102,7 @@ impl<T: Real<Mask = bool>> Picture<T> {
 }
 
 /// The twin of `bounce_ray`: returns the ray that a surface of `material` scatters when `ray` hits it at `hit`.
-pub(crate) fn scattered<T: Real<Mask = bool>>(
+pub fn scattered<T: Real<Mask = bool>>(
     ray: &Ray<T>,
     hit: &Hit<T>,
     material: &PackedMaterial<T>,

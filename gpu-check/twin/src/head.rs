@@ -3,12 +3,11 @@
 use std::ops::Range;
 
 use crate::packed::Packed;
-use crate::sampled::Convention;
 use crate::{Float, Picture};
 
 /// The part of a picture that one run renders.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Part {
+pub enum Part {
     /// Pixels in deterministic mode.
     Pixels {
         /// Index of the first pixel.
@@ -26,17 +25,18 @@ pub(crate) enum Part {
         count: u32,
         /// Number of samples of each pixel.
         samples_per_pixel: u32,
-        /// The convention of the scatter vectors.
-        convention: Convention,
+        /// The number of the convention of the scatter vectors in `scatter_vectors.wgsl`.
+        convention: u32,
     },
 }
 
 /// Returns the bytes of the structure for a run that renders `part` at the depths `depths`.
-pub(crate) fn head<T: Float>(picture: &Picture<T>, part: &Part, depths: &Range<u32>) -> Vec<u8> {
+#[must_use]
+pub fn head<T: Float>(picture: &Picture<T>, part: &Part, depths: &Range<u32>) -> Vec<u8> {
     let (first_pixel, pixels, samples) = match *part {
         Part::Pixels { first, count } => (first, count, [0; 4]),
         Part::Samples { first_pixel, first_sample, count, samples_per_pixel, convention } => {
-            (first_pixel, 0, [count, first_sample, samples_per_pixel, convention as u32])
+            (first_pixel, 0, [count, first_sample, samples_per_pixel, convention])
         }
     };
     let mut bytes = Vec::new();

@@ -8,7 +8,7 @@ use cpu::internals::layout::Placed;
 use cpu::internals::math::real::Real;
 use cpu::internals::render::background::Background;
 use cpu::{Config, Error as CpuError, Material, Size, Vec3};
-use shaders::Features;
+use modules::Features;
 
 use crate::Error;
 
@@ -61,7 +61,7 @@ impl<T: Real> Picture<T> {
     /// `T`.
     ///
     /// # Errors
-    /// [`Error::Scene`] if the configuration makes no picture; [`Error::TooLarge`] if the maximum depth does not fit in
+    /// [`Error::Scene`] if the configuration makes no picture; [`Error::TooDeep`] if the maximum depth does not fit in
     /// 32 bits.
     pub fn new(config: &Config, scene: &Scene) -> Result<Self, Error> {
         let size = config.image_size().map_err(CpuError::from)?;
@@ -87,14 +87,12 @@ impl<T: Real> Picture<T> {
     }
 }
 
-/// Returns the maximum depth, or an error if it does not fit in 32 bits, because no device could hold the list of a
-/// path's surfaces.
-pub(crate) fn depth(config: &Config) -> Result<u32, Error> {
-    u32::try_from(config.max_depth).map_err(|_| Error::TooLarge {
-        what: "the materials that attenuate each path",
-        bytes: config.max_depth.saturating_mul(4),
-        limit: u64::from(u32::MAX),
-    })
+/// Returns the maximum depth.
+///
+/// # Errors
+/// [`Error::TooDeep`] if it does not fit in 32 bits.
+pub fn depth(config: &Config) -> Result<u32, Error> {
+    u32::try_from(config.max_depth).map_err(|_| Error::TooDeep { depth: config.max_depth })
 }
 
 fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
@@ -110,7 +108,7 @@ fn pack<T: Real>(material: &Material) -> PackedMaterial<T> {
 /// Returns the features that a pipeline for `scene` needs. Materials that no object has are ignored.
 ///
 /// # Errors
-/// [`Error::TooLarge`] if the maximum depth does not fit in 32 bits.
+/// [`Error::TooDeep`] if the maximum depth does not fit in 32 bits.
 pub fn features_of(config: &Config, scene: &Scene) -> Result<Features, Error> {
     let of_shape =
         |spheres: bool| scene.objects.iter().any(|object| matches!(object.shape, Shape::Sphere(_)) == spheres);

@@ -1,0 +1,17 @@
+//! The loops of the WGSL port in Rust, for any number type. It needs no device, so it also runs in a web page.
+//!
+//! - [`float`] has the number types;
+//! - [`picture`] is a scene in one of them, and [`packed`] and [`head`] write it into the shaders' buffers;
+//! - [`trace`] renders pixels, and [`steps`] records their paths.
+
+pub mod error;
+pub mod float;
+pub mod head;
+pub mod packed;
+pub mod picture;
+pub mod steps;
+pub mod trace;
+
+pub use error::Error;
+pub use float::Float;
+pub use picture::{Picture, features_of};

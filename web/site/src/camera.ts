@@ -1,0 +1,79 @@
+// A camera that turns around its target, moves with it, and comes closer. It is printed as lines of a configuration.
+import type { Vector } from './preparer';
+
+const add = (a: Vector, b: Vector): Vector => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+const scale = (a: Vector, factor: number): Vector => [a[0] * factor, a[1] * factor, a[2] * factor];
+const subtract = (a: Vector, b: Vector): Vector => add(a, scale(b, -1));
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const length = (a: Vector): number => Math.hypot(...a);
+const unit = (a: Vector): Vector => scale(a, 1 / (length(a) || 1));
+const cross = (a: Vector, b: Vector): Vector =>
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** The smallest angle between the direction of view and north, in radians. At 0 the picture would have no up. */
+const LEAST_ANGLE = 0.02;
+
+/** Turns `vector` by `angle` around the unit vector `axis` (the formula of Rodrigues). */
+function turn(vector: Vector, axis: Vector, angle: number): Vector {
+    const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
+    const along = scale(axis, dot(axis, vector) * (1 - cosine));
+    return add(add(scale(vector, cosine), scale(cross(axis, vector), sine)), along);
+}
+
+/** Returns a number with at most six significant digits, which is what the line has. */
+const rounded = (number: number): number => Number(number.toPrecision(6));
+const roundedVector = (vector: Vector): Vector => [rounded(vector[0]), rounded(vector[1]), rounded(vector[2])];
+
+/** The place and the direction of a camera, in the units of the scene. */
+export interface Camera {
+    position: Vector;
+    target: Vector;
+    north: Vector;
+}
+
+/** Turns the camera around its target: `right` and `up` are angles in radians. */
+export function orbit({ position, target, north }: Camera, right: number, up: number): Camera {
+    const axis = unit(north);
+    let arm = turn(subtract(position, target), axis, -right);
+    const side = unit(cross(axis, arm));
+    const angle = Math.acos(Math.min(1, Math.max(-1, dot(unit(arm), axis))));
+    const wanted = Math.min(Math.PI - LEAST_ANGLE, Math.max(LEAST_ANGLE, angle - up));
+    arm = turn(arm, side, wanted - angle);
+    return { position: add(target, arm), target, north };
+}
+
+/** Moves the camera and its target. `right` and `up` are parts of the distance between them. */
+export function pan({ position, target, north }: Camera, right: number, up: number): Camera {
+    const arm = subtract(position, target);
+    const side = unit(cross(unit(north), arm));
+    const above = unit(cross(arm, side));
+    const move = scale(add(scale(side, right), scale(above, up)), length(arm));
+    return { position: add(position, move), target: add(target, move), north };
+}
+
+/** Multiplies the distance of the camera from its target. */
+export function zoom({ position, target, north }: Camera, factor: number): Camera {
+    return { position: add(target, scale(subtract(position, target), factor)), target, north };
+}
+
+/** Returns the lines of a configuration that describe the camera, with rounded numbers or all digits. */
+export function lines({ position, target, north }: Camera, isRounded: boolean): [key: string, value: string][] {
+    const text = (vector: Vector) => (isRounded ? roundedVector(vector) : vector).join(' ');
+    return [['camera_position:', text(position)], ['camera_target:', text(target)], ['camera_north:', text(north)]];
+}
+
+/** Returns a configuration with the lines of the camera. They replace the last lines with their keys, or are added. */
+export function taken(config: string, camera: Camera): string {
+    let rows = config.split('\n');
+    for (const [key, value] of lines(camera, true)) {
+        const isKey = (row: string) => row.trim().split(/\s+/)[0] === key;
+        const place = rows.findLastIndex(isKey);
+        if (place >= 0) {
+            rows = rows.with(place, `${key} ${value}`);
+        } else {
+            const end = rows.at(-1) === '' ? rows.length - 1 : rows.length;
+            rows.splice(end, 0, `${key} ${value}`);
+        }
+    }
+    return rows.join('\n');
+}

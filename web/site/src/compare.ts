@@ -1,0 +1,155 @@
+// The comparison: the picture by Rust and by the shaders with a slider between them, blinking, or their difference.
+import { compare, LEGEND, map, type Difference } from './difference';
+import { Refused } from './gpu/device';
+import type { Shaders } from './gpu/shaders';
+import type { Source } from './pixel';
+import { Faulty, type Facts, type Preparer } from './preparer';
+import { developed, paint, shownConfig } from './shown';
+import type { Texts } from './store';
+import { say } from './words';
+
+const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+
+/** Largest width of the pictures in pixels. */
+const WIDTH = 480;
+
+/** Time for which each of two blinking pictures is shown, in milliseconds. */
+const BLINK = 600;
+
+/** What the comparison tells the page. */
+export interface Listener {
+    refused(fault: Refused | null): void;
+    clicked(column: number, row: number): void;
+}
+
+/** The comparison. */
+export class Comparison {
+    readonly #shader = element<HTMLCanvasElement>('compare-shader');
+    readonly #map = element<HTMLCanvasElement>('compare-map');
+    readonly #slider = element<HTMLInputElement>('compare-slider');
+    readonly #blink = element<HTMLInputElement>('compare-blink');
+    readonly #view = element<HTMLSelectElement>('compare-view');
+    readonly #with = element<HTMLSelectElement>('compare-with');
+    readonly #figures = element('compare-figures');
+    #facts: Facts | null = null;
+    /** The colours by Rust in f64 and in f32, when they are known. */
+    #truths: (Float64Array | null)[] = [null, null];
+    #difference: Difference | null = null;
+    #newest = 0;
+
+    constructor(private readonly preparer: Preparer, private readonly shaders: Shaders, private readonly listener: Listener) {
+        element('compare-legend').style.background = LEGEND;
+        this.#slider.addEventListener('input', () => this.#cut());
+        this.#view.addEventListener('change', () => this.#draw());
+        this.#blink.addEventListener('change', () => this.#draw());
+        this.#with.addEventListener('change', () => void this.refresh());
+        element('compare-stage').addEventListener('click', (event) => {
+            const { left, top, width, height } = this.#shader.getBoundingClientRect();
+            const facts = this.#facts;
+            if (facts) {
+                const place = (part: number, size: number) => Math.min(Math.max(Math.floor(part * size), 0), size - 1);
+                listener.clicked(
+                    place((event.clientX - left) / width, facts.width), place((event.clientY - top) / height, facts.height));
+            }
+        });
+        setInterval(() => this.#toggle(), BLINK);
+        this.#cut();
+    }
+
+    /** The scene as it is compared, for the path of a pixel. */
+    get source(): Source | null {
+        return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
+    }
+
+    /** Takes valid texts. */
+    async show({ config, scene }: Texts): Promise<void> {
+        const own = ++this.#newest;
+        try {
+            const whole = await this.preparer.prepare({ config, scene });
+            const aimed = await this.preparer.aim(shownConfig(config, whole.facts, WIDTH, null));
+            if (own !== this.#newest) {
+                return;
+            }
+            this.#facts = aimed.facts;
+            this.#truths = [null, null];
+            this.shaders.load({ facts: aimed.facts, buffers: [...aimed.buffers, ...whole.buffers.slice(1)] });
+            await this.refresh();
+        } catch (error) {
+            this.#failed(error);
+        }
+    }
+
+    /** Renders by the shaders again, and compares. */
+    async refresh(): Promise<void> {
+        const own = ++this.#newest;
+        const isCurrent = () => own === this.#newest;
+        const facts = this.#facts;
+        if (!facts) {
+            return;
+        }
+        try {
+            this.#figures.textContent = say('comparing');
+            const isRendered = await this.shaders.render('image', 0, isCurrent);
+            const colors = await this.shaders.colors();
+            this.listener.refused(null);
+            const isSingle = this.#with.value === 'f32';
+            const exact = this.#truths[isSingle ? 1 : 0] ?? await this.preparer.truth(isSingle);
+            if (!isRendered || !isCurrent()) {
+                return;
+            }
+            this.#truths[isSingle ? 1 : 0] = exact;
+            this.#difference = compare(exact, colors);
+            paint(element<HTMLCanvasElement>('compare-exact'), developed(exact, facts));
+            paint(this.#shader, developed(colors, facts));
+            this.#draw();
+        } catch (error) {
+            this.#failed(error);
+        }
+    }
+
+    #draw(): void {
+        const difference = this.#difference;
+        const isMap = this.#view.value !== 'both';
+        this.#map.hidden = !isMap;
+        element('compare-scale').hidden = !isMap;
+        this.#slider.disabled = isMap || this.#blink.checked;
+        this.#shader.style.visibility = 'visible';
+        this.#cut();
+        if (!difference || !this.#facts) {
+            return;
+        }
+        const isUlps = this.#view.value === 'ulps';
+        if (isMap) {
+            paint(this.#map, map(difference, isUlps, this.#facts.width));
+        }
+        const most = isUlps ? say('ulps', difference.largestUlps) : difference.largest.toExponential(2);
+        element('compare-most').textContent = most;
+        this.#figures.textContent = say('compareFigures', difference.differing, difference.pixels,
+            difference.rmse.toExponential(2), difference.largest.toExponential(2), difference.largestUlps);
+        this.#figures.dataset.differing = String(difference.differing);
+    }
+
+    /** Shows the shader's picture to the right of the slider. */
+    #cut(): void {
+        const left = this.#blink.checked ? 0 : Number(this.#slider.value);
+        this.#shader.style.clipPath = `inset(0 0 0 ${left}%)`;
+        element('compare-line').style.left = `${left}%`;
+        element('compare-line').hidden = this.#blink.checked || this.#view.value !== 'both';
+    }
+
+    #toggle(): void {
+        if (this.#blink.checked) {
+            this.#shader.style.visibility = this.#shader.style.visibility === 'hidden' ? 'visible' : 'hidden';
+        }
+    }
+
+    #failed(error: unknown): void {
+        if (error instanceof Refused) {
+            this.listener.refused(error);
+            this.#figures.textContent = say('liveRefused');
+        } else {
+            const message = error instanceof Error ? error.message : String(error);
+            this.#figures.textContent = error instanceof Faulty ? say('liveFault', message) : say('liveStopped', message);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+// Joins WGSL modules into one text, and finds the module of a line. The renderer's module lists the modules.
+
+/** A WGSL module. */
+export interface Module {
+    name: string;
+    path: string;
+    source: string;
+    /** Names of the modules that a composition of this one joins, in order. */
+    needed: string[];
+}
+
+/** The user's own texts of modules, by their names. */
+export type Edits = Record<string, string>;
+
+/** A joined text with the modules whose lines it has. */
+export interface Composition {
+    code: string;
+    parts: { name: string; path: string; source: string }[];
+}
+
+/** A fault in a composition, at its place in the module's own text. */
+export interface ShaderFault {
+    /** The name of the module; empty if the fault is about none. */
+    module: string;
+    path: string;
+    /** Counted from 1; 0 if the fault is about no line. */
+    line: number;
+    /** Counted from 1, in units of UTF-16. */
+    column: number;
+    length: number;
+    message: string;
+}
+
+/** What makes `probe(value);` a statement that stores the value. It stays on its line, so that places stay true. */
+const PROBE = /\bprobe\s*\(/g;
+
+/** What stands before all modules, so that each of them can call `probe`. */
+const PROBED = 'var<private> probed: vec3<f32>;\n';
+
+/** Whether a text has a call of `probe`. */
+export const hasProbe = (source: string): boolean => withoutComments(source).search(PROBE) >= 0;
+
+/** Replaces comments by blanks, and keeps all places. */
+export function withoutComments(source: string): string {
+    return source.replace(/\/\/[^\n]*|\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ' '));
+}
+
+/** Replaces each call of `probe` by an assignment with as many characters before the value. */
+function withProbes(source: string): string {
+    const calls = Array.from(withoutComments(source).matchAll(PROBE), (match) => match.index).reverse();
+    return calls.reduce((text, place) => {
+        const open = text.indexOf('(', place);
+        return `${text.slice(0, place)}probed = vec3<f32>(${text.slice(open + 1)}`;
+    }, source);
+}
+
+/** The number of characters by which {@link withProbes} moves what follows a call. */
+const MOVED = 'probed = vec3<f32>('.length - 'probe('.length;
+
+const ended = (text: string): string => (text.endsWith('\n') ? text : `${text}\n`);
+
+/** Joins the modules that `roots` need, each in the user's text if there is one, and the page's `own` text. */
+export function compose(modules: readonly Module[], roots: readonly string[], edits: Edits, own = ''): Composition {
+    const needed = new Set(roots.flatMap((root) => modules.find((one) => one.name === root)?.needed ?? []));
+    // The first module defines the number type. The list has each module after those that it needs.
+    const parts = modules.filter(({ name }, index) => index === 0 || needed.has(name))
+        .map(({ name, path, source }) => ({ name, path, source: ended(edits[name] ?? source) }));
+    const code = PROBED + parts.map((part) => withProbes(part.source)).join('') + own;
+    return { code, parts };
+}
+
+/** Returns the place of a fault in its module. `line` and `column` are places in the composition, counted from 1. */
+export function locate({ parts }: Composition, line: number, column: number, length: number, message: string): ShaderFault {
+    let first = 2;
+    for (const { name, path, source } of parts) {
+        const lines = source.split('\n').length - 1;
+        if (line >= first && line < first + lines) {
+            const own = line - first + 1;
+            const text = source.split('\n')[own - 1] ?? '';
+            const call = withoutComments(text).search(PROBE);
+            const moved = call >= 0 && column > call + MOVED ? MOVED : 0;
+            return { module: name, path, line: own, column: Math.max(column - moved, 1), length, message };
+        }
+        first += lines;
+    }
+    return { module: '', path: '', line: 0, column: 0, length: 0, message };
+}
+
+/** The start of the image kernel, with what only an entry point may have. */
+const ENTRY = /@compute[^\n]*(\n\s*fn\s+image\s*\(\s*)@builtin\(global_invocation_id\)/;
+
+/** Makes the image kernel a function that another kernel can call. All lines stay where they are. */
+export function withoutEntry(composition: Composition): Composition {
+    return { ...composition, code: composition.code.replace(ENTRY, '$1') };
+}

@@ -1,0 +1,253 @@
+// The live view: the picture of the shaders, turned by mouse, touch and keyboard. Without WebGPU a worker renders it.
+import * as camera from './camera';
+import type { Camera } from './camera';
+import { Refused, type Device } from './gpu/device';
+import { hasProbe as hasProbes } from './gpu/compose';
+import type { Mode, Shaders } from './gpu/shaders';
+import { Gestures } from './gestures';
+import type { Source } from './pixel';
+import { Faulty, type Facts, type Preparer } from './preparer';
+import { developed, paint, shownConfig } from './shown';
+import { say } from './words';
+
+const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+
+/** Largest width of the view in pixels, with WebGPU and without. */
+const [WIDTH, WIDTH_WITHOUT] = [480, 160];
+
+/** Number of samples at which the view stops to add more, as the noise is below a step of a byte then. */
+const ENOUGH = 4096;
+
+/** Time over which frames are counted, in milliseconds. */
+const WINDOW = 1000;
+
+/** What the view tells the page. */
+export interface Listener {
+    /** A shader does not compile (null: all of them do). */
+    refused(fault: Refused | null): void;
+    /** The camera was moved, and its lines are wanted in the configuration. */
+    taken(camera: Camera): void;
+    /** A pixel was clicked. */
+    clicked(column: number, row: number, facts: Facts): void;
+}
+
+/** The view. */
+export class Live {
+    readonly #canvas = element<HTMLCanvasElement>('live-canvas');
+    readonly #status = element('live-status');
+    readonly #accumulates = element<HTMLInputElement>('live-samples');
+    readonly #probes = element<HTMLInputElement>('live-probe');
+    #config = '';
+    #facts: Facts | null = null;
+    #camera: Camera | null = null;
+    /** The camera of the configuration. */
+    #start: Camera | null = null;
+    #samples = 0;
+    #isAimed = true;
+    #isRunning = false;
+    #isShown = false;
+    /** Counts the changes of what is shown, and its value at the start of the last frame. */
+    #version = 0;
+    #seen = 0;
+    #isRefused = false;
+    /** The smallest and the largest value that is probed. */
+    #range: [number, number] = [0, 1];
+    #times: number[] = [];
+
+    constructor(
+        private readonly preparer: Preparer,
+        private readonly device: Device | null,
+        private readonly shaders: Shaders | null,
+        private readonly listener: Listener,
+    ) {
+        element('live-none').hidden = device !== null;
+        element('live-samples-line').hidden = device === null;
+        this.#accumulates.addEventListener('change', () => this.#restart());
+        this.#probes.addEventListener('change', () => this.#restart());
+        element('live-take').addEventListener('click', () => this.#camera && listener.taken(this.#camera));
+        element('live-reset').addEventListener('click', () => this.#move(this.#start));
+        new Gestures(this.#canvas, {
+            orbit: (right, up) => this.#move(this.#camera && camera.orbit(this.#camera, right, up)),
+            pan: (right, up) => this.#move(this.#camera && camera.pan(this.#camera, right, up)),
+            zoom: (factor) => this.#move(this.#camera && camera.zoom(this.#camera, factor)),
+            reset: () => this.#move(this.#start),
+            click: (x, y) => this.#facts && listener.clicked(
+                Math.floor(x * this.#facts.width), Math.floor(y * this.#facts.height), this.#facts),
+        });
+    }
+
+    /** The camera, if the user has moved it. */
+    get moved(): Camera | null {
+        return this.#camera === this.#start ? null : this.#camera;
+    }
+
+    set moved(moved: Camera | null) {
+        this.#move(moved ?? this.#start);
+    }
+
+    /** Takes valid texts. The camera stays where it is if the configuration's camera has not changed. */
+    async show(config: string, scene: string): Promise<void> {
+        this.#config = config;
+        try {
+            const whole = await this.preparer.prepare({ config, scene });
+            const { position, target, north } = whole.facts;
+            const start = { position, target, north };
+            if (JSON.stringify(start) !== JSON.stringify(this.#start)) {
+                this.#start = start;
+                this.#camera = start;
+            }
+            const prepared = await this.preparer.aim(this.#aimed(whole.facts));
+            this.#facts = prepared.facts;
+            this.shaders?.load({ facts: prepared.facts, buffers: [...prepared.buffers, ...whole.buffers.slice(1)] });
+            this.#restart();
+        } catch (error) {
+            this.#failed(error);
+        }
+    }
+
+    /** The scene as the view shows it, for the path of a pixel. */
+    get source(): Source | null {
+        return this.#facts && { preparer: this.preparer, shaders: this.shaders, facts: this.#facts };
+    }
+
+    /** Waits until the moved camera counts, without a frame. */
+    async settle(): Promise<void> {
+        if (!this.#isAimed && this.#facts) {
+            this.#isAimed = true;
+            const aimed = await this.preparer.aim(this.#aimed(this.#facts));
+            this.#facts = aimed.facts;
+            this.shaders?.load(aimed);
+        }
+    }
+
+    /** Compiles and renders again, after a shader has changed. */
+    refresh(): void {
+        this.#restart();
+    }
+
+    /** Renders while the view is shown. */
+    set isShown(isShown: boolean) {
+        this.#isShown = isShown;
+        this.#restart();
+    }
+
+    #move(moved: Camera | null): void {
+        if (moved) {
+            this.#camera = moved;
+            this.#isAimed = false;
+            this.#restart();
+        }
+    }
+
+    #restart(): void {
+        this.#samples = 0;
+        this.#version += 1;
+        this.#go();
+    }
+
+    #go(): void {
+        if (!this.#isRunning && this.#isShown && this.#facts) {
+            this.#isRunning = true;
+            void this.#run().catch((error: unknown) => this.#failed(error)).finally(() => {
+                this.#isRunning = false;
+                // A change may have come after the last frame had begun.
+                if (this.#seen !== this.#version) {
+                    this.#go();
+                }
+            });
+        }
+    }
+
+    /** Renders frames until there is nothing to change. */
+    async #run(): Promise<void> {
+        while (this.#isShown && this.#facts && (this.#samples === 0 || (this.#adds && this.#samples < ENOUGH))) {
+            this.#seen = this.#version;
+            await this.settle();
+            const image = this.shaders ? await this.#frame(this.shaders) : await this.#slow();
+            if (image) {
+                paint(this.#canvas, image);
+            }
+            // The next frame shows a change during this one.
+            this.#samples = this.#seen === this.#version ? this.#samples + 1 : 0;
+            this.#tell();
+            await new Promise(requestAnimationFrame);
+        }
+    }
+
+    get #adds(): boolean {
+        return this.shaders !== null && this.#accumulates.checked && !this.#probes.checked;
+    }
+
+    async #frame(shaders: Shaders): Promise<ImageData | null> {
+        const samples = this.#samples;
+        const mode = this.#mode;
+        await shaders.render(mode, samples);
+        if (this.#isRefused) {
+            this.#isRefused = false;
+            this.listener.refused(null);
+        }
+        if (mode === 'probe') {
+            this.#range = rangeOf(await shaders.colors());
+            return shaders.develop(1, this.#range);
+        }
+        return shaders.develop(mode === 'accumulate' ? samples + 1 : 1);
+    }
+
+    /** What the next frame shows. */
+    get #mode(): Mode {
+        const hasProbe = Object.values(this.shaders?.edits ?? {}).some(hasProbes);
+        element('live-probe-line').hidden = !hasProbe;
+        return hasProbe && this.#probes.checked ? 'probe' : this.#adds ? 'accumulate' : 'image';
+    }
+
+    /** A frame by the exact renderer in WebAssembly. */
+    async #slow(): Promise<ImageData | null> {
+        const facts = this.#facts;
+        return facts && developed(await this.preparer.truth(false), facts);
+    }
+
+    /** The configuration with the camera and the size of the view. */
+    #aimed(facts: Facts): string {
+        return shownConfig(this.#config, facts, this.device ? WIDTH : WIDTH_WITHOUT, this.#camera);
+    }
+
+    #tell(): void {
+        const now = performance.now();
+        this.#times = [...this.#times.filter((time) => now - time < WINDOW), now];
+        const first = this.#times[0] ?? now;
+        const rate = this.#times.length > 1 ? ((this.#times.length - 1) * 1000) / (now - first) : 0;
+        const { width, height } = this.#canvas;
+        const frames = Number(this.#canvas.dataset.frames ?? 0) + 1;
+        this.#canvas.dataset.frames = String(frames);
+        this.#canvas.dataset.samples = String(this.#samples);
+        const samples = this.#adds ? `, ${say('liveSamples', this.#samples)}` : '';
+        const name = this.device?.name ?? 'WebAssembly';
+        const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
+        const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
+        this.#status.textContent = `${width} × ${height}${samples}${probed}, ${say('liveRate', rate.toFixed(1))}, ${name}`;
+    }
+
+    #failed(error: unknown): void {
+        if (error instanceof Refused) {
+            this.#isRefused = true;
+            this.listener.refused(error);
+            this.#status.textContent = say('liveRefused');
+        } else if (error instanceof Faulty) {
+            this.#status.textContent = say('liveFault', error.message);
+        } else {
+            this.#status.textContent = say('liveStopped', String(error));
+        }
+    }
+}
+
+/** Returns the smallest and the largest finite number, or 0 and 1 if all are the same. */
+function rangeOf(numbers: Float32Array): [number, number] {
+    let [low, high] = [Infinity, -Infinity];
+    for (const number of numbers) {
+        if (Number.isFinite(number)) {
+            low = Math.min(low, number);
+            high = Math.max(high, number);
+        }
+    }
+    return low < high ? [low, high] : [0, 1];
+}

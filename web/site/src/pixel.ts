@@ -1,0 +1,159 @@
+// The path of a pixel: the steps by Rust and by the shaders side by side, and the ray's way in a plan of the scene.
+import type { Shaders } from './gpu/shaders';
+import { plan } from './plan';
+import type { Facts, Preparer } from './preparer';
+import { say } from './words';
+
+const element = <E extends HTMLElement>(id: string): E => document.getElementById(id) as E;
+
+/** A scene with its camera, by both implementations. */
+export interface Source {
+    preparer: Preparer;
+    shaders: Shaders | null;
+    facts: Facts;
+}
+
+/** The numbers of a step that are shown: all but the background's colour for a hit, and other ones for an escape. */
+const [HIT, ESCAPE] = [18, [0, 6, 7, 8, 9, 10, 11, 18, 19, 20]];
+
+/** Names of numbers that have no fraction. */
+const WHOLE = new Set(['is_hit', 'object', 'part', 'front', 'material']);
+
+/** Returns the places of the numbers that are shown. `hit` is 1 for a hit, 0 for an escape, -1 after the end. */
+function shown(hit: number): number[] {
+    return hit === 1 ? Array.from({ length: HIT }, (_, place) => place) : hit === 0 ? ESCAPE : [];
+}
+
+const float = new Float32Array(1);
+const word = new Uint32Array(float.buffer);
+
+/** Returns the bits of a number with blanks between sign, exponent and fraction. */
+function binary(number: number): string {
+    float[0] = number;
+    const digits = (word[0] ?? 0).toString(2).padStart(32, '0');
+    return `${digits[0]} ${digits.slice(1, 9)} ${digits.slice(9)}`;
+}
+
+const same = (one: number, other: number): boolean => Object.is(one, other) || (Number.isNaN(one) && Number.isNaN(other));
+
+/** Returns a number in the shortest form that has its bits. */
+function text(number: number, name: string): string {
+    if (WHOLE.has(name)) {
+        return String(number);
+    }
+    for (let digits = 1; digits < 9; digits++) {
+        if (Math.fround(Number(number.toPrecision(digits))) === number) {
+            return String(Number(number.toPrecision(digits)));
+        }
+    }
+    return Object.is(number, -0) ? '-0' : String(Number(number.toPrecision(9)));
+}
+
+/** The view of a pixel's path. */
+export class PixelView {
+    readonly #table = element('pixel-steps');
+    #source: Source | null = null;
+    #newest = 0;
+
+    constructor(private readonly names: readonly string[]) {
+        for (const id of ['pixel-column', 'pixel-row']) {
+            element(id).addEventListener('change', () => void this.refresh());
+        }
+    }
+
+    /** The column and the row of the pixel, or null if none is shown. */
+    get place(): [number, number] | null {
+        const value = (id: string) => Number(element<HTMLInputElement>(id).value);
+        return this.#source && [value('pixel-column'), value('pixel-row')];
+    }
+
+    /** Shows the path of a pixel. */
+    async show(source: Source, column: number, row: number): Promise<void> {
+        this.#source = source;
+        element<HTMLInputElement>('pixel-column').value = String(column);
+        element<HTMLInputElement>('pixel-row').value = String(row);
+        await this.refresh();
+    }
+
+    /** Follows the path again, after a shader or the place has changed. */
+    async refresh(): Promise<void> {
+        const source = this.#source;
+        if (!source) {
+            return;
+        }
+        const own = ++this.#newest;
+        const { width, height } = source.facts;
+        const limited = (id: string, size: number): number => {
+            const input = element<HTMLInputElement>(id);
+            input.max = String(size - 1);
+            const value = Math.min(Math.max(Math.floor(Number(input.value) || 0), 0), size - 1);
+            input.value = String(value);
+            return value;
+        };
+        const pixel = limited('pixel-row', height) * width + limited('pixel-column', width);
+        try {
+            const rust = await source.preparer.steps(pixel);
+            const wgsl = source.shaders ? await source.shaders.steps(pixel, this.names.length) : null;
+            const probed = source.shaders ? await source.shaders.probed(pixel) : null;
+            if (own === this.#newest) {
+                this.#fill(rust, wgsl);
+                element('pixel-probe').textContent = probed ? `probe: ${probed.map((value) => text(value, '')).join(', ')}` : '';
+                element('pixel-plan').replaceChildren(plan(source.facts, this.#points(wgsl ?? rust)));
+            }
+        } catch (error) {
+            element('pixel-first').textContent = error instanceof Error ? error.message : String(error);
+        }
+    }
+
+    #fill(rust: Float32Array, wgsl: Float32Array | null): void {
+        const numbers = this.names.length;
+        const rows: HTMLTableRowElement[] = [];
+        let first = '';
+        for (let step = 0; step * numbers < rust.length; step++) {
+            const [own, other] = [rust, wgsl ?? rust].map((all) => all.subarray(step * numbers, (step + 1) * numbers));
+            const places = new Set([...shown(own?.[0] ?? -1), ...shown(other?.[0] ?? -1)]);
+            if (places.size === 0) {
+                break;
+            }
+            rows.push(line([`${say('step')} ${step}`, 'Rust', 'WGSL'], 'head'));
+            for (const place of [...places].sort((one, next) => one - next)) {
+                const name = this.names[place] ?? '';
+                const [a, b] = [own?.[place] ?? NaN, other?.[place] ?? NaN];
+                const isSame = same(a, b);
+                if (!isSame && first === '') {
+                    first = `${say('firstDifference', step, name)}\nRust  ${binary(a)}\nWGSL  ${binary(b)}`;
+                    rows.push(line([name, text(a, name), text(b, name)], 'first'));
+                } else {
+                    rows.push(line([name, text(a, name), wgsl ? text(b, name) : '—'], isSame ? '' : 'differs'));
+                }
+            }
+        }
+        this.#table.replaceChildren(...rows);
+        element('pixel-first').textContent = first || say(wgsl ? 'noDifference' : 'noShaders');
+    }
+
+    /** The points of the path: where each ray starts, and a point on the way of the last one. */
+    #points(steps: Float32Array): number[][] {
+        const points: number[][] = [];
+        for (let start = 0; start + this.names.length <= steps.length; start += this.names.length) {
+            const at = (place: number) => Array.from(steps.subarray(start + place, start + place + 3));
+            const hit = steps[start] ?? -1;
+            if (hit < 0) {
+                break;
+            }
+            points.push(at(6));
+            const [origin, direction] = [at(6), at(9)];
+            const length = Math.hypot(...direction) || 1;
+            points.push(hit === 1 ? at(12) : origin.map((value, axis) => value + (3 * (direction[axis] ?? 0)) / length));
+        }
+        return points;
+    }
+}
+
+/** Returns a row of the table. */
+function line(cells: string[], name: string): HTMLTableRowElement {
+    const row = document.createElement('tr');
+    row.className = name;
+    cells.forEach((content) => (row.insertCell().textContent = content));
+    return row;
+}

@@ -1,0 +1,177 @@
+// The views that use the shaders. They are made when one of them is shown for the first time, so that a page without
+// them starts sooner.
+import { taken, type Camera } from './camera';
+import { Comparison } from './compare';
+import { Device, type Refused } from './gpu/device';
+import type { Edits } from './gpu/compose';
+import { Shaders } from './gpu/shaders';
+import { Live } from './live';
+import type { View } from './link';
+import { ShaderEditor } from './shader-editor';
+import * as store from './store';
+import type { Renderer } from './module';
+import { PixelView, type Source } from './pixel';
+import { Preparer } from './preparer';
+import type { Texts } from './store';
+import { Tabs } from './tabs';
+import { say } from './words';
+
+/** What the views need of the page. */
+export interface Owner {
+    texts(): Texts;
+    replaceConfig(config: string): void;
+    say(text: string): void;
+    render(): void;
+}
+
+/** The parts that exist once a view of the shaders is shown. */
+interface Parts {
+    live: Live;
+    /** Null in a browser without WebGPU. */
+    comparison: Comparison | null;
+    pixel: PixelView;
+    /** The shaders of the live view and of the comparison. */
+    shaders: Shaders[];
+}
+
+/** The views of the shaders. */
+export class Studio {
+    readonly #tabs = new Tabs((name) => void this.#shown(name));
+    #parts: Promise<Parts> | null = null;
+    readonly #part = document.getElementById('shader-part') as HTMLDetailsElement;
+    #editor: ShaderEditor | null = null;
+    #reading = Promise.resolve();
+    /** The views that have not seen the last texts. */
+    #stale = new Set(['live-pane', 'compare-pane']);
+
+    constructor(
+        private readonly module: WebAssembly.Module,
+        private readonly renderer: Renderer,
+        private readonly owner: Owner,
+    ) {
+        this.#part.addEventListener('toggle', () => this.#part.open && this.#edit());
+        this.#part.open = Object.keys(store.modules()).length > 0;
+    }
+
+    /** Takes the texts of the editors, which are valid. */
+    changed(): void {
+        this.#stale = new Set(['live-pane', 'compare-pane']);
+        void this.#shown(this.#tabs.current);
+    }
+
+    /** Replaces the user's modules. */
+    set modules(modules: Edits) {
+        if (this.#editor || Object.keys(modules).length > 0 || Object.keys(store.modules()).length > 0) {
+            this.#edit().edits = modules;
+        }
+        this.#part.open ||= Object.keys(modules).length > 0;
+    }
+
+    /** Returns what is shown, for a link. */
+    async view(): Promise<View> {
+        const parts = await this.#parts;
+        const tab = this.#tabs.current;
+        return { tab, camera: parts?.live.moved ?? null, pixel: tab === 'pixel-pane' ? parts?.pixel.place ?? null : null };
+    }
+
+    /** Shows a view of a link. */
+    async show({ tab, camera, pixel }: View): Promise<void> {
+        if (tab !== 'exact' || camera) {
+            this.#parts ??= this.#make();
+            const { live, pixel: path } = await this.#parts;
+            await this.#read(live);
+            if (camera) {
+                live.moved = camera;
+            }
+            if (pixel && live.source) {
+                await live.settle();
+                await path.show(live.source, ...pixel);
+            }
+        }
+        this.#tabs.show(tab);
+    }
+
+    /** Gives the texts to the live view, if it has not seen them. */
+    #read(live: Live): Promise<void> {
+        if (this.#stale.delete('live-pane')) {
+            const { config, scene } = this.owner.texts();
+            this.#reading = live.show(config, scene);
+        }
+        return this.#reading;
+    }
+
+    async #shown(name: string): Promise<void> {
+        if (name === 'exact' && !this.#parts) {
+            return;
+        }
+        this.#parts ??= this.#make();
+        const { live, comparison } = await this.#parts;
+        if (name === 'live-pane') {
+            await this.#read(live);
+        }
+        if (name === 'compare-pane' && this.#stale.delete(name)) {
+            await comparison?.show(this.owner.texts());
+        }
+        live.isShown = this.#tabs.current === 'live-pane';
+    }
+
+    /** Opens the editor of the shaders. */
+    #edit(): ShaderEditor {
+        this.#editor ??= new ShaderEditor(this.renderer.wgsl(), {
+            changed: (edits) => void this.#edited(edits),
+            render: () => this.owner.render(),
+            say: (text) => this.owner.say(text),
+        });
+        return this.#editor;
+    }
+
+    /** Compiles the user's modules. The exact picture does not use them, so the live view is shown. */
+    async #edited(edits: Edits): Promise<void> {
+        if (this.#tabs.current === 'exact') {
+            this.#tabs.show('live-pane');
+        }
+        this.#parts ??= this.#make();
+        const { live, comparison, pixel, shaders } = await this.#parts;
+        shaders.forEach((one) => (one.edits = edits));
+        live.refresh();
+        if (this.#tabs.current === 'compare-pane') {
+            void comparison?.refresh();
+        } else {
+            this.#stale.add('compare-pane');
+        }
+        if (this.#tabs.current === 'pixel-pane') {
+            void pixel.refresh();
+        }
+    }
+
+    async #make(): Promise<Parts> {
+        const device = await Device.open((reason) => this.owner.say(say('liveStopped', reason)));
+        const modules = this.renderer.wgsl();
+        const pixel = new PixelView(this.renderer.stepNames());
+        const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
+        shaders.forEach((one) => (one.edits = this.#editor?.edits ?? store.modules()));
+        const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
+        const follow = (source: Source | null | undefined, column: number, row: number) => {
+            if (source) {
+                this.#tabs.show('pixel-pane');
+                void pixel.show(source, column, row);
+            }
+        };
+        const live = new Live(new Preparer(this.module), device, shaders[0] ?? null, {
+            refused,
+            clicked: (column, row) => follow(live.source, column, row),
+            taken: (camera) => this.#take(camera),
+        });
+        const comparison: Comparison | null = shaders[1] ? new Comparison(new Preparer(this.module), shaders[1], {
+            refused,
+            clicked: (column, row) => follow(comparison?.source, column, row),
+        }) : null;
+        document.getElementById('compare-none')!.hidden = comparison !== null;
+        return { live, comparison, pixel, shaders };
+    }
+
+    #take(camera: Camera): void {
+        this.owner.replaceConfig(taken(this.owner.texts().config, camera));
+        this.owner.say(say('liveTaken'));
+    }
+}

@@ -1,0 +1,129 @@
+// Tests of the comparison with Rust, of a pixel's path, and of probed values.
+import { check, equal, frame, pixels, rmse, shoot } from './tools.mjs';
+import { openLive } from './live.mjs';
+import { edit, openModule } from './shaders.mjs';
+
+/** Waits for the figures of a comparison, and returns the number of pixels that differ. */
+export async function figures(page) {
+    await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
+    return Number(await page.getAttribute('#compare-figures', 'data-differing'));
+}
+
+/** Shows the comparison with Rust's f32. */
+async function compareSingle(page) {
+    await page.click('#tab-compare');
+    await figures(page);
+    await page.selectOption('#compare-with', 'f32');
+    await page.waitForFunction(() => /^(\d+).*RMSE/.test(document.getElementById('compare-figures').textContent));
+    return figures(page);
+}
+
+/** The planted fault: a product with 1 / a instead of a quotient, which rounds twice. */
+export const FAULT = ['let near = (h - root) / a;', 'let near = (h - root) * (real(1.0) / a);'];
+
+export const tests = {
+    async 'the shaders have the bits of Rust in f32, and nearly the exact picture'({ open, url }) {
+        const page = await openLive(open, url);
+        await page.click('#tab-compare');
+        const wide = await figures(page);
+        const text = await page.textContent('#compare-figures');
+        console.log(text);
+        check(wide > 100, `${wide} pixels differ from f64 by rounding`);
+        const [exact, shader] = [await pixels(page, 'compare-exact'), await pixels(page, 'compare-shader')];
+        check(rmse(exact.bytes, shader.bytes) < 1, 'the pictures look alike');
+        await shoot(page, 'compare');
+        equal(await compareSingle(page), 0, 'the pixels that differ from the same steps in Rust');
+    },
+
+    async 'a planted fault is seen in the map, and the first difference is at its step'({ open, url }) {
+        const page = await openModule(open, url, 'sphere');
+        const shown = await frame(page);
+        await edit(page, ...FAULT);
+        await frame(page, shown);
+        const differing = await compareSingle(page);
+        check(differing > 0, 'the fault makes a difference');
+        await page.selectOption('#compare-view', 'ulps');
+        check(await page.isVisible('#compare-map'), 'the map is shown');
+        const colors = await pixels(page, 'compare-map');
+        let marked = -1;
+        let count = 0;
+        for (let pixel = 0; pixel < colors.bytes.length / 3; pixel++) {
+            if (colors.bytes[3 * pixel] > 0) {
+                count += 1;
+                marked = marked < 0 ? pixel : marked;
+            }
+        }
+        equal(count, differing, 'the pixels of the map that are not black');
+        check((await page.textContent('#compare-most')).includes('units in the last place'), 'the scale');
+        await shoot(page, 'compare-map');
+
+        const box = await page.locator('#compare-stage').boundingBox();
+        const place = [(marked % colors.width) + 0.5, Math.floor(marked / colors.width) + 0.5];
+        await page.click('#compare-stage', {
+            position: { x: (place[0] / colors.width) * box.width, y: (place[1] / colors.height) * box.height } });
+        await page.waitForSelector('#pixel-steps .first');
+        equal(await page.inputValue('#pixel-column'), String(Math.floor(place[0])), 'the column');
+        const first = await page.textContent('#pixel-first');
+        check(/^First difference: step \d+, lambda\nRust  [01] [01]{8} [01]{23}\nWGSL  [01] [01]{8} [01]{23}$/.test(first), first);
+        equal((await page.textContent('#pixel-steps .first td')), 'lambda', 'the marked number');
+        equal(await page.locator('#pixel-plan svg').count(), 2, 'the plan from above and from the side');
+        equal(await page.locator('#pixel-plan svg').first().locator('circle:not(.hit):not(.camera), polygon').count(), 4, 'the objects');
+        check((await page.getAttribute('#pixel-plan polyline', 'points')).split(' ').length >= 2, 'the way of the ray');
+        await shoot(page, 'pixel');
+        await page.click('#shader-reset');
+        await page.waitForFunction(() => document.getElementById('pixel-first').textContent === 'No bit differs.');
+    },
+
+    async 'the slider, the linear map and blinking show both pictures'({ open, url }) {
+        const page = await openLive(open, url);
+        await page.click('#tab-compare');
+        await figures(page);
+        const clip = () => page.evaluate(() => document.getElementById('compare-shader').style.clipPath);
+        equal(await clip(), 'inset(0px 0px 0px 50%)', 'the shader is right of the middle');
+        await page.focus('#compare-slider');
+        await page.keyboard.press('End');
+        equal(await clip(), 'inset(0px 0px 0px 100%)', 'the exact picture alone');
+        await page.selectOption('#compare-view', 'linear');
+        check(/e[-+]\d/.test(await page.textContent('#compare-most')), 'the scale of the linear map');
+        await page.selectOption('#compare-view', 'both');
+        await page.check('#compare-blink');
+        const isHidden = () => page.evaluate(() => document.getElementById('compare-shader').style.visibility === 'hidden');
+        await page.waitForFunction(() => document.getElementById('compare-shader').style.visibility === 'hidden');
+        check(await isHidden() || true, 'the exact picture is shown');
+        await page.waitForFunction(() => document.getElementById('compare-shader').style.visibility === 'visible');
+        await page.uncheck('#compare-blink');
+    },
+
+    async 'a probed value is a picture, and a number for the clicked pixel'({ open, url }) {
+        const page = await openModule(open, url, 'background');
+        const before = await pixels(page, 'live-canvas');
+        check(!await page.isVisible('#live-probe'), 'without a probe there is none to show');
+        await edit(page, '    return background.light', '    probe(m);\n    return background.light');
+        await page.waitForSelector('#live-probe');
+        await page.waitForTimeout(500);
+        equal(rmse((await pixels(page, 'live-canvas')).bytes, before.bytes), 0, 'a probe does not change the picture');
+        await page.check('#live-probe');
+        await page.waitForFunction(() => document.getElementById('live-status').textContent.includes('probe from'));
+        const probed = await pixels(page, 'live-canvas');
+        check(rmse(probed.bytes, before.bytes) > 1, 'the picture of the value');
+        equal(probed.bytes[0], probed.bytes[1], 'one number is shown as grey');
+        await shoot(page, 'probe');
+        const box = await page.locator('#live-canvas').boundingBox();
+        await page.click('#live-canvas', { position: { x: box.width / 2, y: 2 } });
+        await page.waitForFunction(() => document.getElementById('pixel-probe').textContent.startsWith('probe: '));
+        const [value] = (await page.textContent('#pixel-probe')).replace('probe: ', '').split(', ').map(Number);
+        // The colour of this pixel is that of the background with this m, if the ray hits nothing.
+        const light = await page.evaluate(() => {
+            const rows = Array.from(document.querySelectorAll('#pixel-steps tr'), (row) => row.innerText.split('\t'));
+            const at = (name) => Number(rows.find((row) => row[0] === name)[2]);
+            const y = at('direction.y') / Math.hypot(at('direction.x'), at('direction.y'), at('direction.z'));
+            return (y + 1) / 2;
+        });
+        check(Math.abs(value - light) < 1e-6, `${value} is (y + 1) / 2 = ${light}`);
+        await edit(page, 'probe(m);', 'probe(n);');
+        await page.click('#tab-live');
+        await page.waitForSelector('#shader-faults pre');
+        equal(await page.textContent('#shader-editor .cm-lintRange-error'), 'n', 'a fault inside of a probe is marked');
+        await frame(page);
+    },
+};

@@ -1,0 +1,156 @@
+// Tests of the live view: WebGPU frames, the camera's gestures, samples over frames, and a browser without WebGPU.
+import { check, digest, equal, frame, pixels, render, rmse, shoot, textOf } from './tools.mjs';
+
+/** A small scene with every material, and a camera that sees all of it. */
+export const SCENE = {
+    config: 'image_width: 96\nsamples_per_pixel: 400\ncamera_position: 0 1.5 -7\ncamera_target: 0 0.5 0\n',
+    scene: 'matte: ground .5 .5 .5\nmatte: red .8 .2 .2\nmetal: mirror .9 .9 .9 0\nrefractive: glass 1.5\n'
+        + 'sphere: 0 -100 0 100 ground\nsphere: -1.5 1 0 1 glass\nsphere: 1.5 1 0 1 mirror\n'
+        + 'cylinder: 0 .6 -1 .4 0 1.2 0 red\n',
+};
+
+/** Opens the page with the scene, and shows the live view. */
+export async function openLive(open, url, scene = SCENE, options = {}) {
+    const page = await open(url, options);
+    await digest(page);
+    await render(page, scene);
+    await page.click('#tab-live');
+    await frame(page);
+    return page;
+}
+
+/** Acts, and returns how much the view has changed. */
+async function change(page, act) {
+    const before = await pixels(page, 'live-canvas');
+    const number = await frame(page);
+    await act();
+    await frame(page, number);
+    // A gesture of several events may still change the view.
+    await page.waitForTimeout(300);
+    return rmse((await pixels(page, 'live-canvas')).bytes, before.bytes);
+}
+
+export const tests = {
+    async 'the live view is turned by mouse and keyboard, and its camera is taken over'({ open, url }) {
+        const page = await openLive(open, url);
+        const first = await pixels(page, 'live-canvas');
+        equal(`${first.width} ${first.height}`, '96 54', 'the size');
+        const box = await page.locator('#live-canvas').boundingBox();
+        const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+        const drag = async (button, shift) => {
+            await page.mouse.move(x, y);
+            await page.mouse.down({ button });
+            await page.mouse.move(x + 100, y + shift, { steps: 3 });
+            await page.mouse.up({ button });
+        };
+        const acts = {
+            'a drag': () => drag('left', 20),
+            'a drag with the right button': () => drag('right', 20),
+            'the wheel': () => page.mouse.wheel(0, -300),
+            'an arrow key': () => page.keyboard.press('ArrowRight'),
+            'an arrow key with Shift': () => page.keyboard.press('Shift+ArrowUp'),
+            'the key +': () => page.keyboard.press('+'),
+        };
+        for (const [name, act] of Object.entries(acts)) {
+            const changed = await change(page, act);
+            check(changed > 1, `${name} changes the view by ${changed}`);
+        }
+        await shoot(page, 'live');
+        const moved = await pixels(page, 'live-canvas');
+        await page.click('#live-take');
+        await page.waitForFunction(() => !JSON.parse(localStorage.getItem('render.texts')).config.includes('0 1.5 -7'));
+        const config = await textOf(page, 'config');
+        equal(config.match(/camera_position:/g).length, 1, 'the number of lines with the position');
+        check(/camera_north: 0 1 0\n$/.test(config), config);
+        await page.waitForTimeout(500);
+        // The lines have six digits, so edges move by a pixel at most.
+        const again = rmse((await pixels(page, 'live-canvas')).bytes, moved.bytes);
+        check(again < 8, `the view of the lines differs by ${again}`);
+        await page.click('#tab-exact');
+        await page.click('#render');
+        await page.waitForFunction(() => document.querySelector('#digest code'));
+        await page.keyboard.press('Control+z');
+    },
+
+    async 'the key Home goes back to the camera of the text'({ open, url }) {
+        const page = await openLive(open, url);
+        const first = await pixels(page, 'live-canvas');
+        await page.focus('#live-canvas');
+        check(await change(page, () => page.keyboard.press('ArrowLeft')) > 1, 'the view turns');
+        await change(page, () => page.keyboard.press('Home'));
+        equal(rmse((await pixels(page, 'live-canvas')).bytes, first.bytes), 0, 'the difference from the first view');
+    },
+
+    async 'two fingers come closer on a touch screen'({ open, url }) {
+        const page = await openLive(open, url, SCENE, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+        await page.locator('#live-canvas').scrollIntoViewIfNeeded();
+        const box = await page.locator('#live-canvas').boundingBox();
+        const session = await page.context().newCDPSession(page);
+        const touch = (type, points) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+        const at = (distance) => [-1, 1].map((side, id) => (
+            { x: box.x + box.width / 2 + side * distance, y: box.y + box.height / 2, id }));
+        const changed = await change(page, async () => {
+            await touch('touchStart', at(30));
+            for (const distance of [45, 60, 75]) {
+                await touch('touchMove', at(distance));
+            }
+            await touch('touchEnd', []);
+        });
+        check(changed > 1, `two fingers change the view by ${changed}`);
+        equal(await page.evaluate(() => document.documentElement.scrollWidth), 390, 'the width that the page needs');
+        await shoot(page, 'live-phone');
+    },
+
+    async 'samples over frames come near to the exact picture'({ open, url }) {
+        const page = await openLive(open, url);
+        const exact = await pixels(page, 'canvas');
+        const first = rmse((await pixels(page, 'live-canvas')).bytes, exact.bytes);
+        await page.check('#live-samples');
+        const after = async (count) => {
+            await page.waitForFunction((least) => Number(document.getElementById('live-canvas').dataset.samples) >= least, count);
+            return rmse((await pixels(page, 'live-canvas')).bytes, exact.bytes);
+        };
+        const [few, many] = [await after(2), await after(128)];
+        console.log(`difference from the exact picture with 400 samples: deterministic ${first.toFixed(1)}, `
+            + `2 samples ${few.toFixed(1)}, 128 samples ${many.toFixed(1)} of 255`);
+        check(many < 6 && many < few / 3, `${few} and then ${many}`);
+        await shoot(page, 'live-samples');
+    },
+
+    async 'a browser without WebGPU shows a small picture and says so'({ open, url, browser }) {
+        const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en-GB' });
+        await context.addInitScript(() => Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined }));
+        const page = await open(url, { context });
+        await digest(page);
+        await page.click('#tab-live');
+        await frame(page);
+        check(await page.isVisible('#live-none'), 'a line says that there is no WebGPU');
+        const shown = await pixels(page, 'live-canvas');
+        equal(shown.width, 160, 'the width');
+        check(new Set(shown.bytes).size > 50, 'the picture has many colours');
+        await page.focus('#live-canvas');
+        check(await change(page, () => page.keyboard.press('ArrowRight')) > 1, 'the view turns');
+        await shoot(page, 'live-without-webgpu');
+    },
+
+    async 'frames of the live view are counted'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await page.waitForFunction(() => document.getElementById('examples').length > 1);
+        await page.selectOption('#examples', 'materials');
+        await page.click('#cancel');
+        await page.click('#tab-live');
+        const first = await frame(page);
+        const rate = await page.evaluate(async (start) => {
+            const canvas = document.getElementById('live-canvas');
+            const begin = performance.now();
+            while (performance.now() - begin < 5000) {
+                canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+                await new Promise((ready) => setTimeout(ready, 15));
+            }
+            return ((Number(canvas.dataset.frames) - start) * 1000) / (performance.now() - begin);
+        }, first);
+        console.log(`${rate.toFixed(1)} frames a second of scenes/materials, ${await page.textContent('#live-status')}`);
+        check(rate > Number(process.env.LEAST_RATE ?? 0.5), `${rate} frames a second`);
+    },
+};

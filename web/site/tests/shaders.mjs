@@ -1,0 +1,94 @@
+// Tests of the shaders: edited modules, faults at their lines, sliders and colour pickers.
+import { check, equal, frame, pixels, rmse, shoot } from './tools.mjs';
+import { openLive } from './live.mjs';
+
+/** Opens the live view with the editor of a module. */
+export async function openModule(open, url, name) {
+    const page = await openLive(open, url);
+    await page.click('#shader-part summary');
+    await page.selectOption('#module', name);
+    return page;
+}
+
+/** Replaces a part of the module's text, and returns the new text. */
+export async function edit(page, from, to) {
+    const text = await moduleText(page);
+    check(text.includes(from), `the module has [${from}]`);
+    await page.focus('#shader-editor .cm-content');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(text.replace(from, to));
+    return text.replace(from, to);
+}
+
+/** Returns the text of the module, of which the editor shows a part. */
+export const moduleText = (page) => page.evaluate(() => {
+    const { state } = document.querySelector('#shader-editor .cm-content').cmTile?.view
+        ?? document.querySelector('#shader-editor .cm-content').cmView.view;
+    return state.doc.toString();
+});
+
+/** Waits until the view differs from `before`, and returns by how much. */
+async function differs(page, before) {
+    for (let tries = 0; tries < 300; tries++) {
+        const now = rmse((await pixels(page, 'live-canvas')).bytes, before.bytes);
+        if (now > 0) {
+            return now;
+        }
+        await page.waitForTimeout(100);
+    }
+    throw new Error('the view has not changed');
+}
+
+export const tests = {
+    async 'an edited module changes the live view, and a fault keeps the last good picture'({ open, url }) {
+        const page = await openModule(open, url, 'background');
+        const first = await pixels(page, 'live-canvas');
+        await edit(page, 'background.light * (real(1.0) - m)', 'background.dark * (real(1.0) - m)');
+        check(await differs(page, first) > 1, 'the background is another');
+        const second = await pixels(page, 'live-canvas');
+        await edit(page, 'direction.y /', 'direktion.y /');
+        await page.waitForSelector('#shader-editor .cm-lintRange-error');
+        equal(await page.textContent('#shader-editor .cm-lintRange-error'), 'direktion', 'the marked word');
+        equal(await page.textContent('#shader-faults button'), 'background Line 11', 'the place');
+        check((await page.textContent('#shader-faults pre')).includes('direktion'), 'the message');
+        equal(rmse((await pixels(page, 'live-canvas')).bytes, second.bytes), 0, 'the last good picture');
+        await shoot(page, 'shader-fault');
+
+        await page.selectOption('#module', 'sphere');
+        await page.click('#shader-faults button');
+        equal(await page.inputValue('#module'), 'background', 'the button goes to the module');
+        equal(await page.locator('#module option:text-is("* background")').count(), 1, 'the changed module has a star');
+        await page.reload();
+        await page.waitForSelector('#shader-editor .cm-content');
+        check((await moduleText(page)).includes('direktion.y'), 'the broken module is kept');
+        await page.click('#tab-live');
+        await page.waitForSelector('#shader-faults pre');
+        await page.click('#shader-reset');
+        await frame(page);
+        await page.waitForFunction(() => !document.querySelector('#shader-faults pre'));
+        equal(rmse((await pixels(page, 'live-canvas')).bytes, first.bytes), 0, 'the picture of the original text');
+    },
+
+    async 'a slider and a colour picker change the text and the view'({ open, url }) {
+        const page = await openModule(open, url, 'background');
+        const first = await pixels(page, 'live-canvas');
+        const formula = 'return background.light * (real(1.0) - m) + background.dark * m;';
+        await edit(page, formula, `return gain * tint * m;`);
+        await page.waitForSelector('#shader-faults pre');
+        await edit(page, 'fn background_color', 'override gain: f32 = 0.5; // slider 0..2 step .25\n'
+            + 'const tint = vec3<real>(1.0, 0.5, 0.2); // color\nfn background_color');
+        check(await differs(page, first) > 1, 'the constants count');
+        equal(await page.locator('#knobs input').count(), 2, 'a slider and a picker');
+        const second = await pixels(page, 'live-canvas');
+        await page.focus('#knobs input[type=range]');
+        await page.keyboard.press('ArrowRight');
+        check(await differs(page, second) > 1, 'the slider changes the view');
+        check((await moduleText(page)).includes('gain: f32 = 0.75; // slider'), 'the slider changes the text');
+        const third = await pixels(page, 'live-canvas');
+        await page.fill('#knobs input[type=color]', '#00ff80');
+        check(await differs(page, third) > 1, 'the picker changes the view');
+        check((await moduleText(page)).includes('vec3<real>(0.0, 1.0, 0.502); // color'), await moduleText(page));
+        await shoot(page, 'shader-knobs');
+        equal(await page.textContent('#shader-faults'), '', 'there is no fault');
+    },
+};

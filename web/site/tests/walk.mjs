@@ -1,0 +1,98 @@
+// The walk of docs/shader-lab.md: a colour, a formula with a slider, and a planted fault. With the variable WALK, which
+// names a folder, it writes the pictures of that page.
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { figures, FAULT } from './compare.mjs';
+import { edit } from './shaders.mjs';
+import { check, digest, equal, frame, pixels, rmse, textOf, type } from './tools.mjs';
+
+/** Largest height of a picture in pixels. */
+const HIGHEST = 700;
+
+/** Writes a picture of a part of the page. */
+async function picture(page, selector, name) {
+    if (process.env.WALK) {
+        mkdirSync(process.env.WALK, { recursive: true });
+        await page.evaluate((parts) => document.querySelector(parts).scrollIntoView(), selector);
+        const { x, y, width, height } = await page.locator(selector).boundingBox();
+        const clip = { x, y, width, height: Math.min(height, HIGHEST) };
+        await page.screenshot({ path: join(process.env.WALK, `${name}.png`), clip });
+    }
+}
+
+/** Acts, waits for the next frame, and returns by how much the live view has changed. */
+async function change(page, act) {
+    const [before, number] = [await pixels(page, 'live-canvas'), await frame(page)];
+    await act();
+    await frame(page, number);
+    await page.waitForTimeout(500);
+    return rmse((await pixels(page, 'live-canvas')).bytes, before.bytes);
+}
+
+export const tests = {
+    async 'the walk through the page changes a colour, a formula, and finds a planted fault'({ open, url }) {
+        const page = await open(url, { viewport: { width: 1000, height: 760 } });
+        await digest(page);
+        await page.waitForFunction(() => document.getElementById('examples').length > 1);
+        await page.selectOption('#examples', 'materials');
+        await page.click('#cancel');
+        await type(page, 'config', (await textOf(page, 'config')).replace('image_width: 480', 'image_width: 240'));
+        await page.click('#tab-live');
+        await frame(page);
+        await page.waitForTimeout(1500);
+        await picture(page, '.result', 'live');
+
+        // 1. A colour.
+        const scene = await textOf(page, 'scene');
+        check(scene.includes('matte: red .85 .2 .2'), 'the scene has a red material');
+        const colour = await change(page, () => type(page, 'scene', scene.replace('red .85 .2 .2', 'red .2 .7 .3')));
+        check(colour > 1, `another colour changes the view by ${colour}`);
+
+        // 2. A formula, with a slider.
+        await page.click('#shader-part summary');
+        await page.selectOption('#module', 'background');
+        await edit(page, 'background.dark * m;', 'background.dark * m * gain;');
+        await page.waitForSelector('#shader-faults pre');
+        equal(await page.textContent('#shader-editor .cm-lintRange-error'), 'gain', 'the unknown name is marked');
+        check(await change(page, () => edit(page, 'fn background_color',
+            'override gain: f32 = 0.5; // slider 0..2 step .01\nfn background_color')) > 1, 'the formula changes the view');
+        await page.fill('#knobs input', '1.6');
+        await page.waitForTimeout(1500);
+        await picture(page, '#shader-part', 'formula');
+        await page.click('#shader-reset');
+
+        // 3. A planted fault.
+        await page.selectOption('#module', 'sphere');
+        await edit(page, ...FAULT);
+        await page.waitForFunction(() => localStorage.getItem('render.modules').includes('sphere'));
+        await page.click('#tab-compare');
+        await figures(page);
+        await page.selectOption('#compare-with', 'f32');
+        await page.waitForTimeout(500);
+        const differing = await figures(page);
+        check(differing > 0, `${differing} pixels differ`);
+        await page.selectOption('#compare-view', 'ulps');
+        console.log(await page.textContent('#compare-figures'));
+        await picture(page, '.result', 'compare');
+        const map = await pixels(page, 'compare-map');
+        const marked = Array.from({ length: map.width * map.height }, (_, index) => index).filter((index) => map.bytes[3 * index] > 0);
+        // Most faults are at the first hit. A later one is carried on from there, or of a ray inside an object.
+        for (const chosen of marked.slice(0, 20)) {
+            await page.click('#tab-compare');
+            const box = await page.locator('#compare-stage').boundingBox();
+            await page.click('#compare-stage', { position: {
+                x: (((chosen % map.width) + 0.5) / map.width) * box.width,
+                y: ((Math.floor(chosen / map.width) + 0.5) / map.height) * box.height,
+            } });
+            const column = String(chosen % map.width);
+            await page.waitForFunction((place) => document.getElementById('pixel-column').value === place, column);
+            await page.waitForTimeout(700);
+            if ((await page.textContent('#pixel-first')).includes('step 0')) {
+                break;
+            }
+        }
+        console.log(await page.textContent('#pixel-first'));
+        check((await page.textContent('#pixel-first')).includes(', lambda'), 'the fault is in the distance of a hit');
+        await picture(page, '#pixel-pane', 'pixel');
+    },
+};
