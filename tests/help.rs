@@ -90,8 +90,8 @@ fn path(program: &Program, messages: &[Value]) -> PathBuf {
     PathBuf::from(text(&message["executable"]))
 }
 
-/// Adds the time of the last change of each file in `folder` to `found`. The folders `target`, `.git` and `node_modules`,
-/// whose scripts are those of other projects, are left out.
+/// Adds the time of the last change of each file in `folder` to `found`. The folders `target`, `.git` and
+/// `node_modules`, whose scripts are those of other projects, are left out.
 fn changes(folder: &Path, found: &mut BTreeMap<PathBuf, SystemTime>) {
     for entry in std::fs::read_dir(folder).expect("the folder is readable") {
         let path = entry.expect("the folder is readable").path();
