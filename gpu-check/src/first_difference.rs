@@ -1,9 +1,9 @@
 //! Finds the first function in which WGSL leaves Rust.
 //!
-//! A picture or a kernel runs once with a trace of all its calls ([`shaders::call_trace`]): one pixel, or one case. Rust
-//! repeats every call with the arguments that WGSL had ([`twins`]). A call comes after the calls inside it, so the first
-//! call with another result is the innermost one: its own statements are wrong, or those of a function inside it that
-//! has no twin. If every call has Rust's result, then a path passes other arguments to a function than Rust
+//! A picture or a kernel runs once with a trace of all its calls ([`shaders::call_trace`]): one pixel, or one case.
+//! Rust repeats every call with the arguments that WGSL had ([`twins`]). A call comes after the calls inside it, so the
+//! first call with another result is the innermost one: its own statements are wrong, or those of a function inside it
+//! that has no twin. If every call has Rust's result, then a path passes other arguments to a function than Rust
 //! ([`path`]), or ends otherwise.
 
 mod arguments;

@@ -11,8 +11,8 @@ use gpu_check::mutants::{self, Examiner, Mutant};
 use gpu_check::{Picture, features_of, scenes};
 use shaders::Library;
 
-/// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a case or a pixel
-/// that differs takes seconds.
+/// One of this many mutants is tried, unless the variable `FIRST_DIFFERENCES` is `all`: the search for a case or a
+/// pixel that differs takes seconds.
 const STEP: usize = 8;
 
 /// Whether the search names the mutant's function. If the changed line is in no function with a result, such as

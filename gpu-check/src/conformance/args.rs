@@ -17,7 +17,7 @@ Examples:
   WGPU_ADAPTER_NAME=nvidia conformance --json nvidia.json
 
 A verdict is one of these: as written; rewritten, with the name of an allowed rewriting; within error, with the name of
-the allowed error; refused, where a program may be refused; not available, if the adapter lacks f64; or FAILURE.
+the allowed error; refused, where a program may be refused; not available, if the adapter lacks f64; or failure.
 
 Exit status: 0 no driver fails a probe
              1 a driver fails a probe

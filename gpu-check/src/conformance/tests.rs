@@ -117,7 +117,7 @@ fn outcomes_without_results_get_their_verdicts() {
     assert_eq!(Verdict::of(named("sin-f64"), &refused), Verdict::Refused);
     let verdict = Verdict::of(named("sin"), &refused);
     assert!(verdict.is_failure());
-    assert_eq!(verdict.to_string(), "FAILURE: refused: no such function");
+    assert_eq!(verdict.to_string(), "failure: refused: no such function");
     assert!(Verdict::of(named("sin"), &Outcome::Unwritten(3)).is_failure());
     assert!(Verdict::of(named("sin"), &Outcome::Results(Vec::new())).is_failure());
     assert!(!Verdict::of(named("sin-f64"), &Outcome::NotAvailable("f64")).is_failure());

@@ -119,7 +119,7 @@ impl fmt::Display for Verdict {
             Self::Rewritten(name) => write!(f, "rewritten: {name}"),
             Self::WithinError(name) => write!(f, "within error: {name}"),
             Self::NotAvailable(what) => write!(f, "not available ({what})"),
-            Self::Failure(failure) => write!(f, "FAILURE: {failure}"),
+            Self::Failure(failure) => write!(f, "failure: {failure}"),
         }
     }
 }

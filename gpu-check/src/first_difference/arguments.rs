@@ -75,8 +75,8 @@ impl<T: Float> Arguments<'_, T> {
         PackedMaterial { reflectance, index, extent, kind: kind.unwrap_or(Kind::Refractive) }
     }
 
-    /// Returns the number in [0, 1) of the next word of a generator, or `None` in f32, which does not hold the halves of
-    /// every word.
+    /// Returns the number in [0, 1) of the next word of a generator, or `None` in f32, which does not hold the halves
+    /// of every word.
     pub fn canonical(&mut self) -> Option<T> {
         let (lower, upper) = (self.number(), self.number());
         (size_of::<T>() == size_of::<f64>()).then(|| canonical([lower, upper]))

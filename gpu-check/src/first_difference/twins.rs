@@ -1,5 +1,5 @@
-//! The Rust twins of the functions in WGSL, by name. Each takes the numbers of the arguments, and returns the numbers of
-//! the result.
+//! The Rust twins of the functions in WGSL, by name. Each takes the numbers of the arguments, and returns the numbers
+//! of the result.
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::camera::Camera;
@@ -23,8 +23,8 @@ use twin::trace::scattered;
 /// The numbers of a result. `None` stands for a number that has no meaning, such as the lambda of a miss.
 pub type Numbers<T> = Vec<Option<T>>;
 
-/// A function in Rust that repeats a call. It takes the picture, if one is rendered, and the numbers of the arguments. It
-/// returns `None` if it cannot repeat this call.
+/// A function in Rust that repeats a call. It takes the picture, if one is rendered, and the numbers of the arguments.
+/// It returns `None` if it cannot repeat this call.
 pub type Twin<T> = fn(Option<&Picture<T>>, Arguments<'_, T>) -> Option<Numbers<T>>;
 
 /// Returns the twin of the function `name`, or `None` if it has none: its formula is a part of another function in

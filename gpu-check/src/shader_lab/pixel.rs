@@ -66,8 +66,8 @@ pub fn colors<T: Float>(cpu: [T; 3], wgsl: [T; 3]) -> String {
     text
 }
 
-/// Returns both numbers in binary on two lines and a caret below, with blanks between sign, exponent and fraction. A caret marks the
-/// first bit that differs.
+/// Returns both numbers in binary on two lines and a caret below, with blanks between sign, exponent and fraction. A
+/// caret marks the first bit that differs.
 pub fn bits<T: Float>(a: T, b: T) -> String {
     let (width, exponent) = if size_of::<T>() == 8 { (64, 11) } else { (32, 8) };
     let binary = |number: T| {

@@ -4,8 +4,9 @@ use gpu_check::conformance::probe::Probe;
 use gpu_check::conformance::verdict::Verdict;
 use gpu_check::scenes::repository;
 
-/// Checks that `verdicts` are those in the table's column of this driver, which is counted from 1. Returns the number of
-/// failures. The number of wrong cases is not compared, because it depends on how many invocations a driver runs at once.
+/// Checks that `verdicts` are those in the table's column of this driver, which is counted from 1. Returns the number
+/// of failures. The number of wrong cases is not compared, because it depends on how many invocations a driver runs at
+/// once.
 pub fn check(probes: &[Probe], verdicts: &[Verdict], driver: usize) -> usize {
     let page = std::fs::read_to_string(repository("docs/gpu.md")).expect("it is committed");
     let (_, table) = page.split_once("| Probe | Program | Driver 1 |").expect("the page has the table");
@@ -24,7 +25,7 @@ pub fn check(probes: &[Probe], verdicts: &[Verdict], driver: usize) -> usize {
             None if others.contains(&name.as_str()) => "as written".to_owned(),
             None => "nothing".to_owned(),
         };
-        let is_same = documented == shown || (documented.starts_with("FAILURE") && verdict.is_failure());
+        let is_same = documented == shown || (documented.starts_with("failure") && verdict.is_failure());
         if !is_same {
             different.push(format!("{name}: the page has [{documented}], and the driver is [{shown}]"));
         }
