@@ -35,11 +35,11 @@ fn programs(names: &[&str]) -> Folder {
 
 #[test]
 fn tests_run_lists_what_is_missing_and_installs_nothing_where_it_must_not() {
-    let folder = programs(&["cargo", "dpkg-query", "apt-get"]);
+    let folder = programs(&["cargo", "rustc", "dpkg-query", "apt-get"]);
     let output = script("tests/run", &["--no-install", "--browser", "--slurm"], &folder);
     assert_eq!(output.status.code(), Some(1));
     let message = String::from_utf8(output.stderr).expect("it is text");
-    let list = "mesa-vulkan-drivers valgrind strace chromium slurm-wlm munge";
+    let list = "mesa-vulkan-drivers valgrind strace chromium npm rustc-web rust-web-src lld slurm-wlm munge";
     assert!(message.starts_with(&format!("tests/run: missing: {list}; as root: apt-get install")), "{message}");
     // Without `--no-install` the script prints the names of the packages, and then installs them. In this test apt-get
     // fails.
