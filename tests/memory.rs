@@ -60,7 +60,7 @@ unsafe impl GlobalAlloc for Refusing {
 /// Runs `action` again and again. The first time, its first request for at least `least` bytes is refused, then its
 /// second, and so on. Ends when the action makes no further request, and returns the number of requests. `what` names
 /// the action.
-fn refused(what: &str, least: usize, action: impl Fn() -> Result<(), Error>) -> usize {
+fn refused(what: &str, least: usize, mut action: impl FnMut() -> Result<(), Error>) -> usize {
     for number in 0.. {
         REFUSING.left.store(number, Ordering::Relaxed);
         REFUSING.least.store(least, Ordering::Relaxed);
@@ -101,11 +101,11 @@ fn config() -> Config {
 fn preparation<L: Layout>(count: usize) {
     let (config, scene) = (config(), scene(count));
     let camera = config.image_size().and_then(|size| Camera::new(&config, size)).expect("there is a picture");
-    let objects = L::Objects::build(&scene).expect("there is enough memory");
+    let mut objects = L::Objects::build(&scene).expect("there is enough memory");
     let extent = Extent::new(&objects, &camera, &scene.materials);
     assert!(extent.moderate, "there is something to prepare");
     assert!(refused("objects", 1, || L::Objects::build(&scene).map(drop)) >= 2);
-    assert!(refused("search", 1, || Accel::new(&objects, &extent).map(drop)) >= 1);
+    assert!(refused("search", 1, || Accel::new(&mut objects, &extent).map(drop)) >= 1);
 }
 
 /// Smallest size in bytes of a request that is refused while a picture is rendered. Blocks of fixed size are smaller.

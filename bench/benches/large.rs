@@ -62,9 +62,9 @@ fn read() {
     let config = generator::view(&options);
     let camera = Camera::new(&config, config.image_size().expect("it is small")).expect("it sees the scene");
     let build = || {
-        let objects = AosObjects::build(&scene).expect("it fits");
+        let mut objects = AosObjects::build(&scene).expect("it fits");
         let extent = Extent::new(&objects, &camera, &scene.materials_in_use().expect("they fit"));
-        let search = Accel::new(&objects, &extent).expect("it fits");
+        let search = Accel::new(&mut objects, &extent).expect("it fits");
         assert!(matches!(search, Accel::Bvh(_)) && order_of(&objects, 0) < OBJECTS as u32);
         search
     };

@@ -6,6 +6,7 @@
 //! Uses [`geometry`](crate::geometry), [`image`](crate::image) and [`input`](crate::input). Begin with [`aos`].
 
 pub mod aos;
+mod huge_pages;
 pub mod soa;
 
 use crate::{
@@ -61,6 +62,26 @@ pub trait Objects: Sized {
     /// # Panics
     /// If there is no such cylinder.
     fn axis(&self, index: usize) -> Vec3;
+    /// Moves the sphere at `spheres[i]` to the index `i`, for each `i`, and the cylinders in the same way. Each list
+    /// must have every index once. Afterwards the lists have no meaning.
+    fn reorder(&mut self, spheres: &mut [u32], cylinders: &mut [u32]);
+}
+
+/// Moves the item at `order[i]` to the index `i`, for each `i`, by calls of `swap` with two indices. `order` must have
+/// every index once. Afterwards each item is where it was to be: `order[i]` is `i`.
+fn reorder(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
+    for first in 0..order.len() {
+        let mut at = first;
+        // This follows a cycle of moves. Each swap brings one item to its place, and the last swap brings two.
+        loop {
+            let from = std::mem::replace(&mut order[at], at as u32) as usize;
+            if from == first {
+                break;
+            }
+            swap(at, from);
+            at = from;
+        }
+    }
 }
 
 /// Returns the objects of `scene` in the order of the scene file, each with its place.
@@ -95,12 +116,15 @@ fn count_kinds(scene: &Scene) -> Result<(usize, usize), Error> {
     Ok((spheres, scene.objects.len() - spheres))
 }
 
-/// Returns an empty list with room for `count` items, for a list of objects.
+/// Returns an empty list with room for `count` items, for a list of objects. A large list is in huge pages if the system
+/// has them.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
 pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
-    error::with_room(count, "the objects")
+    let mut list = error::with_room(count, "the objects")?;
+    huge_pages::ask(&mut list);
+    Ok(list)
 }
 
 #[cfg(test)]
@@ -124,6 +148,10 @@ mod tests {
         let record = CylinderRecord::new([5.0, 6.0, 7.0].into(), 8.0, [0.0, 2.0, 0.0].into());
         assert_eq!(objects.cylinder(0), Placed { record, order: 1, material: 1 });
         assert_eq!(objects.axis(0), Vec3::new(0.0, 2.0, 0.0));
+        let mut objects = objects;
+        objects.reorder(&mut [1, 0], &mut [0]);
+        assert_eq!([0, 1].map(|index| objects.sphere(index).order), [2, 0]);
+        assert_eq!((objects.cylinder(0).order, objects.axis(0)), (1, Vec3::new(0.0, 2.0, 0.0)));
         let empty = L::Objects::build(&Scene::default()).expect("nothing fits");
         assert_eq!((empty.sphere_count(), empty.cylinder_count()), (0, 0));
     }
@@ -143,6 +171,17 @@ mod tests {
         assert!(matches!(count_kinds(&scene), Ok((2, 1))));
         assert!(with_room::<u64>(5).is_ok_and(|list| list.is_empty() && list.capacity() >= 5));
         assert!(matches!(with_room::<u64>(usize::MAX / 8), Err(Error::OutOfMemory { .. })));
+    }
+
+    #[test]
+    fn items_are_moved_to_the_order_of_a_list() {
+        for multiplier in [1, 2, 3, 5, 10] {
+            let order = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map(|index| (index * multiplier + 4) % 11);
+            let mut items = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10];
+            let mut done = order;
+            reorder(&mut done, |left, right| items.swap(left, right));
+            assert_eq!((items, done), (order, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]));
+        }
     }
 
     #[test]

@@ -114,6 +114,11 @@ pub trait SimdF32: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     /// # Panics
     /// If `values` has fewer numbers.
     fn load(values: &[f32]) -> Self;
+    /// Returns the first [`LANES`](Self::LANES) of `bytes`, converted to numbers from 0 to 255.
+    ///
+    /// # Panics
+    /// If `bytes` has fewer entries.
+    fn load_bytes(bytes: &[u8]) -> Self;
     /// Stores the lanes in the first [`LANES`](Self::LANES) numbers of `place`.
     ///
     /// # Panics
@@ -130,10 +135,4 @@ pub trait SimdF32: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output =
     /// Compares the lanes. Bit `i` of the result is 1 if `self <= other` in lane `i`. If one of the two is NaN, the bit
     /// is 0.
     fn less_equal(self, other: Self) -> u32;
-    /// Compares the first [`LANES`](Self::LANES) of `numbers` with `number`. Bit `i` of the result is 1 if `numbers[i]`
-    /// equals `number`.
-    ///
-    /// # Panics
-    /// If `numbers` has fewer entries.
-    fn places_of(number: u32, numbers: &[u32]) -> u32;
 }

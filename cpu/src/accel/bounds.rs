@@ -57,6 +57,11 @@ impl Bounds {
         Vec3::from([0, 1, 2].map(outside)).length()
     }
 
+    /// Whether the boxes have a point in common.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+    }
+
     /// Returns twice the coordinate of the box's middle along an axis.
     pub fn twice_middle(&self, axis: usize) -> f32 {
         self.low[axis] + self.high[axis]
@@ -136,6 +141,19 @@ mod tests {
         assert_eq!(right.twice_middle(0), 5.0);
         let long = |axis: usize| Bounds { low: [0.0; 3], high: [0, 1, 2].map(|at| if at == axis { 3.0 } else { 1.0 }) };
         assert_eq!([0, 1, 2].map(|axis| long(axis).longest_axis()), [0, 1, 2]);
+    }
+
+    #[test]
+    fn boxes_overlap_where_they_share_a_point() {
+        let left = Bounds { low: [0.0; 3], high: [1.0; 3] };
+        for axis in 0..3 {
+            for (from, overlaps) in [(1.0, true), (1.1, false), (-1.0, true), (-1.1, false), (0.5, true)] {
+                let mut right = left;
+                (right.low[axis], right.high[axis]) = (from, from + 1.0);
+                assert_eq!((left.overlaps(&right), right.overlaps(&left)), (overlaps, overlaps), "{axis}: {from}");
+                assert!(left.overlaps(&right.enlarged(0.2)));
+            }
+        }
     }
 
     #[test]

@@ -7,9 +7,9 @@ pub mod slab_ray;
 pub mod stack;
 
 use crate::accel::{
-    bounds::Bounds, bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::node::Child, bvh::node::HIERARCHY,
-    bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::stack::Stack,
-    closest_hit::ClosestHit, conservative::ConservativeRay, dominant_sphere::DominantSphere,
+    bounds::Bounds, bvh::build::Tree, bvh::build::build, bvh::collapsed_root::CollapsedRoot, bvh::node::HIERARCHY,
+    bvh::node::Kind, bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale,
+    bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay, dominant_sphere::DominantSphere,
     every_object::intersect_every_object, extent::Extent, find::Accelerator, find::Origin, isolated::Isolated,
     object::NO_OBJECT, object::ObjectId, object::count,
 };
@@ -41,18 +41,26 @@ pub struct Bvh {
 }
 
 impl Bvh {
-    /// Builds the tree over `objects`.
+    /// Builds the tree over `objects`, and reorders them so that the objects of a node follow one another.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short, or if there are 2^31 objects or more.
-    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+    pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let count = count(objects);
-        if count >= Child::OBJECT as usize {
+        if count >= 1 << 31 {
             return Err(Error::OutOfMemory { what: HIERARCHY });
         }
-        let dominant = DominantSphere::of(objects);
+        let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
-        let mut nodes = build(count, others.map(|id| (Bounds::of_object(objects, id, extent), id)))?;
+        let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));
+        let Tree { mut nodes, mut spheres, mut cylinders } = build(count, sphere_count, boxes)?;
+        // The dominant sphere is behind all spheres of the tree.
+        let dominant = DominantSphere(dominant.0.map(|id| {
+            spheres.push(id);
+            sphere_count as ObjectId - 1
+        }));
+        cylinders.iter_mut().for_each(|id| *id -= sphere_count as ObjectId);
+        objects.reorder(&mut spheres, &mut cylinders);
         let collapsed_root = CollapsedRoot::new(&mut nodes)?;
         let root = nodes.first().into_iter().flat_map(Node::children);
         let steps = slab_ray::steps(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
@@ -61,16 +69,17 @@ impl Bvh {
         if count <= MOST_FOR_ISOLATION {
             // The boxes are enlarged by more than rounding can move a point of a surface.
             let slack = (1e-9 * extent.max_coordinate) as f32;
+            let bounds_of = |id| Bounds::of_object(objects, id, extent);
             bvh.isolated = Isolated::new(count, |id| {
-                dominant.is(id) || bvh.overlaps_another(id, &Bounds::of_object(objects, id, extent).enlarged(slack))
+                dominant.is(id) || bvh.overlaps_another(id, &bounds_of(id).enlarged(slack), bounds_of)
             })?;
         }
         Ok(bvh)
     }
 
     /// Whether the box of an object other than `id` overlaps the box `bounds`. If [`MOST_VISITS`] visits of nodes do
-    /// not decide this, the result is true.
-    fn overlaps_another(&self, id: ObjectId, bounds: &Bounds) -> bool {
+    /// not decide this, the result is true. `bounds_of` returns the box of an object; those in the tree are larger.
+    fn overlaps_another(&self, id: ObjectId, bounds: &Bounds, bounds_of: impl Fn(ObjectId) -> Bounds) -> bool {
         let (mut pending, mut count) = ([0; MOST_VISITS], 1);
         for _ in 0..MOST_VISITS {
             if count == 0 {
@@ -78,17 +87,15 @@ impl Bvh {
             }
             count -= 1;
             let node = &self.nodes[pending[count] as usize];
-            let mut lanes = node.overlaps(bounds);
-            while lanes != 0 {
-                let child = node.child(lanes.trailing_zeros() as usize);
-                lanes &= lanes - 1;
-                match child.as_object() {
-                    Some(other) if other == id => {}
-                    None if count < MOST_VISITS => {
-                        pending[count] = child.index();
-                        count += 1;
+            for (_, child) in node.children().filter(|(inner, _)| inner.overlaps(bounds)) {
+                if child.kind == Kind::Node {
+                    if count == MOST_VISITS {
+                        return true;
                     }
-                    _ => return true,
+                    pending[count] = child.number;
+                    count += 1;
+                } else if child.number != id && bounds_of(child.number).overlaps(bounds) {
+                    return true;
                 }
             }
         }
@@ -105,45 +112,45 @@ impl Bvh {
         closest: &mut ClosestHit,
         stack: &mut Stack,
     ) {
-        let &Query { objects, ray, from, ref slab_ray } = query;
+        let &Query { objects, ray, from, from_kind, ref slab_ray } = query;
         let mut depth = 0;
         loop {
-            let farthest = farthest(closest);
             add(Counter::NodeVisits, 1);
             let mut distances = [0.0; WIDTH];
-            let mut bits = 0;
-            for at in (0..WIDTH).step_by(S::F32::LANES) {
-                let (near, hit) = slab_ray.intersect(node, at, S::F32::splat(farthest));
-                near.store(&mut distances[at..]);
-                bits |= (hit & !node.lanes_of::<S::F32>(from, at)) << at;
+            let bits = slab_ray.intersect(node, farthest(closest), &mut distances) & !node.lane_of(from_kind, from);
+            let [nodes, spheres, cylinders] = node.lanes();
+            let (mut nodes, mut spheres, mut cylinders) = (nodes & bits, spheres & bits, cylinders & bits);
+            while spheres != 0 {
+                let lane = spheres.trailing_zeros() as usize % WIDTH;
+                spheres &= spheres - 1;
+                closest.intersect_sphere(objects, node.number(Kind::Sphere, lane) as usize, ray);
             }
-            let (mut hit_objects, mut nodes) = (bits & node.objects, bits & !node.objects);
-            while hit_objects != 0 {
-                let lane = hit_objects.trailing_zeros() as usize % WIDTH;
-                hit_objects &= hit_objects - 1;
-                closest.intersect(objects, node.child(lane).index(), ray);
+            while cylinders != 0 {
+                let lane = cylinders.trailing_zeros() as usize % WIDTH;
+                cylinders &= cylinders - 1;
+                let id = node.number(Kind::Cylinder, lane) as usize;
+                closest.intersect_cylinder(objects, id - objects.sphere_count(), ray);
             }
             if nodes == 0 && depth == 0 {
                 return;
             }
             if nodes.is_power_of_two() {
                 // A single child is visited without the stack.
-                let only = node.child(nodes.trailing_zeros() as usize % WIDTH);
-                node = &self.nodes[only.index() as usize];
+                node = &self.nodes[node.number(Kind::Node, nodes.trailing_zeros() as usize % WIDTH) as usize];
                 continue;
             }
             let first = depth;
             while nodes != 0 {
                 let lane = nodes.trailing_zeros() as usize % WIDTH;
                 nodes &= nodes - 1;
-                stack.push_sorted(&mut depth, first, (node.child(lane).index(), distances[lane]));
+                stack.push_sorted(&mut depth, first, (node.number(Kind::Node, lane), distances[lane]));
             }
             loop {
                 if depth == 0 {
                     return;
                 }
                 let (next, distance) = stack.pop(&mut depth);
-                if distance <= self::farthest(closest) {
+                if distance <= farthest(closest) {
                     node = &self.nodes[next as usize];
                     break;
                 }
@@ -164,9 +171,9 @@ impl Bvh {
         while let Some(index) = pending.pop() {
             for (bounds, child) in self.nodes[index as usize].children() {
                 if may_reach(&bounds) {
-                    match child.as_object() {
-                        Some(id) => visit(id),
-                        None => pending.push(child.index()),
+                    match child.kind {
+                        Kind::Node => pending.push(child.number),
+                        Kind::Sphere | Kind::Cylinder => visit(child.number),
                     }
                 }
             }
@@ -180,6 +187,8 @@ struct Query<'a, O, F> {
     ray: &'a Ray,
     /// The object on which the ray starts.
     from: ObjectId,
+    /// Whether that object is a sphere or a cylinder.
+    from_kind: Kind,
     slab_ray: SlabRay<F>,
 }
 
@@ -215,7 +224,8 @@ impl Accelerator for Bvh {
                 }
             }
         }
-        let query = Query { objects, ray, from, slab_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
+        let from_kind = if (from as usize) < objects.sphere_count() { Kind::Sphere } else { Kind::Cylinder };
+        let query = Query { objects, ray, from, from_kind, slab_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
         if S::F32::LANES < WIDTH {
             self.traverse::<S, O>(&self.nodes[0], &query, &mut closest, stack);
             return closest;

@@ -38,11 +38,11 @@ pub enum Accel {
 }
 
 impl Accel {
-    /// Returns the structure that fits the objects.
+    /// Returns the structure that fits the objects. A [`Bvh`] reorders them, so their numbers change.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(objects: &impl Objects, extent: &Extent) -> Result<Self, Error> {
+    pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let most_of_a_kind = objects.sphere_count().max(objects.cylinder_count());
         Ok(if !extent.moderate {
             Self::EveryObject

@@ -83,4 +83,12 @@ impl Objects for AosObjects {
     fn axis(&self, index: usize) -> Vec3 {
         self.axes[index]
     }
+
+    fn reorder(&mut self, spheres: &mut [u32], cylinders: &mut [u32]) {
+        layout::reorder(spheres, |left, right| self.spheres.swap(left, right));
+        layout::reorder(cylinders, |left, right| {
+            self.cylinders.swap(left, right);
+            self.axes.swap(left, right);
+        });
+    }
 }

@@ -66,6 +66,12 @@ impl Vectors {
         self.z.push(vector.z);
     }
 
+    fn swap(&mut self, left: usize, right: usize) {
+        for numbers in [&mut self.x, &mut self.y, &mut self.z] {
+            numbers.swap(left, right);
+        }
+    }
+
     #[inline(always)]
     fn get(&self, index: usize) -> Vec3 {
         Vec3::new(self.x[index], self.y[index], self.z[index])
@@ -105,6 +111,13 @@ impl Common {
         self.radius.push(radius);
         self.order.push(order);
         self.material.push(material);
+    }
+
+    fn swap(&mut self, left: usize, right: usize) {
+        self.center.swap(left, right);
+        self.radius.swap(left, right);
+        self.order.swap(left, right);
+        self.material.swap(left, right);
     }
 }
 
@@ -166,5 +179,15 @@ impl Objects for SoaObjects {
 
     fn axis(&self, index: usize) -> Vec3 {
         self.file_axis.get(index)
+    }
+
+    fn reorder(&mut self, spheres: &mut [u32], cylinders: &mut [u32]) {
+        layout::reorder(spheres, |left, right| self.spheres.swap(left, right));
+        layout::reorder(cylinders, |left, right| {
+            self.cylinders.swap(left, right);
+            self.axis.swap(left, right);
+            self.file_axis.swap(left, right);
+            self.half_height.swap(left, right);
+        });
     }
 }

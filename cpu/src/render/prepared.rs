@@ -52,7 +52,7 @@ impl<L: Layout> Prepared<L> {
     pub fn new(config: &Config, scene: &Scene, scatter: Scatter) -> Result<Self, Error> {
         let size = config.image_size()?;
         let camera = Camera::new(config, size)?;
-        let objects = L::Objects::build(scene)?;
+        let mut objects = L::Objects::build(scene)?;
         let materials = scene.materials_in_use()?;
         let extent = Extent::new(&objects, &camera, &materials);
         let mut prepared_materials = with_room(scene.materials.len(), "the materials")?;
@@ -63,7 +63,7 @@ impl<L: Layout> Prepared<L> {
             camera,
             background: Background::new(config),
             moderate: extent.moderate,
-            accel: Accel::new(&objects, &extent)?,
+            accel: Accel::new(&mut objects, &extent)?,
             objects,
             materials: prepared_materials,
             quantizer: Quantizer::new(config.gamma),

@@ -123,6 +123,9 @@ impl SimdF32 for F32 {
     intrinsics! {
         fn splat(value: f32) -> Self { Self(_mm256_set1_ps(value)) }
         fn load(values: &[f32]) -> Self { Self(_mm256_loadu_ps(values[..Self::LANES].as_ptr())) }
+        fn load_bytes(bytes: &[u8]) -> Self {
+            Self(_mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64(bytes[..Self::LANES].as_ptr().cast()))))
+        }
         fn store(self, place: &mut [f32]) { _mm256_storeu_ps(place[..Self::LANES].as_mut_ptr(), self.0) }
         fn mul_add(self, factor: Self, term: Self) -> Self { Self(_mm256_fmadd_ps(self.0, factor.0, term.0)) }
         fn negative_mul_add(self, factor: Self, term: Self) -> Self { Self(_mm256_fnmadd_ps(self.0, factor.0, term.0)) }
@@ -130,11 +133,6 @@ impl SimdF32 for F32 {
         fn max(self, other: Self) -> Self { Self(_mm256_max_ps(self.0, other.0)) }
         fn less_equal(self, other: Self) -> u32 {
             _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32
-        }
-        fn places_of(number: u32, numbers: &[u32]) -> u32 {
-            let numbers = _mm256_loadu_si256(numbers[..Self::LANES].as_ptr().cast());
-            let equal = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(number as i32));
-            _mm256_movemask_ps(_mm256_castsi256_ps(equal)) as u32
         }
     }
 }

@@ -134,15 +134,14 @@ impl SimdF32 for F32 {
     intrinsics! {
         fn splat(value: f32) -> Self { Self(_mm512_set1_ps(value)) }
         fn load(values: &[f32]) -> Self { Self(_mm512_loadu_ps(values[..Self::LANES].as_ptr())) }
+        fn load_bytes(bytes: &[u8]) -> Self {
+            Self(_mm512_cvtepi32_ps(_mm512_cvtepu8_epi32(_mm_loadu_si128(bytes[..Self::LANES].as_ptr().cast()))))
+        }
         fn store(self, place: &mut [f32]) { _mm512_storeu_ps(place[..Self::LANES].as_mut_ptr(), self.0) }
         fn mul_add(self, factor: Self, term: Self) -> Self { Self(_mm512_fmadd_ps(self.0, factor.0, term.0)) }
         fn negative_mul_add(self, factor: Self, term: Self) -> Self { Self(_mm512_fnmadd_ps(self.0, factor.0, term.0)) }
         fn min(self, other: Self) -> Self { Self(_mm512_min_ps(self.0, other.0)) }
         fn max(self, other: Self) -> Self { Self(_mm512_max_ps(self.0, other.0)) }
         fn less_equal(self, other: Self) -> u32 { u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)) }
-        fn places_of(number: u32, numbers: &[u32]) -> u32 {
-            let numbers = _mm512_loadu_si512(numbers[..Self::LANES].as_ptr().cast());
-            u32::from(_mm512_cmpeq_epi32_mask(numbers, _mm512_set1_epi32(number as i32)))
-        }
     }
 }

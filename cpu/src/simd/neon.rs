@@ -148,6 +148,11 @@ impl SimdF32 for F32 {
     intrinsics! {
         fn splat(value: f32) -> Self { Self(vdupq_n_f32(value)) }
         fn load(values: &[f32]) -> Self { Self(vld1q_f32(values[..Self::LANES].as_ptr())) }
+        fn load_bytes(bytes: &[u8]) -> Self {
+            let four = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+            let wide = vget_low_u16(vmovl_u8(vcreate_u8(u64::from(four))));
+            Self(vcvtq_f32_u32(vmovl_u16(wide)))
+        }
         fn store(self, place: &mut [f32]) { vst1q_f32(place[..Self::LANES].as_mut_ptr(), self.0) }
         fn mul_add(self, factor: Self, term: Self) -> Self { Self(vfmaq_f32(term.0, self.0, factor.0)) }
         fn negative_mul_add(self, factor: Self, term: Self) -> Self { Self(vfmsq_f32(term.0, self.0, factor.0)) }
@@ -155,8 +160,5 @@ impl SimdF32 for F32 {
         fn min(self, other: Self) -> Self { Self(vbslq_f32(vcltq_f32(self.0, other.0), self.0, other.0)) }
         fn max(self, other: Self) -> Self { Self(vbslq_f32(vcgtq_f32(self.0, other.0), self.0, other.0)) }
         fn less_equal(self, other: Self) -> u32 { bits(vcleq_f32(self.0, other.0)) }
-        fn places_of(number: u32, numbers: &[u32]) -> u32 {
-            bits(vceqq_u32(vld1q_u32(numbers[..Self::LANES].as_ptr()), vdupq_n_u32(number)))
-        }
     }
 }

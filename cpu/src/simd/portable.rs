@@ -121,14 +121,12 @@ impl SimdF32 for Array<f32> {
     functions! {
         fn splat(value: f32) -> Self { Self([value; 4]) }
         fn load(values: &[f32]) -> Self { Self::first(values) }
+        fn load_bytes(bytes: &[u8]) -> Self { Self([0, 1, 2, 3].map(|lane| f32::from(bytes[lane]))) }
         fn store(self, place: &mut [f32]) { place[..4].copy_from_slice(&self.0) }
         fn mul_add(self, factor: Self, term: Self) -> Self { self * factor + term }
         fn negative_mul_add(self, factor: Self, term: Self) -> Self { term - self * factor }
         fn min(self, other: Self) -> Self { Self::choose(self.compare(other, f32::lt), self, other) }
         fn max(self, other: Self) -> Self { Self::choose(self.compare(other, f32::gt), self, other) }
         fn less_equal(self, other: Self) -> u32 { self.compare(other, f32::le).bits() }
-        fn places_of(number: u32, numbers: &[u32]) -> u32 {
-            Array([number; 4]).compare(Array::first(numbers), u32::eq).bits()
-        }
     }
 }

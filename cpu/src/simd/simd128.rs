@@ -113,6 +113,10 @@ impl SimdF32 for F32 {
     intrinsics! {
         fn splat(value: f32) -> Self { Self(f32x4_splat(value)) }
         fn load(values: &[f32]) -> Self { Self(v128_load(values[..Self::LANES].as_ptr().cast())) }
+        fn load_bytes(bytes: &[u8]) -> Self {
+            let four = v128_load32_zero(bytes[..Self::LANES].as_ptr().cast());
+            Self(f32x4_convert_u32x4(u32x4_extend_low_u16x8(u16x8_extend_low_u8x16(four))))
+        }
         fn store(self, place: &mut [f32]) { v128_store(place[..Self::LANES].as_mut_ptr().cast(), self.0) }
         fn mul_add(self, factor: Self, term: Self) -> Self { self * factor + term }
         fn negative_mul_add(self, factor: Self, term: Self) -> Self { term - self * factor }
@@ -120,9 +124,5 @@ impl SimdF32 for F32 {
         fn min(self, other: Self) -> Self { Self(f32x4_pmin(other.0, self.0)) }
         fn max(self, other: Self) -> Self { Self(f32x4_pmax(other.0, self.0)) }
         fn less_equal(self, other: Self) -> u32 { u32::from(i32x4_bitmask(f32x4_le(self.0, other.0))) }
-        fn places_of(number: u32, numbers: &[u32]) -> u32 {
-            let numbers = v128_load(numbers[..Self::LANES].as_ptr().cast());
-            u32::from(i32x4_bitmask(i32x4_eq(numbers, u32x4_splat(number))))
-        }
     }
 }

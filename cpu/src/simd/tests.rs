@@ -137,11 +137,14 @@ impl Kernel for Singles {
                 assert_eq!(at_most >> S::F32::LANES.min(31), 0);
             }
         }
-        let numbers = [7, 0, 7, u32::MAX, 1 << 31, 7, 8, 9, 7, 1, 2, 3, 4, 5, 6, u32::MAX];
-        for number in [7, 8, 1 << 31, u32::MAX, 77] {
-            let expected = (0..S::F32::LANES).map(|lane| u32::from(numbers[lane] == number) << lane).sum();
-            let actual: u32 = S::F32::places_of(number, &numbers);
-            assert_eq!(actual, expected, "{number}");
+        let mut bytes = [0; 16];
+        for first in 0..=u8::MAX {
+            for (lane, byte) in bytes.iter_mut().enumerate() {
+                *byte = first.wrapping_add(17 * lane as u8);
+            }
+            let mut numbers = [0.0; 16];
+            S::F32::load_bytes(&bytes).store(&mut numbers);
+            assert_eq!(numbers[..S::F32::LANES], bytes.map(f32::from)[..S::F32::LANES]);
         }
         S::F32::LANES
     }

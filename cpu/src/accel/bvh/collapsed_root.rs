@@ -6,7 +6,8 @@
 //! it saves no time, by measurement (docs/experiments.md).
 
 use crate::accel::{
-    bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
+    bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind, bvh::node::Node, bvh::node::WIDTH,
+    bvh::slab_ray::SlabRay,
 };
 use crate::{
     counters::Counter, counters::add, input::error::Error, input::error::push, layout::with_room, math::vec3::Vec3,
@@ -32,53 +33,48 @@ pub fn planned(objects: usize) -> Option<usize> {
 /// box of the child itself.
 #[derive(Debug)]
 pub struct CollapsedRoot {
-    /// The boxes, 16 in each node. The list is empty if there would be at most 16 boxes, or more than [`MOST`]. The
-    /// traversal then begins at the root.
+    /// The boxes, 16 in each node, whose numbers of children have no meaning. The list is empty if there would be at
+    /// most 16 boxes, or more than [`MOST`]. The traversal then begins at the root.
     rows: Vec<Node>,
-    /// The index of the node to which the first box leads. The nodes of the other boxes follow in the order of the
-    /// boxes. If `rows` is empty, this is the index of the root.
-    first_node: usize,
+    /// The index of the node to which each box leads. If `rows` is empty, the first of them is the index of the root.
+    nodes: [u32; MOST],
     /// The axis along which the boxes are sorted: 0 for x, 1 for y, 2 for z.
     axis: usize,
 }
 
 impl CollapsedRoot {
-    /// Returns the collapsed root of a tree. It reorders `nodes`, so that the nodes to which the boxes lead follow one
-    /// another.
+    /// Returns the collapsed root of a tree. Adds a node for each object that is a child of the root.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(nodes: &mut Vec<Node>) -> Result<Self, Error> {
         let mut boxes = with_room(WIDTH * WIDTH)?;
         for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
-            match child.as_object().is_none().then(|| &nodes[child.index() as usize]) {
-                Some(node) if node.objects == 0 => boxes.extend(node.children()),
+            match (child.kind == Kind::Node).then(|| &nodes[child.number as usize]) {
+                Some(node) if node.has_only_nodes() => boxes.extend(node.children()),
                 _ => boxes.push((bounds, child)),
             }
         }
         let all = boxes.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(bounds));
-        let mut row = Self { rows: Vec::new(), first_node: 0, axis: all.longest_axis() };
+        let mut root = Self { rows: Vec::new(), nodes: [0; MOST], axis: all.longest_axis() };
         if !(WIDTH + 1..=MOST).contains(&boxes.len()) {
-            return Ok(row);
+            return Ok(root);
         }
-        let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(row.axis);
+        let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(root.axis);
         boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
-        row.rows = with_room(MOST / WIDTH)?;
-        row.rows.resize(boxes.len().div_ceil(WIDTH), Node::EMPTY);
-        let mut below = with_room(MOST)?;
-        row.first_node = 1;
-        for (place, (bounds, mut child)) in boxes.into_iter().enumerate() {
-            if child.as_object().is_some() {
-                let mut single = Node::EMPTY;
-                single.set(0, &bounds, child);
-                child = Child::node(nodes.len() as u32);
-                push(nodes, single, HIERARCHY)?;
-            }
-            below.push(child.index());
-            row.rows[place / WIDTH].set(place % WIDTH, &bounds, Child::node((row.first_node + place) as u32));
+        root.rows = with_room(MOST / WIDTH)?;
+        for row in boxes.chunks(WIDTH) {
+            let bounds: [Bounds; WIDTH] = std::array::from_fn(|lane| row[lane.min(row.len() - 1)].0);
+            root.rows.push(Node::new(&bounds[..row.len()], [row.len(), 0, 0], [0; 3]));
         }
-        bring_forward(nodes, &below)?;
-        Ok(row)
+        for (&(bounds, child), index) in boxes.iter().zip(&mut root.nodes) {
+            *index = child.number;
+            if child.kind != Kind::Node {
+                *index = nodes.len() as u32;
+                push(nodes, Node::of_child(bounds, child), HIERARCHY)?;
+            }
+        }
+        Ok(root)
     }
 
     /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`. If the
@@ -88,7 +84,7 @@ impl CollapsedRoot {
         add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = u64::from(self.rows.is_empty());
         for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
-            let (_, hit) = slab_ray.intersect(row, 0, F::splat(farthest));
+            let hit = slab_ray.intersect(row, farthest, &mut [0.0; WIDTH]);
             bits |= u64::from(hit) << (place * WIDTH);
         }
         bits
@@ -107,30 +103,8 @@ impl CollapsedRoot {
         let (first, last) = (bits.trailing_zeros(), 63 - bits.leading_zeros());
         let place = if backwards { last } else { first };
         *bits ^= 1 << place;
-        self.first_node + place as usize
+        self.nodes[place as usize] as usize
     }
-}
-
-/// Moves the nodes with the indices in `places` to the places directly after the root, in the order of `places`. The
-/// root's index is not among them.
-fn bring_forward(nodes: &mut [Node], places: &[u32]) -> Result<(), Error> {
-    // `at` has the old index of the node at each place. `place_of` has the new place of the node with each old index.
-    let [mut at, mut place_of] = [with_room(nodes.len())?, with_room(nodes.len())?];
-    for list in [&mut at, &mut place_of] {
-        list.extend(0..nodes.len() as u32);
-    }
-    for (to, &node) in (1..).zip(places) {
-        let from = place_of[node as usize] as usize;
-        let other = at[to];
-        nodes.swap(to, from);
-        at.swap(to, from);
-        place_of[node as usize] = to as u32;
-        place_of[other as usize] = from as u32;
-    }
-    for node in nodes {
-        node.relink(|index| place_of[index as usize]);
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -146,9 +120,9 @@ mod tests {
 
     /// Returns the objects below a node.
     fn objects(nodes: &[Node], node: &Node) -> Vec<u32> {
-        let of_child = |child: Child| match child.as_object() {
-            Some(id) => vec![id],
-            None => objects(nodes, &nodes[child.index() as usize]),
+        let of_child = |child: Child| match child.kind {
+            Kind::Node => objects(nodes, &nodes[child.number as usize]),
+            _ => vec![child.number],
         };
         node.children().flat_map(|(_, child)| of_child(child)).collect()
     }
@@ -161,7 +135,7 @@ mod tests {
                 let low = [(); 3].map(|()| draws.draw(-10.0, 10.0) as f32);
                 (Bounds { low, high: low.map(|value| value + 0.1) }, id)
             });
-            let mut nodes = build(count, bounds).expect("it fits");
+            let mut nodes = build(count, count, bounds).expect("it fits").nodes;
             let row = CollapsedRoot::new(&mut nodes).expect("it fits");
             let children = boxes_of(&row).count();
             if let Some(planned) = planned(count) {
@@ -170,27 +144,25 @@ mod tests {
                     "{children} children, {planned} planned"
                 );
             }
-            let in_row = |child: Child| objects(&nodes, &nodes[child.index() as usize]);
-            let mut actual: Vec<_> = boxes_of(&row).flat_map(|(_, child)| in_row(child)).collect();
+            let below = |&index: &u32| objects(&nodes, &nodes[index as usize]);
+            let mut actual: Vec<_> = row.nodes[..children].iter().flat_map(below).collect();
             actual.sort_unstable();
             // If no number is planned, there may be too many boxes for a row.
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
-            let places = boxes_of(&row).map(|(_, child)| child.index() as usize);
-            assert!(places.eq(row.first_node..row.first_node + children));
-            assert_eq!(row.first_node, usize::from(children > 0));
             assert!(actual.into_iter().eq(expected), "{count} objects");
             assert!(count != 20_000 || children == 0);
-            assert!(row.rows.iter().all(|row| row.objects == 0));
             let bytes = (nodes.len() + row.rows.len()) * size_of::<Node>();
-            assert!(count <= 256 || bytes < 100 * count, "{bytes} bytes for {count} objects");
-            let middles = boxes_of(&row).map(|(bounds, _)| bounds.twice_middle(row.axis));
-            assert!(middles.is_sorted());
+            assert!(count <= 256 || bytes < 20 * count, "{bytes} bytes for {count} objects");
+            // The boxes in the nodes are larger than those that were sorted, by up to a 127th of the scene.
+            let middles: Vec<_> = boxes_of(&row).map(|(bounds, _)| bounds.twice_middle(row.axis)).collect();
+            assert!(middles.windows(2).all(|pair| pair[0] < pair[1] + 40.0 / 127.0));
         }
     }
 
     #[test]
     fn boxes_are_taken_from_the_end_that_the_ray_passes_first() {
-        let row = CollapsedRoot { rows: Vec::new(), first_node: 1, axis: 1 };
+        let nodes = std::array::from_fn(|place| place as u32 + 1);
+        let row = CollapsedRoot { rows: Vec::new(), nodes, axis: 1 };
         let all = |direction: [f64; 3]| {
             let (mut bits, mut taken) = (1 << 63 | 1 << 17 | 1 << 5 | 1, Vec::new());
             while bits != 0 {

@@ -70,7 +70,7 @@ impl SimdF32 for F32 {
     fn less_equal(self, other: Self) -> u32 {
         self.0.less_equal(other.0)
     }
-    fn places_of(number: u32, numbers: &[u32]) -> u32 {
-        Array::<f32>::places_of(number, numbers)
+    fn load_bytes(bytes: &[u8]) -> Self {
+        Self(Array::load_bytes(bytes))
     }
 }

@@ -1,0 +1,129 @@
+//! What the builder of the tree handles: objects with their boxes, and ranges of these objects.
+
+use crate::accel::{bounds::Bounds, object::ObjectId};
+
+/// A box in a form in which the union of two boxes is one minimum for each number. The compiler makes vector
+/// instructions of it.
+#[derive(Clone, Copy, Debug)]
+pub struct PackedBounds {
+    /// The smallest coordinates along x, y and z. The fourth number has no meaning here.
+    pub low: [f32; 4],
+    /// The largest coordinates along x, y and z, with the opposite sign. The fourth number has no meaning.
+    pub minus_high: [f32; 4],
+}
+
+impl PackedBounds {
+    /// The empty box. Its union with another box is that other box.
+    pub const EMPTY: Self = Self { low: [f32::INFINITY; 4], minus_high: [f32::INFINITY; 4] };
+
+    /// Returns the smallest box around both boxes. It has the same bits on every processor.
+    #[inline(always)]
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        let least = |left: [f32; 4], right: [f32; 4]| -> [f32; 4] {
+            std::array::from_fn(|at| if left[at] < right[at] { left[at] } else { right[at] })
+        };
+        Self { low: least(self.low, other.low), minus_high: least(self.minus_high, other.minus_high) }
+    }
+
+    /// Returns twice the coordinates of the box's middle. The fourth number has no meaning.
+    #[inline(always)]
+    pub fn twice_middle(&self) -> [f32; 4] {
+        std::array::from_fn(|at| self.low[at] - self.minus_high[at])
+    }
+
+    /// Returns the length of the box along an axis.
+    fn length(&self, axis: usize) -> f32 {
+        -self.minus_high[axis] - self.low[axis]
+    }
+
+    /// Returns half of the surface area, or 0 for an empty box. The share of random lines that hit a box is
+    /// proportional to this.
+    pub fn half_area(&self) -> f32 {
+        let [x, y, z] = [0, 1, 2].map(|axis| self.length(axis).max(0.0));
+        x * y + y * z + z * x
+    }
+
+    /// Returns the axis along which the box is longest: 0 for x, 1 for y, 2 for z.
+    pub fn longest_axis(&self) -> usize {
+        (0..3).max_by(|&left, &right| self.length(left).total_cmp(&self.length(right))).unwrap_or(0)
+    }
+}
+
+/// An object that the builder places in the tree, with its box. The object's number is stored in the bits of a number
+/// of the box that has no meaning, so that an item has 32 bytes.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub struct Item(PackedBounds);
+
+impl Item {
+    /// Returns the item for the object with the number `id`.
+    pub fn new(bounds: &Bounds, id: ObjectId) -> Self {
+        let ([x, y, z], high) = (bounds.low, bounds.high);
+        Self(PackedBounds { low: [x, y, z, f32::from_bits(id)], minus_high: [-high[0], -high[1], -high[2], 0.0] })
+    }
+
+    /// Returns the object's number.
+    pub const fn id(&self) -> ObjectId {
+        self.0.low[3].to_bits()
+    }
+
+    /// Returns the object's box.
+    #[inline(always)]
+    pub const fn bounds(&self) -> PackedBounds {
+        self.0
+    }
+
+    /// Returns a box that is only the middle of the object's box. All its coordinates are doubled.
+    #[inline(always)]
+    pub fn middle(&self) -> PackedBounds {
+        let middle = self.0.twice_middle();
+        PackedBounds { low: middle, minus_high: middle.map(|number| -number) }
+    }
+}
+
+/// A part of the list of items, which becomes one child.
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// The index of the first item.
+    pub from: usize,
+    /// The index behind the last item.
+    pub to: usize,
+    /// The box around the items.
+    pub bounds: PackedBounds,
+    /// The box around the middles of the items' boxes. All its coordinates are doubled.
+    pub middles: PackedBounds,
+}
+
+impl Range {
+    /// Returns the range of the items from index `from` to before index `to`.
+    pub fn new(items: &[Item], from: usize, to: usize) -> Self {
+        let (mut bounds, mut middles) = (PackedBounds::EMPTY, PackedBounds::EMPTY);
+        for item in &items[from..to] {
+            bounds = bounds.union(item.bounds());
+            middles = middles.union(item.middle());
+        }
+        Self { from, to, bounds, middles }
+    }
+
+    /// Returns the range of one item.
+    pub fn of_item(items: &[Item], at: usize) -> Self {
+        Self { from: at, to: at + 1, bounds: items[at].bounds(), middles: items[at].middle() }
+    }
+
+    /// Returns the number of items.
+    pub const fn count(&self) -> usize {
+        self.to - self.from
+    }
+
+    /// Returns the item if the range has only one.
+    pub fn only_item<'items>(&self, items: &'items [Item]) -> Option<&'items Item> {
+        (self.count() == 1).then(|| &items[self.from])
+    }
+
+    /// Returns the box around the items.
+    pub fn bounds(&self) -> Bounds {
+        let ([x, y, z, _], high) = (self.bounds.low, self.bounds.minus_high);
+        Bounds { low: [x, y, z], high: [-high[0], -high[1], -high[2]] }
+    }
+}

@@ -1,0 +1,113 @@
+//! Splits ranges of items by the surface area heuristic: the cost of a range is the surface area of its box times its
+//! number of items.
+
+use super::item::{Item, PackedBounds, Range};
+use crate::accel::bvh::node::WIDTH;
+
+/// Number of bins along the axis of a split.
+const BINS: usize = 16;
+
+/// From this depth on, a range is split into two halves with equal numbers of objects, and not by the surface area
+/// heuristic. This limits the depth of the tree, and so the size of the traversal stack.
+const MOST_SAH_DEPTH: u32 = 16;
+
+/// The items whose middles lie in one part of the axis of a split.
+#[derive(Clone, Copy)]
+struct Bin {
+    bounds: PackedBounds,
+    middles: PackedBounds,
+    count: usize,
+}
+
+impl Bin {
+    const EMPTY: Self = Self { bounds: PackedBounds::EMPTY, middles: PackedBounds::EMPTY, count: 0 };
+
+    fn union(&self, other: &Self) -> Self {
+        let (bounds, middles) = (self.bounds.union(other.bounds), self.middles.union(other.middles));
+        Self { bounds, middles, count: self.count + other.count }
+    }
+
+    fn cost(&self) -> f32 {
+        self.bounds.half_area() * self.count as f32
+    }
+
+    /// Returns the range of the bin's items, which begin at the index `from`.
+    const fn range(&self, from: usize) -> Range {
+        Range { from, to: from + self.count, bounds: self.bounds, middles: self.middles }
+    }
+}
+
+/// Splits the range in `children[0]` into several ranges. It always splits the child with the highest cost, until all
+/// of `children` are used or every child has at most [`WIDTH`] objects. Returns the number of children.
+pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
+    let mut count = 1;
+    while count < children.len() {
+        let cost = |range: &Range| range.bounds.half_area() * range.count() as f32;
+        let splittable = children[..count].iter().enumerate().filter(|(_, range)| range.count() > WIDTH);
+        let Some((worst, _)) = splittable.max_by(|left, right| cost(left.1).total_cmp(&cost(right.1))) else {
+            break;
+        };
+        let [left, right] = split(items, &children[worst], depth);
+        children[worst] = left;
+        children[count] = right;
+        count += 1;
+    }
+    count
+}
+
+/// Splits a range of at least two items into two ranges that are not empty. The items are reordered.
+fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
+    let part = &mut items[range.from..range.to];
+    let axis = range.middles.longest_axis();
+    let (low, high) = (range.middles.low[axis], -range.middles.minus_high[axis]);
+    let scale = BINS as f32 / (high - low);
+    // A float-to-integer cast saturates, and turns "not a number" into 0.
+    let bin_of = |item: &Item| (((item.bounds().twice_middle()[axis] - low) * scale) as usize).min(BINS - 1);
+    if depth < MOST_SAH_DEPTH
+        && scale.is_finite()
+        && let Some((last_left, [left, right])) = cheapest_cut(part, bin_of)
+    {
+        let mut middle = 0;
+        for at in 0..part.len() {
+            // The item is swapped even if it stays on the right, because a branch would often be mispredicted.
+            let is_left = bin_of(&part[at]) <= last_left;
+            part.swap(at, middle);
+            middle += usize::from(is_left);
+        }
+        let left = left.range(range.from);
+        return [left, right.range(left.to)];
+    }
+    let middle = part.len() / 2;
+    let key = |item: &Item| item.bounds().twice_middle()[axis];
+    part.select_nth_unstable_by(middle, |left, right| key(left).total_cmp(&key(right)));
+    let middle = range.from + middle;
+    [Range::new(items, range.from, middle), Range::new(items, middle, range.to)]
+}
+
+/// Returns the split with the lowest cost: the last bin of the left part, and both parts. Returns `None` if all items
+/// are in the same bin.
+fn cheapest_cut(part: &[Item], bin_of: impl Fn(&Item) -> usize) -> Option<(usize, [Bin; 2])> {
+    let mut bins = [Bin::EMPTY; BINS];
+    for item in part {
+        let bin = &mut bins[bin_of(item)];
+        bin.bounds = bin.bounds.union(item.bounds());
+        bin.middles = bin.middles.union(item.middle());
+        bin.count += 1;
+    }
+    let mut right = [Bin::EMPTY; BINS + 1];
+    for bin in (0..BINS).rev() {
+        right[bin] = right[bin + 1].union(&bins[bin]);
+    }
+    let mut left = Bin::EMPTY;
+    let mut best = None;
+    let mut best_cost = f32::INFINITY;
+    for bin in 0..BINS - 1 {
+        left = left.union(&bins[bin]);
+        let right = &right[bin + 1];
+        let cost = left.cost() + right.cost();
+        if left.count > 0 && right.count > 0 && cost < best_cost {
+            (best, best_cost) = (Some((bin, [left, *right])), cost);
+        }
+    }
+    best
+}
