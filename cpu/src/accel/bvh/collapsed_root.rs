@@ -109,6 +109,11 @@ impl CollapsedRoot {
         *bits ^= 1 << place;
         self.first_node + place as usize
     }
+
+    /// Returns the size of the list of boxes in bytes.
+    pub fn list_bytes(&self) -> usize {
+        size_of_val(&self.rows[..])
+    }
 }
 
 /// Moves the nodes with the indices in `places` to the places directly after the root, in the order of `places`. The
