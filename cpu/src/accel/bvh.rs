@@ -77,6 +77,11 @@ impl Bvh {
         Ok(bvh)
     }
 
+    /// Returns the size of the tree's lists in bytes.
+    pub fn list_bytes(&self) -> usize {
+        self.nodes.capacity() * size_of::<Node>() + self.collapsed_root.list_bytes() + self.isolated.list_bytes()
+    }
+
     /// Whether the box of an object other than `id` overlaps the box `bounds`. If [`MOST_VISITS`] visits of nodes do
     /// not decide this, the result is true. `bounds_of` returns the box of an object; those in the tree are larger.
     fn overlaps_another(&self, id: ObjectId, bounds: &Bounds, bounds_of: impl Fn(ObjectId) -> Bounds) -> bool {

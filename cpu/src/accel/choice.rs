@@ -67,6 +67,17 @@ impl Accel {
         if let Self::Bvh(bvh) = self { Some(bvh) } else { None }
     }
 
+    /// Returns the size of the structure in bytes, without the objects.
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>()
+            + match self {
+                Self::EveryObject => 0,
+                Self::SmallScene(small_scene) => size_of_val(&small_scene.in_order[..]),
+                Self::FlatFilter(filter) => filter.list_bytes(),
+                Self::Bvh(bvh) => bvh.list_bytes(),
+            }
+    }
+
     /// Disables the shortcut for isolated objects, to measure what it gains.
     pub fn without_isolation(&mut self) {
         match self {

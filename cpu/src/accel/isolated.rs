@@ -32,6 +32,11 @@ impl Isolated {
         Ok(Self(words))
     }
 
+    /// Returns the size of the list in bytes.
+    pub fn list_bytes(&self) -> usize {
+        size_of_val(&self.0[..])
+    }
+
     /// Whether the object with the number `id` is isolated.
     #[inline(always)]
     pub fn is(&self, id: ObjectId) -> bool {

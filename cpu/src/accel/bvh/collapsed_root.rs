@@ -105,6 +105,11 @@ impl CollapsedRoot {
         *bits ^= 1 << place;
         self.nodes[place as usize] as usize
     }
+
+    /// Returns the size of the list of boxes in bytes.
+    pub fn list_bytes(&self) -> usize {
+        size_of_val(&self.rows[..])
+    }
 }
 
 #[cfg(test)]

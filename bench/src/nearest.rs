@@ -1,0 +1,29 @@
+//! Compares the time of a nearest hit with Embree's: one ray after the other, each at another place of a scene of
+//! spheres. The program `bench/nearest` prints the tables.
+//!
+//! [`scene`] makes spheres and rays from a fixed seed, [`ours`] is this project's side, [`embree`] is Embree's, and
+//! [`agreement`] compares their hits. [`measure`] takes the times, and [`table`] writes them.
+
+pub mod agreement;
+pub mod embree;
+pub mod measure;
+pub mod ours;
+pub mod scene;
+pub mod table;
+
+/// The place that stands for no object: the origin object of a free ray, or the object of a ray without a hit.
+pub const NO_PLACE: u32 = u32::MAX;
+
+/// The nearest hit of a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestHit {
+    /// The object's place in the scene file, from 0, or [`NO_PLACE`].
+    pub place: u32,
+    /// The lambda of the hit, in lengths of the ray's direction. It is infinite without a hit.
+    pub lambda: f64,
+}
+
+impl NearestHit {
+    /// The value of a ray without a hit.
+    pub const NOTHING: Self = Self { place: NO_PLACE, lambda: f64::INFINITY };
+}

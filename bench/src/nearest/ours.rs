@@ -1,0 +1,113 @@
+//! This project's side of the comparison: the acceleration structure of the renderer, which gives certified hits in
+//! double precision.
+
+use std::time::Instant;
+
+use cpu::internals::accel::{
+    bvh::stack::Stack, choice::Accel, closest_hit::ClosestHit, every_object::intersect_every_object, extent::Extent,
+    object::NO_OBJECT, object::ObjectId, object::in_order,
+};
+use cpu::internals::input::scene::{Shape, Sphere};
+use cpu::internals::layout::{Objects, Placed, aos::AosObjects};
+use cpu::internals::simd::{Kernel, Simd};
+use cpu::internals::{InstructionSet, geometry::sphere::SphereRecord};
+use cpu::{Error, Scene};
+
+use super::{NO_PLACE, NearestHit, scene::Start};
+
+/// The objects of a scene and their acceleration structure.
+#[derive(Debug)]
+pub struct Ours {
+    objects: AosObjects,
+    accel: Accel,
+    /// The number of each object, by its place in the scene file.
+    numbers: Vec<ObjectId>,
+    /// Time to build the structure from the objects, in seconds.
+    pub build_seconds: f64,
+}
+
+impl Ours {
+    /// Builds the structure of a scene of spheres.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`] if memory is short.
+    pub fn new(scene: &Scene) -> Result<Self, Error> {
+        let objects = AosObjects::build(scene)?;
+        let reach = |sphere: &Sphere| sphere.center.x.abs().max(sphere.center.y.abs()).max(sphere.center.z.abs());
+        let max_coordinate = scene.objects.iter().fold(0.0_f64, |most, object| match &object.shape {
+            Shape::Sphere(sphere) => most.max(reach(sphere) + sphere.radius),
+            Shape::Cylinder(_) => most,
+        });
+        let extent = Extent { max_coordinate, moderate: true };
+        let start = Instant::now();
+        let accel = Accel::new(&objects, &extent)?;
+        let build_seconds = start.elapsed().as_secs_f64();
+        let numbers = in_order(&objects)?;
+        Ok(Self { objects, accel, numbers, build_seconds })
+    }
+
+    /// Returns the size of the acceleration structure in bytes, without the objects' records.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.accel.bytes()
+    }
+
+    /// Returns the size of the objects' records in bytes.
+    #[must_use]
+    pub fn record_bytes(&self) -> usize {
+        self.objects.sphere_count() * size_of::<Placed<SphereRecord>>()
+    }
+
+    /// Returns the rays in the form that [`Ours::find`] takes.
+    #[must_use]
+    pub fn prepare(&self, starts: &[Start]) -> Vec<Start> {
+        let number = |place: u32| if place == NO_PLACE { NO_OBJECT } else { self.numbers[place as usize] };
+        starts.iter().map(|start| Start { from: number(start.from), ..*start }).collect()
+    }
+
+    /// Finds the nearest hit of each prepared ray with an instruction set.
+    pub fn find(&self, set: InstructionSet, rays: &[Start], hits: &mut Vec<NearestHit>) {
+        hits.clear();
+        set.run(Find { ours: self, rays, hits, stack: &mut Stack::EMPTY.clone() });
+    }
+
+    /// Returns the nearest hit of each ray, with the fastest instruction set.
+    #[must_use]
+    pub fn hits(&self, starts: &[Start]) -> Vec<NearestHit> {
+        let mut hits = Vec::with_capacity(starts.len());
+        self.find(InstructionSet::best(), &self.prepare(starts), &mut hits);
+        hits
+    }
+
+    /// Returns the nearest hit of each ray by intersecting every object, to test the other functions.
+    #[must_use]
+    pub fn hits_without_structure(&self, starts: &[Start]) -> Vec<NearestHit> {
+        starts.iter().map(|start| nearest(&intersect_every_object(&self.objects, start.ray))).collect()
+    }
+}
+
+#[inline(always)]
+fn nearest(hit: &ClosestHit) -> NearestHit {
+    if hit.is_hit() { NearestHit { place: hit.order, lambda: hit.lambda } } else { NearestHit::NOTHING }
+}
+
+/// A kernel that finds the nearest hit of one ray after the other.
+struct Find<'a> {
+    ours: &'a Ours,
+    rays: &'a [Start],
+    hits: &'a mut Vec<NearestHit>,
+    stack: &'a mut Stack,
+}
+
+impl Kernel for Find<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) {
+        let Ours { objects, accel, .. } = self.ours;
+        for Start { ray, from } in self.rays {
+            let hit = accel.closest_hit::<S, _>(objects, ray, *from, self.stack);
+            self.hits.push(nearest(&hit));
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Compares the nearest hits of `bench/nearest` with those of every object and, if it is installed, with Embree's.
+//! Without Embree the tests that need it are shown as ignored.
+
+use bench::nearest::agreement::Agreement;
+use bench::nearest::embree::{self, Embree, SingleRay};
+use bench::nearest::measure::{Options, Results};
+use bench::nearest::ours::Ours;
+use bench::nearest::scene::{Setting, Start, free_rays, surface_rays};
+use bench::nearest::{NO_PLACE, table};
+use cpu::internals::InstructionSet;
+use libtest_mimic::{Arguments, Failed, Trial};
+
+const SIZES: [usize; 2] = [33, 1_000];
+
+fn main() {
+    let mut trials = vec![
+        Trial::test("our hits are those of every object", || our_hits_are_right().map_err(Failed::from)),
+        Trial::test("the table has a row for each scene", || the_table_has_its_rows(false).map_err(Failed::from)),
+    ];
+    let with_embree = [
+        Trial::test("the hits agree with Embree's", || hits_agree().map_err(Failed::from)),
+        Trial::test("the table has Embree's columns", || the_table_has_its_rows(true).map_err(Failed::from)),
+    ];
+    let is_missing = embree::missing().is_some();
+    let needs = |trial: Trial| trial.with_kind(if is_missing { "needs libembree-dev" } else { "" });
+    trials.extend(with_embree.map(|trial| needs(trial).with_ignored_flag(is_missing)));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// Calls `check` with every scene of the sizes, and with its rays from surfaces and free rays.
+fn of_every_scene(rays: usize, check: impl Fn(Setting, &Ours, &[Start]) -> Result<(), String>) -> Result<(), String> {
+    for setting in SIZES.into_iter().flat_map(Setting::all) {
+        let scene = setting.scene();
+        let ours = Ours::new(&scene).map_err(|error| error.to_string())?;
+        let starts = surface_rays(rays, &scene, &ours);
+        assert!(starts.len() == rays && starts.iter().all(|start| start.from != NO_PLACE), "{setting:?}");
+        check(setting, &ours, &starts)?;
+        check(setting, &ours, &free_rays(rays, 2))?;
+    }
+    Ok(())
+}
+
+fn our_hits_are_right() -> Result<(), String> {
+    of_every_scene(3_000, |setting, ours, starts| {
+        let expected = ours.hits_without_structure(starts);
+        let hits = expected.iter().filter(|hit| hit.place != NO_PLACE).count();
+        assert!(hits > 50 && hits < starts.len() - 50, "{setting:?}: {hits} hits");
+        for set in InstructionSet::available() {
+            let mut found = Vec::new();
+            ours.find(set, &ours.prepare(starts), &mut found);
+            assert_eq!(found, expected, "{setting:?}, {}", set.name());
+        }
+        Ok(())
+    })
+}
+
+fn hits_agree() -> Result<(), String> {
+    of_every_scene(20_000, |setting, ours, starts| {
+        let embree = Embree::new(&setting.scene(), "avx2")?;
+        let rays: Vec<_> = starts.iter().map(SingleRay::new).collect();
+        let mut hits = Vec::new();
+        embree.find(&rays, &mut hits);
+        let agreement = Agreement::new(starts, &ours.hits(starts), &hits);
+        assert!(agreement.is_enough() && agreement.self_hits < starts.len() / 100, "{setting:?}: {agreement:?}");
+        assert!(embree.bytes() >= 16 * setting.size, "{} bytes", embree.bytes());
+        Ok(())
+    })
+}
+
+fn the_table_has_its_rows(embree: bool) -> Result<(), String> {
+    let sets = vec![("avx2", InstructionSet::fused())];
+    let options = Options { rounds: 1, rays: 1_000, sets, embree };
+    let mut results = Results::default();
+    for setting in Setting::all(SIZES[0]) {
+        results.add(setting, &options)?;
+    }
+    let text = table::markdown(&results);
+    let [times, builds] = text.split("\n\n").collect::<Vec<_>>()[..] else { return Err(text) };
+    for (table, columns, rows) in [(times, 10, 8), (builds, 9, 4)] {
+        assert_eq!(table.trim_end().lines().count(), 2 + rows, "{table}");
+        for line in table.trim_end().lines() {
+            assert_eq!(line.matches('|').count(), columns + 1, "{line}");
+            assert_eq!(line.contains("| |") || line.contains("|  |"), !embree && line.starts_with("| 33"), "{line}");
+        }
+    }
+    Ok(())
+}
