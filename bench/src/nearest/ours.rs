@@ -32,7 +32,7 @@ impl Ours {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
-        let objects = AosObjects::build(scene)?;
+        let mut objects = AosObjects::build(scene)?;
         let reach = |sphere: &Sphere| sphere.center.x.abs().max(sphere.center.y.abs()).max(sphere.center.z.abs());
         let max_coordinate = scene.objects.iter().fold(0.0_f64, |most, object| match &object.shape {
             Shape::Sphere(sphere) => most.max(reach(sphere) + sphere.radius),
@@ -40,7 +40,7 @@ impl Ours {
         });
         let extent = Extent { max_coordinate, moderate: true };
         let start = Instant::now();
-        let accel = Accel::new(&objects, &extent)?;
+        let accel = Accel::new(&mut objects, &extent)?;
         let build_seconds = start.elapsed().as_secs_f64();
         let numbers = in_order(&objects)?;
         Ok(Self { objects, accel, numbers, build_seconds })

@@ -92,15 +92,23 @@ impl Bvh {
             }
             count -= 1;
             let node = &self.nodes[pending[count] as usize];
-            for (_, child) in node.children().filter(|(inner, _)| inner.overlaps(bounds)) {
-                if child.kind == Kind::Node {
-                    if count == MOST_VISITS {
+            let overlapping = node.overlaps(bounds);
+            let [mut nodes, spheres, cylinders] = node.lanes().map(|lanes| lanes & overlapping);
+            while nodes != 0 {
+                if count == MOST_VISITS {
+                    return true;
+                }
+                pending[count] = node.number(Kind::Node, nodes.trailing_zeros() as usize);
+                nodes &= nodes - 1;
+                count += 1;
+            }
+            for (kind, mut objects) in [(Kind::Sphere, spheres), (Kind::Cylinder, cylinders)] {
+                while objects != 0 {
+                    let other = node.number(kind, objects.trailing_zeros() as usize);
+                    objects &= objects - 1;
+                    if other != id && bounds_of(other).overlaps(bounds) {
                         return true;
                     }
-                    pending[count] = child.number;
-                    count += 1;
-                } else if child.number != id && bounds_of(child.number).overlaps(bounds) {
-                    return true;
                 }
             }
         }

@@ -5,7 +5,7 @@ mod item;
 mod split;
 
 use self::item::{Item, Range};
-use self::split::split_into_children;
+use self::split::{dissolve_small_children, split_into_children};
 use crate::accel::bvh::{collapsed_root, node::HIERARCHY, node::Kind, node::Node, node::WIDTH};
 use crate::accel::{bounds::Bounds, object::ObjectId};
 use crate::{input::error::Error, input::error::push, layout::with_room};
@@ -62,7 +62,8 @@ pub fn build(
             }
             range.count()
         } else {
-            split_into_children(&mut items, &mut children[..most], depth)
+            let count = split_into_children(&mut items, &mut children[..most], depth);
+            if planned.is_some() && depth < 2 { count } else { dissolve_small_children(&items, &mut children, count) }
         };
         let kind_of = |child: &Range| match child.only_item(&items) {
             None => Kind::Node,

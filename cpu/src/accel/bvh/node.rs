@@ -142,6 +142,25 @@ impl Node {
         if lane < WIDTH as u32 { 1 << lane & self.lanes()[kind as usize] } else { 0 }
     }
 
+    /// Returns a bit for each lane, which is 1 if the child's box overlaps the box `bounds`. The test works on whole
+    /// steps, so it also finds boxes that are up to a step away.
+    pub fn overlaps(&self, bounds: &Bounds) -> u32 {
+        let mut overlaps = [1_u8; WIDTH];
+        for axis in 0..3 {
+            let steps = |plane: f32| (f64::from(plane) - f64::from(self.origin[axis])) / f64::from(self.step(axis));
+            // The conversion to an integer rounds down and saturates.
+            let (low, high) = (steps(bounds.low[axis]) as u8, (steps(bounds.high[axis]) as u8).saturating_add(1));
+            let [lows, highs] = &self.planes;
+            for (lane, overlaps) in overlaps.iter_mut().enumerate() {
+                *overlaps &= u8::from(lows[axis][lane] <= high) & u8::from(low <= highs[axis][lane]);
+            }
+        }
+        // The product has the lowest bits of all eight bytes in its highest byte, the first byte's lowest.
+        let halves = overlaps.as_chunks::<8>().0;
+        let [first, second] = [0, 1].map(|at| u64::from_le_bytes(halves[at]).wrapping_mul(0x0102_0408_1020_4080) >> 56);
+        (first | second << 8) as u32 & self.occupied()
+    }
+
     /// Returns the box in a lane. It contains the box that was given to [`Node::new`].
     fn bounds(&self, lane: usize) -> Bounds {
         let plane = |side: usize, axis: usize| {

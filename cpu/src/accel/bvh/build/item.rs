@@ -26,12 +26,6 @@ impl PackedBounds {
         Self { low: least(self.low, other.low), minus_high: least(self.minus_high, other.minus_high) }
     }
 
-    /// Returns twice the coordinates of the box's middle. The fourth number has no meaning.
-    #[inline(always)]
-    pub fn twice_middle(&self) -> [f32; 4] {
-        std::array::from_fn(|at| self.low[at] - self.minus_high[at])
-    }
-
     /// Returns the length of the box along an axis.
     fn length(&self, axis: usize) -> f32 {
         -self.minus_high[axis] - self.low[axis]
@@ -74,11 +68,20 @@ impl Item {
         self.0
     }
 
+    /// Returns twice the coordinate of the box's middle along an axis.
+    #[inline(always)]
+    pub fn twice_middle(&self, axis: usize) -> f32 {
+        self.0.low[axis] - self.0.minus_high[axis]
+    }
+
     /// Returns a box that is only the middle of the object's box. All its coordinates are doubled.
     #[inline(always)]
     pub fn middle(&self) -> PackedBounds {
-        let middle = self.0.twice_middle();
-        PackedBounds { low: middle, minus_high: middle.map(|number| -number) }
+        let Self(PackedBounds { low, minus_high }) = self;
+        PackedBounds {
+            low: std::array::from_fn(|at| low[at] - minus_high[at]),
+            minus_high: std::array::from_fn(|at| minus_high[at] - low[at]),
+        }
     }
 }
 

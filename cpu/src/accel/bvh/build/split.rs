@@ -1,5 +1,5 @@
-//! Splits ranges of items by the surface area heuristic: the cost of a range is the surface area of its box times its
-//! number of items.
+//! Splits ranges of items by the surface area heuristic: the number of rays that hit a box is proportional to its
+//! surface area.
 
 use super::item::{Item, PackedBounds, Range};
 use crate::accel::bvh::node::WIDTH;
@@ -27,8 +27,10 @@ impl Bin {
         Self { bounds, middles, count: self.count + other.count }
     }
 
+    /// Returns the cost: the surface area times the number of nodes that hold the items, because a visit tests all boxes
+    /// of a node at once.
     fn cost(&self) -> f32 {
-        self.bounds.half_area() * self.count as f32
+        self.bounds.half_area() * self.count.div_ceil(WIDTH) as f32
     }
 
     /// Returns the range of the bin's items, which begin at the index `from`.
@@ -55,6 +57,24 @@ pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u3
     count
 }
 
+/// Replaces the smallest of the first `count` children by their objects, as long as there are free lanes. This saves
+/// nodes, and visits of nodes. Returns the number of children.
+pub fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mut count: usize) -> usize {
+    loop {
+        let small = (0..count).filter(|&at| children[at].count() > 1);
+        let Some(smallest) = small.min_by_key(|&at| children[at].count()) else { return count };
+        let Range { from, to, .. } = children[smallest];
+        if count - 1 + to - from > WIDTH {
+            return count;
+        }
+        children[smallest] = Range::of_item(items, from);
+        for at in from + 1..to {
+            children[count] = Range::of_item(items, at);
+            count += 1;
+        }
+    }
+}
+
 /// Splits a range of at least two items into two ranges that are not empty. The items are reordered.
 fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
     let part = &mut items[range.from..range.to];
@@ -62,7 +82,7 @@ fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
     let (low, high) = (range.middles.low[axis], -range.middles.minus_high[axis]);
     let scale = BINS as f32 / (high - low);
     // A float-to-integer cast saturates, and turns "not a number" into 0.
-    let bin_of = |item: &Item| (((item.bounds().twice_middle()[axis] - low) * scale) as usize).min(BINS - 1);
+    let bin_of = |item: &Item| (((item.twice_middle(axis) - low) * scale) as usize).min(BINS - 1);
     if depth < MOST_SAH_DEPTH
         && scale.is_finite()
         && let Some((last_left, [left, right])) = cheapest_cut(part, bin_of)
@@ -78,7 +98,7 @@ fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
         return [left, right.range(left.to)];
     }
     let middle = part.len() / 2;
-    let key = |item: &Item| item.bounds().twice_middle()[axis];
+    let key = |item: &Item| item.twice_middle(axis);
     part.select_nth_unstable_by(middle, |left, right| key(left).total_cmp(&key(right)));
     let middle = range.from + middle;
     [Range::new(items, range.from, middle), Range::new(items, middle, range.to)]
