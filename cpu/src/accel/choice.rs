@@ -5,19 +5,21 @@
 //!    heights below 1e-6, pixels below 1e-12 ([`Extent`]);
 //! 2. [`SmallScene`] for up to 8 objects;
 //! 3. [`FlatFilter`] for up to 64 spheres and 64 cylinders with coordinates of up to 2e7;
-//! 4. [`Bvh`] for all other scenes.
+//! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
+//! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
 //! With a [`SmallScene`] three more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With more, lanes hold several objects for one ray (`accel/small_scene.rs`). Specular
-//! chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`] ([`Accel::boxes`]).
+//! chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`] ([`Accel::visit_boxes`]).
 //! The limits stand beside what they limit: `accel/extent.rs`, `accel/object_lanes.rs`, `accel/flat_filter.rs`,
 //! `accel/filter_ray.rs` and `accel/small_scene.rs`.
 //!
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 
 use crate::accel::{
-    bvh::Bvh, bvh::stack::Stack, closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator,
-    flat_filter, flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
+    bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::ByteBoxes, bvh::boxes::WideBoxes, bvh::stack::Stack,
+    closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator, flat_filter,
+    flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
     small_scene::SmallScene,
 };
 use crate::{counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd};
@@ -33,8 +35,10 @@ pub enum Accel {
     SmallScene(SmallScene),
     /// The structure for up to 64 spheres and 64 cylinders, which tests several of them at once in single precision.
     FlatFilter(FlatFilter),
-    /// The tree of boxes, for any number of objects.
-    Bvh(Bvh),
+    /// The tree of boxes, for more objects.
+    Bvh(Bvh<WideBoxes>),
+    /// The tree of boxes in little memory, for any number of objects.
+    LargeBvh(Bvh<ByteBoxes>),
 }
 
 impl Accel {
@@ -50,8 +54,10 @@ impl Accel {
             Self::SmallScene(SmallScene::new(objects, extent)?)
         } else if most_of_a_kind <= flat_filter::CAPACITY && extent.max_coordinate <= flat_filter::MAX_COORDINATE {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
-        } else {
+        } else if count(objects) <= bvh::MOST_WIDE {
             Self::Bvh(Bvh::new(objects, extent)?)
+        } else {
+            Self::LargeBvh(Bvh::new(objects, extent)?)
         })
     }
 
@@ -61,10 +67,18 @@ impl Accel {
         if let Self::SmallScene(small_scene) = self { Some(small_scene) } else { None }
     }
 
-    /// Returns the tree of boxes, if the scene has one.
-    #[inline(always)]
-    pub const fn boxes(&self) -> Option<&Bvh> {
-        if let Self::Bvh(bvh) = self { Some(bvh) } else { None }
+    /// Whether the scene has a tree of boxes, so that [`visit_boxes`](Self::visit_boxes) visits objects.
+    pub const fn has_boxes(&self) -> bool {
+        matches!(self, Self::Bvh(_) | Self::LargeBvh(_))
+    }
+
+    /// Calls `visit` with objects of the tree of boxes, if the scene has one; see [`Bvh::visit`].
+    pub fn visit_boxes(&self, may_reach: impl FnMut(&Bounds) -> bool, visit: impl FnMut(ObjectId)) {
+        match self {
+            Self::EveryObject | Self::SmallScene(_) | Self::FlatFilter(_) => {}
+            Self::Bvh(bvh) => bvh.visit(may_reach, visit),
+            Self::LargeBvh(bvh) => bvh.visit(may_reach, visit),
+        }
     }
 
     /// Returns the size of the structure in bytes, without the objects.
@@ -75,6 +89,7 @@ impl Accel {
                 Self::SmallScene(small_scene) => size_of_val(&small_scene.in_order[..]),
                 Self::FlatFilter(filter) => filter.list_bytes(),
                 Self::Bvh(bvh) => bvh.list_bytes(),
+                Self::LargeBvh(bvh) => bvh.list_bytes(),
             }
     }
 
@@ -84,6 +99,7 @@ impl Accel {
             Self::EveryObject | Self::SmallScene(_) => {}
             Self::FlatFilter(filter) => filter.overlapping = None,
             Self::Bvh(bvh) => bvh.isolated = Isolated::default(),
+            Self::LargeBvh(bvh) => bvh.isolated = Isolated::default(),
         }
     }
 
@@ -109,6 +125,7 @@ impl Accel {
             Self::SmallScene(accel) => closest_hit!(accel),
             Self::FlatFilter(accel) => closest_hit!(accel),
             Self::Bvh(accel) => closest_hit!(accel),
+            Self::LargeBvh(accel) => closest_hit!(accel),
         }
     }
 }

@@ -18,21 +18,23 @@ use crate::{input::error::Error, layout::with_room};
 pub struct Isolated(Vec<u64>);
 
 impl Isolated {
-    /// Returns the set of those of `count` objects for which `is_overlapped` is false. An overlap with the dominant
-    /// sphere does not count, because every ray is tested against that sphere.
+    /// Returns the empty set, with room for `count` objects.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(count: usize, mut is_overlapped: impl FnMut(ObjectId) -> bool) -> Result<Self, Error> {
+    pub fn none(count: usize) -> Result<Self, Error> {
         let mut words = with_room(count.div_ceil(64))?;
         words.resize(count.div_ceil(64), 0);
-        for id in 0..count {
-            words[id / 64] |= u64::from(!is_overlapped(id as ObjectId)) << (id % 64);
-        }
         Ok(Self(words))
     }
 
-    /// Returns the size of the list in bytes.
+    /// Adds the object with the number `id`, for which the set must have room.
+    #[inline(always)]
+    pub fn insert(&mut self, id: ObjectId) {
+        self.0[id as usize / 64] |= 1 << (id % 64);
+    }
+
+    /// Returns the size of the set in bytes.
     pub fn list_bytes(&self) -> usize {
         size_of_val(&self.0[..])
     }
@@ -49,8 +51,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_object_that_no_other_overlaps_is_isolated() {
-        let isolated = Isolated::new(3, |id| id == 1).expect("it fits");
+    fn an_object_that_was_inserted_is_isolated() {
+        let mut isolated = Isolated::none(3).expect("it fits");
+        isolated.insert(0);
+        isolated.insert(2);
         assert_eq!([0, 1, 2].map(|id| isolated.is(id)), [true, false, true]);
         assert!(!isolated.is(crate::accel::object::NO_OBJECT));
         assert!(!Isolated::default().is(0));
@@ -58,7 +62,8 @@ mod tests {
 
     #[test]
     fn a_hundred_answers_keep_their_places() {
-        let isolated = Isolated::new(100, |id| id % 3 == 0).expect("it fits");
+        let mut isolated = Isolated::none(100).expect("it fits");
+        (0..100).filter(|id| id % 3 != 0).for_each(|id| isolated.insert(id));
         for id in 0..128 {
             assert_eq!(isolated.is(id), id < 100 && id % 3 != 0, "{id}");
         }

@@ -119,10 +119,11 @@ impl Candidates {
         let inside = at(row as f64);
         let planes = [-HALF_PIXEL, HALF_PIXEL].map(|side| half_space(camera.delta_x, at(row as f64 + side), inside));
         self.row.clear();
-        if let Some(bvh) = prepared.accel.boxes() {
+        if prepared.accel.has_boxes() {
             let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes);
             self.boxed.clear();
-            bvh.visit(may_overlap, |id| self.boxed.push((object::order_of(&prepared.objects, id), id)));
+            let accel = &prepared.accel;
+            accel.visit_boxes(may_overlap, |id| self.boxed.push((object::order_of(&prepared.objects, id), id)));
             self.boxed.sort_unstable();
             self.row.extend(self.boxed.iter().map(|&(_, id)| Outline::new(prepared, id)));
         } else {

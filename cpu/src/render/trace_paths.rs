@@ -33,6 +33,7 @@ impl<L: Layout> Kernel for TracePaths<'_, '_, L> {
             Accel::SmallScene(accel) => simd.run_promptly(OneByOne { prepared, tracer, accel }),
             Accel::FlatFilter(accel) => simd.run(OneByOne { prepared, tracer, accel }),
             Accel::Bvh(accel) => simd.run(OneByOne { prepared, tracer, accel }),
+            Accel::LargeBvh(accel) => simd.run(OneByOne { prepared, tracer, accel }),
         }
     }
 }

@@ -6,15 +6,15 @@ mod split;
 
 use self::item::{Item, Range};
 use self::split::{dissolve_small_children, split_into_children};
-use crate::accel::bvh::{collapsed_root, node::HIERARCHY, node::Kind, node::Node, node::WIDTH};
+use crate::accel::bvh::{boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, node::WIDTH};
 use crate::accel::{bounds::Bounds, object::ObjectId};
 use crate::{input::error::Error, input::error::push, layout::with_room};
 
 /// The tree over the objects of a scene.
 #[derive(Debug)]
-pub struct Tree {
+pub struct Tree<B> {
     /// The nodes, the root first. The list is empty if there are no objects.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<Node<B>>,
     /// For each sphere of the tree, in the order of the tree, the number that it had before. In `nodes` it has its place
     /// in this list as its number.
     pub spheres: Vec<ObjectId>,
@@ -27,11 +27,11 @@ pub struct Tree {
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
-pub fn build(
+pub fn build<B: Boxes>(
     most: usize,
     sphere_count: usize,
     objects: impl Iterator<Item = (Bounds, ObjectId)>,
-) -> Result<Tree, Error> {
+) -> Result<Tree<B>, Error> {
     let mut items = with_room(most)?;
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
     let (spheres, cylinders) = (with_room(sphere_count)?, with_room(most - sphere_count)?);

@@ -6,8 +6,8 @@
 //! it saves no time, by measurement (docs/experiments.md).
 
 use crate::accel::{
-    bounds::Bounds, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind, bvh::node::Node, bvh::node::WIDTH,
-    bvh::slab_ray::SlabRay,
+    bounds::Bounds, bvh::boxes::Boxes, bvh::boxes::WideBoxes, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind,
+    bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
 };
 use crate::{
     counters::Counter, counters::add, input::error::Error, input::error::push, layout::with_room, math::vec3::Vec3,
@@ -33,9 +33,11 @@ pub fn planned(objects: usize) -> Option<usize> {
 /// box of the child itself.
 #[derive(Debug)]
 pub struct CollapsedRoot {
-    /// The boxes, 16 in each node, whose numbers of children have no meaning. The list is empty if there would be at
-    /// most 16 boxes, or more than [`MOST`]. The traversal then begins at the root.
-    rows: Vec<Node>,
+    /// The boxes, 16 in each entry. The list is empty if there would be at most 16 boxes, or more than [`MOST`]. The
+    /// traversal then begins at the root.
+    rows: Vec<WideBoxes>,
+    /// A bit for each box, which is 1. It is 1 without boxes.
+    occupied: u64,
     /// The index of the node to which each box leads. If `rows` is empty, the first of them is the index of the root.
     nodes: [u32; MOST],
     /// The axis along which the boxes are sorted: 0 for x, 1 for y, 2 for z.
@@ -47,7 +49,7 @@ impl CollapsedRoot {
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(nodes: &mut Vec<Node>) -> Result<Self, Error> {
+    pub fn new<B: Boxes>(nodes: &mut Vec<Node<B>>) -> Result<Self, Error> {
         let mut boxes = with_room(WIDTH * WIDTH)?;
         for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
             match (child.kind == Kind::Node).then(|| &nodes[child.number as usize]) {
@@ -56,16 +58,17 @@ impl CollapsedRoot {
             }
         }
         let all = boxes.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(bounds));
-        let mut root = Self { rows: Vec::new(), nodes: [0; MOST], axis: all.longest_axis() };
+        let mut root = Self { rows: Vec::new(), occupied: 1, nodes: [0; MOST], axis: all.longest_axis() };
         if !(WIDTH + 1..=MOST).contains(&boxes.len()) {
             return Ok(root);
         }
         let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(root.axis);
         boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
+        root.occupied = u64::MAX >> (MOST - boxes.len());
         root.rows = with_room(MOST / WIDTH)?;
         for row in boxes.chunks(WIDTH) {
             let bounds: [Bounds; WIDTH] = std::array::from_fn(|lane| row[lane.min(row.len() - 1)].0);
-            root.rows.push(Node::new(&bounds[..row.len()], [row.len(), 0, 0], [0; 3]));
+            root.rows.push(WideBoxes::new(&bounds[..row.len()]));
         }
         for (&(bounds, child), index) in boxes.iter().zip(&mut root.nodes) {
             *index = child.number;
@@ -84,10 +87,10 @@ impl CollapsedRoot {
         add(Counter::NodeVisits, self.rows.len() as u64);
         let mut bits = u64::from(self.rows.is_empty());
         for (place, row) in self.rows.iter().enumerate().take(MOST / WIDTH) {
-            let hit = slab_ray.intersect(row, farthest, &mut [0.0; WIDTH]);
+            let hit = row.intersect(slab_ray, farthest, &mut [0.0; WIDTH]);
             bits |= u64::from(hit) << (place * WIDTH);
         }
-        bits
+        bits & self.occupied
     }
 
     /// Whether a ray along `direction` passes the sorted boxes from the last to the first.
@@ -115,16 +118,17 @@ impl CollapsedRoot {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::build::build;
+    use crate::accel::bvh::{boxes::ByteBoxes, build::build};
     use crate::sampling::uniform::Uniform;
 
     /// Returns the boxes of the collapsed root, in order.
-    fn boxes_of(row: &CollapsedRoot) -> impl Iterator<Item = (Bounds, Child)> {
-        row.rows.iter().flat_map(Node::children)
+    fn boxes_of(row: &CollapsedRoot) -> impl Iterator<Item = Bounds> {
+        let count = if row.rows.is_empty() { 0 } else { row.occupied.count_ones() as usize };
+        (0..count).map(|place| row.rows[place / WIDTH].bounds(place % WIDTH))
     }
 
     /// Returns the objects below a node.
-    fn objects(nodes: &[Node], node: &Node) -> Vec<u32> {
+    fn objects<B: Boxes>(nodes: &[Node<B>], node: &Node<B>) -> Vec<u32> {
         let of_child = |child: Child| match child.kind {
             Kind::Node => objects(nodes, &nodes[child.number as usize]),
             _ => vec![child.number],
@@ -140,7 +144,7 @@ mod tests {
                 let low = [(); 3].map(|()| draws.draw(-10.0, 10.0) as f32);
                 (Bounds { low, high: low.map(|value| value + 0.1) }, id)
             });
-            let mut nodes = build(count, count, bounds).expect("it fits").nodes;
+            let mut nodes = build::<ByteBoxes>(count, count, bounds).expect("it fits").nodes;
             let row = CollapsedRoot::new(&mut nodes).expect("it fits");
             let children = boxes_of(&row).count();
             if let Some(planned) = planned(count) {
@@ -156,10 +160,10 @@ mod tests {
             let expected = if planned(count).is_some() || children > 0 { 0..count as u32 } else { 0..0 };
             assert!(actual.into_iter().eq(expected), "{count} objects");
             assert!(count != 20_000 || children == 0);
-            let bytes = (nodes.len() + row.rows.len()) * size_of::<Node>();
+            let bytes = nodes.len() * size_of::<Node<ByteBoxes>>() + row.list_bytes();
             assert!(count <= 256 || bytes < 20 * count, "{bytes} bytes for {count} objects");
             // The boxes in the nodes are larger than those that were sorted, by up to a 127th of the scene.
-            let middles: Vec<_> = boxes_of(&row).map(|(bounds, _)| bounds.twice_middle(row.axis)).collect();
+            let middles: Vec<_> = boxes_of(&row).map(|bounds| bounds.twice_middle(row.axis)).collect();
             assert!(middles.windows(2).all(|pair| pair[0] < pair[1] + 40.0 / 127.0));
         }
     }
@@ -167,7 +171,7 @@ mod tests {
     #[test]
     fn boxes_are_taken_from_the_end_that_the_ray_passes_first() {
         let nodes = std::array::from_fn(|place| place as u32 + 1);
-        let row = CollapsedRoot { rows: Vec::new(), nodes, axis: 1 };
+        let row = CollapsedRoot { rows: Vec::new(), occupied: 0, nodes, axis: 1 };
         let all = |direction: [f64; 3]| {
             let (mut bits, mut taken) = (1 << 63 | 1 << 17 | 1 << 5 | 1, Vec::new());
             while bits != 0 {

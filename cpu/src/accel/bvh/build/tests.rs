@@ -1,11 +1,11 @@
 //! Tests trees of any number of boxes, also of equal boxes.
 
-use crate::accel::bvh::build::*;
+use crate::accel::bvh::{boxes::ByteBoxes, build::*};
 use crate::sampling::uniform::Uniform;
 
 /// Checks that every object is in the tree once, inside all boxes above it. Two thirds of the objects are spheres.
 /// Returns the depth of the tree.
-fn check(tree: &Tree, bounds: &[Bounds]) -> u32 {
+fn check(tree: &Tree<ByteBoxes>, bounds: &[Bounds]) -> u32 {
     let mut seen = vec![false; bounds.len()];
     let mut deepest = 0;
     let everything = Bounds { low: [f32::MIN; 3], high: [f32::MAX; 3] };
@@ -52,7 +52,7 @@ fn random(count: usize, size: f64) -> Vec<Bounds> {
     (0..count).map(|_| one()).collect()
 }
 
-fn build_all(bounds: &[Bounds]) -> Tree {
+fn build_all(bounds: &[Bounds]) -> Tree<ByteBoxes> {
     build(bounds.len(), spheres(bounds.len()), bounds.iter().copied().zip(0..)).expect("it fits")
 }
 
@@ -84,7 +84,7 @@ fn objects_that_shrink_towards_a_point_keep_the_depth_bounded() {
 fn a_hierarchy_takes_less_than_twenty_bytes_an_object() {
     for count in [257, 1000, 1025, 4097, 20_000] {
         let nodes = build_all(&random(count, 0.01)).nodes;
-        let bytes = nodes.len() * size_of::<Node>();
+        let bytes = nodes.len() * size_of::<Node<ByteBoxes>>();
         assert!(bytes < 20 * count, "{bytes} bytes for {count} objects");
     }
 }

@@ -1,0 +1,256 @@
+//! The boxes of a node's children, in two forms: [`WideBoxes`] with coordinates, for small trees, and [`ByteBoxes`], for
+//! trees that do not fit into the processor's caches.
+
+use std::array;
+
+use crate::accel::bvh::{node::WIDTH, slab_ray::SlabRay};
+use crate::{accel::bounds::Bounds, simd::SimdF32};
+
+/// The planes of 16 boxes: the lower planes along each axis, then the upper planes.
+pub type Planes<P> = [[[P; WIDTH]; 3]; 2];
+
+/// A number that stands for the coordinate of a plane.
+pub trait Plane: Copy {
+    /// Returns the first numbers of `planes`, as many as `F` has lanes.
+    fn load<F: SimdF32>(planes: &[Self]) -> F;
+}
+
+impl Plane for f32 {
+    #[inline(always)]
+    fn load<F: SimdF32>(planes: &[Self]) -> F {
+        F::load(planes)
+    }
+}
+
+impl Plane for u8 {
+    #[inline(always)]
+    fn load<F: SimdF32>(planes: &[Self]) -> F {
+        F::load_bytes(planes)
+    }
+}
+
+/// Up to 16 boxes, which are tested together.
+pub trait Boxes: Clone + std::fmt::Debug {
+    /// No boxes.
+    const EMPTY: Self;
+
+    /// Returns `boxes`, which are at most 16, in their order.
+    fn new(boxes: &[Bounds]) -> Self;
+
+    /// Returns the box in a lane. It contains the box that was given to [`Boxes::new`].
+    fn bounds(&self, lane: usize) -> Bounds;
+
+    /// Stores the lambda at which the ray enters each box, or 0 if it starts inside. Returns a bit for each box, which
+    /// is 1 if the ray hits the box at a lambda of at most `farthest`. The bits of lanes without a box have no meaning.
+    fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32;
+
+    /// Returns a bit for each box, which is 1 if it overlaps `bounds`. The bits of lanes without a box have no meaning.
+    fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32;
+}
+
+/// Boxes as the coordinates of their planes, in scene units. They have 384 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct WideBoxes(Planes<f32>);
+
+impl Boxes for WideBoxes {
+    const EMPTY: Self = Self([[[0.0; WIDTH]; 3]; 2]);
+
+    fn new(boxes: &[Bounds]) -> Self {
+        let plane = |lane: usize, side: fn(&Bounds) -> [f32; 3], axis: usize| {
+            boxes.get(lane).map_or(0.0, |bounds| side(bounds)[axis])
+        };
+        let planes = |side| array::from_fn(|axis| array::from_fn(|lane| plane(lane, side, axis)));
+        Self([planes(|bounds| bounds.low), planes(|bounds| bounds.high)])
+    }
+
+    fn bounds(&self, lane: usize) -> Bounds {
+        let [low, high] = self.0.map(|planes| planes.map(|planes| planes[lane]));
+        Bounds { low, high }
+    }
+
+    #[inline(always)]
+    fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
+        slab_ray.intersect(&self.0, farthest, distances)
+    }
+
+    #[inline(always)]
+    fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
+        overlapping::<f32, F>(&self.0, &bounds.low, &bounds.high)
+    }
+}
+
+/// Boxes in a frame of their own, which divides each axis into steps. The plane with the number `n` is at the coordinate
+/// `origin + n step`. They have 112 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct ByteBoxes {
+    /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up.
+    planes: Planes<u8>,
+    /// For each axis, the coordinate of the plane with the number 0, in scene units.
+    origin: [f32; 3],
+    /// For each axis, the exponent of the step, as in the bits of an `f32`. A step is a power of two, so a number is
+    /// multiplied by it without rounding.
+    exponents: [u8; 3],
+}
+
+impl ByteBoxes {
+    /// Returns the distance between neighbouring planes along each axis, in scene units.
+    #[inline(always)]
+    fn steps(&self) -> [f32; 3] {
+        let [x, y, z] = self.exponents;
+        [f32::from_bits(u32::from(x) << 23), f32::from_bits(u32::from(y) << 23), f32::from_bits(u32::from(z) << 23)]
+    }
+}
+
+impl Boxes for ByteBoxes {
+    const EMPTY: Self = Self { planes: [[[0; WIDTH]; 3]; 2], origin: [0.0; 3], exponents: [1; 3] };
+
+    fn new(boxes: &[Bounds]) -> Self {
+        let all = boxes.iter().fold(Bounds::EMPTY, |all, bounds| all.union(bounds));
+        let mut result = Self { origin: all.low, ..Self::EMPTY };
+        for axis in 0..3 {
+            let origin = f64::from(all.low[axis]);
+            // The exponent is that of the next larger power of two, so rounding cannot make 255 steps too short.
+            let least_step = ((f64::from(all.high[axis]) - origin) / 255.0) as f32;
+            result.exponents[axis] = (least_step.to_bits() >> 23) as u8 + 1;
+            let steps_per_unit = 1.0 / f64::from(result.steps()[axis]);
+            for (lane, bounds) in boxes.iter().enumerate() {
+                let steps = |plane: f32| (f64::from(plane) - origin) * steps_per_unit;
+                // The conversion to an integer rounds down, as no number is negative.
+                let high = steps(bounds.high[axis]);
+                let whole = high as u8;
+                result.planes[0][axis][lane] = steps(bounds.low[axis]) as u8;
+                result.planes[1][axis][lane] = whole + u8::from(f64::from(whole) < high);
+            }
+        }
+        result
+    }
+
+    fn bounds(&self, lane: usize) -> Bounds {
+        let steps = self.steps();
+        let plane = |side: usize, axis: usize| {
+            f64::from(self.origin[axis]) + f64::from(steps[axis]) * f64::from(self.planes[side][axis][lane])
+        };
+        Bounds {
+            low: [0, 1, 2].map(|axis| (plane(0, axis) as f32).next_down()),
+            high: [0, 1, 2].map(|axis| (plane(1, axis) as f32).next_up()),
+        }
+    }
+
+    #[inline(always)]
+    fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
+        slab_ray.in_frame(&self.origin, &self.steps()).intersect(&self.planes, farthest, distances)
+    }
+
+    #[inline(always)]
+    fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
+        let (mut low, mut high, steps) = ([0.0; 3], [0.0; 3], self.steps());
+        for axis in 0..3 {
+            let (origin, step) = (f64::from(self.origin[axis]), f64::from(steps[axis]));
+            // A hundredth of a step covers the rounding of up to 256 steps to single precision.
+            low[axis] = ((f64::from(bounds.low[axis]) - origin) / step - 0.01) as f32;
+            high[axis] = ((f64::from(bounds.high[axis]) - origin) / step + 0.01) as f32;
+        }
+        overlapping::<u8, F>(&self.planes, &low, &high)
+    }
+}
+
+/// Returns a bit for each box with these planes, which is 1 if it overlaps the box from `low` to `high`.
+#[inline(always)]
+fn overlapping<P: Plane, F: SimdF32>(planes: &Planes<P>, low: &[f32; 3], high: &[f32; 3]) -> u32 {
+    let mut bits = 0;
+    for at in (0..WIDTH).step_by(F::LANES) {
+        let mut overlaps = u32::MAX;
+        for axis in 0..3 {
+            overlaps &= P::load::<F>(&planes[0][axis][at..]).less_equal(F::splat(high[axis]));
+            overlaps &= F::splat(low[axis]).less_equal(P::load::<F>(&planes[1][axis][at..]));
+        }
+        bits |= overlaps << at;
+    }
+    bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sampling::uniform::Uniform;
+    use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
+
+    /// A kernel that finds the boxes that overlap another box.
+    struct Overlaps<'a, B>(&'a B, &'a Bounds);
+
+    impl<B: Boxes> Kernel for Overlaps<'_, B> {
+        type Output = u32;
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> u32 {
+            self.0.overlaps::<S::F32>(self.1)
+        }
+    }
+
+    #[test]
+    fn the_sizes_are_as_documented() {
+        assert_eq!([size_of::<WideBoxes>(), size_of::<ByteBoxes>()], [384, 112]);
+    }
+
+    /// Returns `count` boxes, with coordinates of magnitude `scale`, near `offset`.
+    fn boxes(draws: &mut Uniform, count: usize, scale: f64, offset: f64) -> Vec<Bounds> {
+        (0..count)
+            .map(|_| {
+                let low = [(); 3].map(|()| (offset + draws.draw(-scale, scale)) as f32);
+                Bounds { low, high: low.map(|low| low + draws.draw(0.0, scale) as f32) }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_box_of_bytes_contains_the_box_that_was_given_and_is_hardly_larger() {
+        let mut draws = Uniform::new(3);
+        for number in 0..2000 {
+            let scale = 10.0_f64.powf(draws.draw(-5.0, 9.0));
+            let offset = if number % 2 == 0 { 0.0 } else { draws.draw(-1e9, 1e9) };
+            let given = boxes(&mut draws, 1 + number % WIDTH, scale, offset);
+            let all = given.iter().fold(Bounds::EMPTY, |all, bounds| all.union(bounds));
+            let (bytes, wide) = (ByteBoxes::new(&given), WideBoxes::new(&given));
+            for (lane, given) in given.iter().enumerate() {
+                assert_eq!(wide.bounds(lane), *given);
+                let actual = bytes.bounds(lane);
+                for axis in 0..3 {
+                    let step = (f64::from(all.high[axis]) - f64::from(all.low[axis])) / 127.0;
+                    let largest = f64::from(all.low[axis].abs().max(all.high[axis].abs()));
+                    let most = step + 3.0 * f64::from(f32::EPSILON) * largest;
+                    let below = f64::from(given.low[axis]) - f64::from(actual.low[axis]);
+                    let above = f64::from(actual.high[axis]) - f64::from(given.high[axis]);
+                    for outside in [below, above] {
+                        assert!(outside > 0.0 && outside <= most, "{given:?} in {actual:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_that_overlap_are_found_by_every_set() {
+        let mut draws = Uniform::new(4);
+        let (mut overlaps, mut more) = (0, 0);
+        for number in 0..2000 {
+            let given = boxes(&mut draws, WIDTH, 1.0, (number % 3) as f64 * 1000.0);
+            let mut other = boxes(&mut draws, 1, 1.0, (number % 3) as f64 * 1000.0)[0];
+            if number % 2 == 0 {
+                // The other box only touches the first box.
+                other.low[0] = given[0].high[0];
+                other.high[0] = other.low[0] + 1.0;
+            }
+            let expected = (0..WIDTH).fold(0, |bits, lane| bits | u32::from(given[lane].overlaps(&other)) << lane);
+            let (bytes, wide) = (ByteBoxes::new(&given), WideBoxes::new(&given));
+            let found = InstructionSet::Portable.run(Overlaps(&bytes, &other));
+            assert_eq!(expected & !found, 0, "{given:?}, {other:?}");
+            for set in InstructionSet::available() {
+                assert_eq!(set.run(Overlaps(&wide, &other)), expected, "{}", set.name());
+                assert_eq!(set.run(Overlaps(&bytes, &other)), found, "{}", set.name());
+            }
+            overlaps += expected.count_ones();
+            more += (found & !expected).count_ones();
+        }
+        assert!(overlaps > 5000 && more < overlaps / 10, "{overlaps}, and {more} that are only near");
+    }
+}

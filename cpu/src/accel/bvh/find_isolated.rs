@@ -1,0 +1,84 @@
+//! Finds the isolated objects of a tree, those whose box no other box overlaps. See
+//! [`isolated`](crate::accel::isolated) for what they are good for.
+
+use crate::accel::bvh::{boxes::Boxes, node::Kind, node::Node};
+use crate::accel::{bounds::Bounds, dominant_sphere::DominantSphere, extent::Extent, isolated::Isolated};
+use crate::accel::{object::ObjectId, object::count};
+use crate::{input::error::Error, layout::Objects, simd::Kernel, simd::Simd};
+
+/// Maximum number of nodes that are visited to decide whether an object is isolated. It limits the time.
+const MOST_VISITS: usize = 64;
+
+/// A kernel that finds the isolated objects. An overlap with the dominant sphere does not count, because every ray is
+/// tested against that sphere.
+pub struct FindIsolated<'a, B, O> {
+    /// The nodes of the tree, the root first.
+    pub nodes: &'a [Node<B>],
+    /// The objects of the tree.
+    pub objects: &'a O,
+    /// The extent of the scene.
+    pub extent: &'a Extent,
+    /// The dominant sphere, which is not in the tree.
+    pub dominant: DominantSphere,
+}
+
+impl<B: Boxes, O: Objects> Kernel for FindIsolated<'_, B, O> {
+    type Output = Result<Isolated, Error>;
+
+    #[inline(always)]
+    fn call<S: Simd>(self, _: S) -> Result<Isolated, Error> {
+        let count = count(self.objects);
+        let mut isolated = Isolated::none(count)?;
+        // The boxes are enlarged by more than rounding can move a point of a surface.
+        let slack = (1e-9 * self.extent.max_coordinate) as f32;
+        for id in 0..count as ObjectId {
+            if !self.dominant.is(id) && !self.overlaps_another::<S>(id, &self.bounds_of(id).enlarged(slack)) {
+                isolated.insert(id);
+            }
+        }
+        Ok(isolated)
+    }
+}
+
+impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
+    fn bounds_of(&self, id: ObjectId) -> Bounds {
+        Bounds::of_object(self.objects, id, self.extent)
+    }
+
+    /// Whether the box of an object other than `id` overlaps the box `bounds`. If [`MOST_VISITS`] visits of nodes do
+    /// not decide this, the result is true.
+    #[inline(always)]
+    fn overlaps_another<S: Simd>(&self, id: ObjectId, bounds: &Bounds) -> bool {
+        let (mut pending, mut count) = ([0; MOST_VISITS], 1);
+        for _ in 0..MOST_VISITS {
+            if count == 0 {
+                return false;
+            }
+            count -= 1;
+            let node = &self.nodes[pending[count] as usize];
+            let overlapping = node.boxes.overlaps::<S::F32>(bounds);
+            let [nodes, spheres, cylinders] = node.lanes();
+            let mut nodes = nodes & overlapping;
+            while nodes != 0 {
+                if count == MOST_VISITS {
+                    return true;
+                }
+                pending[count] = node.number(Kind::Node, nodes.trailing_zeros() as usize);
+                nodes &= nodes - 1;
+                count += 1;
+            }
+            for (kind, lanes) in [(Kind::Sphere, spheres), (Kind::Cylinder, cylinders)] {
+                let mut lanes = lanes & overlapping;
+                while lanes != 0 {
+                    let other = node.number(kind, lanes.trailing_zeros() as usize);
+                    lanes &= lanes - 1;
+                    // The boxes in the tree may be larger than those of the objects.
+                    if other != id && self.bounds_of(other).overlaps(bounds) {
+                        return true;
+                    }
+                }
+            }
+        }
+        true
+    }
+}
