@@ -148,8 +148,10 @@ export class Live {
     #go(): void {
         if (!this.#isRunning && this.#isShown && this.#facts) {
             this.#isRunning = true;
+            this.#canvas.ariaBusy = 'true';
             void this.#run().catch((error: unknown) => this.#failed(error)).finally(() => {
                 this.#isRunning = false;
+                this.#canvas.ariaBusy = 'false';
                 // A change may have come after the last frame had begun.
                 if (this.#seen !== this.#version) {
                     this.#go();
