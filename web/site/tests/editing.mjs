@@ -43,6 +43,7 @@ export const tests = {
         check(option.includes('samples_per_pixel:') && option.includes('whole number > 0'), option);
         const info = await page.textContent('.cm-completionInfo');
         equal(info, 'rays a pixel; noise falls with their square root; default: 20', 'the meaning of the table');
+        equal(await page.locator('.cm-completionIcon').count(), 0, 'icons, which are empty boxes where no font has them');
         await shoot(page, 'completion');
         await completionsTakeKeys(page);
         await page.keyboard.press('Enter');

@@ -137,6 +137,7 @@ export const tests = {
             await page.waitForSelector(ready);
             if (tab === 'compare') {
                 await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
+                await shoot(page, 'phone-figures');
                 await page.tap('#compare-stage');
                 await page.waitForSelector('#pixel-steps tr');
             }
