@@ -87,7 +87,7 @@ impl Command {
             Self::Generate(arguments) => arguments.run(options),
             Self::Bench(arguments) => arguments.run(options),
             Self::Report(arguments) => arguments.run(options),
-            Self::View(arguments) => arguments.run(),
+            Self::View(arguments) => arguments.run(options),
             Self::Completions(arguments) => arguments.run(&mut Cli::command()),
             Self::Man(arguments) => arguments.run(Cli::command(), options),
             Self::Help(arguments) => arguments.run(Cli::command()),

@@ -8,19 +8,23 @@
 //! | `POST /view/render/NUMBER` | the PPM file of the two texts in the body; `NUMBER` names the picture |
 //! | `GET /view/progress` | the number of finished rows and of all rows |
 //! | `POST /view/cancel/NUMBER` | nothing; stops the picture if it is being rendered |
+//! | `POST /view/camera` | the new version; writes the camera in the body into the configuration file |
 //!
-//! [`loopback`] limits the requests. [`native`] renders one picture at a time.
+//! [`loopback`] limits the requests. [`native`] renders one picture at a time. [`camera`] is the only part that writes.
 
+mod camera;
 pub mod native;
 pub mod site;
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 use std::time::SystemTime;
 
 use cpu::internals::input::reader;
 use loopback::Answer;
 use loopback::request::Request;
+use output::Options;
 use serde::Serialize;
 
 use crate::terminal;
@@ -37,6 +41,10 @@ pub struct View {
     config: PathBuf,
     scene: PathBuf,
     native: Native,
+    /// How the configuration is written.
+    how: Options,
+    /// Held while a camera is saved.
+    saving: Mutex<()>,
 }
 
 /// Both input files, as the page receives them.
@@ -48,10 +56,10 @@ struct Files {
 }
 
 impl View {
-    /// Returns the view of two input files.
+    /// Returns the view of two input files. `how` tells how a camera is written into the configuration.
     #[must_use]
-    pub fn new(site: Site, config: PathBuf, scene: PathBuf) -> Self {
-        Self { site, config, scene, native: Native::default() }
+    pub fn new(site: Site, config: PathBuf, scene: PathBuf, how: Options) -> Self {
+        Self { site, config, scene, native: Native::default(), how, saving: Mutex::default() }
     }
 
     /// Answers one request.
@@ -66,6 +74,7 @@ impl View {
                 "/view/progress" => Answer::ok("text/plain", self.native.progress().into_bytes()),
                 _ => self.site.file(path),
             },
+            "POST" if path == "/view/camera" => self.save_camera(&request.body),
             "POST" => {
                 if let Some(number) = number("/view/render/") {
                     self.native.render(number, &request.body)
@@ -95,13 +104,18 @@ impl View {
 
     /// Returns a text that changes when one of the files changes: their times of modification and their sizes.
     fn version(&self) -> String {
-        let of = |path: &Path| -> io::Result<String> {
-            let file = path.metadata()?;
-            let time = file.modified()?.duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-            Ok(format!("{}-{}", time.as_nanos(), file.len()))
-        };
-        [&self.config, &self.scene].map(|path| of(path).unwrap_or_else(|_| "missing".to_owned())).join(" ")
+        [&self.config, &self.scene].map(|path| version_of(path)).join(" ")
     }
+}
+
+/// Returns a text that changes when the file changes.
+fn version_of(path: &Path) -> String {
+    let version = || -> io::Result<String> {
+        let file = path.metadata()?;
+        let time = file.modified()?.duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+        Ok(format!("{}-{}", time.as_nanos(), file.len()))
+    };
+    version().unwrap_or_else(|_| "missing".to_owned())
 }
 
 /// Returns the text of an input file, or a message with the file's name.

@@ -70,6 +70,12 @@ fn the_figures_of_the_documentation_are_what_its_commands_print() {
     };
     let said = shown(&[]);
     check_lines(&block(&docs, "from the CPU in f64: "), &said);
+    let said = shown(&["--first-difference"]);
+    let lines = block(&docs, "pixel ");
+    assert!(
+        lines.len() >= 15 && said.ends_with(&(lines.join("\n") + "\n")),
+        "{lines:?}, but the command prints:\n{said}"
+    );
     let (_, pixel) = docs.split_once("`--pixel ").expect("the page has an example");
     let (pixel, _) = pixel.split_once('`').expect("it ends");
     let views = shown(&["--show", "lambda"]);

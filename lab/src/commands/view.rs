@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 
 use clap::Args;
 use loopback::Server;
+use output::Options;
 
 use crate::view::{Site, View};
 use crate::{Failure, sources, terminal};
@@ -17,8 +18,8 @@ Examples:
   render-lab view scenes/materials/config.txt scenes/materials/scene.txt --open
   render-lab view config.txt scene.txt --port 9000 --site /srv/page
 
-The page shows the two files, and loads them again when they change. It does not write to them. Only this machine can
-reach it. Ctrl+C ends it.")]
+The page shows the two files, and loads them again when they change. It writes only a camera into the configuration,
+when you press its button. Only this machine can reach it. Ctrl+C ends it.")]
 pub struct Arguments {
     /// Configuration file
     config: PathBuf,
@@ -36,11 +37,12 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Serves the page until the process is stopped. Prints the page's address.
+    /// Serves the page until the process is stopped. Prints the page's address. `how` tells how the configuration is
+    /// written.
     ///
     /// # Errors
     /// An error of the two files or of the page's folder, or a port that is in use.
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, how: Options) -> Result<(), Failure> {
         // The files are read once before the page exists, so that their errors are shown with their places.
         sources::config(&self.config, &[])?.check_picture().map_err(|error| error.in_file(&self.config))?;
         sources::scene(&self.scene)?;
@@ -53,7 +55,7 @@ impl Arguments {
         if self.open {
             open(&address);
         }
-        let view = View::new(site, self.config.clone(), self.scene.clone());
+        let view = View::new(site, self.config.clone(), self.scene.clone(), how);
         // The result is an error or never comes.
         server.serve(move |request| view.answer(&request)).map(|_| ()).map_err(Failure::from)
     }

@@ -24,7 +24,7 @@ fn view() -> (Folder, View) {
     write("site/index.html", INDEX);
     write("site/scenes/names.json", "[]");
     let site = Site::read(&folder.path().join("site")).expect("it has a page");
-    let view = View::new(site, config, scene);
+    let view = View::new(site, config, scene, Options::default());
     (folder, view)
 }
 
@@ -77,6 +77,57 @@ fn the_input_files_are_given_with_a_version_that_changes_with_them() {
     fs::remove_file(&view.scene).expect("the folder is writable");
     let (status, message) = asked(&view, "GET", "/view/files", "");
     assert!(status == "404" && message.starts_with("Cannot read file ["), "{message}");
+}
+
+/// Returns the body that asks to save the camera at `position`.
+fn camera(version: &str, position: &str) -> String {
+    let position = format!("camera_position: {position}");
+    let lines = [&position[..], "camera_target: 0 0 1", "camera_north: 0 1 0"];
+    serde_json::json!({ "version": version, "lines": lines }).to_string()
+}
+
+#[test]
+fn a_camera_is_saved_into_the_configuration_that_the_page_has_read() {
+    let (_folder, view) = view();
+    let config = || fs::read_to_string(&view.config).expect("it is text");
+    let save = |body: &str| asked(&view, "POST", "/view/camera", body);
+    let version = || asked(&view, "GET", "/view/version", "").1;
+    let first = version();
+    assert_eq!(asked(&view, "GET", "/view/camera", "").0, "404", "a link saves nothing");
+    let (status, answered) = save(&camera(&first, "0 0 -5"));
+    assert_eq!((status, &answered), ("200", &version()), "the answer is the new version");
+    let written =
+        "image_width: 8\naspect_ratio: 1 1\ncamera_position: 0 0 -5\ncamera_target: 0 0 1\ncamera_north: 0 1 0\n";
+    assert_eq!(config(), written);
+    // The page has not read this file.
+    assert_eq!(save(&camera(&first, "0 0 -6")).0, "409");
+    let edited = format!("{written}max_depth: 7\n");
+    fs::write(&view.config, &edited).expect("the folder is writable");
+    assert_eq!(save(&camera(&answered, "0 0 -6")).0, "409");
+    assert_eq!(config(), edited, "the file is as it was");
+    assert_eq!(save(&camera(&version(), "0 0 -6")).0, "200");
+    assert_eq!(config(), edited.replace("0 0 -5", "0 0 -6"));
+}
+
+#[test]
+fn a_camera_that_cannot_be_saved_leaves_the_configuration() {
+    let (folder, view) = view();
+    let before = fs::read_to_string(&view.config).expect("it is text");
+    let save = |body: &str| asked(&view, "POST", "/view/camera", body);
+    let version = || asked(&view, "GET", "/view/version", "").1;
+    assert_eq!(save("{}").0, "422");
+    assert_eq!(save(&camera(&version(), &"1".repeat(5000))).0, "413");
+    assert_eq!(save(&camera(&version(), "0 0 0\nmax_depth: 9")).0, "422");
+    let (status, message) = save(&camera(&version(), "0 0 1"));
+    assert!(status == "422" && message.contains("is the same point as camera_target"), "{message}");
+    assert_eq!(fs::read_to_string(&view.config).expect("it is text"), before);
+    fs::remove_file(&view.config).expect("the folder is writable");
+    assert_eq!(save(&camera(&version(), "0 0 -5")).0, "422");
+    fs::create_dir(&view.config).expect("the folder is writable");
+    let (status, message) = save(&camera(&version(), "0 0 -5"));
+    assert!(status == "422" && message.ends_with("is not a regular file"), "{message}");
+    let names = fs::read_dir(folder.path()).expect("it is there").count();
+    assert_eq!(names, 3, "no temporary file is left");
 }
 
 #[test]

@@ -21,8 +21,8 @@ function turn(vector: Vector, axis: Vector, angle: number): Vector {
 }
 
 /** Returns a number with at most six significant digits, which is what the line has. */
-const rounded = (number: number): number => Number(number.toPrecision(6));
-const roundedVector = (vector: Vector): Vector => [rounded(vector[0]), rounded(vector[1]), rounded(vector[2])];
+const short = (number: number): number => Number(number.toPrecision(6));
+const roundedVector = (vector: Vector): Vector => [short(vector[0]), short(vector[1]), short(vector[2])];
 
 /** The place and the direction of a camera, in the units of the scene. */
 export interface Camera {
@@ -56,16 +56,22 @@ export function zoom({ position, target, north }: Camera, factor: number): Camer
     return { position: add(target, scale(subtract(position, target), factor)), target, north };
 }
 
-/** Returns the lines of a configuration that describe the camera, with rounded numbers or all digits. */
-export function lines({ position, target, north }: Camera, isRounded: boolean): [key: string, value: string][] {
-    const text = (vector: Vector) => (isRounded ? roundedVector(vector) : vector).join(' ');
-    return [['camera_position:', text(position)], ['camera_target:', text(target)], ['camera_north:', text(north)]];
+/** Returns the lines of a configuration that describe the camera with all digits. */
+export function lines({ position, target, north }: Camera): [key: string, value: string][] {
+    return [['camera_position:', position.join(' ')], ['camera_target:', target.join(' ')], ['camera_north:', north.join(' ')]];
+}
+
+/** Returns the camera with rounded vectors. A vector of `start`, the camera before it was moved, keeps all digits. */
+export function rounded({ position, target, north }: Camera, start: Camera): Camera {
+    const isSame = (one: Vector, other: Vector) => one.every((number, axis) => number === other[axis]);
+    const of = (vector: Vector, old: Vector) => (isSame(vector, old) ? vector : roundedVector(vector));
+    return { position: of(position, start.position), target: of(target, start.target), north: of(north, start.north) };
 }
 
 /** Returns a configuration with the lines of the camera. They replace the last lines with their keys, or are added. */
 export function taken(config: string, camera: Camera): string {
     let rows = config.split('\n');
-    for (const [key, value] of lines(camera, true)) {
+    for (const [key, value] of lines(camera)) {
         const isKey = (row: string) => row.trim().split(/\s+/)[0] === key;
         const place = rows.findLastIndex(isKey);
         if (place >= 0) {

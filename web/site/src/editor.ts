@@ -1,4 +1,5 @@
 // An editor for one text, with colours, completions and marks for faults.
+import { autocompletion } from '@codemirror/autocomplete';
 import { isolateHistory } from '@codemirror/commands';
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
@@ -70,6 +71,8 @@ export class Editor {
         const extensions = [
             Prec.highest(keymap.of([{ key: 'Mod-Enter', run: () => (listener.render(), true) }])),
             basicSetup,
+            // The icons are characters that the fonts of many systems lack.
+            autocompletion({ icons: false }),
             language,
             syntaxHighlighting(colours),
             EditorView.contentAttributes.of({ 'aria-labelledby': label.id, spellcheck: 'false', autocapitalize: 'off' }),

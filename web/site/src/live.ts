@@ -25,8 +25,8 @@ const WINDOW = 1000;
 export interface Listener {
     /** A shader does not compile (null: all of them do). */
     refused(fault: Refused | null): void;
-    /** The camera was moved, and its lines are wanted in the configuration. */
-    taken(camera: Camera): void;
+    /** The lines of the camera are wanted in the configuration, or also in its file. */
+    taken(camera: Camera, isSaved: boolean): void;
     /** A pixel was clicked. */
     clicked(column: number, row: number, facts: Facts): void;
 }
@@ -64,7 +64,13 @@ export class Live {
         element('live-samples-line').hidden = device === null;
         this.#accumulates.addEventListener('change', () => this.#restart());
         this.#probes.addEventListener('change', () => this.#restart());
-        element('live-take').addEventListener('click', () => this.#camera && listener.taken(this.#camera));
+        const take = (isSaved: boolean) => {
+            if (this.#camera && this.#start) {
+                listener.taken(camera.rounded(this.#camera, this.#start), isSaved);
+            }
+        };
+        element('live-take').addEventListener('click', () => take(false));
+        element('live-save').addEventListener('click', () => take(true));
         element('live-reset').addEventListener('click', () => this.#move(this.#start));
         new Gestures(this.#canvas, {
             orbit: (right, up) => this.#move(this.#camera && camera.orbit(this.#camera, right, up)),
@@ -148,8 +154,10 @@ export class Live {
     #go(): void {
         if (!this.#isRunning && this.#isShown && this.#facts) {
             this.#isRunning = true;
+            this.#canvas.ariaBusy = 'true';
             void this.#run().catch((error: unknown) => this.#failed(error)).finally(() => {
                 this.#isRunning = false;
+                this.#canvas.ariaBusy = 'false';
                 // A change may have come after the last frame had begun.
                 if (this.#seen !== this.#version) {
                     this.#go();

@@ -69,9 +69,10 @@ class Page {
         return { config: this.#editors[0].text, scene: this.#editors[1].text };
     }
 
-    /** Shows a message below the picture. */
+    /** Shows a message below the picture, and below the view that is shown instead of the picture. */
     say(text: string): void {
         this.#picture.say(text);
+        element('said').textContent = text;
     }
 
     /** Replaces both texts. What the user had typed becomes one of the earlier texts. */

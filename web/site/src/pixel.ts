@@ -82,6 +82,7 @@ export class PixelView {
             return;
         }
         const own = ++this.#newest;
+        this.#table.ariaBusy = 'true';
         const { width, height } = source.facts;
         const limited = (id: string, size: number): number => {
             const input = element<HTMLInputElement>(id);
@@ -102,6 +103,9 @@ export class PixelView {
             }
         } catch (error) {
             element('pixel-first').textContent = error instanceof Error ? error.message : String(error);
+        }
+        if (own === this.#newest) {
+            this.#table.ariaBusy = 'false';
         }
     }
 

@@ -13,7 +13,7 @@ export function shownConfig(config: string, facts: Facts, largest: number, camer
     const { width, height, objects, depth } = facts;
     const affordable = Math.sqrt((TESTS / Math.max(objects * depth, 1)) * (width / height));
     const shown = Math.max(Math.min(width, largest, Math.floor(affordable)), Math.min(width, 16));
-    const rows = camera ? lines(camera, false).map((row) => row.join(' ')) : [];
+    const rows = camera ? lines(camera).map((row) => row.join(' ')) : [];
     return [config, `image_width: ${shown}`, ...rows, ''].join('\n');
 }
 

@@ -1,6 +1,6 @@
 // The views that use the shaders. They are made when one of them is shown for the first time, so that a page without
 // them starts sooner.
-import { taken, type Camera } from './camera';
+import { lines, taken, type Camera } from './camera';
 import { Comparison } from './compare';
 import { Device, type Refused } from './gpu/device';
 import type { Edits } from './gpu/compose';
@@ -14,6 +14,7 @@ import { PixelView, type Source } from './pixel';
 import { Preparer } from './preparer';
 import type { Texts } from './store';
 import { Tabs } from './tabs';
+import * as view from './view';
 import { say } from './words';
 
 /** What the views need of the page. */
@@ -160,7 +161,7 @@ export class Studio {
         const live = new Live(new Preparer(this.module), device, shaders[0] ?? null, {
             refused,
             clicked: (column, row) => follow(live.source, column, row),
-            taken: (camera) => this.#take(camera),
+            taken: (camera, isSaved) => void this.#take(camera, isSaved),
         });
         const comparison: Comparison | null = shaders[1] ? new Comparison(new Preparer(this.module), shaders[1], {
             refused,
@@ -170,8 +171,16 @@ export class Studio {
         return { live, comparison, pixel, shaders };
     }
 
-    #take(camera: Camera): void {
-        this.owner.replaceConfig(taken(this.owner.texts().config, camera));
-        this.owner.say(say('liveTaken'));
+    /** Writes the camera into the configuration, and into its file first if it is to be saved. */
+    async #take(camera: Camera, isSaved: boolean): Promise<void> {
+        try {
+            if (isSaved) {
+                await view.save(lines(camera).map((row) => row.join(' ')));
+            }
+            this.owner.replaceConfig(taken(this.owner.texts().config, camera));
+            this.owner.say(say(isSaved ? 'liveSaved' : 'liveTaken'));
+        } catch (error) {
+            this.owner.say(say('liveNotSaved', error instanceof Error ? error.message : String(error)));
+        }
     }
 }

@@ -1,6 +1,7 @@
-// What the page does when the program `render-lab view` serves it: it loads two files, and loads them again when they
-// change.
+// What the page does when the program `render-lab view` serves it: it loads two files, loads them again when they
+// change, and saves a camera into the configuration when the user asks for it.
 import type { Texts } from './store';
+import { say } from './words';
 
 /** Time between two questions whether a file has changed, in milliseconds. */
 const PAUSE = 1000;
@@ -27,10 +28,39 @@ async function files(): Promise<Files> {
     return response.json() as Promise<Files>;
 }
 
+/** The version of the files that the page has read. */
+let version = '';
+
+/** The last request that reads or changes the version. They follow each other, so that the page knows its own changes. */
+let last: Promise<unknown> = Promise.resolve();
+
+function inTurn<T>(act: () => Promise<T>): Promise<T> {
+    const result = last.then(act);
+    last = result.catch(() => null);
+    return result;
+}
+
+/** The status of an answer that tells that a file has changed. */
+const CONFLICT = 409;
+
+/** Writes the three lines of a camera into the configuration file. Throws if the file has changed, or cannot be written. */
+export const save = (lines: string[]): Promise<void> => inTurn(async () => {
+    const request = { method: 'POST', body: JSON.stringify({ version, lines }) };
+    const response = await fetch('view/camera', request).catch(() => {
+        throw new Error(say('unreachable'));
+    });
+    const text = await response.text();
+    if (!response.ok) {
+        throw new Error(response.status === CONFLICT ? say('fileChanged') : text);
+    }
+    version = text;
+});
+
 /** Returns the texts of both files, and calls `listener` whenever one of them changes. */
 export async function watch(listener: Listener): Promise<Texts> {
     const first = await files();
-    let version = first.version;
+    version = first.version;
+    document.getElementById('live-save')!.hidden = false;
     const look = async () => {
         const response = await fetch('view/version').catch(() => null);
         if (!response) {
@@ -46,7 +76,7 @@ export async function watch(listener: Listener): Promise<Texts> {
         }
     };
     const again = () => {
-        look().catch((error: unknown) => listener.failed(error instanceof Error ? error.message : String(error)))
+        inTurn(look).catch((error: unknown) => listener.failed(error instanceof Error ? error.message : String(error)))
             .finally(() => setTimeout(again, PAUSE));
     };
     setTimeout(again, PAUSE);

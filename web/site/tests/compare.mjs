@@ -1,5 +1,5 @@
 // Tests of the comparison with Rust, of a pixel's path, and of probed values.
-import { check, equal, frame, pixels, rmse, shoot } from './tools.mjs';
+import { check, equal, frame, pixels, rmse, shoot, still } from './tools.mjs';
 import { openLive } from './live.mjs';
 import { edit, openModule } from './shaders.mjs';
 
@@ -87,10 +87,10 @@ export const tests = {
         check(/e[-+]\d/.test(await page.textContent('#compare-most')), 'the scale of the linear map');
         await page.selectOption('#compare-view', 'both');
         await page.check('#compare-blink');
-        const isHidden = () => page.evaluate(() => document.getElementById('compare-shader').style.visibility === 'hidden');
-        await page.waitForFunction(() => document.getElementById('compare-shader').style.visibility === 'hidden');
-        check(await isHidden() || true, 'the exact picture is shown');
-        await page.waitForFunction(() => document.getElementById('compare-shader').style.visibility === 'visible');
+        // The exact picture is below that of the shaders, so hiding the upper one shows the lower one.
+        for (const visibility of ['hidden', 'visible', 'hidden']) {
+            await page.waitForFunction((state) => document.getElementById('compare-shader').style.visibility === state, visibility);
+        }
         await page.uncheck('#compare-blink');
     },
 
@@ -100,7 +100,7 @@ export const tests = {
         check(!await page.isVisible('#live-probe'), 'without a probe there is none to show');
         await edit(page, '    return background.light', '    probe(m);\n    return background.light');
         await page.waitForSelector('#live-probe');
-        await page.waitForTimeout(500);
+        await still(page);
         equal(rmse((await pixels(page, 'live-canvas')).bytes, before.bytes), 0, 'a probe does not change the picture');
         await page.check('#live-probe');
         await page.waitForFunction(() => document.getElementById('live-status').textContent.includes('probe from'));

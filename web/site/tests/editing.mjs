@@ -1,5 +1,5 @@
 // Tests of the editors: errors, completion, examples.
-import { check, digest, equal, shoot, SMALL, textOf, type } from './tools.mjs';
+import { check, completionsTakeKeys, digest, equal, shoot, SMALL, textOf, type } from './tools.mjs';
 
 export const tests = {
     async 'an error stands at its line in the words of the renderer'({ open, url }) {
@@ -43,8 +43,9 @@ export const tests = {
         check(option.includes('samples_per_pixel:') && option.includes('whole number > 0'), option);
         const info = await page.textContent('.cm-completionInfo');
         equal(info, 'rays a pixel; noise falls with their square root; default: 20', 'the meaning of the table');
+        equal(await page.locator('.cm-completionIcon').count(), 0, 'icons, which are empty boxes where no font has them');
         await shoot(page, 'completion');
-        await page.waitForTimeout(150);
+        await completionsTakeKeys(page);
         await page.keyboard.press('Enter');
         await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config === 'samples_per_pixel: 20');
         await type(page, 'config', '');

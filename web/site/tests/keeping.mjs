@@ -1,7 +1,7 @@
 // Tests that nothing of what the user types is lost, and of links.
 import { openLive, SCENE } from './live.mjs';
 import { edit, moduleText } from './shaders.mjs';
-import { check, digest, equal, frame, pixels, render, rmse, shoot, SMALL, textOf, type } from './tools.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, SMALL, still, textOf, type } from './tools.mjs';
 
 const BROKEN = 'matte: grey .5 .5\nthis is no scene';
 
@@ -98,7 +98,7 @@ export const tests = {
         await page.focus('#live-canvas');
         await page.keyboard.press('ArrowRight');
         await frame(page, edited);
-        await page.waitForTimeout(300);
+        await still(page);
         const seen = await pixels(page, 'live-canvas');
         await page.click('#share');
         await page.waitForFunction(() => document.getElementById('link').value !== '');
@@ -106,7 +106,7 @@ export const tests = {
 
         const other = await open(link);
         await frame(other);
-        await other.waitForTimeout(500);
+        await still(other);
         equal(await other.getAttribute('#tab-live', 'aria-selected'), 'true', 'the live view is shown');
         equal(rmse((await pixels(other, 'live-canvas')).bytes, seen.bytes), 0, 'the view of the link');
         check((await moduleText(other)).includes('background.dark * (real(1.0) - m)'), 'the module of the link');

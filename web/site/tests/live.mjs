@@ -1,5 +1,5 @@
 // Tests of the live view: WebGPU frames, the camera's gestures, samples over frames, and a browser without WebGPU.
-import { check, digest, equal, frame, pixels, render, rmse, shoot, textOf } from './tools.mjs';
+import { check, digest, equal, frame, pixels, render, rmse, shoot, still, textOf } from './tools.mjs';
 
 /** A small scene with every material, and a camera that sees all of it. */
 export const SCENE = {
@@ -16,6 +16,7 @@ export async function openLive(open, url, scene = SCENE, options = {}) {
     await render(page, scene);
     await page.click('#tab-live');
     await frame(page);
+    await still(page);
     return page;
 }
 
@@ -25,8 +26,7 @@ async function change(page, act) {
     const number = await frame(page);
     await act();
     await frame(page, number);
-    // A gesture of several events may still change the view.
-    await page.waitForTimeout(300);
+    await still(page);
     return rmse((await pixels(page, 'live-canvas')).bytes, before.bytes);
 }
 
@@ -57,12 +57,14 @@ export const tests = {
         }
         await shoot(page, 'live');
         const moved = await pixels(page, 'live-canvas');
+        const number = await frame(page);
         await page.click('#live-take');
         await page.waitForFunction(() => !JSON.parse(localStorage.getItem('render.texts')).config.includes('0 1.5 -7'));
         const config = await textOf(page, 'config');
         equal(config.match(/camera_position:/g).length, 1, 'the number of lines with the position');
         check(/camera_north: 0 1 0\n$/.test(config), config);
-        await page.waitForTimeout(500);
+        await frame(page, number);
+        await still(page);
         // The lines have six digits, so edges move by a pixel at most.
         const again = rmse((await pixels(page, 'live-canvas')).bytes, moved.bytes);
         check(again < 8, `the view of the lines differs by ${again}`);
@@ -124,6 +126,7 @@ export const tests = {
         await digest(page);
         await page.click('#tab-live');
         await frame(page);
+        await still(page);
         check(await page.isVisible('#live-none'), 'a line says that there is no WebGPU');
         const shown = await pixels(page, 'live-canvas');
         equal(shown.width, 160, 'the width');

@@ -1,6 +1,6 @@
 // Tests of small screens, the keyboard, colours and languages.
 import { openLive, SCENE } from './live.mjs';
-import { check, digest, equal, frame, shoot } from './tools.mjs';
+import { check, completionsTakeKeys, digest, equal, frame, shoot } from './tools.mjs';
 
 /**
  * Returns the contrast of an element's text with its background, as WCAG defines it. The faint colour of the line with
@@ -48,17 +48,18 @@ export const tests = {
         await page.evaluate(() => document.activeElement.blur());
         for (let step = 0; step < 20; step++) {
             await page.keyboard.press('Tab');
-            // An editor shows its ring a moment later.
-            await page.waitForTimeout(50);
-            const [name, hasRing] = await page.evaluate(() => {
+            const name = await page.evaluate(() => {
                 const here = document.activeElement;
-                const ring = here.closest('.cm-editor') ?? here;
-                return [here.id || here.closest('.editor')?.id || '', getComputedStyle(ring).outlineStyle !== 'none'];
+                return here.id || here.closest('.editor')?.id || '';
             });
             if (name === '' || name === reached[0]) {
                 break;
             }
-            check(hasRing, `${name} shows that it has the focus`);
+            // An editor shows its ring a moment after it has the focus.
+            await page.waitForFunction(() => {
+                const here = document.activeElement;
+                return getComputedStyle(here.closest('.cm-editor') ?? here).outlineStyle !== 'none';
+            });
             reached.push(name);
         }
         const expected = 'examples,language,config-editor,scene-editor,shader-summary,tab-exact,render,save-ppm,save-png,live,share';
@@ -112,13 +113,15 @@ export const tests = {
             await page.keyboard.press('Control+Space');
             await page.waitForSelector('.cm-tooltip-autocomplete');
             equal(await page.locator('.cm-tooltip-autocomplete li').count(), count, 'the lines that are offered');
+            await completionsTakeKeys(page);
+            let info = '';
             for (let index = 0; index < count; index++) {
-                await page.waitForSelector('.cm-completionInfo');
-                const info = await page.textContent('.cm-completionInfo');
+                // All meanings differ, so another text is that of the next line.
+                await page.waitForFunction((last) => ![last, undefined].includes(document.querySelector('.cm-completionInfo')?.textContent), info);
+                info = await page.textContent('.cm-completionInfo');
                 check(!/\b(the|width|with|seed|background|material defined)\b/.test(info), info);
                 compared += 1;
                 await page.keyboard.press('ArrowDown');
-                await page.waitForTimeout(60);
             }
             await page.keyboard.press('Escape');
         }
@@ -134,6 +137,7 @@ export const tests = {
             await page.waitForSelector(ready);
             if (tab === 'compare') {
                 await page.waitForFunction(() => /RMSE/.test(document.getElementById('compare-figures').textContent));
+                await shoot(page, 'phone-figures');
                 await page.tap('#compare-stage');
                 await page.waitForSelector('#pixel-steps tr');
             }

@@ -20,12 +20,14 @@ export async function edit(page, from, to) {
     return text.replace(from, to);
 }
 
-/** Returns the text of the module, of which the editor shows a part. */
-export const moduleText = (page) => page.evaluate(() => {
-    const { state } = document.querySelector('#shader-editor .cm-content').cmTile?.view
-        ?? document.querySelector('#shader-editor .cm-content').cmView.view;
-    return state.doc.toString();
-});
+/** Returns the text of the module, of which the editor shows a part. The editor appears a moment after its part opens. */
+export async function moduleText(page) {
+    await page.waitForSelector('#shader-editor .cm-content');
+    return page.evaluate(() => {
+        const content = document.querySelector('#shader-editor .cm-content');
+        return (content.cmTile ?? content.cmView).view.state.doc.toString();
+    });
+}
 
 /** Waits until the view differs from `before`, and returns by how much. */
 async function differs(page, before) {

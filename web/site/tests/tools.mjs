@@ -92,6 +92,22 @@ export async function type(page, editor, text) {
     await page.keyboard.insertText(text);
 }
 
+/** Time after its opening in which a list of completions takes no keys, in milliseconds: `interactionDelay` of CodeMirror. */
+const LIST_IS_DEAF = 75;
+
+/** Waits until the list of completions takes keys. Earlier, Enter and the arrows would go to the text. */
+export async function completionsTakeKeys(page) {
+    await page.waitForFunction((delay) => {
+        const list = document.querySelector('.cm-tooltip-autocomplete');
+        if (!list?.querySelector('li[aria-selected]') || list.classList.contains('cm-tooltip-autocomplete-disabled')) {
+            return false;
+        }
+        // The element appears after the list has opened, so the list has been open for longer than the element.
+        list.dataset.since ??= Date.now();
+        return Date.now() - Number(list.dataset.since) >= delay;
+    }, LIST_IS_DEAF);
+}
+
 export const textOf = (page, editor) =>
     page.evaluate((name) => JSON.parse(localStorage.getItem('render.texts'))[name], editor);
 
@@ -100,6 +116,9 @@ export async function frame(page, after = 0) {
     await page.waitForFunction((least) => Number(document.getElementById('live-canvas').dataset.frames ?? 0) > least, after);
     return page.evaluate(() => Number(document.getElementById('live-canvas').dataset.frames));
 }
+
+/** Waits until the live view has shown everything that it was told: a gesture of several events, a text, a shader. */
+export const still = (page) => page.waitForFunction(() => document.getElementById('live-canvas').ariaBusy === 'false');
 
 /** Returns the bytes of a canvas without the fourth of each pixel, and its size. */
 export const pixels = (page, id) => page.evaluate((name) => {

@@ -1,9 +1,9 @@
 // Tests of `render-lab view`: the page with two files and the native renderer.
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { check, digest, equal, shoot, site, SLOW, SMALL, textOf, type } from './tools.mjs';
+import { check, digest, equal, frame, shoot, site, SLOW, SMALL, still, textOf, type } from './tools.mjs';
 
 /** Starts `render-lab view` with the small scene, and calls `use` with its address and the files. */
 async function view(use) {
@@ -23,6 +23,10 @@ async function view(use) {
         rmSync(folder, { recursive: true });
     }
 }
+
+/** Waits until the page says a text that begins with `start`. */
+const said = (page, start) =>
+    page.waitForFunction((words) => document.getElementById('said').innerText.startsWith(words), start);
 
 export const tests = {
     'both engines give the same bytes of the two files': ({ open }) => view(async ({ url }) => {
@@ -50,6 +54,57 @@ export const tests = {
         await page.waitForSelector('#scene-faults pre');
         check((await page.textContent('#scene-faults pre')).startsWith('Invalid sphere parameters'), 'the message');
     }),
+
+    'the camera is saved into the file on request, and never over a change of another program': ({ open, faults }) =>
+        view(async ({ url, config }) => {
+            const page = await open(url);
+            await digest(page);
+            await page.click('#tab-live');
+            await frame(page);
+            await still(page);
+            await page.focus('#live-canvas');
+            await page.keyboard.press('ArrowRight');
+            await still(page);
+            equal(readFileSync(config, 'utf8'), SMALL.config, 'nothing is saved without a click');
+            // What is typed stays: only the camera is written into the file.
+            await type(page, 'config', `${SMALL.config}max_depth: 7\n`);
+            await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config.includes('max_depth'));
+            await page.click('#live-save');
+            await said(page, 'The camera is saved');
+            check(await page.isVisible('#said'), 'the message is visible beside the live view');
+            const saved = readFileSync(config, 'utf8');
+            const lines = /^camera_position: ([-\d.]+) 0 ([-\d.]+)\ncamera_target: 0 0 0\ncamera_north: 0 1 0\n$/;
+            check(saved.startsWith(SMALL.config), saved);
+            const [, x, z] = lines.exec(saved.slice(SMALL.config.length)) ?? check(false, saved);
+            check(Math.abs(Math.hypot(x, z) - 10) < 1e-4 && Math.abs(x) > 0.1, `the camera has turned to ${x} 0 ${z}`);
+            // The page knows its own change, so it does not load the file again over what is typed.
+            for (let questions = 0; questions < 2; questions++) {
+                await page.waitForResponse(/view\/version$/);
+            }
+            const kept = await page.evaluate(() => JSON.parse(localStorage.getItem('render.texts')).config);
+            check(kept.includes('max_depth: 7') && kept.includes(`camera_position: ${x} 0 ${z}`), kept);
+            await shoot(page, 'view-saved');
+
+            // Another program changes the file, and the page has not seen it yet.
+            const version = await (await fetch(`${url}view/version`)).text();
+            await page.route('**/view/version', (route) => route.fulfill({ body: version }));
+            writeFileSync(config, `${SMALL.config}gamma: 1\n`);
+            await page.click('#live-save');
+            await said(page, 'The camera is not saved: a file has changed');
+            equal(readFileSync(config, 'utf8'), `${SMALL.config}gamma: 1\n`, 'the change of the other program');
+            await page.unroute('**/view/version');
+            await page.waitForFunction(() => JSON.parse(localStorage.getItem('render.texts')).config.includes('gamma: 1'));
+            equal(await page.locator('#earlier option').count(), 2, 'what was typed is among the earlier texts');
+            // The browser reports each answer with an error.
+            faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes('409 (Conflict)')));
+        }),
+
+    'a page from a plain server has no button that saves the camera': async ({ open, url }) => {
+        const page = await open(url);
+        await digest(page);
+        await page.click('#tab-live');
+        check(await page.isVisible('#live-take') && !await page.isVisible('#live-save'), 'the button is hidden');
+    },
 
     'the native renderer can be cancelled and renders the next picture': ({ open }) => view(async ({ url }) => {
         const page = await open(url);

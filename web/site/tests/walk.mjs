@@ -4,7 +4,7 @@ import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { figures, FAULT } from './compare.mjs';
 import { edit } from './shaders.mjs';
-import { check, digest, equal, frame, pixels, rmse, textOf, type } from './tools.mjs';
+import { check, digest, equal, frame, pixels, rmse, still, textOf, type } from './tools.mjs';
 
 /** Largest height of a picture in pixels. */
 const HIGHEST = 700;
@@ -25,7 +25,7 @@ async function change(page, act) {
     const [before, number] = [await pixels(page, 'live-canvas'), await frame(page)];
     await act();
     await frame(page, number);
-    await page.waitForTimeout(500);
+    await still(page);
     return rmse((await pixels(page, 'live-canvas')).bytes, before.bytes);
 }
 
@@ -39,7 +39,7 @@ export const tests = {
         await type(page, 'config', (await textOf(page, 'config')).replace('image_width: 480', 'image_width: 240'));
         await page.click('#tab-live');
         await frame(page);
-        await page.waitForTimeout(1500);
+        await still(page);
         await picture(page, '.result', 'live');
 
         // 1. A colour.
@@ -56,8 +56,7 @@ export const tests = {
         equal(await page.textContent('#shader-editor .cm-lintRange-error'), 'gain', 'the unknown name is marked');
         check(await change(page, () => edit(page, 'fn background_color',
             'override gain: f32 = 0.5; // slider 0..2 step .01\nfn background_color')) > 1, 'the formula changes the view');
-        await page.fill('#knobs input', '1.6');
-        await page.waitForTimeout(1500);
+        await change(page, () => page.fill('#knobs input', '1.6'));
         await picture(page, '#shader-part', 'formula');
         await page.click('#shader-reset');
 
@@ -68,7 +67,6 @@ export const tests = {
         await page.click('#tab-compare');
         await figures(page);
         await page.selectOption('#compare-with', 'f32');
-        await page.waitForTimeout(500);
         const differing = await figures(page);
         check(differing > 0, `${differing} pixels differ`);
         await page.selectOption('#compare-view', 'ulps');
@@ -86,7 +84,7 @@ export const tests = {
             } });
             const column = String(chosen % map.width);
             await page.waitForFunction((place) => document.getElementById('pixel-column').value === place, column);
-            await page.waitForTimeout(700);
+            await page.waitForFunction(() => document.getElementById('pixel-steps').ariaBusy === 'false');
             if ((await page.textContent('#pixel-first')).includes('step 0')) {
                 break;
             }

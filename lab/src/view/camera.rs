@@ -1,0 +1,182 @@
+//! Writes the lines of a camera into the configuration file, when the user has asked for it in the page.
+
+use std::io::Write as _;
+
+use cpu::Config;
+use cpu::internals::input::{reader, text::Tokens};
+use loopback::Answer;
+use output::Output;
+use serde::Deserialize;
+
+use super::{MAX_TEXT, View, version_of};
+use crate::{Failure, terminal};
+
+/// Largest size of the body of such a request, in bytes. Three lines have some hundred.
+const MAX_BODY: usize = 4096;
+
+/// The keys of a camera, in the order in which missing lines are added.
+const KEYS: [&str; 3] = ["camera_position:", "camera_target:", "camera_north:"];
+
+/// The body of a request to save a camera.
+#[derive(Deserialize)]
+struct Save {
+    /// The version of the files that the page has.
+    version: String,
+    /// A line for each of [`KEYS`], without line ends.
+    lines: [String; 3],
+}
+
+/// The status and the message of a refused request.
+type Refusal = (&'static str, String);
+
+const INVALID: &str = "422 Unprocessable Content";
+
+impl View {
+    /// Writes the camera in `body` into the configuration file, and answers with the new version of the files. The file
+    /// is unchanged if it has changed since the page read it, or if the result is no valid configuration.
+    pub(super) fn save_camera(&self, body: &[u8]) -> Answer {
+        match self.try_to_save(body) {
+            Ok(version) => Answer::ok("text/plain", version.into_bytes()),
+            Err((status, message)) => Answer::refused(status, message),
+        }
+    }
+
+    fn try_to_save(&self, body: &[u8]) -> Result<String, Refusal> {
+        if body.len() > MAX_BODY {
+            return Err(("413 Content Too Large", format!("a camera has at most {MAX_BODY} bytes")));
+        }
+        let Save { version, lines } = serde_json::from_slice(body).map_err(|error| (INVALID, error.to_string()))?;
+        check(&lines)?;
+        // Of two requests with one version the second one must see the change by the first one.
+        let _turn = self.saving.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let check_version = || match self.version() == version {
+            true => Ok(()),
+            false => Err(("409 Conflict", "a file has changed since the page read it".to_owned())),
+        };
+        check_version()?;
+        let failed =
+            |error: std::io::Error| (INVALID, format!("Cannot read file [{}]: {error}", terminal::name(&self.config)));
+        if !self.config.metadata().map_err(failed)?.is_file() {
+            return Err((INVALID, format!("[{}] is not a regular file", terminal::name(&self.config))));
+        }
+        let new = replaced(&reader::read(&self.config, MAX_TEXT).map_err(failed)?, &lines);
+        let valid = Config::parse(&new[..]).and_then(|config| config.check_picture());
+        valid.map_err(|error| (INVALID, String::from_utf8_lossy(&error.message()).into_owned()))?;
+        let scene = version_of(&self.scene);
+        let cannot_write =
+            |error: output::Error| ("500 Internal Server Error", Failure::from(error).message().unwrap_or_default());
+        let mut output = Output::open(&self.config, self.how).map_err(cannot_write)?;
+        let written = output.write_all(&new);
+        written.map_err(|cause| cannot_write(output::Error { path: self.config.clone(), cause }))?;
+        // The file may have changed while the new one was written beside it.
+        check_version()?;
+        output.commit().map_err(cannot_write)?;
+        Ok([version_of(&self.config), scene].join(" "))
+    }
+}
+
+/// Checks that each line has its key and values that the key may have.
+fn check(lines: &[String; 3]) -> Result<(), Refusal> {
+    for (line, key) in lines.iter().zip(KEYS) {
+        if Tokens::new(line.as_bytes()).next() != Some(key.as_bytes()) {
+            return Err((INVALID, format!("the line [{}] is not one of {key}", line.escape_default())));
+        }
+        let read = Config::default().set(line.as_bytes());
+        read.map_err(|error| (INVALID, String::from_utf8_lossy(&error.message()).into_owned()))?;
+    }
+    Ok(())
+}
+
+/// Returns the configuration with other lines of the camera. Each replaces the last line with its key, which is the one
+/// that counts, or is added at the end. All other bytes stay, and so do the line ends.
+fn replaced(config: &[u8], lines: &[String; 3]) -> Vec<u8> {
+    let mut rows: Vec<Vec<u8>> = config.split_inclusive(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
+    let usual = rows.iter().rev().map(|row| end_of(row)).find(|end| !end.is_empty()).unwrap_or(b"\n").to_vec();
+    for (line, key) in lines.iter().zip(KEYS) {
+        let has_key = |row: &Vec<u8>| Tokens::new(content_of(row)).next() == Some(key.as_bytes());
+        match rows.iter_mut().rfind(|row| has_key(row)) {
+            Some(row) => *row = [line.as_bytes(), end_of(row)].concat(),
+            None => {
+                if let Some(last) = rows.last_mut().filter(|last| end_of(last).is_empty()) {
+                    last.extend(&usual);
+                }
+                rows.push([line.as_bytes(), &usual].concat());
+            }
+        }
+    }
+    rows.concat()
+}
+
+/// Returns the line end of a row: LF, CRLF or nothing.
+fn end_of(row: &[u8]) -> &[u8] {
+    &row[content_of(row).len()..]
+}
+
+/// Returns a row without its line end.
+fn content_of(row: &[u8]) -> &[u8] {
+    row.strip_suffix(b"\n").map_or(row, |row| row.strip_suffix(b"\r").unwrap_or(row))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines() -> [String; 3] {
+        ["camera_position: 1 2 3", "camera_target: 0 0.5 0", "camera_north: 0 1 0"].map(str::to_owned)
+    }
+
+    fn after(config: &str) -> String {
+        String::from_utf8(replaced(config.as_bytes(), &lines())).expect("it is text")
+    }
+
+    #[test]
+    fn lines_with_the_keys_are_replaced_in_their_places() {
+        let config =
+            "image_width: 8\n\n \tcamera_north:\t0 0 1  \ncamera_position: 9 9 9\ngamma:  2\ncamera_target: 1 1 1";
+        let expected =
+            "image_width: 8\n\ncamera_north: 0 1 0\ncamera_position: 1 2 3\ngamma:  2\ncamera_target: 0 0.5 0";
+        assert_eq!(after(config), expected);
+    }
+
+    #[test]
+    fn only_the_last_line_with_a_key_is_replaced() {
+        let rest = "camera_target: 0 0.5 0\ncamera_north: 0 1 0\n";
+        let config = format!("camera_position: 4 4 4\ncamera_position: 5 5 5\n{rest}");
+        assert_eq!(after(&config), format!("camera_position: 4 4 4\ncamera_position: 1 2 3\n{rest}"));
+    }
+
+    #[test]
+    fn missing_lines_are_added_with_the_line_ends_of_the_file() {
+        let added = lines().join("\n") + "\n";
+        assert_eq!(after(""), added);
+        assert_eq!(after("gamma: 2\n"), format!("gamma: 2\n{added}"));
+        assert_eq!(after("gamma: 2"), format!("gamma: 2\n{added}"));
+        let added = lines().join("\r\n") + "\r\n";
+        assert_eq!(after("gamma: 2\r\nmax_depth: 3"), format!("gamma: 2\r\nmax_depth: 3\r\n{added}"));
+    }
+
+    #[test]
+    fn other_bytes_stay_as_they_are() {
+        let config = b"\xff\xfe no text\n# camera_position: 1\r\ncamera_positions: 1\ncamera_position: 1 2 3\r\n\x0c";
+        let new = replaced(config, &lines());
+        assert!(new.starts_with(config), "{}", String::from_utf8_lossy(&new));
+    }
+
+    #[test]
+    fn only_a_line_with_its_key_and_three_numbers_is_a_line_of_the_camera() {
+        assert_eq!(check(&lines()), Ok(()));
+        let wrong = [
+            "camera_target: 0 0 0",
+            "camera_position: 0 0",
+            "camera_position: 0 0 0 0",
+            "camera_position: 0 0 nan",
+            "camera_position: 0 0 0\nmax_depth: 7",
+            "camera_position: 0 0 0\r",
+            "",
+        ];
+        for line in wrong {
+            let [_, target, north] = lines();
+            assert!(check(&[line.to_owned(), target, north]).is_err_and(|(status, _)| status == INVALID), "{line:?}");
+        }
+    }
+}
