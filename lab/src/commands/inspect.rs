@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use clap::Args;
 use cpu::internals::Prepared;
 use cpu::internals::accel::bounds::Bounds;
-use cpu::internals::accel::bvh::Bvh;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::input::scene::Shape;
@@ -129,7 +128,7 @@ impl Inspection {
                 Accel::EveryObject => Structure::EveryObject,
                 Accel::SmallScene(_) => Structure::SmallScene,
                 Accel::FlatFilter(_) => Structure::FlatFilter,
-                Accel::Bvh(tree) => Structure::Bvh(Tree::of(tree)),
+                Accel::Bvh(_) | Accel::LargeBvh(_) => Structure::Bvh(Tree::of(&prepared.accel)),
             },
             picture: [prepared.size.width(), prepared.size.height()],
             samples: prepared.samples,
@@ -168,14 +167,14 @@ fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
 }
 
 impl Tree {
-    fn of(tree: &Bvh) -> Self {
-        // `visit` calls its first function once for each child of a node: for every node except the root, and for every
+    fn of(accel: &Accel) -> Self {
+        // `visit_boxes` calls its first function once for each child of a node: for every node except the root, and for every
         // object.
         let (mut boxes, mut surface, mut whole) = (0_usize, 0.0, Bounds::EMPTY);
         // The second function gets every object of the tree, and the dominant sphere, which is not in the tree.
         let (mut objects, mut outside) = (0_usize, 0_usize);
-        tree.visit(|_| false, |_| outside += 1);
-        tree.visit(
+        accel.visit_boxes(|_| false, |_| outside += 1);
+        accel.visit_boxes(
             |bounds| {
                 boxes += 1;
                 surface += f64::from(bounds.half_area());

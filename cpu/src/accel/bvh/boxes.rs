@@ -251,6 +251,6 @@ mod tests {
             overlaps += expected.count_ones();
             more += (found & !expected).count_ones();
         }
-        assert!(overlaps > 5000 && more < overlaps / 10, "{overlaps}, and {more} that are only near");
+        assert!(overlaps > 2000 && more < overlaps / 10, "{overlaps}, and {more} that are only near");
     }
 }
