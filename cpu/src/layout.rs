@@ -116,8 +116,8 @@ fn count_kinds(scene: &Scene) -> Result<(usize, usize), Error> {
     Ok((spheres, scene.objects.len() - spheres))
 }
 
-/// Returns an empty list with room for `count` items, for a list of objects. A large list is in huge pages if the system
-/// has them.
+/// Returns an empty list with room for `count` items, for a list of objects. A large list is in huge pages if the
+/// system has them.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.

@@ -10,9 +10,9 @@
 //!
 //! With a [`SmallScene`] three more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With more, lanes hold several objects for one ray (`accel/small_scene.rs`). Specular
-//! chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`] ([`Accel::visit_boxes`]).
-//! The limits stand beside what they limit: `accel/extent.rs`, `accel/object_lanes.rs`, `accel/flat_filter.rs`,
-//! `accel/filter_ray.rs` and `accel/small_scene.rs`.
+//! chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
+//! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`, `accel/object_lanes.rs`,
+//! `accel/flat_filter.rs`, `accel/filter_ray.rs` and `accel/small_scene.rs`.
 //!
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 

@@ -1,13 +1,13 @@
-//! Huge pages: blocks of memory of 2 MiB, each with one entry in the processor's table of addresses. With ordinary pages
-//! of 4 KiB, a ray in a scene of 100,000 objects spends much of its time in looking up addresses.
+//! Huge pages: blocks of memory of 2 MiB, each with one entry in the processor's table of addresses. With ordinary
+//! pages of 4 KiB, a ray in a scene of a million objects spends much of its time in looking up addresses.
 
 #![allow(unsafe_code)]
 
 /// The size of a huge page in bytes. Where the system has other sizes, asking gains less or nothing.
 const HUGE_PAGE: usize = 2 << 20;
 
-/// Asks the system to place the memory of `list`, with its spare capacity, in huge pages. Nothing happens if it refuses,
-/// or if the list is smaller than a huge page. The list keeps its content and its address.
+/// Asks the system to place the memory of `list`, with its spare capacity, in huge pages. Nothing happens if it
+/// refuses, or if the list is smaller than a huge page. The list keeps its content and its address.
 pub fn ask<T>(list: &mut Vec<T>) {
     let (from, bytes) = (list.as_mut_ptr() as usize, list.capacity() * size_of::<T>());
     // Only the huge pages that lie in the list as a whole are asked for.

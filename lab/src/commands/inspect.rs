@@ -168,8 +168,8 @@ fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
 
 impl Tree {
     fn of(accel: &Accel) -> Self {
-        // `visit_boxes` calls its first function once for each child of a node: for every node except the root, and for every
-        // object.
+        // `visit_boxes` calls its first function once for each child of a node: for every node except the root, and for
+        // every object.
         let (mut boxes, mut surface, mut whole) = (0_usize, 0.0, Bounds::EMPTY);
         // The second function gets every object of the tree, and the dominant sphere, which is not in the tree.
         let (mut objects, mut outside) = (0_usize, 0_usize);

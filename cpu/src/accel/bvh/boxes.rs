@@ -1,5 +1,5 @@
-//! The boxes of a node's children, in two forms: [`WideBoxes`] with coordinates, for small trees, and [`ByteBoxes`], for
-//! trees that do not fit into the processor's caches.
+//! The boxes of a node's children, in two forms: [`WideBoxes`] with coordinates, for small trees, and [`ByteBoxes`],
+//! for trees that do not fit into the processor's caches.
 
 use std::array;
 
@@ -79,8 +79,8 @@ impl Boxes for WideBoxes {
     }
 }
 
-/// Boxes in a frame of their own, which divides each axis into steps. The plane with the number `n` is at the coordinate
-/// `origin + n step`. They have 112 bytes.
+/// Boxes in a frame of their own, which divides each axis into steps. The plane with the number `n` is at the
+/// coordinate `origin + n step`. They have 112 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct ByteBoxes {
     /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up.

@@ -15,8 +15,8 @@ use crate::{input::error::Error, input::error::push, layout::with_room};
 pub struct Tree<B> {
     /// The nodes, the root first. The list is empty if there are no objects.
     pub nodes: Vec<Node<B>>,
-    /// For each sphere of the tree, in the order of the tree, the number that it had before. In `nodes` it has its place
-    /// in this list as its number.
+    /// For each sphere of the tree, in the order of the tree, the number that it had before. In `nodes` it has its
+    /// place in this list as its number.
     pub spheres: Vec<ObjectId>,
     /// The same for the cylinders. In `nodes`, the number of spheres is added to the place in this list.
     pub cylinders: Vec<ObjectId>,

@@ -1,9 +1,9 @@
 //! A ray prepared for slab tests, which find the boxes that the ray hits.
 //!
 //! The boxes of a node are tested at once, in single precision. Along each axis, a plane at the coordinate `p` has the
-//! distance `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. The distance is a lambda. Boxes of
-//! bytes store `p` as `f + n s`, with the origin `f` of their frame, the step `s`, and the plane's number `n`. Then the
-//! distance is computed as `n (s r) + (f r - o r)`.
+//! distance `p r - o r`, with the reciprocal `r` of the direction and the origin `o`. The distance is a lambda. Boxes
+//! of bytes store `p` as `f + n s`, with the origin `f` of their frame, the step `s`, and the plane's number `n`. Then
+//! the distance is computed as `n (s r) + (f r - o r)`.
 //!
 //! Let `u = 2^-24`, and let `P` be the largest magnitude of a plane of the scene along the axis, so that
 //! `|f| <= P` and `n s <= 2 P`. Each product and each sum rounds, whether they are fused or not:
@@ -15,11 +15,12 @@
 //! | `f r`, and the sum `f r - o r` | `u P |r| + u (P + |o|) |r|` |
 //! | `n (s r)`, and the last sum | `2 u P |r| + u (P + |o|) |r|` |
 //!
-//! These are `7 u P |r| + 7 u |o r|`, or less for boxes of coordinates. A plane lies up to one step, a 127th of the node's length, outside of the box it
-//! stands for, and so up to `P / 60` beyond `P`, which the next paragraph has room for. `s r` is exact, because `s` is a power of two. The boxes were built in double
-//! precision, which moved its planes by at most `2^-51 P`. The code moves the distance by at least `16 u (P + |o|) |r|`,
-//! towards the side on which the box is hit. So the computed distance of a plane where the ray enters is not too large.
-//! The computed distance of a plane where it leaves is not too small.
+//! These are `7 u P |r| + 7 u |o r|`, or less for boxes of coordinates. A plane lies up to one step, a 127th of the
+//! node's length, outside of the box it stands for, and so up to `P / 60` beyond `P`, which the next paragraph has room
+//! for. `s r` is exact, because `s` is a power of two. The boxes were built in double precision, which moved their
+//! planes by at most `2^-51 P`. The code moves the distance by at least `16 u (P + |o|) |r|`, towards the side on which
+//! the box is hit. So the computed distance of a plane where the ray enters is not too large. The computed distance of
+//! a plane where it leaves is not too small.
 //!
 //! A ray that hits a box enters all three slabs before it leaves one of them. This is then also true for the computed
 //! distances. So no box is lost that the ray hits before the closest hit so far.

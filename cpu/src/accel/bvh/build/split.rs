@@ -27,8 +27,8 @@ impl Bin {
         Self { bounds, middles, count: self.count + other.count }
     }
 
-    /// Returns the cost: the surface area times the number of nodes that hold the items, because a visit tests all boxes
-    /// of a node at once.
+    /// Returns the cost: the surface area times the number of nodes that hold the items, because a visit tests all
+    /// boxes of a node at once.
     fn cost(&self) -> f32 {
         self.bounds.half_area() * self.count.div_ceil(WIDTH) as f32
     }
