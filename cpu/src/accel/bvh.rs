@@ -5,12 +5,13 @@ mod build;
 pub(crate) mod collapsed_root;
 mod find_isolated;
 pub(crate) mod node;
+mod planes;
 pub mod slab_ray;
 pub mod stack;
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree, bvh::build::build, bvh::collapsed_root::CollapsedRoot,
-    bvh::find_isolated::FindIsolated, bvh::node::HIERARCHY, bvh::node::Kind, bvh::node::Node, bvh::node::WIDTH,
+    bvh::find_isolated::FindIsolated, bvh::node::HIERARCHY, bvh::node::Kind, bvh::node::Node, bvh::planes::WIDTH,
     bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::stack::Stack, closest_hit::ClosestHit,
     conservative::ConservativeRay, dominant_sphere::DominantSphere, every_object::intersect_every_object,
     extent::Extent, find::Accelerator, find::Origin, isolated::Isolated, object::NO_OBJECT, object::ObjectId,

@@ -3,31 +3,8 @@
 
 use std::array;
 
-use crate::accel::bvh::{node::WIDTH, slab_ray::SlabRay};
+use crate::accel::bvh::{planes::Plane, planes::Planes, planes::WIDTH, slab_ray::SlabRay};
 use crate::{accel::bounds::Bounds, simd::SimdF32};
-
-/// The planes of 16 boxes: the lower planes along each axis, then the upper planes.
-pub type Planes<P> = [[[P; WIDTH]; 3]; 2];
-
-/// A number that stands for the coordinate of a plane.
-pub trait Plane: Copy {
-    /// Returns the first numbers of `planes`, as many as `F` has lanes.
-    fn load<F: SimdF32>(planes: &[Self]) -> F;
-}
-
-impl Plane for f32 {
-    #[inline(always)]
-    fn load<F: SimdF32>(planes: &[Self]) -> F {
-        F::load(planes)
-    }
-}
-
-impl Plane for u8 {
-    #[inline(always)]
-    fn load<F: SimdF32>(planes: &[Self]) -> F {
-        F::load_bytes(planes)
-    }
-}
 
 /// Up to 16 boxes, which are tested together.
 pub trait Boxes: Clone + std::fmt::Debug {

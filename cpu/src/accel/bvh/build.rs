@@ -4,9 +4,9 @@
 mod item;
 mod split;
 
-use self::item::{Item, Range};
-use self::split::{dissolve_small_children, split_into_children};
-use crate::accel::bvh::{boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, node::WIDTH};
+use crate::accel::bvh::build::item::{Item, Range};
+use crate::accel::bvh::build::split::{dissolve_small_children, split_into_children};
+use crate::accel::bvh::{boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, planes::WIDTH};
 use crate::accel::{bounds::Bounds, object::ObjectId};
 use crate::{input::error::Error, input::error::push, layout::with_room};
 

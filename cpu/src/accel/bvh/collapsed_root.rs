@@ -7,7 +7,7 @@
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::boxes::WideBoxes, bvh::node::Child, bvh::node::HIERARCHY, bvh::node::Kind,
-    bvh::node::Node, bvh::node::WIDTH, bvh::slab_ray::SlabRay,
+    bvh::node::Node, bvh::planes::WIDTH, bvh::slab_ray::SlabRay,
 };
 use crate::{
     counters::Counter, counters::add, input::error::Error, input::error::push, layout::with_room, math::vec3::Vec3,

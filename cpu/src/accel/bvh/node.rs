@@ -3,10 +3,7 @@
 //! No index of a child is stored: children of the same kind follow one another, both in the node's lanes and in their
 //! list. So a node with [byte boxes](crate::accel::bvh::boxes::ByteBoxes) has 128 bytes, two cache lines.
 
-use crate::accel::{bounds::Bounds, bvh::boxes::Boxes, object::ObjectId};
-
-/// Maximum number of children of a node. It is a multiple of every instruction set's number of `f32` lanes.
-pub const WIDTH: usize = 16;
+use crate::accel::{bounds::Bounds, bvh::boxes::Boxes, bvh::planes::WIDTH, object::ObjectId};
 
 /// The words for the tree in the message of [`Error::OutOfMemory`](crate::input::error::Error::OutOfMemory).
 pub const HIERARCHY: &str = "the hierarchy over the objects";

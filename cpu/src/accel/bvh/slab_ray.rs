@@ -30,7 +30,7 @@
 //! other operand, which keeps the box. The product `s r` may be subnormal, which changes a distance by at most
 //! `255 * 2^-150`. Each plane is moved by at least [`LEAST_STEP`] times `r`, which is 10 times as much.
 
-use crate::accel::bvh::{boxes::Plane, boxes::Planes, node::WIDTH};
+use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
 use crate::accel::{bounds::Bounds, conservative::is_too_short};
 use crate::{geometry::ray::Ray, simd::SimdF32};
 

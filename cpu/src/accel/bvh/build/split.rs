@@ -1,8 +1,8 @@
 //! Splits ranges of items by the surface area heuristic: the number of rays that hit a box is proportional to its
 //! surface area.
 
-use super::item::{Item, PackedBounds, Range};
-use crate::accel::bvh::node::WIDTH;
+use crate::accel::bvh::build::item::{Item, PackedBounds, Range};
+use crate::accel::bvh::planes::WIDTH;
 
 /// Number of bins along the axis of a split.
 const BINS: usize = 16;
