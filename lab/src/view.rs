@@ -10,7 +10,7 @@
 //! | `POST /view/cancel/NUMBER` | nothing; stops the picture if it is being rendered |
 //! | `POST /view/camera` | the new version; writes the camera in the body into the configuration file |
 //!
-//! [`loopback`] limits the requests. [`native`] renders one picture at a time. [`camera`] is the only part that writes.
+//! [`loopback`] limits the requests. [`native`] renders one picture at a time. `camera` is the only part that writes.
 
 mod camera;
 pub mod native;
