@@ -17,7 +17,8 @@ pub const NO_PLACE: u32 = u32::MAX;
 /// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestHit {
-    /// The object's place in the scene file, from 0, or [`NO_PLACE`].
+    /// The object that is hit, by its place in the scene file, where the first object has the place 0. Without a hit
+    /// this is [`NO_PLACE`].
     pub place: u32,
     /// The lambda of the hit, in lengths of the ray's direction. It is infinite without a hit.
     pub lambda: f64,

@@ -3,10 +3,12 @@
 //! `cargo run --release -p lab --example nearest_chart nearest.json nearest.svg`
 
 use std::fs;
+use std::path::Path;
 use std::process::ExitCode;
 
 use lab::report::chart::{Axis, Chart, Point, Series};
 use lab::report::style::short;
+use output::Output;
 use serde_json::Value;
 
 const USAGE: &str = "\
@@ -27,13 +29,20 @@ fn main() -> ExitCode {
         eprintln!("Error: RESULTS and CHART.svg are needed; see --help");
         return ExitCode::from(2);
     };
-    match draw(results).and_then(|svg| fs::write(chart, svg).map_err(|error| format!("{chart}: {error}"))) {
+    match draw(results).and_then(|svg| write(chart, &svg)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("Error: {error}");
             ExitCode::from(2)
         }
     }
+}
+
+/// Writes the file `path`, which appears only when it is complete.
+fn write(path: &str, svg: &str) -> Result<(), String> {
+    let written = Output::open(Path::new(path), output::Options::default())
+        .and_then(|file| file.fill(|file| file.write_all(svg.as_bytes())));
+    written.map_err(|error| error.to_string())
 }
 
 /// Returns the chart of the results in the file `path`, as SVG.

@@ -1,15 +1,17 @@
 //! `nearest [--sizes N,…] [--rounds N] [--rays N] [--set NAME] [--json FILE]`: compares the time of a nearest hit with
 //! Embree's. `bench/nearest` runs it.
 
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::{fs, str::FromStr};
+use std::str::FromStr;
 
 use bench::nearest::embree;
 use bench::nearest::measure::{Options, Results};
 use bench::nearest::scene::Setting;
 use bench::nearest::table::markdown;
 use cpu::internals::InstructionSet;
+use output::Output;
 
 const USAGE: &str = "\
 nearest [--sizes N,...] [--rounds N] [--rays N] [--set avx512|avx2] [--json FILE]
@@ -59,6 +61,9 @@ fn main() -> ExitCode {
 
 /// Measures and prints. Returns whether enough hits agree in every row.
 fn run(command: &CommandLine) -> Result<bool, String> {
+    // A file that cannot be written is found before the measurement.
+    let open = |path: &PathBuf| Output::open(path, output::Options::default()).map_err(|error| error.to_string());
+    let json = command.json.as_ref().map(open).transpose()?;
     if let Some(reason) = embree::missing() {
         println!("Embree is ignored: {reason}.\n");
     }
@@ -69,9 +74,9 @@ fn run(command: &CommandLine) -> Result<bool, String> {
         results.add(setting, &command.options)?;
     }
     print!("{}", markdown(&results));
-    if let Some(path) = &command.json {
+    if let Some(file) = json {
         let text = serde_json::to_string_pretty(&results).map_err(|error| error.to_string())? + "\n";
-        fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))?;
+        file.fill(|file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())?;
     }
     for time in results.disagreements() {
         eprintln!("Too few hits agree: {time:?}");

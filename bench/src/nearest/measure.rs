@@ -65,9 +65,9 @@ pub struct Build {
 /// The result of the comparison.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Results {
-    /// The times of the rays.
+    /// The time of a ray, for each scene, each kind of rays and each instruction set.
     pub times: Vec<Time>,
-    /// The structures.
+    /// Time and memory of the structures, for each scene.
     pub builds: Vec<Build>,
 }
 

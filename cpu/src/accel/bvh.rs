@@ -11,11 +11,10 @@ pub mod stack;
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree, bvh::build::build, bvh::collapsed_root::CollapsedRoot,
-    bvh::find_isolated::FindIsolated, bvh::node::HIERARCHY, bvh::node::Kind, bvh::node::Node, bvh::planes::WIDTH,
-    bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::stack::Stack, closest_hit::ClosestHit,
-    conservative::ConservativeRay, dominant_sphere::DominantSphere, every_object::intersect_every_object,
-    extent::Extent, find::Accelerator, find::Origin, isolated::Isolated, object::NO_OBJECT, object::ObjectId,
-    object::count,
+    bvh::find_isolated::FindIsolated, bvh::node::Kind, bvh::node::Node, bvh::planes::WIDTH, bvh::slab_ray::SlabRay,
+    bvh::slab_ray::is_in_scale, bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay,
+    dominant_sphere::DominantSphere, every_object::intersect_every_object, extent::Extent, find::Accelerator,
+    find::Origin, isolated::Isolated, object::NO_OBJECT, object::ObjectId, object::count,
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
@@ -29,7 +28,7 @@ const MOST_FOR_ISOLATION: usize = 1 << 17;
 
 /// Maximum number of objects for which the nodes have the boxes of the form [`WideBoxes`](boxes::WideBoxes). With up to
 /// 100,000 objects these are up to a fifth faster than [`ByteBoxes`](boxes::ByteBoxes). With a million objects, which
-/// fit into no cache, they are slower by a tenth to a quarter.
+/// fit into no cache, they are slower by a tenth to a quarter (`bench/nearest`).
 pub const MOST_WIDE: usize = 200_000;
 
 /// The tree over all objects of a scene but the dominant sphere, which is tested separately.
@@ -51,12 +50,9 @@ impl<B: Boxes> Bvh<B> {
     /// Builds the tree over `objects`, and reorders them so that the objects of a node follow one another.
     ///
     /// # Errors
-    /// [`Error::OutOfMemory`] if memory is short, or if there are 2^31 objects or more.
+    /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
         let count = count(objects);
-        if count >= 1 << 31 {
-            return Err(Error::OutOfMemory { what: HIERARCHY });
-        }
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));

@@ -95,6 +95,7 @@ fn replaced(config: &[u8], lines: &[String; 3]) -> Vec<u8> {
     for (line, key) in lines.iter().zip(KEYS) {
         let has_key = |row: &Vec<u8>| Tokens::new(content_of(row)).next() == Some(key.as_bytes());
         match rows.iter_mut().rfind(|row| has_key(row)) {
+            // The new line keeps the line end of the old one.
             Some(row) => *row = [line.as_bytes(), end_of(row)].concat(),
             None => {
                 if let Some(last) = rows.last_mut().filter(|last| end_of(last).is_empty()) {

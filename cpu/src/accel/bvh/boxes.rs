@@ -17,15 +17,17 @@ pub trait Boxes: Clone + std::fmt::Debug {
     /// Returns the box in a lane. It contains the box that was given to [`Boxes::new`].
     fn bounds(&self, lane: usize) -> Bounds;
 
-    /// Stores the lambda at which the ray enters each box, or 0 if it starts inside. Returns a bit for each box, which
-    /// is 1 if the ray hits the box at a lambda of at most `farthest`. The bits of lanes without a box have no meaning.
+    /// Stores the lambda at which the ray enters each box, or 0 if it starts inside. Returns 16 bits. Bit `i` is 1 if
+    /// the ray hits box `i` at a lambda of at most `farthest`. If there are fewer boxes, the caller must ignore the
+    /// other bits.
     fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32;
 
-    /// Returns a bit for each box, which is 1 if it overlaps `bounds`. The bits of lanes without a box have no meaning.
+    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps `bounds`. If there are fewer boxes, the caller must ignore the
+    /// other bits.
     fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32;
 }
 
-/// Boxes as the coordinates of their planes, in scene units. They have 384 bytes.
+/// Up to 16 boxes in 384 bytes. Each plane is stored as its coordinate, in scene units.
 #[derive(Clone, Copy, Debug)]
 pub struct WideBoxes(Planes<f32>);
 
@@ -56,8 +58,8 @@ impl Boxes for WideBoxes {
     }
 }
 
-/// Boxes in a frame of their own, which divides each axis into steps. The plane with the number `n` is at the
-/// coordinate `origin + n step`. They have 112 bytes.
+/// Up to 16 boxes in 112 bytes. Each plane is stored as a whole number of steps from an origin: the plane with the
+/// number `n` is at the coordinate `origin + n step`. Origin and steps are the same for all boxes.
 #[derive(Clone, Copy, Debug)]
 pub struct ByteBoxes {
     /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up.
@@ -169,7 +171,7 @@ mod tests {
         assert_eq!([size_of::<WideBoxes>(), size_of::<ByteBoxes>()], [384, 112]);
     }
 
-    /// Returns `count` boxes, with coordinates of magnitude `scale`, near `offset`.
+    /// Returns `count` random boxes. Their coordinates differ from `offset` by at most `2 scale`.
     fn boxes(draws: &mut Uniform, count: usize, scale: f64, offset: f64) -> Vec<Bounds> {
         (0..count)
             .map(|_| {

@@ -74,7 +74,7 @@ pub fn build<B: Boxes>(
         let (mut boxes, mut end, mut counts) = ([Bounds::EMPTY; WIDTH], 0, [0; 3]);
         for kind in Kind::ALL {
             for child in children[..count].iter().filter(|child| kind_of(child) == kind) {
-                boxes[end] = child.bounds();
+                boxes[end] = child.bounds.unpacked();
                 end += 1;
                 counts[kind as usize] += 1;
                 match (kind, child.only_item(&items)) {

@@ -33,7 +33,8 @@ pub struct Child {
     pub number: u32,
 }
 
-/// A node of the tree. The children are in the first lanes: nodes first, then spheres, then cylinders.
+/// A node of the tree, with up to 16 children. Lane `i` holds child `i`. The children are sorted by their kind: nodes,
+/// then spheres, then cylinders.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Node<B> {

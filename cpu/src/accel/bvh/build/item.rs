@@ -26,21 +26,10 @@ impl PackedBounds {
         Self { low: least(self.low, other.low), minus_high: least(self.minus_high, other.minus_high) }
     }
 
-    /// Returns the length of the box along an axis.
-    fn length(&self, axis: usize) -> f32 {
-        -self.minus_high[axis] - self.low[axis]
-    }
-
-    /// Returns half of the surface area, or 0 for an empty box. The share of random lines that hit a box is
-    /// proportional to this.
-    pub fn half_area(&self) -> f32 {
-        let [x, y, z] = [0, 1, 2].map(|axis| self.length(axis).max(0.0));
-        x * y + y * z + z * x
-    }
-
-    /// Returns the axis along which the box is longest: 0 for x, 1 for y, 2 for z.
-    pub fn longest_axis(&self) -> usize {
-        (0..3).max_by(|&left, &right| self.length(left).total_cmp(&self.length(right))).unwrap_or(0)
+    /// Returns the box in its usual form.
+    pub fn unpacked(&self) -> Bounds {
+        let ([x, y, z, _], high) = (self.low, self.minus_high);
+        Bounds { low: [x, y, z], high: [-high[0], -high[1], -high[2]] }
     }
 }
 
@@ -122,11 +111,5 @@ impl Range {
     /// Returns the item if the range has only one.
     pub fn only_item<'items>(&self, items: &'items [Item]) -> Option<&'items Item> {
         (self.count() == 1).then(|| &items[self.from])
-    }
-
-    /// Returns the box around the items.
-    pub fn bounds(&self) -> Bounds {
-        let ([x, y, z, _], high) = (self.bounds.low, self.bounds.minus_high);
-        Bounds { low: [x, y, z], high: [-high[0], -high[1], -high[2]] }
     }
 }

@@ -30,7 +30,7 @@ impl Bin {
     /// Returns the cost: the surface area times the number of nodes that hold the items, because a visit tests all
     /// boxes of a node at once.
     fn cost(&self) -> f32 {
-        self.bounds.half_area() * self.count.div_ceil(WIDTH) as f32
+        self.bounds.unpacked().half_area() * self.count.div_ceil(WIDTH) as f32
     }
 
     /// Returns the range of the bin's items, which begin at the index `from`.
@@ -44,7 +44,7 @@ impl Bin {
 pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
-        let cost = |range: &Range| range.bounds.half_area() * range.count() as f32;
+        let cost = |range: &Range| range.bounds.unpacked().half_area() * range.count() as f32;
         let splittable = children[..count].iter().enumerate().filter(|(_, range)| range.count() > WIDTH);
         let Some((worst, _)) = splittable.max_by(|left, right| cost(left.1).total_cmp(&cost(right.1))) else {
             break;
@@ -78,7 +78,7 @@ pub fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mu
 /// Splits a range of at least two items into two ranges that are not empty. The items are reordered.
 fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
     let part = &mut items[range.from..range.to];
-    let axis = range.middles.longest_axis();
+    let axis = range.middles.unpacked().longest_axis();
     let (low, high) = (range.middles.low[axis], -range.middles.minus_high[axis]);
     let scale = BINS as f32 / (high - low);
     // A float-to-integer cast saturates, and turns "not a number" into 0.
