@@ -1,7 +1,6 @@
 //! `nearest [--sizes N,…] [--rounds N] [--rays N] [--set NAME] [--json FILE]`: compares the time of a nearest hit with
 //! Embree's. `bench/nearest` runs it.
 
-use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::str::FromStr;
