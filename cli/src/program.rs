@@ -49,7 +49,7 @@ pub fn render_files<L: Layout>(config: &Path, scene: &Path, out: &Path, scatter:
     // A camera without a window is an error of the configuration, so it must be reported before errors of the output.
     config.check_picture().map_err(|error| error.in_file(config_path))?;
     let output = Output::open(out, Options::default())?;
-    let image = cpu::render::<L>(&config, &scene, scatter).map_err(|error| error.in_file(config_path))?;
+    let image = cpu::render::<L>(&config, scene, scatter).map_err(|error| error.in_file(config_path))?;
     Ok(output.fill(|file| cpu::write_ppm(&image, file))?)
 }
 

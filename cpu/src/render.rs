@@ -36,6 +36,7 @@ pub mod stages;
 pub(crate) mod surface_hit;
 pub mod trace_paths;
 
+use std::borrow::Borrow;
 use std::ops::ControlFlow;
 
 use crate::render::{
@@ -50,7 +51,8 @@ use crate::{
 };
 
 /// Renders `scene` with the configuration `config`, and returns the picture in the layout `L`. `scatter` says how
-/// random vectors are drawn. With [`Scatter::Statement`] the picture is that of `render-aos` and `render-soa`.
+/// random vectors are drawn. With [`Scatter::Statement`] the picture is that of `render-aos` and `render-soa`. A scene
+/// that is passed by value is freed before rendering.
 ///
 /// The renderer uses the fastest instruction set of this machine, unless the environment variable
 /// `RENDER_INSTRUCTION_SET` names another one. A name that is unknown, or whose instruction set this machine lacks, is
@@ -60,7 +62,7 @@ use crate::{
 /// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position
 /// equals its target, north is null or parallel to the view, or the window is not finite. [`Error::OutOfMemory`] if
 /// memory is short.
-pub fn render<L: Layout>(config: &Config, scene: &Scene, scatter: Scatter) -> Result<L::Image, Error> {
+pub fn render<L: Layout>(config: &Config, scene: impl Borrow<Scene>, scatter: Scatter) -> Result<L::Image, Error> {
     render_with(&Prepared::<L>::new(config, scene, scatter)?, InstructionSet::chosen())
 }
 
