@@ -82,7 +82,7 @@ fn sky(what: &str, colors: &str, scene: &str) {
 fn board(what: &str, objects: usize, width: u64) {
     let options = Options { objects, arrangement: Arrangement::Grid, materials: [1.0, 0.0, 0.0], ..Options::default() };
     let config = Config { image_width: width, samples_per_pixel: 4, ..generator::view(&options) };
-    let new = || Prepared::<Aos>::new(&config, &generator::scene(&options), Scatter::Statement).expect("it is small");
+    let new = || Prepared::<Aos>::new(&config, generator::scene(&options), Scatter::Statement).expect("it is small");
     let (skipping, mut doing) = (new(), new());
     (doing.accel, doing.moderate) = (Accel::EveryObject, false);
     pictures(what, || render(&skipping), || render(&doing));

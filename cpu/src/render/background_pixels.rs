@@ -160,7 +160,7 @@ mod tests {
 
     fn prepared(text: &str) -> Prepared<Aos> {
         let config = Config::parse(text.as_bytes()).expect("the configuration is valid");
-        Prepared::new(&config, &Scene::default(), Scatter::Statement).expect("it can be rendered")
+        Prepared::new(&config, Scene::default(), Scatter::Statement).expect("it can be rendered")
     }
 
     #[test]
