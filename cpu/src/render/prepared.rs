@@ -47,8 +47,8 @@ pub struct Prepared<L: Layout> {
 }
 
 impl<L: Layout> Prepared<L> {
-    /// Prepares `scene` for rendering with the configuration `config`. A scene that is passed by value is freed as early
-    /// as possible. With a million objects it takes about as much memory as all that is built from it.
+    /// Prepares `scene` for rendering with the configuration `config`. A scene that is passed by value is freed as
+    /// early as possible. With a million objects it takes about as much memory as all that is built from it.
     ///
     /// # Errors
     /// [`Error::Picture`] if [`Config::check_picture`] returns it. [`Error::OutOfMemory`] if memory is short.
