@@ -1,6 +1,6 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
-use crate::accel::bvh::stack::Stack;
+use crate::accel::bvh::{Bvh, MOST_WIDE, stack::Stack};
 use crate::accel::choice::Accel;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
@@ -121,6 +121,33 @@ fn many_objects_get_a_bvh() {
     let accel = accel(&mut objects);
     assert!(matches!(accel, Accel::Bvh(_)));
     agrees_with_plain(&accel, &objects, 300);
+}
+
+#[test]
+fn more_objects_get_a_bvh_with_boxes_of_bytes() {
+    let mut objects = objects(MOST_WIDE, 0.05, 4);
+    let accel = accel(&mut objects);
+    assert!(matches!(accel, Accel::LargeBvh(_)));
+    agrees_with_plain(&accel, &objects, 40);
+}
+
+#[test]
+fn boxes_of_bytes_give_the_closest_hits() {
+    for (count, size) in [(1, 1.0), (20, 2.0), (300, 1.0)] {
+        let mut objects = objects(count, size, 6);
+        let extent = Extent { max_coordinate: 240.0, moderate: true };
+        let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent).expect("it fits"));
+        agrees_for_directions_of_any_length(&accel, &objects, 10.0);
+        if count == 300 {
+            agrees_with_plain(&accel, &objects, 200);
+        }
+    }
+    for scale in [1e-4, 1.6e8] {
+        let mut objects = ring(100, scale);
+        let extent = Extent { max_coordinate: 6.0 * scale, moderate: true };
+        let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent).expect("it fits"));
+        agrees_for_directions_of_any_length(&accel, &objects, 6.0 * scale);
+    }
 }
 
 /// Returns a dominant sphere of radius 60, which ends at y = 0, and `count` spheres and cylinders. The first
