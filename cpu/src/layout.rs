@@ -35,7 +35,8 @@ pub struct Placed<R> {
     pub material: MaterialId,
 }
 
-/// The objects of a scene. Spheres and cylinders are stored separately, each kind in the order of the scene file.
+/// The objects of a scene. Spheres and cylinders are stored separately. [`build`](Self::build) stores each kind in the
+/// order of the scene file, and [`reorder`](Self::reorder) changes this order.
 pub trait Objects: Sized {
     /// Returns the objects of `scene`.
     ///
@@ -68,7 +69,7 @@ pub trait Objects: Sized {
 }
 
 /// Moves the item at `order[i]` to the index `i`, for each `i`, by calls of `swap` with two indices. `order` must have
-/// every index once. Afterwards each item is where it was to be: `order[i]` is `i`.
+/// every index once. Sets each `order[i]` to `i`.
 fn reorder(order: &mut [u32], mut swap: impl FnMut(usize, usize)) {
     for first in 0..order.len() {
         let mut at = first;

@@ -28,7 +28,8 @@ const FOUR_FLOATS: c_int = 0x9004;
 /// `RTC_BUILD_QUALITY_HIGH`.
 const HIGH_QUALITY: c_int = 2;
 
-/// `RTCRayHit`. Embree writes `far` and the fields after it.
+/// `RTCRayHit`. The fields up to `flags` are the ray, and the others are the hit. Embree writes `far` and the hit if
+/// there is one. Otherwise `sphere` keeps its first value, which is [`NO_PLACE`](super::NO_PLACE).
 #[repr(C, align(16))]
 struct RayHit {
     origin: [f32; 3],

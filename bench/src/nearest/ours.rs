@@ -1,5 +1,5 @@
-//! This project's side of the comparison: the acceleration structure of the renderer, which gives certified hits in
-//! double precision.
+//! This project's side of the comparison: the acceleration structure of the renderer, which gives the hits of exact
+//! arithmetic in double precision.
 
 use std::time::Instant;
 
@@ -11,7 +11,7 @@ use cpu::internals::input::scene::{Shape, Sphere};
 use cpu::internals::layout::{Objects, Placed, aos::AosObjects};
 use cpu::internals::simd::{Kernel, Simd};
 use cpu::internals::{InstructionSet, geometry::sphere::SphereRecord};
-use cpu::{Error, Scene};
+use cpu::{Error, Ray, Scene};
 
 use super::{NO_PLACE, NearestHit, scene::Start};
 
@@ -24,6 +24,14 @@ pub struct Ours {
     numbers: Vec<ObjectId>,
     /// Time to build the structure from the objects, in seconds.
     pub build_seconds: f64,
+}
+
+/// A ray in the form that [`Ours::find`] takes.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedRay {
+    ray: Ray,
+    /// The number of the object on which the ray starts, or [`NO_OBJECT`].
+    from: ObjectId,
 }
 
 impl Ours {
@@ -60,13 +68,13 @@ impl Ours {
 
     /// Returns the rays in the form that [`Ours::find`] takes.
     #[must_use]
-    pub fn prepare(&self, starts: &[Start]) -> Vec<Start> {
+    pub fn prepare(&self, starts: &[Start]) -> Vec<PreparedRay> {
         let number = |place: u32| if place == NO_PLACE { NO_OBJECT } else { self.numbers[place as usize] };
-        starts.iter().map(|start| Start { from: number(start.from), ..*start }).collect()
+        starts.iter().map(|start| PreparedRay { ray: start.ray, from: number(start.from) }).collect()
     }
 
     /// Finds the nearest hit of each prepared ray with an instruction set.
-    pub fn find(&self, set: InstructionSet, rays: &[Start], hits: &mut Vec<NearestHit>) {
+    pub fn find(&self, set: InstructionSet, rays: &[PreparedRay], hits: &mut Vec<NearestHit>) {
         hits.clear();
         set.run(Find { ours: self, rays, hits, stack: &mut Stack::EMPTY.clone() });
     }
@@ -94,7 +102,7 @@ fn nearest(hit: &ClosestHit) -> NearestHit {
 /// A kernel that finds the nearest hit of one ray after the other.
 struct Find<'a> {
     ours: &'a Ours,
-    rays: &'a [Start],
+    rays: &'a [PreparedRay],
     hits: &'a mut Vec<NearestHit>,
     stack: &'a mut Stack,
 }
@@ -105,7 +113,7 @@ impl Kernel for Find<'_> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let Ours { objects, accel, .. } = self.ours;
-        for Start { ray, from } in self.rays {
+        for PreparedRay { ray, from } in self.rays {
             let hit = accel.closest_hit::<S, _>(objects, ray, *from, self.stack);
             self.hits.push(nearest(&hit));
         }

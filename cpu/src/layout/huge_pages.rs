@@ -7,7 +7,7 @@
 const HUGE_PAGE: usize = 2 << 20;
 
 /// Asks the system to place the memory of `list`, with its spare capacity, in huge pages. Nothing happens if it
-/// refuses, or if the list is smaller than a huge page. The list keeps its content and its address.
+/// refuses, or if no whole huge page lies in the list. The list keeps its content and its address.
 pub fn ask<T>(list: &mut Vec<T>) {
     let (from, bytes) = (list.as_mut_ptr() as usize, list.capacity() * size_of::<T>());
     // Only the huge pages that lie in the list as a whole are asked for.
@@ -33,7 +33,7 @@ unsafe fn advise(address: usize, bytes: usize) {
     let _ = unsafe { madvise(address as *mut c_void, bytes, MADV_HUGEPAGE) };
 }
 
-/// The safe twin, for systems without `madvise`: it asks for nothing.
+/// The twin for other systems does nothing. It is `unsafe` only to have the same signature.
 #[cfg(not(all(target_os = "linux", target_pointer_width = "64")))]
 unsafe fn advise(_: usize, _: usize) {}
 
@@ -56,7 +56,7 @@ mod tests {
         }
     }
 
-    #[cfg(target_os = "linux")]
+    #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
     #[test]
     fn a_system_that_has_huge_pages_is_asked_for_them() {
         let mut list: Vec<u8> = Vec::with_capacity(5 * HUGE_PAGE);

@@ -32,8 +32,8 @@ type Refusal = (&'static str, String);
 const INVALID: &str = "422 Unprocessable Content";
 
 impl View {
-    /// Writes the camera in `body` into the configuration file, and answers with the new version of the files. The file
-    /// is unchanged if it has changed since the page read it, or if the result is no valid configuration.
+    /// Writes the camera in `body` into the configuration file, and answers with the new version of the files. Refuses
+    /// if one of the two files has changed since the page read them, or if the result is no valid configuration.
     pub(super) fn save_camera(&self, body: &[u8]) -> Answer {
         match self.try_to_save(body) {
             Ok(version) => Answer::ok("text/plain", version.into_bytes()),
@@ -62,6 +62,7 @@ impl View {
         let new = replaced(&reader::read(&self.config, MAX_TEXT).map_err(failed)?, &lines);
         let valid = Config::parse(&new[..]).and_then(|config| config.check_picture());
         valid.map_err(|error| (INVALID, String::from_utf8_lossy(&error.message()).into_owned()))?;
+        // This is read before the write, so that a later change of the scene still counts as a change.
         let scene = version_of(&self.scene);
         let cannot_write =
             |error: output::Error| ("500 Internal Server Error", Failure::from(error).message().unwrap_or_default());

@@ -17,13 +17,13 @@ pub trait Boxes: Clone + std::fmt::Debug {
     /// Returns the box in a lane. It contains the box that was given to [`Boxes::new`].
     fn bounds(&self, lane: usize) -> Bounds;
 
-    /// Stores the lambda at which the ray enters each box, or 0 if it starts inside. Returns 16 bits. Bit `i` is 1 if
-    /// the ray hits box `i` at a lambda of at most `farthest`. If there are fewer boxes, the caller must ignore the
-    /// other bits.
+    /// Returns 16 bits. Bit `i` is 1 if the ray hits box `i` at a lambda of at most `farthest`. It may also be 1 if the
+    /// ray just misses the box. For each box that is hit, stores a lower bound of the lambda at which the ray enters
+    /// it, or 0 if the ray starts inside. If there are fewer boxes, the caller must ignore the other bits.
     fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32;
 
-    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps `bounds`. If there are fewer boxes, the caller must ignore the
-    /// other bits.
+    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. For [`ByteBoxes`] it may also be 1 if the
+    /// box is near. If there are fewer boxes, the caller must ignore the other bits.
     fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32;
 }
 
@@ -72,7 +72,7 @@ pub struct ByteBoxes {
 }
 
 impl ByteBoxes {
-    /// Returns the distance between neighbouring planes along each axis, in scene units.
+    /// Returns the length of a step along each axis, in scene units.
     #[inline(always)]
     fn steps(&self) -> [f32; 3] {
         let [x, y, z] = self.exponents;

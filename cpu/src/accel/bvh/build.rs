@@ -15,10 +15,10 @@ use crate::{input::error::Error, input::error::push, layout::with_room};
 pub struct Tree<B> {
     /// The nodes, the root first. The list is empty if there are no objects.
     pub nodes: Vec<Node<B>>,
-    /// For each sphere of the tree, in the order of the tree, the number that it had before. In `nodes` it has its
-    /// place in this list as its number.
+    /// The old number of each sphere of the tree. The sphere's new number is its index in this list.
     pub spheres: Vec<ObjectId>,
-    /// The same for the cylinders. In `nodes`, the number of spheres is added to the place in this list.
+    /// The old number of each cylinder. The cylinder's new number is its index in this list plus the number of all
+    /// spheres of the scene.
     pub cylinders: Vec<ObjectId>,
 }
 
@@ -35,12 +35,13 @@ pub fn build<B: Boxes>(
     let mut items = with_room(most)?;
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
     let (spheres, cylinders) = (with_room(sphere_count)?, with_room(most - sphere_count)?);
-    // There are seldom more nodes than this.
+    // A node has about eight objects, by measurement (`bench/nearest`). The list grows if there are more nodes.
     let mut tree = Tree { nodes: with_room(most / 8 + 1)?, spheres, cylinders };
     if items.is_empty() {
         return Ok(tree);
     }
-    // Only the two highest levels, which may become the collapsed root, may have nodes that are not full.
+    // If there will be a collapsed root, the nodes of the two highest levels keep their children. Below them, small
+    // children are dissolved to fill free lanes.
     let planned = collapsed_root::planned(items.len());
     // The nodes that are not filled yet: index, range of items and depth.
     let mut pending = Vec::new();
@@ -49,7 +50,7 @@ pub fn build<B: Boxes>(
     while let Some((index, range, depth)) = pending.pop() {
         let most = match planned {
             Some(planned) if depth == 1 => {
-                // The numbers of children of all children of the root add up to the planned number.
+                // Each child of the root gets a share of the planned number, by its number of items.
                 let part = |end: usize| planned * end / items.len();
                 (part(range.to) - part(range.from)).clamp(2, WIDTH)
             }

@@ -14,7 +14,7 @@ const MOST_VISITS: usize = 64;
 pub struct FindIsolated<'a, B, O> {
     /// The nodes of the tree, the root first.
     pub nodes: &'a [Node<B>],
-    /// The objects of the tree.
+    /// All objects of the scene.
     pub objects: &'a O,
     /// The extent of the scene.
     pub extent: &'a Extent,
@@ -29,7 +29,7 @@ impl<B: Boxes, O: Objects> Kernel for FindIsolated<'_, B, O> {
     fn call<S: Simd>(self, _: S) -> Result<Isolated, Error> {
         let count = count(self.objects);
         let mut isolated = Isolated::none(count)?;
-        // The boxes are enlarged by more than rounding can move a point of a surface.
+        // The box of each object is enlarged by more than rounding can move a point of its surface.
         let slack = (1e-9 * self.extent.max_coordinate) as f32;
         for id in 0..count as ObjectId {
             if !self.dominant.is(id) && !self.overlaps_another::<S>(id, &self.bounds_of(id).enlarged(slack)) {
@@ -79,6 +79,6 @@ impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
                 }
             }
         }
-        true
+        count != 0
     }
 }

@@ -1,7 +1,8 @@
 //! A node of the tree: up to 16 children with their boxes. A child is another node, a sphere or a cylinder.
 //!
-//! No index of a child is stored: children of the same kind follow one another, both in the node's lanes and in their
-//! list. So a node with [byte boxes](crate::accel::bvh::boxes::ByteBoxes) has 128 bytes, two cache lines.
+//! A node stores one number for each kind of child, and not one for each child: children of the same kind follow one
+//! another, both in the node's lanes and in their list. So a node with [byte
+//! boxes](crate::accel::bvh::boxes::ByteBoxes) has 128 bytes, two cache lines.
 
 use crate::accel::{bounds::Bounds, bvh::boxes::Boxes, bvh::planes::WIDTH, object::ObjectId};
 
@@ -51,8 +52,8 @@ impl<B: Boxes> Node<B> {
     /// A node without children.
     pub const EMPTY: Self = Self { boxes: B::EMPTY, base: [0; 3], ends: [0; 3] };
 
-    /// Returns the node with these children: `boxes` are their boxes, ordered by kind. `counts` are the numbers of
-    /// children of each kind, and `first` the numbers of the first child of each kind.
+    /// Returns the node with these children: `boxes` are their boxes, ordered by kind. `counts` says how many
+    /// children of each kind there are, and `first` has the [number](Child::number) of the first child of each kind.
     pub fn new(boxes: &[Bounds], counts: [usize; 3], first: [u32; 3]) -> Self {
         let mut node = Self { boxes: B::new(boxes), ..Self::EMPTY };
         let mut end = 0;

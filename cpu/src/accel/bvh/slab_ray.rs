@@ -17,7 +17,8 @@
 //!
 //! These are `7 u P |r| + 7 u |o r|`, or less for boxes of coordinates. A plane lies up to one step, a 127th of the
 //! node's length, outside of the box it stands for, and so up to `P / 60` beyond `P`, which the next paragraph has room
-//! for. `s r` is exact, because `s` is a power of two. The boxes were built in double precision, which moved their
+//! for. `s r` is exact unless it is
+//! subnormal, because `s` is a power of two. The boxes were built in double precision, which moved their
 //! planes by at most `2^-51 P`. The code moves the distance by at least `16 u (P + |o|) |r|`, towards the side on which
 //! the box is hit. So the computed distance of a plane where the ray enters is not too large. The computed distance of
 //! a plane where it leaves is not too small.
@@ -28,7 +29,8 @@
 //! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
 //! product with a coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their
 //! other operand, which keeps the box. The product `s r` may be subnormal, which changes a distance by at most
-//! `255 * 2^-150`. Each plane is moved by at least [`LEAST_STEP`] times `r`, which is 10 times as much.
+//! `255 * 2^-150`. Each plane is moved by at least [`LEAST_STEP`] times `r`, which is more than 10 times as
+//! much.
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
 use crate::accel::{bounds::Bounds, conservative::is_too_short};
@@ -49,15 +51,15 @@ const LARGEST_RECIPROCAL: f32 = 1e28;
 /// slab that contains such a ray never excludes it.
 const LEAST_STEP: f32 = 1e-10;
 
-/// The square of the length of the longest direction for which boxes are tested: 10^30. This is well below the largest
-/// `f32`, 3.4 10^38. A component beyond that would be infinite and its reciprocal zero.
-const LONGEST: f64 = 1e60;
+/// The square of the largest length of a direction for which boxes are tested. This length is 10^30. A component above
+/// the largest `f32`, 3.4 10^38, would round to infinity, and its reciprocal would be zero.
+const LONGEST_SQUARED: f64 = 1e60;
 
 /// Whether a direction is in scale for slab tests: the square of its length is at least 10^-14 and at most 10^60. The
 /// result is false for NaN.
 #[inline(always)]
 pub fn is_in_scale(length_squared: f64) -> bool {
-    !is_too_short(length_squared) && length_squared <= LONGEST
+    !is_too_short(length_squared) && length_squared <= LONGEST_SQUARED
 }
 
 /// Returns, for each axis, the part of a plane's move that does not depend on the ray: `STEP |p| + LEAST_STEP`, where
@@ -90,7 +92,7 @@ impl<F: SimdF32> SlabRay<F> {
         let mut slab_ray = Self { reciprocal: zero, near_origin: zero, far_origin: zero, near: [0; 3], far: [0; 3] };
         for axis in 0..3 {
             let (minus_origin, narrow) = (-origin[axis] as f32, direction[axis] as f32);
-            // The compiler makes a branch of a comparison here, which costs 2 % of the time with 1,000 objects.
+            // With a comparison here, the compiler would make a branch, which costs 2 % of the time with 1,000 objects.
             let magnitude = (1.0 / narrow).abs().min(LARGEST_RECIPROCAL);
             let reciprocal = magnitude.copysign(narrow);
             let step = (minus_origin.abs() * STEP + steps[axis]) * magnitude;
@@ -119,8 +121,7 @@ impl<F: SimdF32> SlabRay<F> {
         ray
     }
 
-    /// Tests boxes with these planes. Stores the lambda at which the ray enters each box, or 0 if it starts inside.
-    /// Returns a bit for each box, which is 1 if the ray hits the box at a lambda of at most `farthest`.
+    /// Tests boxes with these planes, as [`Boxes::intersect`](crate::accel::bvh::boxes::Boxes::intersect) describes.
     #[inline(always)]
     pub fn intersect<P: Plane>(&self, planes: &Planes<P>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
         let planes = planes.as_flattened().as_flattened();

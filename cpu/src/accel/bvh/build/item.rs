@@ -16,7 +16,8 @@ impl PackedBounds {
     /// The empty box. Its union with another box is that other box.
     pub const EMPTY: Self = Self { low: [f32::INFINITY; 4], minus_high: [f32::INFINITY; 4] };
 
-    /// Returns the smallest box around both boxes. It has the same bits on every processor.
+    /// Returns the smallest box around both boxes. The comparison is written out, because `f32::min` may return either
+    /// zero for -0 and 0, which would depend on the processor.
     #[inline(always)]
     #[must_use]
     pub fn union(self, other: Self) -> Self {

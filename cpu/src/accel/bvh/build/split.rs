@@ -39,14 +39,15 @@ impl Bin {
     }
 }
 
-/// Splits the range in `children[0]` into several ranges. It always splits the child with the highest cost, until all
+/// Splits the range in `children[0]` into several ranges. It always splits the child with the largest
+/// surface area times its number of objects, until all
 /// of `children` are used or every child has at most [`WIDTH`] objects. Returns the number of children.
 pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
-        let cost = |range: &Range| range.bounds.unpacked().half_area() * range.count() as f32;
+        let priority = |range: &Range| range.bounds.unpacked().half_area() * range.count() as f32;
         let splittable = children[..count].iter().enumerate().filter(|(_, range)| range.count() > WIDTH);
-        let Some((worst, _)) = splittable.max_by(|left, right| cost(left.1).total_cmp(&cost(right.1))) else {
+        let Some((worst, _)) = splittable.max_by(|left, right| priority(left.1).total_cmp(&priority(right.1))) else {
             break;
         };
         let [left, right] = split(items, &children[worst], depth);
@@ -75,7 +76,8 @@ pub fn dissolve_small_children(items: &[Item], children: &mut [Range; WIDTH], mu
     }
 }
 
-/// Splits a range of at least two items into two ranges that are not empty. The items are reordered.
+/// Splits a range of at least two items into two ranges that are not empty, by the surface area heuristic. From the
+/// depth [`MOST_SAH_DEPTH`] on, or if all items are in one bin, it splits into halves. The items are reordered.
 fn split(items: &mut [Item], range: &Range, depth: u32) -> [Range; 2] {
     let part = &mut items[range.from..range.to];
     let axis = range.middles.unpacked().longest_axis();
