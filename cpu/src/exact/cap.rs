@@ -3,8 +3,10 @@
 //!
 //! There are three results: a ray certainly hits a cap, certainly misses it, or the decision is uncertain. [`Plane`]
 //! serves one ray and lanes, in `f64` and in double-double. [`filtered`] calls it for one ray. If double-double is
-//! uncertain too, `Inputs::cap` of `exact/cylinder_exact.rs` decides without rounding. The reference has a literal
-//! copy of the rule in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of `cylinder.wgsl`.
+//! uncertain too, `Inputs::cap` of `exact/cylinder_exact.rs` decides without rounding. When a cap is tested, and which
+//! of the two first, is decided in `exact/cylinder.rs` for one ray and in `exact/cylinder_lanes.rs` for lanes. The
+//! reference has a literal copy of the rule in `cap` of `reference/nearest.rs`, and WGSL has one in `cylinder_cap` of
+//! `cylinder.wgsl`.
 
 use crate::exact::{
     cylinder_side::LIMITS, cylinder_side::extent, cylinder_side::magnitude, cylinder_side::margin,

@@ -23,12 +23,18 @@ impl Background {
 
 impl<T: Real> Background<T> {
     /// Returns the colour of a ray along `direction`, which may have any length. It is `(1 - m) light + m dark` with
-    /// `m = (unit(direction).y + 1) / 2`.
+    /// `m = share_of_dark(unit(direction).y)`.
     #[inline(always)]
     pub fn color(&self, direction: Vec3<T>) -> Vec3<T> {
-        let m = (direction.y / direction.length() + T::of(1.0)) / T::of(2.0);
+        let m = share_of_dark(direction.y / direction.length());
         self.light * (T::of(1.0) - m) + self.dark * m
     }
+}
+
+/// Returns the share of the dark colour in the gradient, for a direction of length one with this `y`.
+#[inline(always)]
+fn share_of_dark<T: Real>(y: T) -> T {
+    (y + T::of(1.0)) / T::of(2.0)
 }
 
 /// Returns the lowest and the highest mean of a channel of background pixels, if the mean of `unit(direction).y` is at
@@ -36,10 +42,9 @@ impl<T: Real> Background<T> {
 /// both sides.
 #[inline(always)]
 pub fn interval<T: Real>(dark: f64, light: f64, (middle, radius): (T, T), rounding: f64) -> [T; 2] {
-    let half = T::of(0.5);
     let (light, difference) = (T::of(light), T::of(dark - light));
-    let mean = light + difference * ((middle + T::of(1.0)) * half);
-    let radius = difference.abs() * (radius * half) + T::of(rounding);
+    let mean = light + difference * share_of_dark(middle);
+    let radius = difference.abs() * (radius * T::of(0.5)) + T::of(rounding);
     [mean - radius, mean + radius]
 }
 

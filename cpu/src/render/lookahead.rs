@@ -136,8 +136,7 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
             if rays.is_one() && prepared.scatters_everywhere && small_scene.starts_inside(&prepared.objects, &ray) {
                 add(Counter::Hits, 1);
                 add(Counter::LastRaysSkipped, 1);
-                tracer.scatter_samples.skip(1);
-                return tracer.ends.terminate(at, &mut tracer.queue);
+                return tracer.end_at_max_depth(at);
             }
         }
     }

@@ -6,10 +6,10 @@
 //!
 //! The whole renderer counts with [`RaysLeft`], from the camera rays through specular chains to the paths. At a hit
 //! with [`RaysLeft::is_none`] the sample becomes black: a path by `terminate` in `render/path_ends.rs`, and a specular
-//! chain by `terminate` in `render/samples.rs`. `render/path.rs` and `render/trace_paths.rs` take the scatter sample of
-//! that surface. A lookahead may skip the hit of a last ray (`render/lookahead.rs`). The
-//! reference has a copy of this rule in the loop of `color` in `reference.rs`, and WGSL has one in the loop of
-//! `trace.wgsl`.
+//! chain by `terminate` in `render/samples.rs`. A matte or metal surface takes its scatter sample at the same time
+//! (`end_at_max_depth` in `render/path.rs`). A lookahead may skip the hit of a last ray (`render/lookahead.rs`). At a
+//! maximum depth of 1 no scatter sample is drawn at all (`needs_samples` in `render/prepared.rs`). The reference has a
+//! copy of this rule in the loop of `color` in `reference.rs`, and WGSL has one in the loop of `trace.wgsl`.
 
 use crate::math::real::Real;
 

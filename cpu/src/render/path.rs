@@ -52,6 +52,14 @@ impl PathTracer {
         !rays.iter().any(|&rays| RaysLeft::of_bits(rays).is_none())
     }
 
+    /// Ends the path at index `at` of the queue at the maximum depth, on a matte or metal surface. The path is black,
+    /// but the surface takes its scatter sample, so that the next surface gets the next one.
+    #[inline(always)]
+    pub fn end_at_max_depth(&mut self, at: usize) {
+        self.scatter_samples.skip(1);
+        self.ends.terminate(at, &mut self.queue);
+    }
+
     /// Continues the path at index `at` of the queue at `hit`, and returns its next ray. `rays` is the number of rays
     /// that the path may still send. If there are none, or if memory is short, the path ends in black and the result is
     /// `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
@@ -69,9 +77,10 @@ impl PathTracer {
             let surface_hit = SurfaceHit::new(&prepared.objects, ray, hit);
             if prepared.materials[surface_hit.material as usize].takes_scatter_sample() {
                 scatter_samples.prepare(simd);
-                scatter_samples.skip(1);
+                self.end_at_max_depth(at);
+            } else {
+                ends.terminate(at, queue);
             }
-            ends.terminate(at, queue);
             return None;
         }
         let surface_hit = SurfaceHit::new(&prepared.objects, ray, hit);

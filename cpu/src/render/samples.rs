@@ -17,7 +17,7 @@ pub struct Batch {
     /// The column of each sample's pixel.
     pub column: Values,
     /// The offset of each sample from the middle of its pixel, in pixels, to the right and down.
-    pub offset: Columns<2, ROOM>,
+    pub offset: Columns<DRAWS_OF_OFFSET, ROOM>,
     /// The samples whose last ray has hit a refractive surface.
     pub specular: SpecularQueue,
     /// The samples whose specular chain has ended on a matte or metal surface.

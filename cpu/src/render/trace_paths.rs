@@ -53,11 +53,11 @@ impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
         for at in 0..self.tracer.queue.count {
             self.tracer.scatter_samples.prepare(simd);
             self.tracer.ends.begin();
-            let scatter_sample = self.tracer.scatter_samples.next();
             let vertex = PathVertex::of(self.tracer.queue.entries.get(at));
             if RaysLeft::of_bits(vertex.rays).is_none() {
-                self.tracer.ends.terminate(at, &mut self.tracer.queue);
+                self.tracer.end_at_max_depth(at);
             } else {
+                let scatter_sample = self.tracer.scatter_samples.next();
                 self.trace(simd, at, &vertex, scatter_sample);
             }
         }

@@ -16,7 +16,8 @@
 //! The order follows from the loops over rows in `render.rs` and over the pixels of a span in `render/span.rs`. Which
 //! samples take random numbers is decided in `render/samples.rs`, and which surfaces take a scatter sample in
 //! `takes_scatter_sample` of `materials/prepared.rs`. `render/path.rs`, `render/trace_paths.rs` and
-//! `render/lookahead.rs` take the samples. How many numbers a sample takes depends on the convention
+//! `render/lookahead.rs` take the samples. Specular chains do not end in the order of the samples; `merge` in
+//! `render/queue.rs` restores it. How many numbers a sample takes depends on the convention
 //! (`sampling/scatter_vectors.rs`).
 
 use crate::sampling::block::BlockUniform;

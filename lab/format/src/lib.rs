@@ -95,7 +95,7 @@ pub const CONFIG: [Line; 13] = [
     key("camera_north:", &[Real; 3], "x y z", "0 1 0", "direction that is up in the picture; any length"),
     key("field_of_view:", &[Degrees], "number in (0, 180)", "90", "vertical opening of the view, degrees"),
     key("samples_per_pixel:", &[Count], "whole number > 0", "20", "rays a pixel; noise falls with their square root"),
-    key("max_depth:", &[Count], "whole number > 0", "5", "most surfaces that a ray may meet; beyond, black"),
+    key("max_depth:", &[Count], "whole number > 0", "5", "rays a sample may send; if the last one hits, black"),
     key("material_rng_seed:", &[Count], "whole number > 0", "13", "seed of the scatter vectors"),
     key("ray_rng_seed:", &[Count], "whole number > 0", "19", "seed of the places of rays within pixels"),
     key("background_dark_color:", &[Share; 3], "r g b in [0, 1]", "0.25 0.5 1", "background straight up (+y)"),
