@@ -90,22 +90,7 @@ float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 
 bool vec3_is_negligible(float3 v_3)
 {
-    bool local = (bool)0;
-    bool local_1 = (bool)0;
-
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) & (abs(v_3.y) < 1e-8)) & (abs(v_3.z) < 1e-8));
 }
 
 float3 ray_at(Ray ray, float lambda)
@@ -116,19 +101,6 @@ float3 ray_at(Ray ray, float lambda)
 bool in_range(float lambda_1)
 {
     return (0.001 <= lambda_1);
-}
-
-Root ConstructRoot(bool arg0, float arg1) {
-    Root ret = (Root)0;
-    ret.some = arg0;
-    ret.lambda = arg1;
-    return ret;
-}
-
-Root root_none()
-{
-    const Root root = ConstructRoot(false, 0.0);
-    return root;
 }
 
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
@@ -143,12 +115,8 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit = ConstructHit(point_, outward, front);
-        return hit;
-    }
-    const Hit hit_1 = ConstructHit(point_, -(outward), front);
-    return hit_1;
+    const Hit hit = ConstructHit(point_, (front ? outward : -(outward)), front);
+    return hit;
 }
 
 float3 background_color(Background background_1, float3 direction_1)

@@ -97,21 +97,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 metal::float3 ray_at(
@@ -127,11 +113,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -139,10 +120,7 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
-    }
-    return Hit {point, -(outward), front};
+    return Hit {point, front ? outward : -(outward), front};
 }
 
 metal::float3 background_color(

@@ -86,21 +86,7 @@ vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
 }
 
 bool vec3_is_negligible(vec3 v_3) {
-    bool local = false;
-    bool local_1 = false;
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) && (abs(v_3.y) < 1e-8)) && (abs(v_3.z) < 1e-8));
 }
 
 vec3 ray_at(Ray ray, float lambda) {
@@ -111,17 +97,10 @@ bool in_range(float lambda_1) {
     return (0.001 <= lambda_1);
 }
 
-Root root_none() {
-    return Root(false, 0.0);
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        return Hit(point, outward, front);
-    }
-    return Hit(point, -(outward), front);
+    return Hit(point, (front ? outward : -(outward)), front);
 }
 
 Ray camera_ray(Camera camera_1, float row, float column, vec2 offset) {

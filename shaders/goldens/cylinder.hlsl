@@ -133,22 +133,7 @@ float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 
 bool vec3_is_negligible(float3 v_3)
 {
-    bool local = (bool)0;
-    bool local_1 = (bool)0;
-
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) & (abs(v_3.y) < 1e-8)) & (abs(v_3.z) < 1e-8));
 }
 
 float3 ray_at(Ray ray, float lambda)
@@ -159,19 +144,6 @@ float3 ray_at(Ray ray, float lambda)
 bool in_range(float lambda_1)
 {
     return (0.001 <= lambda_1);
-}
-
-Root ConstructRoot(bool arg0, float arg1) {
-    Root ret = (Root)0;
-    ret.some = arg0;
-    ret.lambda = arg1;
-    return ret;
-}
-
-Root root_none()
-{
-    const Root root = ConstructRoot(false, 0.0);
-    return root;
 }
 
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
@@ -186,12 +158,8 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit_1 = ConstructHit(point_, outward, front);
-        return hit_1;
-    }
-    const Hit hit_2 = ConstructHit(point_, -(outward), front);
-    return hit_2;
+    const Hit hit_1 = ConstructHit(point_, (front ? outward : -(outward)), front);
+    return hit_1;
 }
 
 UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
@@ -222,23 +190,8 @@ bool tie_later_is_closer(float lambda_2, float closest)
 
 bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
-
     const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = (order >= closest_order);
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -253,15 +206,19 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
-CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
+CylinderRecord cylinder_with_unit_axis(float3 center_, float radius, float3 axis_1, float half_height)
 {
-    const UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    float half_height = (_e3.length_ / 2.0);
-    float3 half_axis = (_e3.direction * half_height);
-    float3 top = (center_ + half_axis);
-    float3 bottom = (center_ - half_axis);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, _e3.direction, top, bottom, radius, (radius * radius), half_height);
+    float3 to_cap = (axis_1 * half_height);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, axis_1, (center_ + to_cap), (center_ - to_cap), radius, (radius * radius), half_height);
     return cylinderrecord;
+}
+
+CylinderRecord cylinder_new(float3 center_1, float radius_1, float3 axis_2)
+{
+    const UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    const CylinderRecord _e8 = cylinder_with_unit_axis(center_1, radius_1, _e3.direction, (_e3.length_ / 2.0));
+    const CylinderRecord cylinderrecord_1 = _e8;
+    return cylinderrecord_1;
 }
 
 CylinderView ConstructCylinderView(float3 arg0, float arg1) {
@@ -303,83 +260,46 @@ bool cylinder_within_height(CylinderRecord cylinder_3, Ray ray_1, float lambda_4
     return (abs(_e7) <= cylinder_3.half_height);
 }
 
-Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic)
-{
-    bool local_4 = (bool)0;
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
-
-    float root_1 = sqrt(quadratic.discriminant);
-    float near = ((-(quadratic.h) - root_1) / quadratic.a);
-    float far = ((-(quadratic.h) + root_1) / quadratic.a);
-    const bool _e15 = in_range(near);
-    if (_e15) {
-        const bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    const bool _e21 = in_range(far);
-    if (_e21) {
-        const bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    const Root root_2 = ConstructRoot(_e31, (near_counts ? near : far));
-    return root_2;
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, float3 center_1)
+Root cylinder_side(CylinderRecord cylinder_4, Ray ray_2, CylinderQuadratic quadratic)
 {
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
+    float root = sqrt(quadratic.discriminant);
+    float near = ((-(quadratic.h) - root) / quadratic.a);
+    float far = ((-(quadratic.h) + root) / quadratic.a);
+    const bool _e15 = in_range(near);
+    const bool _e16 = cylinder_within_height(cylinder_4, ray_2, near);
+    bool near_counts = (_e15 & _e16);
+    const bool _e18 = in_range(far);
+    const bool _e19 = cylinder_within_height(cylinder_4, ray_2, far);
+    bool far_counts = (_e18 & _e19);
+    const Root root_1 = ConstructRoot((near_counts | far_counts), (near_counts ? near : far));
+    return root_1;
+}
 
+Root cylinder_cap(CylinderRecord cylinder_5, Ray ray_3, float3 center_2)
+{
     const float _e5 = vec3_dot(ray_3.direction, cylinder_5.axis);
-    const float _e9 = vec3_dot((center_1 - ray_3.origin), cylinder_5.axis);
+    const float _e9 = vec3_dot((center_2 - ray_3.origin), cylinder_5.axis);
     float lambda_6 = (_e9 / _e5);
     const float3 _e11 = ray_at(ray_3, lambda_6);
-    const float _e13 = vec3_length((_e11 - center_1));
+    const float _e13 = vec3_length((_e11 - center_2));
     bool on_disc = (_e13 <= cylinder_5.radius);
-    if (!((abs(_e5) < 1e-8))) {
-        const bool _e22 = in_range(lambda_6);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    const Root root_3 = ConstructRoot(_e28, lambda_6);
-    return root_3;
+    const bool _e20 = in_range(lambda_6);
+    const Root root_2 = ConstructRoot(((!((abs(_e5) < 1e-8)) & _e20) & on_disc), lambda_6);
+    return root_2;
 }
 
 float3 cylinder_outward(CylinderRecord cylinder_6, uint part, float3 point_1)
 {
-    switch(part) {
-        case 0u: {
-            const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_6.center_), cylinder_6.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_6.axis;
-        }
-        default: {
-            return -(cylinder_6.axis);
-        }
-    }
+    const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_6.center_), cylinder_6.axis);
+    float3 cap = ((part == TOP) ? cylinder_6.axis : -(cylinder_6.axis));
+    return ((part == SIDE) ? _e6 : cap);
 }
 
 CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
@@ -390,72 +310,34 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
+CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
+{
+    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = (later.some & (!(closest_2.some) | _e8));
+    float lambda_7 = (replaces ? later.lambda : closest_2.lambda);
+    const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_7, (replaces ? part_1 : closest_2.part));
+    return cylinderroot;
+}
+
 CylinderRoot cylinder_with_caps(CylinderRecord cylinder_7, Ray ray_4, Root side)
 {
-    CylinderRoot closest_2 = (CylinderRoot)0;
-    bool local_9 = (bool)0;
-    bool local_10 = (bool)0;
-    bool local_11 = (bool)0;
-    bool local_12 = (bool)0;
-
-    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
-    const Root _e9 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            float _e21 = closest_2.lambda;
-            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
-    }
-    const Root _e32 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            float _e44 = closest_2.lambda;
-            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
-    }
-    CylinderRoot _e54 = closest_2;
-    const CylinderRoot cylinderroot = _e54;
-    return cylinderroot;
+    const Root _e4 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
+    const Root _e6 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
+    const CylinderRoot _e12 = cylinder_closer(ConstructCylinderRoot(side.some, side.lambda, SIDE), _e4, TOP);
+    const CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    const CylinderRoot cylinderroot_1 = _e14;
+    return cylinderroot_1;
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_8, Ray ray_5)
 {
-    Root side_1 = (Root)0;
-
     const CylinderView _e3 = cylinder_seen_from(cylinder_8, ray_5.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_8, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        const Root _e11 = cylinder_side(cylinder_8, ray_5, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    const CylinderRoot _e13 = cylinder_with_caps(cylinder_8, ray_5, _e12);
-    const CylinderRoot cylinderroot_1 = _e13;
-    return cylinderroot_1;
+    const Root _e6 = cylinder_side(cylinder_8, ray_5, _e5);
+    bool some = (!((_e5.discriminant < 0.0)) & _e6.some);
+    const CylinderRoot _e15 = cylinder_with_caps(cylinder_8, ray_5, ConstructRoot(some, _e6.lambda));
+    const CylinderRoot cylinderroot_2 = _e15;
+    return cylinderroot_2;
 }
 
 float3 vec3_load(PackedVec3_ v_5)
@@ -529,12 +411,12 @@ HitReport hit_report_none()
     return hitreport;
 }
 
-HitReport hit_report(float lambda_5, uint part_1, Hit hit)
+HitReport hit_report(float lambda_5, uint part_2, Hit hit)
 {
     float front_1 = (hit.front ? 1.0 : 0.0);
     const PackedVec3_ _e10 = vec3_store(hit.point_);
     const PackedVec3_ _e12 = vec3_store(hit.normal);
-    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_2), front_1, _e10, _e12);
     return hitreport_1;
 }
 

@@ -134,21 +134,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 metal::float3 ray_at(
@@ -164,11 +150,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -176,10 +157,7 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
-    }
-    return Hit {point, -(outward), front};
+    return Hit {point, front ? outward : -(outward), front};
 }
 
 UnitAndLength vec3_unit_and_length(
@@ -208,35 +186,28 @@ bool tie_is_closer(
     real closest_1,
     uint closest_order
 ) {
-    bool local_2 = {};
-    bool local_3 = {};
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = order >= closest_order;
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+}
+
+CylinderRecord cylinder_with_unit_axis(
+    metal::float3 center,
+    real radius,
+    metal::float3 axis_1,
+    real half_height
+) {
+    metal::float3 to_cap = axis_1 * half_height;
+    return CylinderRecord {center, axis_1, center + to_cap, center - to_cap, radius, radius * radius, half_height};
 }
 
 CylinderRecord cylinder_new(
-    metal::float3 center,
-    real radius,
-    metal::float3 axis_1
+    metal::float3 center_1,
+    real radius_1,
+    metal::float3 axis_2
 ) {
-    UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    real half_height = _e3.length / 2.0;
-    metal::float3 half_axis = _e3.direction * half_height;
-    metal::float3 top = center + half_axis;
-    metal::float3 bottom = center - half_axis;
-    return CylinderRecord {center, _e3.direction, top, bottom, radius, radius * radius, half_height};
+    UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    CylinderRecord _e8 = cylinder_with_unit_axis(center_1, radius_1, _e3.direction, _e3.length / 2.0);
+    return _e8;
 }
 
 CylinderView cylinder_seen_from(
@@ -274,64 +245,31 @@ Root cylinder_side(
     Ray ray_2,
     CylinderQuadratic quadratic
 ) {
-    bool local_4 = {};
-    bool local_5 = {};
-    bool local_6 = {};
     float root = metal::sqrt(quadratic.discriminant);
     real near = (-(quadratic.h) - root) / quadratic.a;
     real far = (-(quadratic.h) + root) / quadratic.a;
     bool _e15 = in_range(near);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_4, ray_2, near);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_4, ray_2, far);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root {_e31, {}, near_counts ? near : far};
+    bool _e16 = cylinder_within_height(cylinder_4, ray_2, near);
+    bool near_counts = _e15 & _e16;
+    bool _e18 = in_range(far);
+    bool _e19 = cylinder_within_height(cylinder_4, ray_2, far);
+    bool far_counts = _e18 & _e19;
+    return Root {near_counts | far_counts, {}, near_counts ? near : far};
 }
 
 Root cylinder_cap(
     CylinderRecord cylinder_5,
     Ray ray_3,
-    metal::float3 center_1
+    metal::float3 center_2
 ) {
-    bool local_7 = {};
-    bool local_8 = {};
     real _e5 = vec3_dot(ray_3.direction, cylinder_5.axis);
-    real _e9 = vec3_dot(center_1 - ray_3.origin, cylinder_5.axis);
+    real _e9 = vec3_dot(center_2 - ray_3.origin, cylinder_5.axis);
     real lambda_6 = _e9 / _e5;
     metal::float3 _e11 = ray_at(ray_3, lambda_6);
-    real _e13 = vec3_length(_e11 - center_1);
+    real _e13 = vec3_length(_e11 - center_2);
     bool on_disc = _e13 <= cylinder_5.radius;
-    if (!((metal::abs(_e5) < 0.00000001))) {
-        bool _e22 = in_range(lambda_6);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root {_e28, {}, lambda_6};
+    bool _e20 = in_range(lambda_6);
+    return Root {(!((metal::abs(_e5) < 0.00000001)) & _e20) & on_disc, {}, lambda_6};
 }
 
 metal::float3 cylinder_outward(
@@ -339,18 +277,20 @@ metal::float3 cylinder_outward(
     uint part,
     metal::float3 point_1
 ) {
-    switch(part) {
-        case 0u: {
-            metal::float3 _e6 = vec3_perpendicular_to(point_1 - cylinder_6.center, cylinder_6.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_6.axis;
-        }
-        default: {
-            return -(cylinder_6.axis);
-        }
-    }
+    metal::float3 _e6 = vec3_perpendicular_to(point_1 - cylinder_6.center, cylinder_6.axis);
+    metal::float3 cap = (part == TOP) ? cylinder_6.axis : -(cylinder_6.axis);
+    return (part == SIDE) ? _e6 : cap;
+}
+
+CylinderRoot cylinder_closer(
+    CylinderRoot closest_2,
+    Root later,
+    uint part_1
+) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = later.some & (!(closest_2.some) | _e8);
+    real lambda_7 = replaces ? later.lambda : closest_2.lambda;
+    return CylinderRoot {closest_2.some | later.some, {}, lambda_7, replaces ? part_1 : closest_2.part};
 }
 
 CylinderRoot cylinder_with_caps(
@@ -358,68 +298,23 @@ CylinderRoot cylinder_with_caps(
     Ray ray_4,
     Root side
 ) {
-    CylinderRoot closest_2 = {};
-    bool local_9 = {};
-    bool local_10 = {};
-    bool local_11 = {};
-    bool local_12 = {};
-    closest_2 = CylinderRoot {side.some, {}, side.lambda, SIDE};
-    Root _e9 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            real _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot {true, {}, _e9.lambda, TOP};
-    }
-    Root _e32 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            real _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot {true, {}, _e32.lambda, BOTTOM};
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_7, ray_4, cylinder_7.top);
+    Root _e6 = cylinder_cap(cylinder_7, ray_4, cylinder_7.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot {side.some, {}, side.lambda, SIDE}, _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_8,
     Ray ray_5
 ) {
-    Root side_1 = {};
     CylinderView _e3 = cylinder_seen_from(cylinder_8, ray_5.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_8, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_8, ray_5, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_8, ray_5, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_8, ray_5, _e5);
+    bool some = !((_e5.discriminant < 0.0)) & _e6.some;
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_8, ray_5, Root {some, {}, _e6.lambda});
+    return _e15;
 }
 
 metal::float3 vec3_load(
@@ -458,13 +353,13 @@ HitReport hit_report_none(
 
 HitReport hit_report(
     real lambda_5,
-    uint part_1,
+    uint part_2,
     Hit hit
 ) {
     float front_1 = hit.front ? 1.0 : 0.0;
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport {1.0, lambda_5, static_cast<float>(part_1), front_1, _e10, _e12};
+    return HitReport {1.0, lambda_5, static_cast<float>(part_2), front_1, _e10, _e12};
 }
 
 struct cylinderInput {

@@ -225,21 +225,7 @@ vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
 }
 
 bool vec3_is_negligible(vec3 v_3) {
-    bool local = false;
-    bool local_1 = false;
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) && (abs(v_3.y) < 1e-8)) && (abs(v_3.z) < 1e-8));
 }
 
 ExactSum exact_two_sum(float a_1, float b_1, float one) {
@@ -257,17 +243,10 @@ bool in_range(float lambda_1) {
     return (0.001 <= lambda_1);
 }
 
-Root root_none() {
-    return Root(false, 0.0);
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        return Hit(point, outward, front);
-    }
-    return Hit(point, -(outward), front);
+    return Hit(point, (front ? outward : -(outward)), front);
 }
 
 UnitAndLength vec3_unit_and_length(vec3 v_4) {
@@ -286,31 +265,19 @@ bool tie_later_is_closer(float lambda_2, float closest) {
 }
 
 bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
-    bool local_2 = false;
-    bool local_3 = false;
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = (order >= closest_order);
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return (_e4 && ((lambda_3 < closest_1) || (order >= closest_order)));
 }
 
-CylinderRecord cylinder_new(vec3 center, float radius, vec3 axis_1) {
-    UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    float half_height = (_e3.length_ / 2.0);
-    vec3 half_axis = (_e3.direction * half_height);
-    vec3 top = (center + half_axis);
-    vec3 bottom = (center - half_axis);
-    return CylinderRecord(center, _e3.direction, top, bottom, radius, (radius * radius), half_height);
+CylinderRecord cylinder_with_unit_axis(vec3 center, float radius, vec3 axis_1, float half_height) {
+    vec3 to_cap = (axis_1 * half_height);
+    return CylinderRecord(center, axis_1, (center + to_cap), (center - to_cap), radius, (radius * radius), half_height);
+}
+
+CylinderRecord cylinder_new(vec3 center_1, float radius_1, vec3 axis_2) {
+    UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    CylinderRecord _e8 = cylinder_with_unit_axis(center_1, radius_1, _e3.direction, (_e3.length_ / 2.0));
+    return _e8;
 }
 
 CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin) {
@@ -333,137 +300,57 @@ bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_1, float lambda_4
 }
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_2, CylinderQuadratic quadratic) {
-    bool local_4 = false;
-    bool local_5 = false;
-    bool local_6 = false;
     float root_6 = sqrt(quadratic.discriminant);
     float near = ((-(quadratic.h) - root_6) / quadratic.a);
     float far = ((-(quadratic.h) + root_6) / quadratic.a);
     bool _e15 = in_range(near);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_3, ray_2, near);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_3, ray_2, far);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root(_e31, (near_counts ? near : far));
+    bool _e16 = cylinder_within_height(cylinder_3, ray_2, near);
+    bool near_counts = (_e15 && _e16);
+    bool _e18 = in_range(far);
+    bool _e19 = cylinder_within_height(cylinder_3, ray_2, far);
+    bool far_counts = (_e18 && _e19);
+    return Root((near_counts || far_counts), (near_counts ? near : far));
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_3, vec3 center_1) {
-    bool local_7 = false;
-    bool local_8 = false;
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_3, vec3 center_2) {
     float _e5 = vec3_dot(ray_3.direction, cylinder_4.axis);
-    float _e9 = vec3_dot((center_1 - ray_3.origin), cylinder_4.axis);
+    float _e9 = vec3_dot((center_2 - ray_3.origin), cylinder_4.axis);
     float lambda_10 = (_e9 / _e5);
     vec3 _e11 = ray_at(ray_3, lambda_10);
-    float _e13 = vec3_length((_e11 - center_1));
+    float _e13 = vec3_length((_e11 - center_2));
     bool on_disc = (_e13 <= cylinder_4.radius);
-    if (!((abs(_e5) < 1e-8))) {
-        bool _e22 = in_range(lambda_10);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root(_e28, lambda_10);
+    bool _e20 = in_range(lambda_10);
+    return Root(((!((abs(_e5) < 1e-8)) && _e20) && on_disc), lambda_10);
 }
 
 vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_1) {
-    switch(part) {
-        case 0u: {
-            vec3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    vec3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center), cylinder_5.axis);
+    vec3 cap = ((part == TOP) ? cylinder_5.axis : -(cylinder_5.axis));
+    return ((part == SIDE) ? _e6 : cap);
+}
+
+CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = (later.some && (!(closest_2.some) || _e8));
+    float lambda_11 = (replaces ? later.lambda : closest_2.lambda);
+    return CylinderRoot((closest_2.some || later.some), lambda_11, (replaces ? part_1 : closest_2.part));
 }
 
 CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_4, Root side) {
-    CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
-    bool local_9 = false;
-    bool local_10 = false;
-    bool local_11 = false;
-    bool local_12 = false;
-    closest_2 = CylinderRoot(side.some, side.lambda, SIDE);
-    Root _e9 = cylinder_cap(cylinder_6, ray_4, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            float _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot(true, _e9.lambda, TOP);
-    }
-    Root _e32 = cylinder_cap(cylinder_6, ray_4, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            float _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot(true, _e32.lambda, BOTTOM);
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_6, ray_4, cylinder_6.top);
+    Root _e6 = cylinder_cap(cylinder_6, ray_4, cylinder_6.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot(side.some, side.lambda, SIDE), _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_5) {
-    Root side_1 = Root(false, 0.0);
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_5.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_5, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_5, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_7, ray_5, _e5);
+    bool some_1 = (!((_e5.discriminant < 0.0)) && _e6.some);
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_5, Root(some_1, _e6.lambda));
+    return _e15;
 }
 
 vec3 vec3_load(PackedVec3_ v_5) {
@@ -507,10 +394,10 @@ ExactSum exact_two_product(float a_3, float b_2) {
 }
 
 float exact_mul_add(float a_4, float b_3, float c) {
-    bool local_13 = false;
-    bool local_14 = false;
-    bool local_15 = false;
-    bool local_16 = false;
+    bool local = false;
+    bool local_1 = false;
+    bool local_2 = false;
+    bool local_3 = false;
     ExactSum _e3 = exact_two_product(a_4, b_3);
     float _e6 = exact_one;
     ExactSum _e7 = exact_two_sum(c, _e3.error, _e6);
@@ -524,29 +411,29 @@ float exact_mul_add(float a_4, float b_3, float c) {
     float neighbor = ((_e22.sum * _e25) + (_e22.error * 1.5));
     bool is_tie = ((_e22.error + _e22.error) == (neighbor - _e22.sum));
     if ((0.0 < _e22.error)) {
-        local_13 = (0.0 < _e17.error);
+        local = (0.0 < _e17.error);
     } else {
-        local_13 = false;
+        local = false;
     }
-    bool _e45 = local_13;
+    bool _e45 = local;
     if (!(_e45)) {
         if ((_e22.error < 0.0)) {
-            local_15 = (_e17.error < 0.0);
+            local_2 = (_e17.error < 0.0);
         } else {
-            local_15 = false;
+            local_2 = false;
         }
-        bool _e56 = local_15;
-        local_14 = _e56;
+        bool _e56 = local_2;
+        local_1 = _e56;
     } else {
-        local_14 = true;
+        local_1 = true;
     }
-    bool same_side = local_14;
+    bool same_side = local_1;
     if (is_tie) {
-        local_16 = same_side;
+        local_3 = same_side;
     } else {
-        local_16 = false;
+        local_3 = false;
     }
-    bool _e63 = local_16;
+    bool _e63 = local_3;
     return (_e63 ? neighbor : _e22.sum);
 }
 
@@ -558,18 +445,18 @@ Decision decision_miss() {
     return Decision(true, false, 0.0, 0u);
 }
 
-Decision decision_hit(float lambda_5, uint part_1) {
-    return Decision(true, true, lambda_5, part_1);
+Decision decision_hit(float lambda_5, uint part_2) {
+    return Decision(true, true, lambda_5, part_2);
 }
 
 bool exact_in_scale(float length_squared) {
-    bool local_17 = false;
+    bool local_4 = false;
     if ((SHORTEST_SQUARED <= length_squared)) {
-        local_17 = (length_squared <= LONGEST_SQUARED);
+        local_4 = (length_squared <= LONGEST_SQUARED);
     } else {
-        local_17 = false;
+        local_4 = false;
     }
-    bool _e8 = local_17;
+    bool _e8 = local_4;
     return _e8;
 }
 
@@ -587,27 +474,27 @@ bool error_bound_is_too_small(ErrorBound bound_1, float a_5, float numerator, fl
 }
 
 Outcome error_bound_root(ErrorBound bound_2, float a_6, float numerator_1, float root_1) {
-    bool local_18 = false;
-    bool local_19 = false;
-    float lambda_11 = (numerator_1 / a_6);
+    bool local_5 = false;
+    bool local_6 = false;
+    float lambda_12 = (numerator_1 / a_6);
     float share = bound_2.limits.share;
     float least = (((bound_2.size * share) + ERROR_UNDERFLOW) + ((numerator_1 * numerator_1) * (share * 4.0)));
     bool accurate = (least < (root_1 * numerator_1));
     bool finite = (bound_2.size < ERROR_OVERFLOW);
     if (accurate) {
-        local_18 = finite;
+        local_5 = finite;
     } else {
-        local_18 = false;
+        local_5 = false;
     }
-    bool _e24 = local_18;
+    bool _e24 = local_5;
     if (_e24) {
-        local_19 = (bound_2.limits.most <= lambda_11);
+        local_6 = (bound_2.limits.most <= lambda_12);
     } else {
-        local_19 = false;
+        local_6 = false;
     }
-    bool hits = local_19;
+    bool hits = local_6;
     bool _e32 = error_bound_is_too_small(bound_2, a_6, numerator_1, root_1);
-    return Outcome(lambda_11, hits, _e32);
+    return Outcome(lambda_12, hits, _e32);
 }
 
 Limits exact_cylinder_limits() {
@@ -644,117 +531,117 @@ ExactSide exact_side_new(CylinderRecord cylinder_10, Ray ray_9) {
     return ExactSide(_e16, _e11, _e8.a, _e8.h, _e8.discriminant, _e18, _e21);
 }
 
-ExactCrossing exact_side_crossing(ExactSide side_2, CylinderRecord cylinder_11, Ray ray_10, float numerator_2, float root_2) {
+ExactCrossing exact_side_crossing(ExactSide side_1, CylinderRecord cylinder_11, Ray ray_10, float numerator_2, float root_2) {
+    bool local_7 = false;
+    bool local_8 = false;
+    bool local_9 = false;
+    bool local_10 = false;
+    bool local_11 = false;
+    bool local_12 = false;
+    bool steep_enough = (side_1.length_squared <= (side_1.a * 274877900000.0));
+    Outcome _e12 = error_bound_root(side_1.bound, side_1.a, numerator_2, root_2);
+    float along_2 = (side_1.along + (_e12.lambda * side_1.slope));
+    float _e19 = exact_cylinder_margin(cylinder_11, ray_10, _e12.lambda);
+    if (steep_enough) {
+        local_7 = _e12.hits;
+    } else {
+        local_7 = false;
+    }
+    bool accurate_1 = local_7;
+    float within = (cylinder_11.half_height - _e19);
+    float beyond = (cylinder_11.half_height + _e19);
+    if (accurate_1) {
+        local_8 = (abs(along_2) < within);
+    } else {
+        local_8 = false;
+    }
+    bool hits_1 = local_8;
+    if (hits_1) {
+        local_9 = (abs(side_1.along) < within);
+    } else {
+        local_9 = false;
+    }
+    bool straight = local_9;
+    if (steep_enough) {
+        local_10 = _e12.fails;
+    } else {
+        local_10 = false;
+    }
+    bool behind = local_10;
+    if (accurate_1) {
+        local_11 = (beyond < along_2);
+    } else {
+        local_11 = false;
+    }
+    bool _e52 = local_11;
+    if (accurate_1) {
+        local_12 = (beyond < -(along_2));
+    } else {
+        local_12 = false;
+    }
+    bool _e58 = local_12;
+    return ExactCrossing(_e12.lambda, hits_1, straight, behind, _e52, _e58);
+}
+
+bool exact_crossing_fails(ExactCrossing crossing) {
+    bool local_13 = false;
+    bool local_14 = false;
+    if (!(crossing.behind)) {
+        local_13 = crossing.above;
+    } else {
+        local_13 = true;
+    }
+    bool _e7 = local_13;
+    if (!(_e7)) {
+        local_14 = crossing.below;
+    } else {
+        local_14 = true;
+    }
+    bool _e13 = local_14;
+    return _e13;
+}
+
+bool exact_crossing_passes_by(ExactCrossing entry, ExactCrossing leaving) {
+    bool local_15 = false;
+    bool local_16 = false;
+    bool local_17 = false;
+    bool local_18 = false;
+    if (!(leaving.behind)) {
+        if (entry.above) {
+            local_16 = leaving.above;
+        } else {
+            local_16 = false;
+        }
+        bool _e11 = local_16;
+        local_15 = _e11;
+    } else {
+        local_15 = true;
+    }
+    bool _e13 = local_15;
+    if (!(_e13)) {
+        if (entry.below) {
+            local_18 = leaving.below;
+        } else {
+            local_18 = false;
+        }
+        bool _e22 = local_18;
+        local_17 = _e22;
+    } else {
+        local_17 = true;
+    }
+    bool _e24 = local_17;
+    return _e24;
+}
+
+Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, vec3 center_3, uint part_3) {
+    bool local_19 = false;
     bool local_20 = false;
     bool local_21 = false;
     bool local_22 = false;
     bool local_23 = false;
     bool local_24 = false;
     bool local_25 = false;
-    bool steep_enough = (side_2.length_squared <= (side_2.a * 274877900000.0));
-    Outcome _e12 = error_bound_root(side_2.bound, side_2.a, numerator_2, root_2);
-    float along_2 = (side_2.along + (_e12.lambda * side_2.slope));
-    float _e19 = exact_cylinder_margin(cylinder_11, ray_10, _e12.lambda);
-    if (steep_enough) {
-        local_20 = _e12.hits;
-    } else {
-        local_20 = false;
-    }
-    bool accurate_1 = local_20;
-    float within = (cylinder_11.half_height - _e19);
-    float beyond = (cylinder_11.half_height + _e19);
-    if (accurate_1) {
-        local_21 = (abs(along_2) < within);
-    } else {
-        local_21 = false;
-    }
-    bool hits_1 = local_21;
-    if (hits_1) {
-        local_22 = (abs(side_2.along) < within);
-    } else {
-        local_22 = false;
-    }
-    bool straight = local_22;
-    if (steep_enough) {
-        local_23 = _e12.fails;
-    } else {
-        local_23 = false;
-    }
-    bool behind = local_23;
-    if (accurate_1) {
-        local_24 = (beyond < along_2);
-    } else {
-        local_24 = false;
-    }
-    bool _e52 = local_24;
-    if (accurate_1) {
-        local_25 = (beyond < -(along_2));
-    } else {
-        local_25 = false;
-    }
-    bool _e58 = local_25;
-    return ExactCrossing(_e12.lambda, hits_1, straight, behind, _e52, _e58);
-}
-
-bool exact_crossing_fails(ExactCrossing crossing) {
-    bool local_26 = false;
-    bool local_27 = false;
-    if (!(crossing.behind)) {
-        local_26 = crossing.above;
-    } else {
-        local_26 = true;
-    }
-    bool _e7 = local_26;
-    if (!(_e7)) {
-        local_27 = crossing.below;
-    } else {
-        local_27 = true;
-    }
-    bool _e13 = local_27;
-    return _e13;
-}
-
-bool exact_crossing_passes_by(ExactCrossing entry, ExactCrossing leaving) {
-    bool local_28 = false;
-    bool local_29 = false;
-    bool local_30 = false;
-    bool local_31 = false;
-    if (!(leaving.behind)) {
-        if (entry.above) {
-            local_29 = leaving.above;
-        } else {
-            local_29 = false;
-        }
-        bool _e11 = local_29;
-        local_28 = _e11;
-    } else {
-        local_28 = true;
-    }
-    bool _e13 = local_28;
-    if (!(_e13)) {
-        if (entry.below) {
-            local_31 = leaving.below;
-        } else {
-            local_31 = false;
-        }
-        bool _e22 = local_31;
-        local_30 = _e22;
-    } else {
-        local_30 = true;
-    }
-    bool _e24 = local_30;
-    return _e24;
-}
-
-Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, vec3 center_2, uint part_2) {
-    bool local_32 = false;
-    bool local_33 = false;
-    bool local_34 = false;
-    bool local_35 = false;
-    bool local_36 = false;
-    bool local_37 = false;
-    bool local_38 = false;
-    vec3 to_center = (center_2 - ray_11.origin);
+    vec3 to_center = (center_3 - ray_11.origin);
     float _e7 = vec3_dot(to_center, cylinder_12.axis);
     float _e10 = vec3_dot(ray_11.direction, cylinder_12.axis);
     float steepness = abs(_e10);
@@ -771,60 +658,60 @@ Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, vec3 center_
     float size_1 = (_e27 + _e28);
     float distance_error = (size_1 * 1.7763568e-15);
     if (steep) {
-        local_32 = ((distance_1 + distance_error) < ((steepness - slope_error) * 0.001));
+        local_19 = ((distance_1 + distance_error) < ((steepness - slope_error) * 0.001));
     } else {
-        local_32 = false;
+        local_19 = false;
     }
-    bool _e40 = local_32;
+    bool _e40 = local_19;
     if (_e40) {
         Decision _e41 = decision_miss();
         return _e41;
     }
-    float lambda_12 = (_e7 / _e10);
+    float lambda_13 = (_e7 / _e10);
     if ((size_1 < (distance_1 * 262144.0))) {
-        local_33 = (_e13 < (steepness * 524288.0));
+        local_20 = (_e13 < (steepness * 524288.0));
     } else {
-        local_33 = false;
+        local_20 = false;
     }
-    bool accurate_2 = local_33;
+    bool accurate_2 = local_20;
     if (accurate_2) {
         Limits _e55 = exact_cylinder_limits();
-        local_34 = (_e55.most <= lambda_12);
+        local_21 = (_e55.most <= lambda_13);
     } else {
-        local_34 = false;
+        local_21 = false;
     }
-    bool is_in_range = local_34;
-    vec3 _e60 = ray_at(ray_11, lambda_12);
-    float _e62 = vec3_length((_e60 - center_2));
-    float _e63 = exact_cylinder_margin(cylinder_12, ray_11, lambda_12);
+    bool is_in_range = local_21;
+    vec3 _e60 = ray_at(ray_11, lambda_13);
+    float _e62 = vec3_length((_e60 - center_3));
+    float _e63 = exact_cylinder_margin(cylinder_12, ray_11, lambda_13);
     if (steep) {
-        local_35 = is_in_range;
+        local_22 = is_in_range;
     } else {
-        local_35 = false;
+        local_22 = false;
     }
-    bool _e67 = local_35;
+    bool _e67 = local_22;
     if (_e67) {
-        local_36 = (_e62 < (cylinder_12.radius - _e63));
+        local_23 = (_e62 < (cylinder_12.radius - _e63));
     } else {
-        local_36 = false;
+        local_23 = false;
     }
-    bool _e74 = local_36;
+    bool _e74 = local_23;
     if (_e74) {
-        Decision _e75 = decision_hit(lambda_12, part_2);
+        Decision _e75 = decision_hit(lambda_13, part_3);
         return _e75;
     }
     if (steep) {
-        local_37 = is_in_range;
+        local_24 = is_in_range;
     } else {
-        local_37 = false;
+        local_24 = false;
     }
-    bool _e79 = local_37;
+    bool _e79 = local_24;
     if (_e79) {
-        local_38 = ((cylinder_12.radius + _e63) < _e62);
+        local_25 = ((cylinder_12.radius + _e63) < _e62);
     } else {
-        local_38 = false;
+        local_25 = false;
     }
-    bool _e86 = local_38;
+    bool _e86 = local_25;
     if (_e86) {
         Decision _e87 = decision_miss();
         return _e87;
@@ -834,10 +721,10 @@ Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, vec3 center_
 }
 
 Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12) {
-    bool local_39 = false;
-    bool local_40 = false;
-    bool local_41 = false;
-    bool local_42 = false;
+    bool local_26 = false;
+    bool local_27 = false;
+    bool local_28 = false;
+    bool local_29 = false;
     ExactSide _e2 = exact_side_new(cylinder_13, ray_12);
     bool _e4 = exact_in_scale(_e2.length_squared);
     if (!(_e4)) {
@@ -853,11 +740,11 @@ Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12) {
     ExactCrossing _e16 = exact_side_crossing(_e2, cylinder_13, ray_12, (-(_e2.h) - root_7), root_7);
     ExactCrossing _e20 = exact_side_crossing(_e2, cylinder_13, ray_12, (-(_e2.h) + root_7), root_7);
     if (_e16.behind) {
-        local_39 = _e20.straight;
+        local_26 = _e20.straight;
     } else {
-        local_39 = false;
+        local_26 = false;
     }
-    bool _e26 = local_39;
+    bool _e26 = local_26;
     if (_e26) {
         Decision _e29 = decision_hit(_e20.lambda, SIDE);
         return _e29;
@@ -870,16 +757,16 @@ Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12) {
     if (_e34) {
         if (!(_e20.hits)) {
             bool _e41 = exact_crossing_fails(_e20);
-            local_41 = _e41;
+            local_28 = _e41;
         } else {
-            local_41 = true;
+            local_28 = true;
         }
-        bool _e43 = local_41;
-        local_40 = _e43;
+        bool _e43 = local_28;
+        local_27 = _e43;
     } else {
-        local_40 = false;
+        local_27 = false;
     }
-    bool _e45 = local_40;
+    bool _e45 = local_27;
     if (!(_e45)) {
         Decision _e47 = decision_uncertain();
         return _e47;
@@ -894,11 +781,11 @@ Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12) {
     vec3 along_3 = (cylinder_13.axis * half_1);
     Decision _e64 = exact_cap_filtered(cylinder_13, ray_12, (cylinder_13.center - along_3), (down ? TOP : BOTTOM));
     if (!(!(_e64.certain))) {
-        local_42 = _e64.some;
+        local_29 = _e64.some;
     } else {
-        local_42 = true;
+        local_29 = true;
     }
-    bool _e72 = local_42;
+    bool _e72 = local_29;
     if (_e72) {
         return _e64;
     }
@@ -985,38 +872,38 @@ DoubleDouble dd_abs(DoubleDouble a_14) {
 }
 
 bool dd_less(DoubleDouble a_15, DoubleDouble b_9) {
-    bool local_43 = false;
-    bool local_44 = false;
+    bool local_30 = false;
+    bool local_31 = false;
     if (!((a_15.high < b_9.high))) {
         if ((a_15.high == b_9.high)) {
-            local_44 = (a_15.low < b_9.low);
+            local_31 = (a_15.low < b_9.low);
         } else {
-            local_44 = false;
+            local_31 = false;
         }
-        bool _e17 = local_44;
-        local_43 = _e17;
+        bool _e17 = local_31;
+        local_30 = _e17;
     } else {
-        local_43 = true;
+        local_30 = true;
     }
-    bool _e19 = local_43;
+    bool _e19 = local_30;
     return _e19;
 }
 
 bool dd_less_equal(DoubleDouble a_16, DoubleDouble b_10) {
-    bool local_45 = false;
-    bool local_46 = false;
+    bool local_32 = false;
+    bool local_33 = false;
     if (!((a_16.high < b_10.high))) {
         if ((a_16.high == b_10.high)) {
-            local_46 = (a_16.low <= b_10.low);
+            local_33 = (a_16.low <= b_10.low);
         } else {
-            local_46 = false;
+            local_33 = false;
         }
-        bool _e17 = local_46;
-        local_45 = _e17;
+        bool _e17 = local_33;
+        local_32 = _e17;
     } else {
-        local_45 = true;
+        local_32 = true;
     }
-    bool _e19 = local_45;
+    bool _e19 = local_32;
     return _e19;
 }
 
@@ -1073,9 +960,9 @@ DoubleDouble dd3_magnitude(DoubleDouble3_ v_11) {
     return _e8;
 }
 
-DoubleDouble3_ dd3_perpendicular_to(DoubleDouble3_ v_12, DoubleDouble3_ axis_2) {
-    DoubleDouble _e2 = dd3_dot(v_12, axis_2);
-    DoubleDouble3_ _e3 = dd3_scaled(axis_2, _e2);
+DoubleDouble3_ dd3_perpendicular_to(DoubleDouble3_ v_12, DoubleDouble3_ axis_3) {
+    DoubleDouble _e2 = dd3_dot(v_12, axis_3);
+    DoubleDouble3_ _e3 = dd3_scaled(axis_3, _e2);
     DoubleDouble3_ _e4 = dd3_sub(v_12, _e3);
     return _e4;
 }
@@ -1090,8 +977,8 @@ PreciseDecision precise_miss() {
     return PreciseDecision(true, false, _e3, SIDE);
 }
 
-PreciseDecision precise_hit(DoubleDouble lambda_7, uint part_3) {
-    return PreciseDecision(true, true, lambda_7, part_3);
+PreciseDecision precise_hit(DoubleDouble lambda_7, uint part_4) {
+    return PreciseDecision(true, true, lambda_7, part_4);
 }
 
 PreciseBound precise_bound_new(PreciseLimits limits_1, DoubleDouble length_squared_2, DoubleDouble squares_1) {
@@ -1110,17 +997,17 @@ bool precise_bound_misses(PreciseBound bound_3, DoubleDouble discriminant_1) {
 }
 
 bool precise_in_scale(DoubleDouble length_squared_3) {
-    bool local_47 = false;
+    bool local_34 = false;
     DoubleDouble _e2 = dd_constant(SHORTEST_SQUARED);
     bool _e3 = dd_less_equal(_e2, length_squared_3);
     if (_e3) {
         DoubleDouble _e7 = dd_constant(LONGEST_SQUARED);
         bool _e8 = dd_less_equal(length_squared_3, _e7);
-        local_47 = _e8;
+        local_34 = _e8;
     } else {
-        local_47 = false;
+        local_34 = false;
     }
-    bool _e10 = local_47;
+    bool _e10 = local_34;
     return _e10;
 }
 
@@ -1144,8 +1031,8 @@ bool precise_bound_is_too_small(PreciseBound bound_4, DoubleDouble a_20, DoubleD
 }
 
 PreciseOutcome precise_bound_root(PreciseBound bound_5, DoubleDouble a_21, DoubleDouble numerator_4, DoubleDouble root_4) {
-    bool local_48 = false;
-    bool local_49 = false;
+    bool local_35 = false;
+    bool local_36 = false;
     DoubleDouble _e4 = dd_div(numerator_4, a_21);
     float share_1 = bound_5.limits.share;
     DoubleDouble _e8 = dd_constant(share_1);
@@ -1161,24 +1048,24 @@ PreciseOutcome precise_bound_root(PreciseBound bound_5, DoubleDouble a_21, Doubl
     DoubleDouble _e23 = dd_constant(ERROR_OVERFLOW);
     bool _e24 = dd_less(bound_5.size, _e23);
     if (_e20) {
-        local_48 = _e24;
+        local_35 = _e24;
     } else {
-        local_48 = false;
+        local_35 = false;
     }
-    bool _e28 = local_48;
+    bool _e28 = local_35;
     if (_e28) {
         bool _e32 = precise_in_range(bound_5.limits, _e4);
-        local_49 = _e32;
+        local_36 = _e32;
     } else {
-        local_49 = false;
+        local_36 = false;
     }
-    bool hits_2 = local_49;
+    bool hits_2 = local_36;
     bool _e35 = precise_bound_is_too_small(bound_5, a_21, numerator_4, root_4);
     return PreciseOutcome(_e4, hits_2, _e35);
 }
 
-PreciseCylinder precise_cylinder_new(vec3 center_3, float radius_1, vec3 axis_3) {
-    DoubleDouble3_ _e3 = dd3_of(axis_3);
+PreciseCylinder precise_cylinder_new(vec3 center_4, float radius_2, vec3 axis_4) {
+    DoubleDouble3_ _e3 = dd3_of(axis_4);
     DoubleDouble _e4 = dd3_dot(_e3, _e3);
     DoubleDouble _e6 = dd_constant(SHORT_SQUARED);
     bool _e7 = dd_less(_e4, _e6);
@@ -1188,10 +1075,10 @@ PreciseCylinder precise_cylinder_new(vec3 center_3, float radius_1, vec3 axis_3)
     DoubleDouble _e14 = dd_sqrt(_e13);
     DoubleDouble _e18 = dd_constant((_e7 ? SHORT_SQUARED : 1.0));
     DoubleDouble _e19 = dd_mul(_e14, _e18);
-    DoubleDouble _e20 = dd_of(radius_1);
+    DoubleDouble _e20 = dd_of(radius_2);
     DoubleDouble _e22 = dd_constant(2.0);
     DoubleDouble _e23 = dd_div(_e19, _e22);
-    DoubleDouble3_ _e24 = dd3_of(center_3);
+    DoubleDouble3_ _e24 = dd3_of(center_4);
     DoubleDouble3_ _e25 = dd3_divided(_e12, _e14);
     DoubleDouble _e26 = dd_mul(_e20, _e20);
     return PreciseCylinder(_e24, _e25, _e20, _e26, _e23);
@@ -1243,129 +1130,129 @@ PreciseSide precise_side_new(PreciseCylinder cylinder_16, DoubleDouble3_ origin_
     return PreciseSide(_e22, _e17, _e12, _e13, _e16, _e24, _e26);
 }
 
-PreciseCrossing precise_side_crossing(PreciseSide side_3, PreciseCylinder cylinder_17, DoubleDouble3_ direction_3, DoubleDouble numerator_5, DoubleDouble root_5) {
+PreciseCrossing precise_side_crossing(PreciseSide side_2, PreciseCylinder cylinder_17, DoubleDouble3_ direction_3, DoubleDouble numerator_5, DoubleDouble root_5) {
+    bool local_37 = false;
+    bool local_38 = false;
+    bool local_39 = false;
+    bool local_40 = false;
+    bool local_41 = false;
+    bool local_42 = false;
+    DoubleDouble _e8 = dd_constant(7.7371252e25);
+    DoubleDouble _e9 = dd_mul(side_2.a, _e8);
+    bool _e10 = dd_less_equal(side_2.length_squared, _e9);
+    PreciseOutcome _e13 = precise_bound_root(side_2.bound, side_2.a, numerator_5, root_5);
+    DoubleDouble _e17 = dd_mul(_e13.lambda, side_2.slope);
+    DoubleDouble _e18 = dd_add(side_2.along, _e17);
+    DoubleDouble _e20 = precise_cylinder_margin(cylinder_17, direction_3, _e13.lambda);
+    if (_e10) {
+        local_37 = _e13.hits;
+    } else {
+        local_37 = false;
+    }
+    bool accurate_3 = local_37;
+    DoubleDouble _e27 = dd_sub(cylinder_17.half_height, _e20);
+    DoubleDouble _e29 = dd_add(cylinder_17.half_height, _e20);
+    if (accurate_3) {
+        DoubleDouble _e32 = dd_abs(_e18);
+        bool _e33 = dd_less(_e32, _e27);
+        local_38 = _e33;
+    } else {
+        local_38 = false;
+    }
+    bool hits_3 = local_38;
+    if (hits_3) {
+        DoubleDouble _e40 = dd_abs(side_2.along);
+        bool _e41 = dd_less(_e40, _e27);
+        local_39 = _e41;
+    } else {
+        local_39 = false;
+    }
+    bool _e43 = local_39;
+    if (_e10) {
+        local_40 = _e13.fails;
+    } else {
+        local_40 = false;
+    }
+    bool _e48 = local_40;
+    if (accurate_3) {
+        bool _e51 = dd_less(_e29, _e18);
+        local_41 = _e51;
+    } else {
+        local_41 = false;
+    }
+    bool _e53 = local_41;
+    if (accurate_3) {
+        DoubleDouble _e56 = dd_neg(_e18);
+        bool _e57 = dd_less(_e29, _e56);
+        local_42 = _e57;
+    } else {
+        local_42 = false;
+    }
+    bool _e59 = local_42;
+    return PreciseCrossing(_e13.lambda, hits_3, _e43, _e48, _e53, _e59);
+}
+
+bool precise_crossing_fails(PreciseCrossing crossing_1) {
+    bool local_43 = false;
+    bool local_44 = false;
+    if (!(crossing_1.behind)) {
+        local_43 = crossing_1.above;
+    } else {
+        local_43 = true;
+    }
+    bool _e7 = local_43;
+    if (!(_e7)) {
+        local_44 = crossing_1.below;
+    } else {
+        local_44 = true;
+    }
+    bool _e13 = local_44;
+    return _e13;
+}
+
+bool precise_crossing_passes_by(PreciseCrossing entry_1, PreciseCrossing leaving_1) {
+    bool local_45 = false;
+    bool local_46 = false;
+    bool local_47 = false;
+    bool local_48 = false;
+    if (!(leaving_1.behind)) {
+        if (entry_1.above) {
+            local_46 = leaving_1.above;
+        } else {
+            local_46 = false;
+        }
+        bool _e11 = local_46;
+        local_45 = _e11;
+    } else {
+        local_45 = true;
+    }
+    bool _e13 = local_45;
+    if (!(_e13)) {
+        if (entry_1.below) {
+            local_48 = leaving_1.below;
+        } else {
+            local_48 = false;
+        }
+        bool _e22 = local_48;
+        local_47 = _e22;
+    } else {
+        local_47 = true;
+    }
+    bool _e24 = local_47;
+    return _e24;
+}
+
+PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_ origin_2, DoubleDouble3_ direction_4, DoubleDouble3_ center_5, uint part_5) {
+    DoubleDouble distance_ = DoubleDouble(0.0, 0.0);
+    bool local_49 = false;
     bool local_50 = false;
     bool local_51 = false;
     bool local_52 = false;
     bool local_53 = false;
     bool local_54 = false;
     bool local_55 = false;
-    DoubleDouble _e8 = dd_constant(7.7371252e25);
-    DoubleDouble _e9 = dd_mul(side_3.a, _e8);
-    bool _e10 = dd_less_equal(side_3.length_squared, _e9);
-    PreciseOutcome _e13 = precise_bound_root(side_3.bound, side_3.a, numerator_5, root_5);
-    DoubleDouble _e17 = dd_mul(_e13.lambda, side_3.slope);
-    DoubleDouble _e18 = dd_add(side_3.along, _e17);
-    DoubleDouble _e20 = precise_cylinder_margin(cylinder_17, direction_3, _e13.lambda);
-    if (_e10) {
-        local_50 = _e13.hits;
-    } else {
-        local_50 = false;
-    }
-    bool accurate_3 = local_50;
-    DoubleDouble _e27 = dd_sub(cylinder_17.half_height, _e20);
-    DoubleDouble _e29 = dd_add(cylinder_17.half_height, _e20);
-    if (accurate_3) {
-        DoubleDouble _e32 = dd_abs(_e18);
-        bool _e33 = dd_less(_e32, _e27);
-        local_51 = _e33;
-    } else {
-        local_51 = false;
-    }
-    bool hits_3 = local_51;
-    if (hits_3) {
-        DoubleDouble _e40 = dd_abs(side_3.along);
-        bool _e41 = dd_less(_e40, _e27);
-        local_52 = _e41;
-    } else {
-        local_52 = false;
-    }
-    bool _e43 = local_52;
-    if (_e10) {
-        local_53 = _e13.fails;
-    } else {
-        local_53 = false;
-    }
-    bool _e48 = local_53;
-    if (accurate_3) {
-        bool _e51 = dd_less(_e29, _e18);
-        local_54 = _e51;
-    } else {
-        local_54 = false;
-    }
-    bool _e53 = local_54;
-    if (accurate_3) {
-        DoubleDouble _e56 = dd_neg(_e18);
-        bool _e57 = dd_less(_e29, _e56);
-        local_55 = _e57;
-    } else {
-        local_55 = false;
-    }
-    bool _e59 = local_55;
-    return PreciseCrossing(_e13.lambda, hits_3, _e43, _e48, _e53, _e59);
-}
-
-bool precise_crossing_fails(PreciseCrossing crossing_1) {
-    bool local_56 = false;
-    bool local_57 = false;
-    if (!(crossing_1.behind)) {
-        local_56 = crossing_1.above;
-    } else {
-        local_56 = true;
-    }
-    bool _e7 = local_56;
-    if (!(_e7)) {
-        local_57 = crossing_1.below;
-    } else {
-        local_57 = true;
-    }
-    bool _e13 = local_57;
-    return _e13;
-}
-
-bool precise_crossing_passes_by(PreciseCrossing entry_1, PreciseCrossing leaving_1) {
-    bool local_58 = false;
-    bool local_59 = false;
-    bool local_60 = false;
-    bool local_61 = false;
-    if (!(leaving_1.behind)) {
-        if (entry_1.above) {
-            local_59 = leaving_1.above;
-        } else {
-            local_59 = false;
-        }
-        bool _e11 = local_59;
-        local_58 = _e11;
-    } else {
-        local_58 = true;
-    }
-    bool _e13 = local_58;
-    if (!(_e13)) {
-        if (entry_1.below) {
-            local_61 = leaving_1.below;
-        } else {
-            local_61 = false;
-        }
-        bool _e22 = local_61;
-        local_60 = _e22;
-    } else {
-        local_60 = true;
-    }
-    bool _e24 = local_60;
-    return _e24;
-}
-
-PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_ origin_2, DoubleDouble3_ direction_4, DoubleDouble3_ center_4, uint part_4) {
-    DoubleDouble distance_ = DoubleDouble(0.0, 0.0);
-    bool local_62 = false;
-    bool local_63 = false;
-    bool local_64 = false;
-    bool local_65 = false;
-    bool local_66 = false;
-    bool local_67 = false;
-    bool local_68 = false;
     DoubleDouble _e6 = dd_constant(1e-8);
-    DoubleDouble3_ _e7 = dd3_sub(center_4, origin_2);
+    DoubleDouble3_ _e7 = dd3_sub(center_5, origin_2);
     DoubleDouble _e9 = dd3_dot(_e7, cylinder_18.axis);
     DoubleDouble _e11 = dd3_dot(direction_4, cylinder_18.axis);
     DoubleDouble _e12 = dd_abs(_e11);
@@ -1399,11 +1286,11 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
         DoubleDouble _e39 = dd_constant(0.001);
         DoubleDouble _e40 = dd_mul(_e37, _e39);
         bool _e41 = dd_less(_e34, _e40);
-        local_62 = _e41;
+        local_49 = _e41;
     } else {
-        local_62 = false;
+        local_49 = false;
     }
-    bool _e43 = local_62;
+    bool _e43 = local_49;
     if (_e43) {
         PreciseDecision _e44 = precise_miss();
         return _e44;
@@ -1417,57 +1304,57 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
         DoubleDouble _e54 = dd_constant(8796093000000.0);
         DoubleDouble _e55 = dd_mul(_e12, _e54);
         bool _e56 = dd_less(_e13, _e55);
-        local_63 = _e56;
+        local_50 = _e56;
     } else {
-        local_63 = false;
+        local_50 = false;
     }
-    bool accurate_4 = local_63;
+    bool accurate_4 = local_50;
     if (accurate_4) {
         PreciseLimits _e61 = precise_cylinder_limits();
         bool _e62 = precise_in_range(_e61, _e45);
-        local_64 = _e62;
+        local_51 = _e62;
     } else {
-        local_64 = false;
+        local_51 = false;
     }
-    bool is_in_range_1 = local_64;
+    bool is_in_range_1 = local_51;
     DoubleDouble3_ _e65 = dd3_scaled(direction_4, _e45);
     DoubleDouble3_ _e66 = dd3_add(origin_2, _e65);
-    DoubleDouble3_ _e67 = dd3_sub(_e66, center_4);
+    DoubleDouble3_ _e67 = dd3_sub(_e66, center_5);
     DoubleDouble _e68 = dd3_dot(_e67, _e67);
     DoubleDouble _e69 = dd_sqrt(_e68);
     DoubleDouble _e70 = precise_cylinder_margin(cylinder_18, direction_4, _e45);
     if (_e21) {
-        local_65 = is_in_range_1;
+        local_52 = is_in_range_1;
     } else {
-        local_65 = false;
+        local_52 = false;
     }
-    bool _e74 = local_65;
+    bool _e74 = local_52;
     if (_e74) {
         DoubleDouble _e78 = dd_sub(cylinder_18.radius, _e70);
         bool _e79 = dd_less(_e69, _e78);
-        local_66 = _e79;
+        local_53 = _e79;
     } else {
-        local_66 = false;
+        local_53 = false;
     }
-    bool _e81 = local_66;
+    bool _e81 = local_53;
     if (_e81) {
-        PreciseDecision _e82 = precise_hit(_e45, part_4);
+        PreciseDecision _e82 = precise_hit(_e45, part_5);
         return _e82;
     }
     if (_e21) {
-        local_67 = is_in_range_1;
+        local_54 = is_in_range_1;
     } else {
-        local_67 = false;
+        local_54 = false;
     }
-    bool _e86 = local_67;
+    bool _e86 = local_54;
     if (_e86) {
         DoubleDouble _e90 = dd_add(cylinder_18.radius, _e70);
         bool _e91 = dd_less(_e90, _e69);
-        local_68 = _e91;
+        local_55 = _e91;
     } else {
-        local_68 = false;
+        local_55 = false;
     }
-    bool _e93 = local_68;
+    bool _e93 = local_55;
     if (_e93) {
         PreciseDecision _e94 = precise_miss();
         return _e94;
@@ -1476,13 +1363,13 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
     return _e95;
 }
 
-PreciseDecision precise_cylinder_filtered(vec3 center_5, float radius_2, vec3 axis_4, Ray ray_13) {
-    bool local_69 = false;
-    bool local_70 = false;
-    bool local_71 = false;
+PreciseDecision precise_cylinder_filtered(vec3 center_6, float radius_3, vec3 axis_5, Ray ray_13) {
+    bool local_56 = false;
+    bool local_57 = false;
+    bool local_58 = false;
     DoubleDouble half_ = DoubleDouble(0.0, 0.0);
-    bool local_72 = false;
-    PreciseCylinder _e4 = precise_cylinder_new(center_5, radius_2, axis_4);
+    bool local_59 = false;
+    PreciseCylinder _e4 = precise_cylinder_new(center_6, radius_3, axis_5);
     DoubleDouble3_ _e6 = dd3_of(ray_13.origin);
     DoubleDouble3_ _e8 = dd3_of(ray_13.direction);
     PreciseSide _e9 = precise_side_new(_e4, _e6, _e8);
@@ -1504,11 +1391,11 @@ PreciseDecision precise_cylinder_filtered(vec3 center_5, float radius_2, vec3 ax
     DoubleDouble _e26 = dd_add(_e25, _e19);
     PreciseCrossing _e27 = precise_side_crossing(_e9, _e4, _e8, _e26, _e19);
     if (_e23.behind) {
-        local_69 = _e27.straight;
+        local_56 = _e27.straight;
     } else {
-        local_69 = false;
+        local_56 = false;
     }
-    bool _e33 = local_69;
+    bool _e33 = local_56;
     if (_e33) {
         PreciseDecision _e36 = precise_hit(_e27.lambda, SIDE);
         return _e36;
@@ -1521,16 +1408,16 @@ PreciseDecision precise_cylinder_filtered(vec3 center_5, float radius_2, vec3 ax
     if (_e41) {
         if (!(_e27.hits)) {
             bool _e48 = precise_crossing_fails(_e27);
-            local_71 = _e48;
+            local_58 = _e48;
         } else {
-            local_71 = true;
+            local_58 = true;
         }
-        bool _e50 = local_71;
-        local_70 = _e50;
+        bool _e50 = local_58;
+        local_57 = _e50;
     } else {
-        local_70 = false;
+        local_57 = false;
     }
-    bool _e52 = local_70;
+    bool _e52 = local_57;
     if (!(_e52)) {
         PreciseDecision _e54 = precise_uncertain();
         return _e54;
@@ -1553,11 +1440,11 @@ PreciseDecision precise_cylinder_filtered(vec3 center_5, float radius_2, vec3 ax
     DoubleDouble3_ _e69 = dd3_sub(_e4.center, _e67);
     PreciseDecision _e73 = precise_cap_filtered(_e4, _e6, _e8, _e69, (_e60 ? TOP : BOTTOM));
     if (!(!(_e73.certain))) {
-        local_72 = _e73.some;
+        local_59 = _e73.some;
     } else {
-        local_72 = true;
+        local_59 = true;
     }
-    bool _e81 = local_72;
+    bool _e81 = local_59;
     if (_e81) {
         return _e73;
     }
@@ -1570,11 +1457,11 @@ PreciseDecision precise_cylinder_filtered(vec3 center_5, float radius_2, vec3 ax
     return _e91;
 }
 
-float exact_code(bool certain, bool some, uint part_5) {
+float exact_code(bool certain, bool some, uint part_6) {
     if (!(certain)) {
         return 0.0;
     }
-    return (some ? float((2u + part_5)) : 1.0);
+    return (some ? float((2u + part_6)) : 1.0);
 }
 
 ExactReport exact_report(Decision plain, Decision compensated, PreciseDecision doubled) {
@@ -1623,10 +1510,10 @@ void main() {
     vec3 _e22 = vec3_load(_e21);
     PackedVec3_ _e27 = _group_0_binding_0_cs[id.x].axis;
     vec3 _e28 = vec3_load(_e27);
-    float radius_3 = _group_0_binding_0_cs[id.x].radius;
-    CylinderRecord _e34 = cylinder_new(_e22, radius_3, _e28);
+    float radius_4 = _group_0_binding_0_cs[id.x].radius;
+    CylinderRecord _e34 = cylinder_new(_e22, radius_4, _e28);
     Decision _e35 = exact_cylinder_filtered(_e34, _e16);
-    PreciseDecision _e36 = precise_cylinder_filtered(_e22, radius_3, _e28, _e16);
+    PreciseDecision _e36 = precise_cylinder_filtered(_e22, radius_4, _e28, _e16);
     Decision _e40 = decision_uncertain();
     ExactReport _e41 = exact_report(_e35, _e40, _e36);
     _group_0_binding_1_cs[id.x] = _e41;

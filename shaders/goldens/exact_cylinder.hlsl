@@ -258,22 +258,7 @@ float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 
 bool vec3_is_negligible(float3 v_3)
 {
-    bool local = (bool)0;
-    bool local_1 = (bool)0;
-
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) & (abs(v_3.y) < 1e-8)) & (abs(v_3.z) < 1e-8));
 }
 
 ExactSum ConstructExactSum(float arg0, float arg1) {
@@ -302,19 +287,6 @@ bool in_range(float lambda_1)
     return (0.001 <= lambda_1);
 }
 
-Root ConstructRoot(bool arg0, float arg1) {
-    Root ret = (Root)0;
-    ret.some = arg0;
-    ret.lambda = arg1;
-    return ret;
-}
-
-Root root_none()
-{
-    const Root root_6 = ConstructRoot(false, 0.0);
-    return root_6;
-}
-
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
     Hit ret = (Hit)0;
     ret.point_ = arg0;
@@ -327,12 +299,8 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit = ConstructHit(point_, outward, front);
-        return hit;
-    }
-    const Hit hit_1 = ConstructHit(point_, -(outward), front);
-    return hit_1;
+    const Hit hit = ConstructHit(point_, (front ? outward : -(outward)), front);
+    return hit;
 }
 
 UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
@@ -363,23 +331,8 @@ bool tie_later_is_closer(float lambda_2, float closest)
 
 bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
-
     const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = (order >= closest_order);
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -394,15 +347,19 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
-CylinderRecord cylinder_new(float3 center_, float radius, float3 axis_1)
+CylinderRecord cylinder_with_unit_axis(float3 center_, float radius, float3 axis_1, float half_height)
 {
-    const UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    float half_height = (_e3.length_ / 2.0);
-    float3 half_axis = (_e3.direction * half_height);
-    float3 top = (center_ + half_axis);
-    float3 bottom = (center_ - half_axis);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, _e3.direction, top, bottom, radius, (radius * radius), half_height);
+    float3 to_cap = (axis_1 * half_height);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_, axis_1, (center_ + to_cap), (center_ - to_cap), radius, (radius * radius), half_height);
     return cylinderrecord;
+}
+
+CylinderRecord cylinder_new(float3 center_1, float radius_1, float3 axis_2)
+{
+    const UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    const CylinderRecord _e8 = cylinder_with_unit_axis(center_1, radius_1, _e3.direction, (_e3.length_ / 2.0));
+    const CylinderRecord cylinderrecord_1 = _e8;
+    return cylinderrecord_1;
 }
 
 CylinderView ConstructCylinderView(float3 arg0, float arg1) {
@@ -444,83 +401,46 @@ bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_1, float lambda_4
     return (abs(_e7) <= cylinder_2.half_height);
 }
 
-Root cylinder_side(CylinderRecord cylinder_3, Ray ray_2, CylinderQuadratic quadratic)
-{
-    bool local_4 = (bool)0;
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
-
-    float root_7 = sqrt(quadratic.discriminant);
-    float near = ((-(quadratic.h) - root_7) / quadratic.a);
-    float far = ((-(quadratic.h) + root_7) / quadratic.a);
-    const bool _e15 = in_range(near);
-    if (_e15) {
-        const bool _e18 = cylinder_within_height(cylinder_3, ray_2, near);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    const bool _e21 = in_range(far);
-    if (_e21) {
-        const bool _e24 = cylinder_within_height(cylinder_3, ray_2, far);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    const Root root_8 = ConstructRoot(_e31, (near_counts ? near : far));
-    return root_8;
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_3, float3 center_1)
+Root cylinder_side(CylinderRecord cylinder_3, Ray ray_2, CylinderQuadratic quadratic)
 {
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
+    float root_6 = sqrt(quadratic.discriminant);
+    float near = ((-(quadratic.h) - root_6) / quadratic.a);
+    float far = ((-(quadratic.h) + root_6) / quadratic.a);
+    const bool _e15 = in_range(near);
+    const bool _e16 = cylinder_within_height(cylinder_3, ray_2, near);
+    bool near_counts = (_e15 & _e16);
+    const bool _e18 = in_range(far);
+    const bool _e19 = cylinder_within_height(cylinder_3, ray_2, far);
+    bool far_counts = (_e18 & _e19);
+    const Root root_7 = ConstructRoot((near_counts | far_counts), (near_counts ? near : far));
+    return root_7;
+}
 
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_3, float3 center_2)
+{
     const float _e5 = vec3_dot(ray_3.direction, cylinder_4.axis);
-    const float _e9 = vec3_dot((center_1 - ray_3.origin), cylinder_4.axis);
+    const float _e9 = vec3_dot((center_2 - ray_3.origin), cylinder_4.axis);
     float lambda_10 = (_e9 / _e5);
     const float3 _e11 = ray_at(ray_3, lambda_10);
-    const float _e13 = vec3_length((_e11 - center_1));
+    const float _e13 = vec3_length((_e11 - center_2));
     bool on_disc = (_e13 <= cylinder_4.radius);
-    if (!((abs(_e5) < 1e-8))) {
-        const bool _e22 = in_range(lambda_10);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    const Root root_9 = ConstructRoot(_e28, lambda_10);
-    return root_9;
+    const bool _e20 = in_range(lambda_10);
+    const Root root_8 = ConstructRoot(((!((abs(_e5) < 1e-8)) & _e20) & on_disc), lambda_10);
+    return root_8;
 }
 
 float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_1)
 {
-    switch(part) {
-        case 0u: {
-            const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center_), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    const float3 _e6 = vec3_perpendicular_to((point_1 - cylinder_5.center_), cylinder_5.axis);
+    float3 cap = ((part == TOP) ? cylinder_5.axis : -(cylinder_5.axis));
+    return ((part == SIDE) ? _e6 : cap);
 }
 
 CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
@@ -531,72 +451,34 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
+CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
+{
+    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = (later.some & (!(closest_2.some) | _e8));
+    float lambda_11 = (replaces ? later.lambda : closest_2.lambda);
+    const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_11, (replaces ? part_1 : closest_2.part));
+    return cylinderroot;
+}
+
 CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_4, Root side)
 {
-    CylinderRoot closest_2 = (CylinderRoot)0;
-    bool local_9 = (bool)0;
-    bool local_10 = (bool)0;
-    bool local_11 = (bool)0;
-    bool local_12 = (bool)0;
-
-    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
-    const Root _e9 = cylinder_cap(cylinder_6, ray_4, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            float _e21 = closest_2.lambda;
-            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
-    }
-    const Root _e32 = cylinder_cap(cylinder_6, ray_4, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            float _e44 = closest_2.lambda;
-            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
-    }
-    CylinderRoot _e54 = closest_2;
-    const CylinderRoot cylinderroot = _e54;
-    return cylinderroot;
+    const Root _e4 = cylinder_cap(cylinder_6, ray_4, cylinder_6.top);
+    const Root _e6 = cylinder_cap(cylinder_6, ray_4, cylinder_6.bottom);
+    const CylinderRoot _e12 = cylinder_closer(ConstructCylinderRoot(side.some, side.lambda, SIDE), _e4, TOP);
+    const CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    const CylinderRoot cylinderroot_1 = _e14;
+    return cylinderroot_1;
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_5)
 {
-    Root side_1 = (Root)0;
-
     const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_5.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        const Root _e11 = cylinder_side(cylinder_7, ray_5, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_5, _e12);
-    const CylinderRoot cylinderroot_1 = _e13;
-    return cylinderroot_1;
+    const Root _e6 = cylinder_side(cylinder_7, ray_5, _e5);
+    bool some_1 = (!((_e5.discriminant < 0.0)) & _e6.some);
+    const CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_5, ConstructRoot(some_1, _e6.lambda));
+    const CylinderRoot cylinderroot_2 = _e15;
+    return cylinderroot_2;
 }
 
 float3 vec3_load(PackedVec3_ v_5)
@@ -681,10 +563,10 @@ ExactSum exact_two_product(float a_3, float b_2)
 
 float exact_mul_add(float a_4, float b_3, float c)
 {
-    bool local_13 = (bool)0;
-    bool local_14 = (bool)0;
-    bool local_15 = (bool)0;
-    bool local_16 = (bool)0;
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
 
     const ExactSum _e3 = exact_two_product(a_4, b_3);
     float _e6 = exact_one;
@@ -699,29 +581,29 @@ float exact_mul_add(float a_4, float b_3, float c)
     float neighbor = ((_e22.sum * _e25) + (_e22.error * 1.5));
     bool is_tie = ((_e22.error + _e22.error) == (neighbor - _e22.sum));
     if ((0.0 < _e22.error)) {
-        local_13 = (0.0 < _e17.error);
+        local = (0.0 < _e17.error);
     } else {
-        local_13 = false;
+        local = false;
     }
-    bool _e45 = local_13;
+    bool _e45 = local;
     if (!(_e45)) {
         if ((_e22.error < 0.0)) {
-            local_15 = (_e17.error < 0.0);
+            local_2 = (_e17.error < 0.0);
         } else {
-            local_15 = false;
+            local_2 = false;
         }
-        bool _e56 = local_15;
-        local_14 = _e56;
+        bool _e56 = local_2;
+        local_1 = _e56;
     } else {
-        local_14 = true;
+        local_1 = true;
     }
-    bool same_side = local_14;
+    bool same_side = local_1;
     if (is_tie) {
-        local_16 = same_side;
+        local_3 = same_side;
     } else {
-        local_16 = false;
+        local_3 = false;
     }
-    bool _e63 = local_16;
+    bool _e63 = local_3;
     return (_e63 ? neighbor : _e22.sum);
 }
 
@@ -746,22 +628,22 @@ Decision decision_miss()
     return decision_1;
 }
 
-Decision decision_hit(float lambda_5, uint part_1)
+Decision decision_hit(float lambda_5, uint part_2)
 {
-    const Decision decision_2 = ConstructDecision(true, true, lambda_5, part_1);
+    const Decision decision_2 = ConstructDecision(true, true, lambda_5, part_2);
     return decision_2;
 }
 
 bool exact_in_scale(float length_squared)
 {
-    bool local_17 = (bool)0;
+    bool local_4 = (bool)0;
 
     if ((SHORTEST_SQUARED <= length_squared)) {
-        local_17 = (length_squared <= LONGEST_SQUARED);
+        local_4 = (length_squared <= LONGEST_SQUARED);
     } else {
-        local_17 = false;
+        local_4 = false;
     }
-    bool _e8 = local_17;
+    bool _e8 = local_4;
     return _e8;
 }
 
@@ -800,28 +682,28 @@ Outcome ConstructOutcome(float arg0, bool arg1, bool arg2) {
 
 Outcome error_bound_root(ErrorBound bound_2, float a_6, float numerator_1, float root_1)
 {
-    bool local_18 = (bool)0;
-    bool local_19 = (bool)0;
+    bool local_5 = (bool)0;
+    bool local_6 = (bool)0;
 
-    float lambda_11 = (numerator_1 / a_6);
+    float lambda_12 = (numerator_1 / a_6);
     float share = bound_2.limits.share;
     float least = (((bound_2.size * share) + ERROR_UNDERFLOW) + ((numerator_1 * numerator_1) * (share * 4.0)));
     bool accurate = (least < (root_1 * numerator_1));
     bool finite = (bound_2.size < ERROR_OVERFLOW);
     if (accurate) {
-        local_18 = finite;
+        local_5 = finite;
     } else {
-        local_18 = false;
+        local_5 = false;
     }
-    bool _e24 = local_18;
+    bool _e24 = local_5;
     if (_e24) {
-        local_19 = (bound_2.limits.most <= lambda_11);
+        local_6 = (bound_2.limits.most <= lambda_12);
     } else {
-        local_19 = false;
+        local_6 = false;
     }
-    bool hits = local_19;
+    bool hits = local_6;
     const bool _e32 = error_bound_is_too_small(bound_2, a_6, numerator_1, root_1);
-    const Outcome outcome = ConstructOutcome(lambda_11, hits, _e32);
+    const Outcome outcome = ConstructOutcome(lambda_12, hits, _e32);
     return outcome;
 }
 
@@ -898,8 +780,118 @@ ExactCrossing ConstructExactCrossing(float arg0, bool arg1, bool arg2, bool arg3
     return ret;
 }
 
-ExactCrossing exact_side_crossing(ExactSide side_2, CylinderRecord cylinder_11, Ray ray_10, float numerator_2, float root_2)
+ExactCrossing exact_side_crossing(ExactSide side_1, CylinderRecord cylinder_11, Ray ray_10, float numerator_2, float root_2)
 {
+    bool local_7 = (bool)0;
+    bool local_8 = (bool)0;
+    bool local_9 = (bool)0;
+    bool local_10 = (bool)0;
+    bool local_11 = (bool)0;
+    bool local_12 = (bool)0;
+
+    bool steep_enough = (side_1.length_squared <= (side_1.a * 274877900000.0));
+    const Outcome _e12 = error_bound_root(side_1.bound, side_1.a, numerator_2, root_2);
+    float along_2 = (side_1.along + (_e12.lambda * side_1.slope));
+    const float _e19 = exact_cylinder_margin(cylinder_11, ray_10, _e12.lambda);
+    if (steep_enough) {
+        local_7 = _e12.hits;
+    } else {
+        local_7 = false;
+    }
+    bool accurate_1 = local_7;
+    float within = (cylinder_11.half_height - _e19);
+    float beyond = (cylinder_11.half_height + _e19);
+    if (accurate_1) {
+        local_8 = (abs(along_2) < within);
+    } else {
+        local_8 = false;
+    }
+    bool hits_1 = local_8;
+    if (hits_1) {
+        local_9 = (abs(side_1.along) < within);
+    } else {
+        local_9 = false;
+    }
+    bool straight = local_9;
+    if (steep_enough) {
+        local_10 = _e12.fails;
+    } else {
+        local_10 = false;
+    }
+    bool behind = local_10;
+    if (accurate_1) {
+        local_11 = (beyond < along_2);
+    } else {
+        local_11 = false;
+    }
+    bool _e52 = local_11;
+    if (accurate_1) {
+        local_12 = (beyond < -(along_2));
+    } else {
+        local_12 = false;
+    }
+    bool _e58 = local_12;
+    const ExactCrossing exactcrossing = ConstructExactCrossing(_e12.lambda, hits_1, straight, behind, _e52, _e58);
+    return exactcrossing;
+}
+
+bool exact_crossing_fails(ExactCrossing crossing)
+{
+    bool local_13 = (bool)0;
+    bool local_14 = (bool)0;
+
+    if (!(crossing.behind)) {
+        local_13 = crossing.above;
+    } else {
+        local_13 = true;
+    }
+    bool _e7 = local_13;
+    if (!(_e7)) {
+        local_14 = crossing.below;
+    } else {
+        local_14 = true;
+    }
+    bool _e13 = local_14;
+    return _e13;
+}
+
+bool exact_crossing_passes_by(ExactCrossing entry, ExactCrossing leaving)
+{
+    bool local_15 = (bool)0;
+    bool local_16 = (bool)0;
+    bool local_17 = (bool)0;
+    bool local_18 = (bool)0;
+
+    if (!(leaving.behind)) {
+        if (entry.above) {
+            local_16 = leaving.above;
+        } else {
+            local_16 = false;
+        }
+        bool _e11 = local_16;
+        local_15 = _e11;
+    } else {
+        local_15 = true;
+    }
+    bool _e13 = local_15;
+    if (!(_e13)) {
+        if (entry.below) {
+            local_18 = leaving.below;
+        } else {
+            local_18 = false;
+        }
+        bool _e22 = local_18;
+        local_17 = _e22;
+    } else {
+        local_17 = true;
+    }
+    bool _e24 = local_17;
+    return _e24;
+}
+
+Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, float3 center_3, uint part_3)
+{
+    bool local_19 = (bool)0;
     bool local_20 = (bool)0;
     bool local_21 = (bool)0;
     bool local_22 = (bool)0;
@@ -907,117 +899,7 @@ ExactCrossing exact_side_crossing(ExactSide side_2, CylinderRecord cylinder_11, 
     bool local_24 = (bool)0;
     bool local_25 = (bool)0;
 
-    bool steep_enough = (side_2.length_squared <= (side_2.a * 274877900000.0));
-    const Outcome _e12 = error_bound_root(side_2.bound, side_2.a, numerator_2, root_2);
-    float along_2 = (side_2.along + (_e12.lambda * side_2.slope));
-    const float _e19 = exact_cylinder_margin(cylinder_11, ray_10, _e12.lambda);
-    if (steep_enough) {
-        local_20 = _e12.hits;
-    } else {
-        local_20 = false;
-    }
-    bool accurate_1 = local_20;
-    float within = (cylinder_11.half_height - _e19);
-    float beyond = (cylinder_11.half_height + _e19);
-    if (accurate_1) {
-        local_21 = (abs(along_2) < within);
-    } else {
-        local_21 = false;
-    }
-    bool hits_1 = local_21;
-    if (hits_1) {
-        local_22 = (abs(side_2.along) < within);
-    } else {
-        local_22 = false;
-    }
-    bool straight = local_22;
-    if (steep_enough) {
-        local_23 = _e12.fails;
-    } else {
-        local_23 = false;
-    }
-    bool behind = local_23;
-    if (accurate_1) {
-        local_24 = (beyond < along_2);
-    } else {
-        local_24 = false;
-    }
-    bool _e52 = local_24;
-    if (accurate_1) {
-        local_25 = (beyond < -(along_2));
-    } else {
-        local_25 = false;
-    }
-    bool _e58 = local_25;
-    const ExactCrossing exactcrossing = ConstructExactCrossing(_e12.lambda, hits_1, straight, behind, _e52, _e58);
-    return exactcrossing;
-}
-
-bool exact_crossing_fails(ExactCrossing crossing)
-{
-    bool local_26 = (bool)0;
-    bool local_27 = (bool)0;
-
-    if (!(crossing.behind)) {
-        local_26 = crossing.above;
-    } else {
-        local_26 = true;
-    }
-    bool _e7 = local_26;
-    if (!(_e7)) {
-        local_27 = crossing.below;
-    } else {
-        local_27 = true;
-    }
-    bool _e13 = local_27;
-    return _e13;
-}
-
-bool exact_crossing_passes_by(ExactCrossing entry, ExactCrossing leaving)
-{
-    bool local_28 = (bool)0;
-    bool local_29 = (bool)0;
-    bool local_30 = (bool)0;
-    bool local_31 = (bool)0;
-
-    if (!(leaving.behind)) {
-        if (entry.above) {
-            local_29 = leaving.above;
-        } else {
-            local_29 = false;
-        }
-        bool _e11 = local_29;
-        local_28 = _e11;
-    } else {
-        local_28 = true;
-    }
-    bool _e13 = local_28;
-    if (!(_e13)) {
-        if (entry.below) {
-            local_31 = leaving.below;
-        } else {
-            local_31 = false;
-        }
-        bool _e22 = local_31;
-        local_30 = _e22;
-    } else {
-        local_30 = true;
-    }
-    bool _e24 = local_30;
-    return _e24;
-}
-
-Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, float3 center_2, uint part_2)
-{
-    bool local_32 = (bool)0;
-    bool local_33 = (bool)0;
-    bool local_34 = (bool)0;
-    bool local_35 = (bool)0;
-    bool local_36 = (bool)0;
-    bool local_37 = (bool)0;
-    bool local_38 = (bool)0;
-
-    float3 to_center = (center_2 - ray_11.origin);
+    float3 to_center = (center_3 - ray_11.origin);
     const float _e7 = vec3_dot(to_center, cylinder_12.axis);
     const float _e10 = vec3_dot(ray_11.direction, cylinder_12.axis);
     float steepness = abs(_e10);
@@ -1035,62 +917,62 @@ Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, float3 cente
     float size_1 = (_e27 + _e28);
     float distance_error = (size_1 * 1.7763568e-15);
     if (steep) {
-        local_32 = ((distance_1 + distance_error) < ((steepness - slope_error) * 0.001));
+        local_19 = ((distance_1 + distance_error) < ((steepness - slope_error) * 0.001));
     } else {
-        local_32 = false;
+        local_19 = false;
     }
-    bool _e40 = local_32;
+    bool _e40 = local_19;
     if (_e40) {
         const Decision _e41 = decision_miss();
         const Decision decision_4 = _e41;
         return decision_4;
     }
-    float lambda_12 = (_e7 / _e10);
+    float lambda_13 = (_e7 / _e10);
     if ((size_1 < (distance_1 * 262144.0))) {
-        local_33 = (_e13 < (steepness * 524288.0));
+        local_20 = (_e13 < (steepness * 524288.0));
     } else {
-        local_33 = false;
+        local_20 = false;
     }
-    bool accurate_2 = local_33;
+    bool accurate_2 = local_20;
     if (accurate_2) {
         const Limits _e55 = exact_cylinder_limits();
-        local_34 = (_e55.most <= lambda_12);
+        local_21 = (_e55.most <= lambda_13);
     } else {
-        local_34 = false;
+        local_21 = false;
     }
-    bool is_in_range = local_34;
-    const float3 _e60 = ray_at(ray_11, lambda_12);
-    const float _e62 = vec3_length((_e60 - center_2));
-    const float _e63 = exact_cylinder_margin(cylinder_12, ray_11, lambda_12);
+    bool is_in_range = local_21;
+    const float3 _e60 = ray_at(ray_11, lambda_13);
+    const float _e62 = vec3_length((_e60 - center_3));
+    const float _e63 = exact_cylinder_margin(cylinder_12, ray_11, lambda_13);
     if (steep) {
-        local_35 = is_in_range;
+        local_22 = is_in_range;
     } else {
-        local_35 = false;
+        local_22 = false;
     }
-    bool _e67 = local_35;
+    bool _e67 = local_22;
     if (_e67) {
-        local_36 = (_e62 < (cylinder_12.radius - _e63));
+        local_23 = (_e62 < (cylinder_12.radius - _e63));
     } else {
-        local_36 = false;
+        local_23 = false;
     }
-    bool _e74 = local_36;
+    bool _e74 = local_23;
     if (_e74) {
-        const Decision _e75 = decision_hit(lambda_12, part_2);
+        const Decision _e75 = decision_hit(lambda_13, part_3);
         const Decision decision_5 = _e75;
         return decision_5;
     }
     if (steep) {
-        local_37 = is_in_range;
+        local_24 = is_in_range;
     } else {
-        local_37 = false;
+        local_24 = false;
     }
-    bool _e79 = local_37;
+    bool _e79 = local_24;
     if (_e79) {
-        local_38 = ((cylinder_12.radius + _e63) < _e62);
+        local_25 = ((cylinder_12.radius + _e63) < _e62);
     } else {
-        local_38 = false;
+        local_25 = false;
     }
-    bool _e86 = local_38;
+    bool _e86 = local_25;
     if (_e86) {
         const Decision _e87 = decision_miss();
         const Decision decision_6 = _e87;
@@ -1103,10 +985,10 @@ Decision exact_cap_filtered(CylinderRecord cylinder_12, Ray ray_11, float3 cente
 
 Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12)
 {
-    bool local_39 = (bool)0;
-    bool local_40 = (bool)0;
-    bool local_41 = (bool)0;
-    bool local_42 = (bool)0;
+    bool local_26 = (bool)0;
+    bool local_27 = (bool)0;
+    bool local_28 = (bool)0;
+    bool local_29 = (bool)0;
 
     const ExactSide _e2 = exact_side_new(cylinder_13, ray_12);
     const bool _e4 = exact_in_scale(_e2.length_squared);
@@ -1121,15 +1003,15 @@ Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12)
         const Decision decision_9 = _e10;
         return decision_9;
     }
-    float root_10 = sqrt(_e2.discriminant);
-    const ExactCrossing _e16 = exact_side_crossing(_e2, cylinder_13, ray_12, (-(_e2.h) - root_10), root_10);
-    const ExactCrossing _e20 = exact_side_crossing(_e2, cylinder_13, ray_12, (-(_e2.h) + root_10), root_10);
+    float root_9 = sqrt(_e2.discriminant);
+    const ExactCrossing _e16 = exact_side_crossing(_e2, cylinder_13, ray_12, (-(_e2.h) - root_9), root_9);
+    const ExactCrossing _e20 = exact_side_crossing(_e2, cylinder_13, ray_12, (-(_e2.h) + root_9), root_9);
     if (_e16.behind) {
-        local_39 = _e20.straight;
+        local_26 = _e20.straight;
     } else {
-        local_39 = false;
+        local_26 = false;
     }
-    bool _e26 = local_39;
+    bool _e26 = local_26;
     if (_e26) {
         const Decision _e29 = decision_hit(_e20.lambda, SIDE);
         const Decision decision_10 = _e29;
@@ -1144,16 +1026,16 @@ Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12)
     if (_e34) {
         if (!(_e20.hits)) {
             const bool _e41 = exact_crossing_fails(_e20);
-            local_41 = _e41;
+            local_28 = _e41;
         } else {
-            local_41 = true;
+            local_28 = true;
         }
-        bool _e43 = local_41;
-        local_40 = _e43;
+        bool _e43 = local_28;
+        local_27 = _e43;
     } else {
-        local_40 = false;
+        local_27 = false;
     }
-    bool _e45 = local_40;
+    bool _e45 = local_27;
     if (!(_e45)) {
         const Decision _e47 = decision_uncertain();
         const Decision decision_12 = _e47;
@@ -1170,11 +1052,11 @@ Decision exact_cylinder_filtered(CylinderRecord cylinder_13, Ray ray_12)
     float3 along_3 = (cylinder_13.axis * half_1);
     const Decision _e64 = exact_cap_filtered(cylinder_13, ray_12, (cylinder_13.center_ - along_3), (down ? TOP : BOTTOM));
     if (!(!(_e64.certain))) {
-        local_42 = _e64.some;
+        local_29 = _e64.some;
     } else {
-        local_42 = true;
+        local_29 = true;
     }
-    bool _e72 = local_42;
+    bool _e72 = local_29;
     if (_e72) {
         const Decision decision_14 = _e64;
         return decision_14;
@@ -1294,41 +1176,41 @@ DoubleDouble dd_abs(DoubleDouble a_14)
 
 bool dd_less(DoubleDouble a_15, DoubleDouble b_9)
 {
-    bool local_43 = (bool)0;
-    bool local_44 = (bool)0;
+    bool local_30 = (bool)0;
+    bool local_31 = (bool)0;
 
     if (!((a_15.high < b_9.high))) {
         if ((a_15.high == b_9.high)) {
-            local_44 = (a_15.low < b_9.low);
+            local_31 = (a_15.low < b_9.low);
         } else {
-            local_44 = false;
+            local_31 = false;
         }
-        bool _e17 = local_44;
-        local_43 = _e17;
+        bool _e17 = local_31;
+        local_30 = _e17;
     } else {
-        local_43 = true;
+        local_30 = true;
     }
-    bool _e19 = local_43;
+    bool _e19 = local_30;
     return _e19;
 }
 
 bool dd_less_equal(DoubleDouble a_16, DoubleDouble b_10)
 {
-    bool local_45 = (bool)0;
-    bool local_46 = (bool)0;
+    bool local_32 = (bool)0;
+    bool local_33 = (bool)0;
 
     if (!((a_16.high < b_10.high))) {
         if ((a_16.high == b_10.high)) {
-            local_46 = (a_16.low <= b_10.low);
+            local_33 = (a_16.low <= b_10.low);
         } else {
-            local_46 = false;
+            local_33 = false;
         }
-        bool _e17 = local_46;
-        local_45 = _e17;
+        bool _e17 = local_33;
+        local_32 = _e17;
     } else {
-        local_45 = true;
+        local_32 = true;
     }
-    bool _e19 = local_45;
+    bool _e19 = local_32;
     return _e19;
 }
 
@@ -1407,10 +1289,10 @@ DoubleDouble dd3_magnitude(DoubleDouble3_ v_11)
     return doubledouble_13;
 }
 
-DoubleDouble3_ dd3_perpendicular_to(DoubleDouble3_ v_12, DoubleDouble3_ axis_2)
+DoubleDouble3_ dd3_perpendicular_to(DoubleDouble3_ v_12, DoubleDouble3_ axis_3)
 {
-    const DoubleDouble _e2 = dd3_dot(v_12, axis_2);
-    const DoubleDouble3_ _e3 = dd3_scaled(axis_2, _e2);
+    const DoubleDouble _e2 = dd3_dot(v_12, axis_3);
+    const DoubleDouble3_ _e3 = dd3_scaled(axis_3, _e2);
     const DoubleDouble3_ _e4 = dd3_sub(v_12, _e3);
     const DoubleDouble3_ doubledouble3_5 = _e4;
     return doubledouble3_5;
@@ -1439,9 +1321,9 @@ PreciseDecision precise_miss()
     return precisedecision_1;
 }
 
-PreciseDecision precise_hit(DoubleDouble lambda_7, uint part_3)
+PreciseDecision precise_hit(DoubleDouble lambda_7, uint part_4)
 {
-    const PreciseDecision precisedecision_2 = ConstructPreciseDecision(true, true, lambda_7, part_3);
+    const PreciseDecision precisedecision_2 = ConstructPreciseDecision(true, true, lambda_7, part_4);
     return precisedecision_2;
 }
 
@@ -1473,18 +1355,18 @@ bool precise_bound_misses(PreciseBound bound_3, DoubleDouble discriminant_1)
 
 bool precise_in_scale(DoubleDouble length_squared_3)
 {
-    bool local_47 = (bool)0;
+    bool local_34 = (bool)0;
 
     const DoubleDouble _e2 = dd_constant(SHORTEST_SQUARED);
     const bool _e3 = dd_less_equal(_e2, length_squared_3);
     if (_e3) {
         const DoubleDouble _e7 = dd_constant(LONGEST_SQUARED);
         const bool _e8 = dd_less_equal(length_squared_3, _e7);
-        local_47 = _e8;
+        local_34 = _e8;
     } else {
-        local_47 = false;
+        local_34 = false;
     }
-    bool _e10 = local_47;
+    bool _e10 = local_34;
     return _e10;
 }
 
@@ -1519,8 +1401,8 @@ PreciseOutcome ConstructPreciseOutcome(DoubleDouble arg0, bool arg1, bool arg2) 
 
 PreciseOutcome precise_bound_root(PreciseBound bound_5, DoubleDouble a_21, DoubleDouble numerator_4, DoubleDouble root_4)
 {
-    bool local_48 = (bool)0;
-    bool local_49 = (bool)0;
+    bool local_35 = (bool)0;
+    bool local_36 = (bool)0;
 
     const DoubleDouble _e4 = dd_div(numerator_4, a_21);
     float share_1 = bound_5.limits.share;
@@ -1537,18 +1419,18 @@ PreciseOutcome precise_bound_root(PreciseBound bound_5, DoubleDouble a_21, Doubl
     const DoubleDouble _e23 = dd_constant(ERROR_OVERFLOW);
     const bool _e24 = dd_less(bound_5.size, _e23);
     if (_e20) {
-        local_48 = _e24;
+        local_35 = _e24;
     } else {
-        local_48 = false;
+        local_35 = false;
     }
-    bool _e28 = local_48;
+    bool _e28 = local_35;
     if (_e28) {
         const bool _e32 = precise_in_range(bound_5.limits, _e4);
-        local_49 = _e32;
+        local_36 = _e32;
     } else {
-        local_49 = false;
+        local_36 = false;
     }
-    bool hits_2 = local_49;
+    bool hits_2 = local_36;
     const bool _e35 = precise_bound_is_too_small(bound_5, a_21, numerator_4, root_4);
     const PreciseOutcome preciseoutcome = ConstructPreciseOutcome(_e4, hits_2, _e35);
     return preciseoutcome;
@@ -1564,9 +1446,9 @@ PreciseCylinder ConstructPreciseCylinder(DoubleDouble3_ arg0, DoubleDouble3_ arg
     return ret;
 }
 
-PreciseCylinder precise_cylinder_new(float3 center_3, float radius_1, float3 axis_3)
+PreciseCylinder precise_cylinder_new(float3 center_4, float radius_2, float3 axis_4)
 {
-    const DoubleDouble3_ _e3 = dd3_of(axis_3);
+    const DoubleDouble3_ _e3 = dd3_of(axis_4);
     const DoubleDouble _e4 = dd3_dot(_e3, _e3);
     const DoubleDouble _e6 = dd_constant(SHORT_SQUARED);
     const bool _e7 = dd_less(_e4, _e6);
@@ -1576,10 +1458,10 @@ PreciseCylinder precise_cylinder_new(float3 center_3, float radius_1, float3 axi
     const DoubleDouble _e14 = dd_sqrt(_e13);
     const DoubleDouble _e18 = dd_constant((_e7 ? SHORT_SQUARED : 1.0));
     const DoubleDouble _e19 = dd_mul(_e14, _e18);
-    const DoubleDouble _e20 = dd_of(radius_1);
+    const DoubleDouble _e20 = dd_of(radius_2);
     const DoubleDouble _e22 = dd_constant(2.0);
     const DoubleDouble _e23 = dd_div(_e19, _e22);
-    const DoubleDouble3_ _e24 = dd3_of(center_3);
+    const DoubleDouble3_ _e24 = dd3_of(center_4);
     const DoubleDouble3_ _e25 = dd3_divided(_e12, _e14);
     const DoubleDouble _e26 = dd_mul(_e20, _e20);
     const PreciseCylinder precisecylinder = ConstructPreciseCylinder(_e24, _e25, _e20, _e26, _e23);
@@ -1671,8 +1553,129 @@ PreciseCrossing ConstructPreciseCrossing(DoubleDouble arg0, bool arg1, bool arg2
     return ret;
 }
 
-PreciseCrossing precise_side_crossing(PreciseSide side_3, PreciseCylinder cylinder_17, DoubleDouble3_ direction_3, DoubleDouble numerator_5, DoubleDouble root_5)
+PreciseCrossing precise_side_crossing(PreciseSide side_2, PreciseCylinder cylinder_17, DoubleDouble3_ direction_3, DoubleDouble numerator_5, DoubleDouble root_5)
 {
+    bool local_37 = (bool)0;
+    bool local_38 = (bool)0;
+    bool local_39 = (bool)0;
+    bool local_40 = (bool)0;
+    bool local_41 = (bool)0;
+    bool local_42 = (bool)0;
+
+    const DoubleDouble _e8 = dd_constant(7.7371252e25);
+    const DoubleDouble _e9 = dd_mul(side_2.a, _e8);
+    const bool _e10 = dd_less_equal(side_2.length_squared, _e9);
+    const PreciseOutcome _e13 = precise_bound_root(side_2.bound, side_2.a, numerator_5, root_5);
+    const DoubleDouble _e17 = dd_mul(_e13.lambda, side_2.slope);
+    const DoubleDouble _e18 = dd_add(side_2.along, _e17);
+    const DoubleDouble _e20 = precise_cylinder_margin(cylinder_17, direction_3, _e13.lambda);
+    if (_e10) {
+        local_37 = _e13.hits;
+    } else {
+        local_37 = false;
+    }
+    bool accurate_3 = local_37;
+    const DoubleDouble _e27 = dd_sub(cylinder_17.half_height, _e20);
+    const DoubleDouble _e29 = dd_add(cylinder_17.half_height, _e20);
+    if (accurate_3) {
+        const DoubleDouble _e32 = dd_abs(_e18);
+        const bool _e33 = dd_less(_e32, _e27);
+        local_38 = _e33;
+    } else {
+        local_38 = false;
+    }
+    bool hits_3 = local_38;
+    if (hits_3) {
+        const DoubleDouble _e40 = dd_abs(side_2.along);
+        const bool _e41 = dd_less(_e40, _e27);
+        local_39 = _e41;
+    } else {
+        local_39 = false;
+    }
+    bool _e43 = local_39;
+    if (_e10) {
+        local_40 = _e13.fails;
+    } else {
+        local_40 = false;
+    }
+    bool _e48 = local_40;
+    if (accurate_3) {
+        const bool _e51 = dd_less(_e29, _e18);
+        local_41 = _e51;
+    } else {
+        local_41 = false;
+    }
+    bool _e53 = local_41;
+    if (accurate_3) {
+        const DoubleDouble _e56 = dd_neg(_e18);
+        const bool _e57 = dd_less(_e29, _e56);
+        local_42 = _e57;
+    } else {
+        local_42 = false;
+    }
+    bool _e59 = local_42;
+    const PreciseCrossing precisecrossing = ConstructPreciseCrossing(_e13.lambda, hits_3, _e43, _e48, _e53, _e59);
+    return precisecrossing;
+}
+
+bool precise_crossing_fails(PreciseCrossing crossing_1)
+{
+    bool local_43 = (bool)0;
+    bool local_44 = (bool)0;
+
+    if (!(crossing_1.behind)) {
+        local_43 = crossing_1.above;
+    } else {
+        local_43 = true;
+    }
+    bool _e7 = local_43;
+    if (!(_e7)) {
+        local_44 = crossing_1.below;
+    } else {
+        local_44 = true;
+    }
+    bool _e13 = local_44;
+    return _e13;
+}
+
+bool precise_crossing_passes_by(PreciseCrossing entry_1, PreciseCrossing leaving_1)
+{
+    bool local_45 = (bool)0;
+    bool local_46 = (bool)0;
+    bool local_47 = (bool)0;
+    bool local_48 = (bool)0;
+
+    if (!(leaving_1.behind)) {
+        if (entry_1.above) {
+            local_46 = leaving_1.above;
+        } else {
+            local_46 = false;
+        }
+        bool _e11 = local_46;
+        local_45 = _e11;
+    } else {
+        local_45 = true;
+    }
+    bool _e13 = local_45;
+    if (!(_e13)) {
+        if (entry_1.below) {
+            local_48 = leaving_1.below;
+        } else {
+            local_48 = false;
+        }
+        bool _e22 = local_48;
+        local_47 = _e22;
+    } else {
+        local_47 = true;
+    }
+    bool _e24 = local_47;
+    return _e24;
+}
+
+PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_ origin_2, DoubleDouble3_ direction_4, DoubleDouble3_ center_5, uint part_5)
+{
+    DoubleDouble distance_ = (DoubleDouble)0;
+    bool local_49 = (bool)0;
     bool local_50 = (bool)0;
     bool local_51 = (bool)0;
     bool local_52 = (bool)0;
@@ -1680,129 +1683,8 @@ PreciseCrossing precise_side_crossing(PreciseSide side_3, PreciseCylinder cylind
     bool local_54 = (bool)0;
     bool local_55 = (bool)0;
 
-    const DoubleDouble _e8 = dd_constant(7.7371252e25);
-    const DoubleDouble _e9 = dd_mul(side_3.a, _e8);
-    const bool _e10 = dd_less_equal(side_3.length_squared, _e9);
-    const PreciseOutcome _e13 = precise_bound_root(side_3.bound, side_3.a, numerator_5, root_5);
-    const DoubleDouble _e17 = dd_mul(_e13.lambda, side_3.slope);
-    const DoubleDouble _e18 = dd_add(side_3.along, _e17);
-    const DoubleDouble _e20 = precise_cylinder_margin(cylinder_17, direction_3, _e13.lambda);
-    if (_e10) {
-        local_50 = _e13.hits;
-    } else {
-        local_50 = false;
-    }
-    bool accurate_3 = local_50;
-    const DoubleDouble _e27 = dd_sub(cylinder_17.half_height, _e20);
-    const DoubleDouble _e29 = dd_add(cylinder_17.half_height, _e20);
-    if (accurate_3) {
-        const DoubleDouble _e32 = dd_abs(_e18);
-        const bool _e33 = dd_less(_e32, _e27);
-        local_51 = _e33;
-    } else {
-        local_51 = false;
-    }
-    bool hits_3 = local_51;
-    if (hits_3) {
-        const DoubleDouble _e40 = dd_abs(side_3.along);
-        const bool _e41 = dd_less(_e40, _e27);
-        local_52 = _e41;
-    } else {
-        local_52 = false;
-    }
-    bool _e43 = local_52;
-    if (_e10) {
-        local_53 = _e13.fails;
-    } else {
-        local_53 = false;
-    }
-    bool _e48 = local_53;
-    if (accurate_3) {
-        const bool _e51 = dd_less(_e29, _e18);
-        local_54 = _e51;
-    } else {
-        local_54 = false;
-    }
-    bool _e53 = local_54;
-    if (accurate_3) {
-        const DoubleDouble _e56 = dd_neg(_e18);
-        const bool _e57 = dd_less(_e29, _e56);
-        local_55 = _e57;
-    } else {
-        local_55 = false;
-    }
-    bool _e59 = local_55;
-    const PreciseCrossing precisecrossing = ConstructPreciseCrossing(_e13.lambda, hits_3, _e43, _e48, _e53, _e59);
-    return precisecrossing;
-}
-
-bool precise_crossing_fails(PreciseCrossing crossing_1)
-{
-    bool local_56 = (bool)0;
-    bool local_57 = (bool)0;
-
-    if (!(crossing_1.behind)) {
-        local_56 = crossing_1.above;
-    } else {
-        local_56 = true;
-    }
-    bool _e7 = local_56;
-    if (!(_e7)) {
-        local_57 = crossing_1.below;
-    } else {
-        local_57 = true;
-    }
-    bool _e13 = local_57;
-    return _e13;
-}
-
-bool precise_crossing_passes_by(PreciseCrossing entry_1, PreciseCrossing leaving_1)
-{
-    bool local_58 = (bool)0;
-    bool local_59 = (bool)0;
-    bool local_60 = (bool)0;
-    bool local_61 = (bool)0;
-
-    if (!(leaving_1.behind)) {
-        if (entry_1.above) {
-            local_59 = leaving_1.above;
-        } else {
-            local_59 = false;
-        }
-        bool _e11 = local_59;
-        local_58 = _e11;
-    } else {
-        local_58 = true;
-    }
-    bool _e13 = local_58;
-    if (!(_e13)) {
-        if (entry_1.below) {
-            local_61 = leaving_1.below;
-        } else {
-            local_61 = false;
-        }
-        bool _e22 = local_61;
-        local_60 = _e22;
-    } else {
-        local_60 = true;
-    }
-    bool _e24 = local_60;
-    return _e24;
-}
-
-PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_ origin_2, DoubleDouble3_ direction_4, DoubleDouble3_ center_4, uint part_4)
-{
-    DoubleDouble distance_ = (DoubleDouble)0;
-    bool local_62 = (bool)0;
-    bool local_63 = (bool)0;
-    bool local_64 = (bool)0;
-    bool local_65 = (bool)0;
-    bool local_66 = (bool)0;
-    bool local_67 = (bool)0;
-    bool local_68 = (bool)0;
-
     const DoubleDouble _e6 = dd_constant(1e-8);
-    const DoubleDouble3_ _e7 = dd3_sub(center_4, origin_2);
+    const DoubleDouble3_ _e7 = dd3_sub(center_5, origin_2);
     const DoubleDouble _e9 = dd3_dot(_e7, cylinder_18.axis);
     const DoubleDouble _e11 = dd3_dot(direction_4, cylinder_18.axis);
     const DoubleDouble _e12 = dd_abs(_e11);
@@ -1837,11 +1719,11 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
         const DoubleDouble _e39 = dd_constant(0.001);
         const DoubleDouble _e40 = dd_mul(_e37, _e39);
         const bool _e41 = dd_less(_e34, _e40);
-        local_62 = _e41;
+        local_49 = _e41;
     } else {
-        local_62 = false;
+        local_49 = false;
     }
-    bool _e43 = local_62;
+    bool _e43 = local_49;
     if (_e43) {
         const PreciseDecision _e44 = precise_miss();
         const PreciseDecision precisedecision_4 = _e44;
@@ -1856,58 +1738,58 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
         const DoubleDouble _e54 = dd_constant(8796093000000.0);
         const DoubleDouble _e55 = dd_mul(_e12, _e54);
         const bool _e56 = dd_less(_e13, _e55);
-        local_63 = _e56;
+        local_50 = _e56;
     } else {
-        local_63 = false;
+        local_50 = false;
     }
-    bool accurate_4 = local_63;
+    bool accurate_4 = local_50;
     if (accurate_4) {
         const PreciseLimits _e61 = precise_cylinder_limits();
         const bool _e62 = precise_in_range(_e61, _e45);
-        local_64 = _e62;
+        local_51 = _e62;
     } else {
-        local_64 = false;
+        local_51 = false;
     }
-    bool is_in_range_1 = local_64;
+    bool is_in_range_1 = local_51;
     const DoubleDouble3_ _e65 = dd3_scaled(direction_4, _e45);
     const DoubleDouble3_ _e66 = dd3_add(origin_2, _e65);
-    const DoubleDouble3_ _e67 = dd3_sub(_e66, center_4);
+    const DoubleDouble3_ _e67 = dd3_sub(_e66, center_5);
     const DoubleDouble _e68 = dd3_dot(_e67, _e67);
     const DoubleDouble _e69 = dd_sqrt(_e68);
     const DoubleDouble _e70 = precise_cylinder_margin(cylinder_18, direction_4, _e45);
     if (_e21) {
-        local_65 = is_in_range_1;
+        local_52 = is_in_range_1;
     } else {
-        local_65 = false;
+        local_52 = false;
     }
-    bool _e74 = local_65;
+    bool _e74 = local_52;
     if (_e74) {
         const DoubleDouble _e78 = dd_sub(cylinder_18.radius, _e70);
         const bool _e79 = dd_less(_e69, _e78);
-        local_66 = _e79;
+        local_53 = _e79;
     } else {
-        local_66 = false;
+        local_53 = false;
     }
-    bool _e81 = local_66;
+    bool _e81 = local_53;
     if (_e81) {
-        const PreciseDecision _e82 = precise_hit(_e45, part_4);
+        const PreciseDecision _e82 = precise_hit(_e45, part_5);
         const PreciseDecision precisedecision_5 = _e82;
         return precisedecision_5;
     }
     if (_e21) {
-        local_67 = is_in_range_1;
+        local_54 = is_in_range_1;
     } else {
-        local_67 = false;
+        local_54 = false;
     }
-    bool _e86 = local_67;
+    bool _e86 = local_54;
     if (_e86) {
         const DoubleDouble _e90 = dd_add(cylinder_18.radius, _e70);
         const bool _e91 = dd_less(_e90, _e69);
-        local_68 = _e91;
+        local_55 = _e91;
     } else {
-        local_68 = false;
+        local_55 = false;
     }
-    bool _e93 = local_68;
+    bool _e93 = local_55;
     if (_e93) {
         const PreciseDecision _e94 = precise_miss();
         const PreciseDecision precisedecision_6 = _e94;
@@ -1918,15 +1800,15 @@ PreciseDecision precise_cap_filtered(PreciseCylinder cylinder_18, DoubleDouble3_
     return precisedecision_7;
 }
 
-PreciseDecision precise_cylinder_filtered(float3 center_5, float radius_2, float3 axis_4, Ray ray_13)
+PreciseDecision precise_cylinder_filtered(float3 center_6, float radius_3, float3 axis_5, Ray ray_13)
 {
-    bool local_69 = (bool)0;
-    bool local_70 = (bool)0;
-    bool local_71 = (bool)0;
+    bool local_56 = (bool)0;
+    bool local_57 = (bool)0;
+    bool local_58 = (bool)0;
     DoubleDouble half_ = (DoubleDouble)0;
-    bool local_72 = (bool)0;
+    bool local_59 = (bool)0;
 
-    const PreciseCylinder _e4 = precise_cylinder_new(center_5, radius_2, axis_4);
+    const PreciseCylinder _e4 = precise_cylinder_new(center_6, radius_3, axis_5);
     const DoubleDouble3_ _e6 = dd3_of(ray_13.origin);
     const DoubleDouble3_ _e8 = dd3_of(ray_13.direction);
     const PreciseSide _e9 = precise_side_new(_e4, _e6, _e8);
@@ -1950,11 +1832,11 @@ PreciseDecision precise_cylinder_filtered(float3 center_5, float radius_2, float
     const DoubleDouble _e26 = dd_add(_e25, _e19);
     const PreciseCrossing _e27 = precise_side_crossing(_e9, _e4, _e8, _e26, _e19);
     if (_e23.behind) {
-        local_69 = _e27.straight;
+        local_56 = _e27.straight;
     } else {
-        local_69 = false;
+        local_56 = false;
     }
-    bool _e33 = local_69;
+    bool _e33 = local_56;
     if (_e33) {
         const PreciseDecision _e36 = precise_hit(_e27.lambda, SIDE);
         const PreciseDecision precisedecision_10 = _e36;
@@ -1969,16 +1851,16 @@ PreciseDecision precise_cylinder_filtered(float3 center_5, float radius_2, float
     if (_e41) {
         if (!(_e27.hits)) {
             const bool _e48 = precise_crossing_fails(_e27);
-            local_71 = _e48;
+            local_58 = _e48;
         } else {
-            local_71 = true;
+            local_58 = true;
         }
-        bool _e50 = local_71;
-        local_70 = _e50;
+        bool _e50 = local_58;
+        local_57 = _e50;
     } else {
-        local_70 = false;
+        local_57 = false;
     }
-    bool _e52 = local_70;
+    bool _e52 = local_57;
     if (!(_e52)) {
         const PreciseDecision _e54 = precise_uncertain();
         const PreciseDecision precisedecision_12 = _e54;
@@ -2003,11 +1885,11 @@ PreciseDecision precise_cylinder_filtered(float3 center_5, float radius_2, float
     const DoubleDouble3_ _e69 = dd3_sub(_e4.center_, _e67);
     const PreciseDecision _e73 = precise_cap_filtered(_e4, _e6, _e8, _e69, (_e60 ? TOP : BOTTOM));
     if (!(!(_e73.certain))) {
-        local_72 = _e73.some;
+        local_59 = _e73.some;
     } else {
-        local_72 = true;
+        local_59 = true;
     }
-    bool _e81 = local_72;
+    bool _e81 = local_59;
     if (_e81) {
         const PreciseDecision precisedecision_14 = _e73;
         return precisedecision_14;
@@ -2023,12 +1905,12 @@ PreciseDecision precise_cylinder_filtered(float3 center_5, float radius_2, float
     return precisedecision_16;
 }
 
-float exact_code(bool certain, bool some, uint part_5)
+float exact_code(bool certain, bool some, uint part_6)
 {
     if (!(certain)) {
         return 0.0;
     }
-    return (some ? float((2u + part_5)) : 1.0);
+    return (some ? float((2u + part_6)) : 1.0);
 }
 
 ExactReport exact_report(Decision plain, Decision compensated, PreciseDecision doubled)
@@ -2088,10 +1970,10 @@ void exact_cylinder(uint3 id : SV_DispatchThreadID)
     const float3 _e22 = vec3_load(_e21);
     PackedVec3_ _e27 = ConstructPackedVec3_(asfloat(cases.Load(40+id.x*56+0)), asfloat(cases.Load(40+id.x*56+4)), asfloat(cases.Load(40+id.x*56+8)));
     const float3 _e28 = vec3_load(_e27);
-    float radius_3 = asfloat(cases.Load(36+id.x*56));
-    const CylinderRecord _e34 = cylinder_new(_e22, radius_3, _e28);
+    float radius_4 = asfloat(cases.Load(36+id.x*56));
+    const CylinderRecord _e34 = cylinder_new(_e22, radius_4, _e28);
     const Decision _e35 = exact_cylinder_filtered(_e34, _e16);
-    const PreciseDecision _e36 = precise_cylinder_filtered(_e22, radius_3, _e28, _e16);
+    const PreciseDecision _e36 = precise_cylinder_filtered(_e22, radius_4, _e28, _e16);
     const Decision _e40 = decision_uncertain();
     const ExactReport _e41 = exact_report(_e35, _e40, _e36);
     {

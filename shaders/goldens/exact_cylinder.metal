@@ -247,21 +247,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 ExactSum exact_two_sum(
@@ -288,11 +274,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -300,10 +281,7 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
-    }
-    return Hit {point, -(outward), front};
+    return Hit {point, front ? outward : -(outward), front};
 }
 
 UnitAndLength vec3_unit_and_length(
@@ -332,35 +310,28 @@ bool tie_is_closer(
     real closest_1,
     uint closest_order
 ) {
-    bool local_2 = {};
-    bool local_3 = {};
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = order >= closest_order;
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+}
+
+CylinderRecord cylinder_with_unit_axis(
+    metal::float3 center,
+    real radius,
+    metal::float3 axis_1,
+    real half_height
+) {
+    metal::float3 to_cap = axis_1 * half_height;
+    return CylinderRecord {center, axis_1, center + to_cap, center - to_cap, radius, radius * radius, half_height};
 }
 
 CylinderRecord cylinder_new(
-    metal::float3 center,
-    real radius,
-    metal::float3 axis_1
+    metal::float3 center_1,
+    real radius_1,
+    metal::float3 axis_2
 ) {
-    UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    real half_height = _e3.length / 2.0;
-    metal::float3 half_axis = _e3.direction * half_height;
-    metal::float3 top = center + half_axis;
-    metal::float3 bottom = center - half_axis;
-    return CylinderRecord {center, _e3.direction, top, bottom, radius, radius * radius, half_height};
+    UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    CylinderRecord _e8 = cylinder_with_unit_axis(center_1, radius_1, _e3.direction, _e3.length / 2.0);
+    return _e8;
 }
 
 CylinderView cylinder_seen_from(
@@ -398,64 +369,31 @@ Root cylinder_side(
     Ray ray_2,
     CylinderQuadratic quadratic
 ) {
-    bool local_4 = {};
-    bool local_5 = {};
-    bool local_6 = {};
     float root_6 = metal::sqrt(quadratic.discriminant);
     real near = (-(quadratic.h) - root_6) / quadratic.a;
     real far = (-(quadratic.h) + root_6) / quadratic.a;
     bool _e15 = in_range(near);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_3, ray_2, near);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_3, ray_2, far);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root {_e31, {}, near_counts ? near : far};
+    bool _e16 = cylinder_within_height(cylinder_3, ray_2, near);
+    bool near_counts = _e15 & _e16;
+    bool _e18 = in_range(far);
+    bool _e19 = cylinder_within_height(cylinder_3, ray_2, far);
+    bool far_counts = _e18 & _e19;
+    return Root {near_counts | far_counts, {}, near_counts ? near : far};
 }
 
 Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_3,
-    metal::float3 center_1
+    metal::float3 center_2
 ) {
-    bool local_7 = {};
-    bool local_8 = {};
     real _e5 = vec3_dot(ray_3.direction, cylinder_4.axis);
-    real _e9 = vec3_dot(center_1 - ray_3.origin, cylinder_4.axis);
+    real _e9 = vec3_dot(center_2 - ray_3.origin, cylinder_4.axis);
     real lambda_10 = _e9 / _e5;
     metal::float3 _e11 = ray_at(ray_3, lambda_10);
-    real _e13 = vec3_length(_e11 - center_1);
+    real _e13 = vec3_length(_e11 - center_2);
     bool on_disc = _e13 <= cylinder_4.radius;
-    if (!((metal::abs(_e5) < 0.00000001))) {
-        bool _e22 = in_range(lambda_10);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root {_e28, {}, lambda_10};
+    bool _e20 = in_range(lambda_10);
+    return Root {(!((metal::abs(_e5) < 0.00000001)) & _e20) & on_disc, {}, lambda_10};
 }
 
 metal::float3 cylinder_outward(
@@ -463,18 +401,20 @@ metal::float3 cylinder_outward(
     uint part,
     metal::float3 point_1
 ) {
-    switch(part) {
-        case 0u: {
-            metal::float3 _e6 = vec3_perpendicular_to(point_1 - cylinder_5.center, cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    metal::float3 _e6 = vec3_perpendicular_to(point_1 - cylinder_5.center, cylinder_5.axis);
+    metal::float3 cap = (part == TOP) ? cylinder_5.axis : -(cylinder_5.axis);
+    return (part == SIDE) ? _e6 : cap;
+}
+
+CylinderRoot cylinder_closer(
+    CylinderRoot closest_2,
+    Root later,
+    uint part_1
+) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = later.some & (!(closest_2.some) | _e8);
+    real lambda_11 = replaces ? later.lambda : closest_2.lambda;
+    return CylinderRoot {closest_2.some | later.some, {}, lambda_11, replaces ? part_1 : closest_2.part};
 }
 
 CylinderRoot cylinder_with_caps(
@@ -482,68 +422,23 @@ CylinderRoot cylinder_with_caps(
     Ray ray_4,
     Root side
 ) {
-    CylinderRoot closest_2 = {};
-    bool local_9 = {};
-    bool local_10 = {};
-    bool local_11 = {};
-    bool local_12 = {};
-    closest_2 = CylinderRoot {side.some, {}, side.lambda, SIDE};
-    Root _e9 = cylinder_cap(cylinder_6, ray_4, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            real _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot {true, {}, _e9.lambda, TOP};
-    }
-    Root _e32 = cylinder_cap(cylinder_6, ray_4, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            real _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot {true, {}, _e32.lambda, BOTTOM};
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_6, ray_4, cylinder_6.top);
+    Root _e6 = cylinder_cap(cylinder_6, ray_4, cylinder_6.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot {side.some, {}, side.lambda, SIDE}, _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_7,
     Ray ray_5
 ) {
-    Root side_1 = {};
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_5.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_5.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_5, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_5, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_7, ray_5, _e5);
+    bool some_1 = !((_e5.discriminant < 0.0)) & _e6.some;
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_5, Root {some_1, {}, _e6.lambda});
+    return _e15;
 }
 
 metal::float3 vec3_load(
@@ -607,10 +502,10 @@ real exact_mul_add(
     real c,
     thread real& exact_one
 ) {
-    bool local_13 = {};
-    bool local_14 = {};
-    bool local_15 = {};
-    bool local_16 = {};
+    bool local = {};
+    bool local_1 = {};
+    bool local_2 = {};
+    bool local_3 = {};
     ExactSum _e3 = exact_two_product(a_4, b_3, exact_one);
     real _e6 = exact_one;
     ExactSum _e7 = exact_two_sum(c, _e3.error, _e6);
@@ -624,29 +519,29 @@ real exact_mul_add(
     real neighbor = (_e22.sum * _e25) + (_e22.error * 1.5);
     bool is_tie = (_e22.error + _e22.error) == (neighbor - _e22.sum);
     if (0.0 < _e22.error) {
-        local_13 = 0.0 < _e17.error;
+        local = 0.0 < _e17.error;
     } else {
-        local_13 = false;
+        local = false;
     }
-    bool _e45 = local_13;
+    bool _e45 = local;
     if (!(_e45)) {
         if (_e22.error < 0.0) {
-            local_15 = _e17.error < 0.0;
+            local_2 = _e17.error < 0.0;
         } else {
-            local_15 = false;
+            local_2 = false;
         }
-        bool _e56 = local_15;
-        local_14 = _e56;
+        bool _e56 = local_2;
+        local_1 = _e56;
     } else {
-        local_14 = true;
+        local_1 = true;
     }
-    bool same_side = local_14;
+    bool same_side = local_1;
     if (is_tie) {
-        local_16 = same_side;
+        local_3 = same_side;
     } else {
-        local_16 = false;
+        local_3 = false;
     }
-    bool _e63 = local_16;
+    bool _e63 = local_3;
     return _e63 ? neighbor : _e22.sum;
 }
 
@@ -662,21 +557,21 @@ Decision decision_miss(
 
 Decision decision_hit(
     real lambda_5,
-    uint part_1
+    uint part_2
 ) {
-    return Decision {true, true, {}, lambda_5, part_1};
+    return Decision {true, true, {}, lambda_5, part_2};
 }
 
 bool exact_in_scale(
     real length_squared
 ) {
-    bool local_17 = {};
+    bool local_4 = {};
     if (SHORTEST_SQUARED <= length_squared) {
-        local_17 = length_squared <= LONGEST_SQUARED;
+        local_4 = length_squared <= LONGEST_SQUARED;
     } else {
-        local_17 = false;
+        local_4 = false;
     }
-    bool _e8 = local_17;
+    bool _e8 = local_4;
     return _e8;
 }
 
@@ -711,27 +606,27 @@ Outcome error_bound_root(
     real numerator_1,
     real root_1
 ) {
-    bool local_18 = {};
-    bool local_19 = {};
-    real lambda_11 = numerator_1 / a_6;
+    bool local_5 = {};
+    bool local_6 = {};
+    real lambda_12 = numerator_1 / a_6;
     real share = bound_2.limits.share;
     real least = ((bound_2.size * share) + ERROR_UNDERFLOW) + ((numerator_1 * numerator_1) * (share * 4.0));
     bool accurate = least < (root_1 * numerator_1);
     bool finite = bound_2.size < ERROR_OVERFLOW;
     if (accurate) {
-        local_18 = finite;
+        local_5 = finite;
     } else {
-        local_18 = false;
+        local_5 = false;
     }
-    bool _e24 = local_18;
+    bool _e24 = local_5;
     if (_e24) {
-        local_19 = bound_2.limits.most <= lambda_11;
+        local_6 = bound_2.limits.most <= lambda_12;
     } else {
-        local_19 = false;
+        local_6 = false;
     }
-    bool hits = local_19;
+    bool hits = local_6;
     bool _e32 = error_bound_is_too_small(bound_2, a_6, numerator_1, root_1);
-    return Outcome {lambda_11, hits, _e32};
+    return Outcome {lambda_12, hits, _e32};
 }
 
 Limits exact_cylinder_limits(
@@ -781,80 +676,80 @@ ExactSide exact_side_new(
 }
 
 ExactCrossing exact_side_crossing(
-    ExactSide side_2,
+    ExactSide side_1,
     CylinderRecord cylinder_11,
     Ray ray_10,
     real numerator_2,
     real root_2
 ) {
-    bool local_20 = {};
-    bool local_21 = {};
-    bool local_22 = {};
-    bool local_23 = {};
-    bool local_24 = {};
-    bool local_25 = {};
-    bool steep_enough = side_2.length_squared <= (side_2.a * 274877900000.0);
-    Outcome _e12 = error_bound_root(side_2.bound, side_2.a, numerator_2, root_2);
-    real along_2 = side_2.along + (_e12.lambda * side_2.slope);
+    bool local_7 = {};
+    bool local_8 = {};
+    bool local_9 = {};
+    bool local_10 = {};
+    bool local_11 = {};
+    bool local_12 = {};
+    bool steep_enough = side_1.length_squared <= (side_1.a * 274877900000.0);
+    Outcome _e12 = error_bound_root(side_1.bound, side_1.a, numerator_2, root_2);
+    real along_2 = side_1.along + (_e12.lambda * side_1.slope);
     real _e19 = exact_cylinder_margin(cylinder_11, ray_10, _e12.lambda);
     if (steep_enough) {
-        local_20 = _e12.hits;
+        local_7 = _e12.hits;
     } else {
-        local_20 = false;
+        local_7 = false;
     }
-    bool accurate_1 = local_20;
+    bool accurate_1 = local_7;
     real within = cylinder_11.half_height - _e19;
     real beyond = cylinder_11.half_height + _e19;
     if (accurate_1) {
-        local_21 = metal::abs(along_2) < within;
+        local_8 = metal::abs(along_2) < within;
     } else {
-        local_21 = false;
+        local_8 = false;
     }
-    bool hits_1 = local_21;
+    bool hits_1 = local_8;
     if (hits_1) {
-        local_22 = metal::abs(side_2.along) < within;
+        local_9 = metal::abs(side_1.along) < within;
     } else {
-        local_22 = false;
+        local_9 = false;
     }
-    bool straight = local_22;
+    bool straight = local_9;
     if (steep_enough) {
-        local_23 = _e12.fails;
+        local_10 = _e12.fails;
     } else {
-        local_23 = false;
+        local_10 = false;
     }
-    bool behind = local_23;
+    bool behind = local_10;
     if (accurate_1) {
-        local_24 = beyond < along_2;
+        local_11 = beyond < along_2;
     } else {
-        local_24 = false;
+        local_11 = false;
     }
-    bool _e52 = local_24;
+    bool _e52 = local_11;
     if (accurate_1) {
-        local_25 = beyond < -(along_2);
+        local_12 = beyond < -(along_2);
     } else {
-        local_25 = false;
+        local_12 = false;
     }
-    bool _e58 = local_25;
+    bool _e58 = local_12;
     return ExactCrossing {_e12.lambda, hits_1, straight, behind, _e52, _e58};
 }
 
 bool exact_crossing_fails(
     ExactCrossing crossing
 ) {
-    bool local_26 = {};
-    bool local_27 = {};
+    bool local_13 = {};
+    bool local_14 = {};
     if (!(crossing.behind)) {
-        local_26 = crossing.above;
+        local_13 = crossing.above;
     } else {
-        local_26 = true;
+        local_13 = true;
     }
-    bool _e7 = local_26;
+    bool _e7 = local_13;
     if (!(_e7)) {
-        local_27 = crossing.below;
+        local_14 = crossing.below;
     } else {
-        local_27 = true;
+        local_14 = true;
     }
-    bool _e13 = local_27;
+    bool _e13 = local_14;
     return _e13;
 }
 
@@ -862,51 +757,51 @@ bool exact_crossing_passes_by(
     ExactCrossing entry,
     ExactCrossing leaving
 ) {
-    bool local_28 = {};
-    bool local_29 = {};
-    bool local_30 = {};
-    bool local_31 = {};
+    bool local_15 = {};
+    bool local_16 = {};
+    bool local_17 = {};
+    bool local_18 = {};
     if (!(leaving.behind)) {
         if (entry.above) {
-            local_29 = leaving.above;
+            local_16 = leaving.above;
         } else {
-            local_29 = false;
+            local_16 = false;
         }
-        bool _e11 = local_29;
-        local_28 = _e11;
+        bool _e11 = local_16;
+        local_15 = _e11;
     } else {
-        local_28 = true;
+        local_15 = true;
     }
-    bool _e13 = local_28;
+    bool _e13 = local_15;
     if (!(_e13)) {
         if (entry.below) {
-            local_31 = leaving.below;
+            local_18 = leaving.below;
         } else {
-            local_31 = false;
+            local_18 = false;
         }
-        bool _e22 = local_31;
-        local_30 = _e22;
+        bool _e22 = local_18;
+        local_17 = _e22;
     } else {
-        local_30 = true;
+        local_17 = true;
     }
-    bool _e24 = local_30;
+    bool _e24 = local_17;
     return _e24;
 }
 
 Decision exact_cap_filtered(
     CylinderRecord cylinder_12,
     Ray ray_11,
-    metal::float3 center_2,
-    uint part_2
+    metal::float3 center_3,
+    uint part_3
 ) {
-    bool local_32 = {};
-    bool local_33 = {};
-    bool local_34 = {};
-    bool local_35 = {};
-    bool local_36 = {};
-    bool local_37 = {};
-    bool local_38 = {};
-    metal::float3 to_center = center_2 - ray_11.origin;
+    bool local_19 = {};
+    bool local_20 = {};
+    bool local_21 = {};
+    bool local_22 = {};
+    bool local_23 = {};
+    bool local_24 = {};
+    bool local_25 = {};
+    metal::float3 to_center = center_3 - ray_11.origin;
     real _e7 = vec3_dot(to_center, cylinder_12.axis);
     real _e10 = vec3_dot(ray_11.direction, cylinder_12.axis);
     float steepness = metal::abs(_e10);
@@ -923,60 +818,60 @@ Decision exact_cap_filtered(
     real size_1 = _e27 + _e28;
     float distance_error = size_1 * 0.0000000000000017763568;
     if (steep) {
-        local_32 = (distance_1 + distance_error) < ((steepness - slope_error) * 0.001);
+        local_19 = (distance_1 + distance_error) < ((steepness - slope_error) * 0.001);
     } else {
-        local_32 = false;
+        local_19 = false;
     }
-    bool _e40 = local_32;
+    bool _e40 = local_19;
     if (_e40) {
         Decision _e41 = decision_miss();
         return _e41;
     }
-    real lambda_12 = _e7 / _e10;
+    real lambda_13 = _e7 / _e10;
     if (size_1 < (distance_1 * 262144.0)) {
-        local_33 = _e13 < (steepness * 524288.0);
+        local_20 = _e13 < (steepness * 524288.0);
     } else {
-        local_33 = false;
+        local_20 = false;
     }
-    bool accurate_2 = local_33;
+    bool accurate_2 = local_20;
     if (accurate_2) {
         Limits _e55 = exact_cylinder_limits();
-        local_34 = _e55.most <= lambda_12;
+        local_21 = _e55.most <= lambda_13;
     } else {
-        local_34 = false;
+        local_21 = false;
     }
-    bool is_in_range = local_34;
-    metal::float3 _e60 = ray_at(ray_11, lambda_12);
-    real _e62 = vec3_length(_e60 - center_2);
-    real _e63 = exact_cylinder_margin(cylinder_12, ray_11, lambda_12);
+    bool is_in_range = local_21;
+    metal::float3 _e60 = ray_at(ray_11, lambda_13);
+    real _e62 = vec3_length(_e60 - center_3);
+    real _e63 = exact_cylinder_margin(cylinder_12, ray_11, lambda_13);
     if (steep) {
-        local_35 = is_in_range;
+        local_22 = is_in_range;
     } else {
-        local_35 = false;
+        local_22 = false;
     }
-    bool _e67 = local_35;
+    bool _e67 = local_22;
     if (_e67) {
-        local_36 = _e62 < (cylinder_12.radius - _e63);
+        local_23 = _e62 < (cylinder_12.radius - _e63);
     } else {
-        local_36 = false;
+        local_23 = false;
     }
-    bool _e74 = local_36;
+    bool _e74 = local_23;
     if (_e74) {
-        Decision _e75 = decision_hit(lambda_12, part_2);
+        Decision _e75 = decision_hit(lambda_13, part_3);
         return _e75;
     }
     if (steep) {
-        local_37 = is_in_range;
+        local_24 = is_in_range;
     } else {
-        local_37 = false;
+        local_24 = false;
     }
-    bool _e79 = local_37;
+    bool _e79 = local_24;
     if (_e79) {
-        local_38 = (cylinder_12.radius + _e63) < _e62;
+        local_25 = (cylinder_12.radius + _e63) < _e62;
     } else {
-        local_38 = false;
+        local_25 = false;
     }
-    bool _e86 = local_38;
+    bool _e86 = local_25;
     if (_e86) {
         Decision _e87 = decision_miss();
         return _e87;
@@ -989,10 +884,10 @@ Decision exact_cylinder_filtered(
     CylinderRecord cylinder_13,
     Ray ray_12
 ) {
-    bool local_39 = {};
-    bool local_40 = {};
-    bool local_41 = {};
-    bool local_42 = {};
+    bool local_26 = {};
+    bool local_27 = {};
+    bool local_28 = {};
+    bool local_29 = {};
     ExactSide _e2 = exact_side_new(cylinder_13, ray_12);
     bool _e4 = exact_in_scale(_e2.length_squared);
     if (!(_e4)) {
@@ -1008,11 +903,11 @@ Decision exact_cylinder_filtered(
     ExactCrossing _e16 = exact_side_crossing(_e2, cylinder_13, ray_12, -(_e2.h) - root_7, root_7);
     ExactCrossing _e20 = exact_side_crossing(_e2, cylinder_13, ray_12, -(_e2.h) + root_7, root_7);
     if (_e16.behind) {
-        local_39 = _e20.straight;
+        local_26 = _e20.straight;
     } else {
-        local_39 = false;
+        local_26 = false;
     }
-    bool _e26 = local_39;
+    bool _e26 = local_26;
     if (_e26) {
         Decision _e29 = decision_hit(_e20.lambda, SIDE);
         return _e29;
@@ -1025,16 +920,16 @@ Decision exact_cylinder_filtered(
     if (_e34) {
         if (!(_e20.hits)) {
             bool _e41 = exact_crossing_fails(_e20);
-            local_41 = _e41;
+            local_28 = _e41;
         } else {
-            local_41 = true;
+            local_28 = true;
         }
-        bool _e43 = local_41;
-        local_40 = _e43;
+        bool _e43 = local_28;
+        local_27 = _e43;
     } else {
-        local_40 = false;
+        local_27 = false;
     }
-    bool _e45 = local_40;
+    bool _e45 = local_27;
     if (!(_e45)) {
         Decision _e47 = decision_uncertain();
         return _e47;
@@ -1049,11 +944,11 @@ Decision exact_cylinder_filtered(
     metal::float3 along_3 = cylinder_13.axis * half_1;
     Decision _e64 = exact_cap_filtered(cylinder_13, ray_12, cylinder_13.center - along_3, down ? TOP : BOTTOM);
     if (!(!(_e64.certain))) {
-        local_42 = _e64.some;
+        local_29 = _e64.some;
     } else {
-        local_42 = true;
+        local_29 = true;
     }
-    bool _e72 = local_42;
+    bool _e72 = local_29;
     if (_e72) {
         return _e64;
     }
@@ -1175,20 +1070,20 @@ bool dd_less(
     DoubleDouble a_15,
     DoubleDouble b_9
 ) {
-    bool local_43 = {};
-    bool local_44 = {};
+    bool local_30 = {};
+    bool local_31 = {};
     if (!((a_15.high < b_9.high))) {
         if (a_15.high == b_9.high) {
-            local_44 = a_15.low < b_9.low;
+            local_31 = a_15.low < b_9.low;
         } else {
-            local_44 = false;
+            local_31 = false;
         }
-        bool _e17 = local_44;
-        local_43 = _e17;
+        bool _e17 = local_31;
+        local_30 = _e17;
     } else {
-        local_43 = true;
+        local_30 = true;
     }
-    bool _e19 = local_43;
+    bool _e19 = local_30;
     return _e19;
 }
 
@@ -1196,20 +1091,20 @@ bool dd_less_equal(
     DoubleDouble a_16,
     DoubleDouble b_10
 ) {
-    bool local_45 = {};
-    bool local_46 = {};
+    bool local_32 = {};
+    bool local_33 = {};
     if (!((a_16.high < b_10.high))) {
         if (a_16.high == b_10.high) {
-            local_46 = a_16.low <= b_10.low;
+            local_33 = a_16.low <= b_10.low;
         } else {
-            local_46 = false;
+            local_33 = false;
         }
-        bool _e17 = local_46;
-        local_45 = _e17;
+        bool _e17 = local_33;
+        local_32 = _e17;
     } else {
-        local_45 = true;
+        local_32 = true;
     }
-    bool _e19 = local_45;
+    bool _e19 = local_32;
     return _e19;
 }
 
@@ -1293,11 +1188,11 @@ DoubleDouble dd3_magnitude(
 
 DoubleDouble3_ dd3_perpendicular_to(
     DoubleDouble3_ v_12,
-    DoubleDouble3_ axis_2,
+    DoubleDouble3_ axis_3,
     thread real& exact_one
 ) {
-    DoubleDouble _e2 = dd3_dot(v_12, axis_2, exact_one);
-    DoubleDouble3_ _e3 = dd3_scaled(axis_2, _e2, exact_one);
+    DoubleDouble _e2 = dd3_dot(v_12, axis_3, exact_one);
+    DoubleDouble3_ _e3 = dd3_scaled(axis_3, _e2, exact_one);
     DoubleDouble3_ _e4 = dd3_sub(v_12, _e3, exact_one);
     return _e4;
 }
@@ -1318,9 +1213,9 @@ PreciseDecision precise_miss(
 
 PreciseDecision precise_hit(
     DoubleDouble lambda_7,
-    uint part_3
+    uint part_4
 ) {
-    return PreciseDecision {true, true, {}, lambda_7, part_3};
+    return PreciseDecision {true, true, {}, lambda_7, part_4};
 }
 
 PreciseBound precise_bound_new(
@@ -1350,17 +1245,17 @@ bool precise_in_scale(
     DoubleDouble length_squared_3,
     thread real& exact_one
 ) {
-    bool local_47 = {};
+    bool local_34 = {};
     DoubleDouble _e2 = dd_constant(SHORTEST_SQUARED, exact_one);
     bool _e3 = dd_less_equal(_e2, length_squared_3);
     if (_e3) {
         DoubleDouble _e7 = dd_constant(LONGEST_SQUARED, exact_one);
         bool _e8 = dd_less_equal(length_squared_3, _e7);
-        local_47 = _e8;
+        local_34 = _e8;
     } else {
-        local_47 = false;
+        local_34 = false;
     }
-    bool _e10 = local_47;
+    bool _e10 = local_34;
     return _e10;
 }
 
@@ -1400,8 +1295,8 @@ PreciseOutcome precise_bound_root(
     DoubleDouble root_4,
     thread real& exact_one
 ) {
-    bool local_48 = {};
-    bool local_49 = {};
+    bool local_35 = {};
+    bool local_36 = {};
     DoubleDouble _e4 = dd_div(numerator_4, a_21, exact_one);
     real share_1 = bound_5.limits.share;
     DoubleDouble _e8 = dd_constant(share_1, exact_one);
@@ -1417,29 +1312,29 @@ PreciseOutcome precise_bound_root(
     DoubleDouble _e23 = dd_constant(ERROR_OVERFLOW, exact_one);
     bool _e24 = dd_less(bound_5.size, _e23);
     if (_e20) {
-        local_48 = _e24;
+        local_35 = _e24;
     } else {
-        local_48 = false;
+        local_35 = false;
     }
-    bool _e28 = local_48;
+    bool _e28 = local_35;
     if (_e28) {
         bool _e32 = precise_in_range(bound_5.limits, _e4, exact_one);
-        local_49 = _e32;
+        local_36 = _e32;
     } else {
-        local_49 = false;
+        local_36 = false;
     }
-    bool hits_2 = local_49;
+    bool hits_2 = local_36;
     bool _e35 = precise_bound_is_too_small(bound_5, a_21, numerator_4, root_4, exact_one);
     return PreciseOutcome {_e4, hits_2, _e35};
 }
 
 PreciseCylinder precise_cylinder_new(
-    metal::float3 center_3,
-    real radius_1,
-    metal::float3 axis_3,
+    metal::float3 center_4,
+    real radius_2,
+    metal::float3 axis_4,
     thread real& exact_one
 ) {
-    DoubleDouble3_ _e3 = dd3_of(axis_3);
+    DoubleDouble3_ _e3 = dd3_of(axis_4);
     DoubleDouble _e4 = dd3_dot(_e3, _e3, exact_one);
     DoubleDouble _e6 = dd_constant(SHORT_SQUARED, exact_one);
     bool _e7 = dd_less(_e4, _e6);
@@ -1449,10 +1344,10 @@ PreciseCylinder precise_cylinder_new(
     DoubleDouble _e14 = dd_sqrt(_e13, exact_one);
     DoubleDouble _e18 = dd_constant(_e7 ? SHORT_SQUARED : 1.0, exact_one);
     DoubleDouble _e19 = dd_mul(_e14, _e18, exact_one);
-    DoubleDouble _e20 = dd_of(radius_1);
+    DoubleDouble _e20 = dd_of(radius_2);
     DoubleDouble _e22 = dd_constant(2.0, exact_one);
     DoubleDouble _e23 = dd_div(_e19, _e22, exact_one);
-    DoubleDouble3_ _e24 = dd3_of(center_3);
+    DoubleDouble3_ _e24 = dd3_of(center_4);
     DoubleDouble3_ _e25 = dd3_divided(_e12, _e14, exact_one);
     DoubleDouble _e26 = dd_mul(_e20, _e20, exact_one);
     return PreciseCylinder {_e24, _e25, _e20, _e26, _e23};
@@ -1519,91 +1414,91 @@ PreciseSide precise_side_new(
 }
 
 PreciseCrossing precise_side_crossing(
-    PreciseSide side_3,
+    PreciseSide side_2,
     PreciseCylinder cylinder_17,
     DoubleDouble3_ direction_3,
     DoubleDouble numerator_5,
     DoubleDouble root_5,
     thread real& exact_one
 ) {
-    bool local_50 = {};
-    bool local_51 = {};
-    bool local_52 = {};
-    bool local_53 = {};
-    bool local_54 = {};
-    bool local_55 = {};
+    bool local_37 = {};
+    bool local_38 = {};
+    bool local_39 = {};
+    bool local_40 = {};
+    bool local_41 = {};
+    bool local_42 = {};
     DoubleDouble _e8 = dd_constant(77371252000000000000000000.0, exact_one);
-    DoubleDouble _e9 = dd_mul(side_3.a, _e8, exact_one);
-    bool _e10 = dd_less_equal(side_3.length_squared, _e9);
-    PreciseOutcome _e13 = precise_bound_root(side_3.bound, side_3.a, numerator_5, root_5, exact_one);
-    DoubleDouble _e17 = dd_mul(_e13.lambda, side_3.slope, exact_one);
-    DoubleDouble _e18 = dd_add(side_3.along, _e17, exact_one);
+    DoubleDouble _e9 = dd_mul(side_2.a, _e8, exact_one);
+    bool _e10 = dd_less_equal(side_2.length_squared, _e9);
+    PreciseOutcome _e13 = precise_bound_root(side_2.bound, side_2.a, numerator_5, root_5, exact_one);
+    DoubleDouble _e17 = dd_mul(_e13.lambda, side_2.slope, exact_one);
+    DoubleDouble _e18 = dd_add(side_2.along, _e17, exact_one);
     DoubleDouble _e20 = precise_cylinder_margin(cylinder_17, direction_3, _e13.lambda, exact_one);
     if (_e10) {
-        local_50 = _e13.hits;
+        local_37 = _e13.hits;
     } else {
-        local_50 = false;
+        local_37 = false;
     }
-    bool accurate_3 = local_50;
+    bool accurate_3 = local_37;
     DoubleDouble _e27 = dd_sub(cylinder_17.half_height, _e20, exact_one);
     DoubleDouble _e29 = dd_add(cylinder_17.half_height, _e20, exact_one);
     if (accurate_3) {
         DoubleDouble _e32 = dd_abs(_e18);
         bool _e33 = dd_less(_e32, _e27);
-        local_51 = _e33;
+        local_38 = _e33;
     } else {
-        local_51 = false;
+        local_38 = false;
     }
-    bool hits_3 = local_51;
+    bool hits_3 = local_38;
     if (hits_3) {
-        DoubleDouble _e40 = dd_abs(side_3.along);
+        DoubleDouble _e40 = dd_abs(side_2.along);
         bool _e41 = dd_less(_e40, _e27);
-        local_52 = _e41;
+        local_39 = _e41;
     } else {
-        local_52 = false;
+        local_39 = false;
     }
-    bool _e43 = local_52;
+    bool _e43 = local_39;
     if (_e10) {
-        local_53 = _e13.fails;
+        local_40 = _e13.fails;
     } else {
-        local_53 = false;
+        local_40 = false;
     }
-    bool _e48 = local_53;
+    bool _e48 = local_40;
     if (accurate_3) {
         bool _e51 = dd_less(_e29, _e18);
-        local_54 = _e51;
+        local_41 = _e51;
     } else {
-        local_54 = false;
+        local_41 = false;
     }
-    bool _e53 = local_54;
+    bool _e53 = local_41;
     if (accurate_3) {
         DoubleDouble _e56 = dd_neg(_e18);
         bool _e57 = dd_less(_e29, _e56);
-        local_55 = _e57;
+        local_42 = _e57;
     } else {
-        local_55 = false;
+        local_42 = false;
     }
-    bool _e59 = local_55;
+    bool _e59 = local_42;
     return PreciseCrossing {_e13.lambda, hits_3, _e43, _e48, _e53, _e59};
 }
 
 bool precise_crossing_fails(
     PreciseCrossing crossing_1
 ) {
-    bool local_56 = {};
-    bool local_57 = {};
+    bool local_43 = {};
+    bool local_44 = {};
     if (!(crossing_1.behind)) {
-        local_56 = crossing_1.above;
+        local_43 = crossing_1.above;
     } else {
-        local_56 = true;
+        local_43 = true;
     }
-    bool _e7 = local_56;
+    bool _e7 = local_43;
     if (!(_e7)) {
-        local_57 = crossing_1.below;
+        local_44 = crossing_1.below;
     } else {
-        local_57 = true;
+        local_44 = true;
     }
-    bool _e13 = local_57;
+    bool _e13 = local_44;
     return _e13;
 }
 
@@ -1611,34 +1506,34 @@ bool precise_crossing_passes_by(
     PreciseCrossing entry_1,
     PreciseCrossing leaving_1
 ) {
-    bool local_58 = {};
-    bool local_59 = {};
-    bool local_60 = {};
-    bool local_61 = {};
+    bool local_45 = {};
+    bool local_46 = {};
+    bool local_47 = {};
+    bool local_48 = {};
     if (!(leaving_1.behind)) {
         if (entry_1.above) {
-            local_59 = leaving_1.above;
+            local_46 = leaving_1.above;
         } else {
-            local_59 = false;
+            local_46 = false;
         }
-        bool _e11 = local_59;
-        local_58 = _e11;
+        bool _e11 = local_46;
+        local_45 = _e11;
     } else {
-        local_58 = true;
+        local_45 = true;
     }
-    bool _e13 = local_58;
+    bool _e13 = local_45;
     if (!(_e13)) {
         if (entry_1.below) {
-            local_61 = leaving_1.below;
+            local_48 = leaving_1.below;
         } else {
-            local_61 = false;
+            local_48 = false;
         }
-        bool _e22 = local_61;
-        local_60 = _e22;
+        bool _e22 = local_48;
+        local_47 = _e22;
     } else {
-        local_60 = true;
+        local_47 = true;
     }
-    bool _e24 = local_60;
+    bool _e24 = local_47;
     return _e24;
 }
 
@@ -1646,20 +1541,20 @@ PreciseDecision precise_cap_filtered(
     PreciseCylinder cylinder_18,
     DoubleDouble3_ origin_2,
     DoubleDouble3_ direction_4,
-    DoubleDouble3_ center_4,
-    uint part_4,
+    DoubleDouble3_ center_5,
+    uint part_5,
     thread real& exact_one
 ) {
     DoubleDouble distance = {};
-    bool local_62 = {};
-    bool local_63 = {};
-    bool local_64 = {};
-    bool local_65 = {};
-    bool local_66 = {};
-    bool local_67 = {};
-    bool local_68 = {};
+    bool local_49 = {};
+    bool local_50 = {};
+    bool local_51 = {};
+    bool local_52 = {};
+    bool local_53 = {};
+    bool local_54 = {};
+    bool local_55 = {};
     DoubleDouble _e6 = dd_constant(0.00000001, exact_one);
-    DoubleDouble3_ _e7 = dd3_sub(center_4, origin_2, exact_one);
+    DoubleDouble3_ _e7 = dd3_sub(center_5, origin_2, exact_one);
     DoubleDouble _e9 = dd3_dot(_e7, cylinder_18.axis, exact_one);
     DoubleDouble _e11 = dd3_dot(direction_4, cylinder_18.axis, exact_one);
     DoubleDouble _e12 = dd_abs(_e11);
@@ -1693,11 +1588,11 @@ PreciseDecision precise_cap_filtered(
         DoubleDouble _e39 = dd_constant(0.001, exact_one);
         DoubleDouble _e40 = dd_mul(_e37, _e39, exact_one);
         bool _e41 = dd_less(_e34, _e40);
-        local_62 = _e41;
+        local_49 = _e41;
     } else {
-        local_62 = false;
+        local_49 = false;
     }
-    bool _e43 = local_62;
+    bool _e43 = local_49;
     if (_e43) {
         PreciseDecision _e44 = precise_miss(exact_one);
         return _e44;
@@ -1711,57 +1606,57 @@ PreciseDecision precise_cap_filtered(
         DoubleDouble _e54 = dd_constant(8796093000000.0, exact_one);
         DoubleDouble _e55 = dd_mul(_e12, _e54, exact_one);
         bool _e56 = dd_less(_e13, _e55);
-        local_63 = _e56;
+        local_50 = _e56;
     } else {
-        local_63 = false;
+        local_50 = false;
     }
-    bool accurate_4 = local_63;
+    bool accurate_4 = local_50;
     if (accurate_4) {
         PreciseLimits _e61 = precise_cylinder_limits();
         bool _e62 = precise_in_range(_e61, _e45, exact_one);
-        local_64 = _e62;
+        local_51 = _e62;
     } else {
-        local_64 = false;
+        local_51 = false;
     }
-    bool is_in_range_1 = local_64;
+    bool is_in_range_1 = local_51;
     DoubleDouble3_ _e65 = dd3_scaled(direction_4, _e45, exact_one);
     DoubleDouble3_ _e66 = dd3_add(origin_2, _e65, exact_one);
-    DoubleDouble3_ _e67 = dd3_sub(_e66, center_4, exact_one);
+    DoubleDouble3_ _e67 = dd3_sub(_e66, center_5, exact_one);
     DoubleDouble _e68 = dd3_dot(_e67, _e67, exact_one);
     DoubleDouble _e69 = dd_sqrt(_e68, exact_one);
     DoubleDouble _e70 = precise_cylinder_margin(cylinder_18, direction_4, _e45, exact_one);
     if (_e21) {
-        local_65 = is_in_range_1;
+        local_52 = is_in_range_1;
     } else {
-        local_65 = false;
+        local_52 = false;
     }
-    bool _e74 = local_65;
+    bool _e74 = local_52;
     if (_e74) {
         DoubleDouble _e78 = dd_sub(cylinder_18.radius, _e70, exact_one);
         bool _e79 = dd_less(_e69, _e78);
-        local_66 = _e79;
+        local_53 = _e79;
     } else {
-        local_66 = false;
+        local_53 = false;
     }
-    bool _e81 = local_66;
+    bool _e81 = local_53;
     if (_e81) {
-        PreciseDecision _e82 = precise_hit(_e45, part_4);
+        PreciseDecision _e82 = precise_hit(_e45, part_5);
         return _e82;
     }
     if (_e21) {
-        local_67 = is_in_range_1;
+        local_54 = is_in_range_1;
     } else {
-        local_67 = false;
+        local_54 = false;
     }
-    bool _e86 = local_67;
+    bool _e86 = local_54;
     if (_e86) {
         DoubleDouble _e90 = dd_add(cylinder_18.radius, _e70, exact_one);
         bool _e91 = dd_less(_e90, _e69);
-        local_68 = _e91;
+        local_55 = _e91;
     } else {
-        local_68 = false;
+        local_55 = false;
     }
-    bool _e93 = local_68;
+    bool _e93 = local_55;
     if (_e93) {
         PreciseDecision _e94 = precise_miss(exact_one);
         return _e94;
@@ -1771,18 +1666,18 @@ PreciseDecision precise_cap_filtered(
 }
 
 PreciseDecision precise_cylinder_filtered(
-    metal::float3 center_5,
-    real radius_2,
-    metal::float3 axis_4,
+    metal::float3 center_6,
+    real radius_3,
+    metal::float3 axis_5,
     Ray ray_13,
     thread real& exact_one
 ) {
-    bool local_69 = {};
-    bool local_70 = {};
-    bool local_71 = {};
+    bool local_56 = {};
+    bool local_57 = {};
+    bool local_58 = {};
     DoubleDouble half_ = {};
-    bool local_72 = {};
-    PreciseCylinder _e4 = precise_cylinder_new(center_5, radius_2, axis_4, exact_one);
+    bool local_59 = {};
+    PreciseCylinder _e4 = precise_cylinder_new(center_6, radius_3, axis_5, exact_one);
     DoubleDouble3_ _e6 = dd3_of(ray_13.origin);
     DoubleDouble3_ _e8 = dd3_of(ray_13.direction);
     PreciseSide _e9 = precise_side_new(_e4, _e6, _e8, exact_one);
@@ -1804,11 +1699,11 @@ PreciseDecision precise_cylinder_filtered(
     DoubleDouble _e26 = dd_add(_e25, _e19, exact_one);
     PreciseCrossing _e27 = precise_side_crossing(_e9, _e4, _e8, _e26, _e19, exact_one);
     if (_e23.behind) {
-        local_69 = _e27.straight;
+        local_56 = _e27.straight;
     } else {
-        local_69 = false;
+        local_56 = false;
     }
-    bool _e33 = local_69;
+    bool _e33 = local_56;
     if (_e33) {
         PreciseDecision _e36 = precise_hit(_e27.lambda, SIDE);
         return _e36;
@@ -1821,16 +1716,16 @@ PreciseDecision precise_cylinder_filtered(
     if (_e41) {
         if (!(_e27.hits)) {
             bool _e48 = precise_crossing_fails(_e27);
-            local_71 = _e48;
+            local_58 = _e48;
         } else {
-            local_71 = true;
+            local_58 = true;
         }
-        bool _e50 = local_71;
-        local_70 = _e50;
+        bool _e50 = local_58;
+        local_57 = _e50;
     } else {
-        local_70 = false;
+        local_57 = false;
     }
-    bool _e52 = local_70;
+    bool _e52 = local_57;
     if (!(_e52)) {
         PreciseDecision _e54 = precise_uncertain(exact_one);
         return _e54;
@@ -1853,11 +1748,11 @@ PreciseDecision precise_cylinder_filtered(
     DoubleDouble3_ _e69 = dd3_sub(_e4.center, _e67, exact_one);
     PreciseDecision _e73 = precise_cap_filtered(_e4, _e6, _e8, _e69, _e60 ? TOP : BOTTOM, exact_one);
     if (!(!(_e73.certain))) {
-        local_72 = _e73.some;
+        local_59 = _e73.some;
     } else {
-        local_72 = true;
+        local_59 = true;
     }
-    bool _e81 = local_72;
+    bool _e81 = local_59;
     if (_e81) {
         return _e73;
     }
@@ -1873,12 +1768,12 @@ PreciseDecision precise_cylinder_filtered(
 real exact_code(
     bool certain,
     bool some,
-    uint part_5
+    uint part_6
 ) {
     if (!(certain)) {
         return 0.0;
     }
-    return some ? static_cast<float>(2u + part_5) : 1.0;
+    return some ? static_cast<float>(2u + part_6) : 1.0;
 }
 
 ExactReport exact_report(
@@ -1938,10 +1833,10 @@ kernel void exact_cylinder(
     metal::float3 _e22 = vec3_load(_e21);
     PackedVec3_ _e27 = cases[id.x].axis;
     metal::float3 _e28 = vec3_load(_e27);
-    real radius_3 = cases[id.x].radius;
-    CylinderRecord _e34 = cylinder_new(_e22, radius_3, _e28);
+    real radius_4 = cases[id.x].radius;
+    CylinderRecord _e34 = cylinder_new(_e22, radius_4, _e28);
     Decision _e35 = exact_cylinder_filtered(_e34, _e16);
-    PreciseDecision _e36 = precise_cylinder_filtered(_e22, radius_3, _e28, _e16, exact_one);
+    PreciseDecision _e36 = precise_cylinder_filtered(_e22, radius_4, _e28, _e16, exact_one);
     Decision _e40 = decision_uncertain();
     ExactReport _e41 = exact_report(_e35, _e40, _e36);
     reports[id.x] = _e41;

@@ -221,21 +221,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 ExactSum exact_two_sum(
@@ -262,11 +248,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -274,10 +255,7 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
-    }
-    return Hit {point, -(outward), front};
+    return Hit {point, front ? outward : -(outward), front};
 }
 
 SphereRecord sphere_new(
@@ -333,12 +311,8 @@ Root sphere_intersect(
     real _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if (_e8.discriminant < 0.0) {
-        Root _e12 = root_none();
-        return _e12;
-    }
-    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    return _e15;
+    Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return Root {!((_e8.discriminant < 0.0)) & _e11.some, {}, _e11.lambda};
 }
 
 UnitAndLength vec3_unit_and_length(
@@ -367,35 +341,28 @@ bool tie_is_closer(
     real closest_1,
     uint closest_order
 ) {
-    bool local_2 = {};
-    bool local_3 = {};
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = order >= closest_order;
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+}
+
+CylinderRecord cylinder_with_unit_axis(
+    metal::float3 center_1,
+    real radius_1,
+    metal::float3 axis_1,
+    real half_height
+) {
+    metal::float3 to_cap = axis_1 * half_height;
+    return CylinderRecord {center_1, axis_1, center_1 + to_cap, center_1 - to_cap, radius_1, radius_1 * radius_1, half_height};
 }
 
 CylinderRecord cylinder_new(
-    metal::float3 center_1,
-    real radius_1,
-    metal::float3 axis_1
+    metal::float3 center_2,
+    real radius_2,
+    metal::float3 axis_2
 ) {
-    UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    real half_height = _e3.length / 2.0;
-    metal::float3 half_axis = _e3.direction * half_height;
-    metal::float3 top = center_1 + half_axis;
-    metal::float3 bottom = center_1 - half_axis;
-    return CylinderRecord {center_1, _e3.direction, top, bottom, radius_1, radius_1 * radius_1, half_height};
+    UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    CylinderRecord _e8 = cylinder_with_unit_axis(center_2, radius_2, _e3.direction, _e3.length / 2.0);
+    return _e8;
 }
 
 CylinderView cylinder_seen_from(
@@ -433,64 +400,31 @@ Root cylinder_side(
     Ray ray_3,
     CylinderQuadratic quadratic
 ) {
-    bool local_4 = {};
-    bool local_5 = {};
-    bool local_6 = {};
     float root_5 = metal::sqrt(quadratic.discriminant);
     real near_1 = (-(quadratic.h) - root_5) / quadratic.a;
     real far_1 = (-(quadratic.h) + root_5) / quadratic.a;
     bool _e15 = in_range(near_1);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far_1);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root {_e31, {}, near_counts ? near_1 : far_1};
+    bool _e16 = cylinder_within_height(cylinder_3, ray_3, near_1);
+    bool near_counts = _e15 & _e16;
+    bool _e18 = in_range(far_1);
+    bool _e19 = cylinder_within_height(cylinder_3, ray_3, far_1);
+    bool far_counts = _e18 & _e19;
+    return Root {near_counts | far_counts, {}, near_counts ? near_1 : far_1};
 }
 
 Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_4,
-    metal::float3 center_2
+    metal::float3 center_3
 ) {
-    bool local_7 = {};
-    bool local_8 = {};
     real _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    real _e9 = vec3_dot(center_2 - ray_4.origin, cylinder_4.axis);
+    real _e9 = vec3_dot(center_3 - ray_4.origin, cylinder_4.axis);
     real lambda_9 = _e9 / _e5;
     metal::float3 _e11 = ray_at(ray_4, lambda_9);
-    real _e13 = vec3_length(_e11 - center_2);
+    real _e13 = vec3_length(_e11 - center_3);
     bool on_disc = _e13 <= cylinder_4.radius;
-    if (!((metal::abs(_e5) < 0.00000001))) {
-        bool _e22 = in_range(lambda_9);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root {_e28, {}, lambda_9};
+    bool _e20 = in_range(lambda_9);
+    return Root {(!((metal::abs(_e5) < 0.00000001)) & _e20) & on_disc, {}, lambda_9};
 }
 
 metal::float3 cylinder_outward(
@@ -498,18 +432,20 @@ metal::float3 cylinder_outward(
     uint part,
     metal::float3 point_2
 ) {
-    switch(part) {
-        case 0u: {
-            metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
+    metal::float3 cap = (part == TOP) ? cylinder_5.axis : -(cylinder_5.axis);
+    return (part == SIDE) ? _e6 : cap;
+}
+
+CylinderRoot cylinder_closer(
+    CylinderRoot closest_2,
+    Root later,
+    uint part_1
+) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = later.some & (!(closest_2.some) | _e8);
+    real lambda_10 = replaces ? later.lambda : closest_2.lambda;
+    return CylinderRoot {closest_2.some | later.some, {}, lambda_10, replaces ? part_1 : closest_2.part};
 }
 
 CylinderRoot cylinder_with_caps(
@@ -517,68 +453,23 @@ CylinderRoot cylinder_with_caps(
     Ray ray_5,
     Root side
 ) {
-    CylinderRoot closest_2 = {};
-    bool local_9 = {};
-    bool local_10 = {};
-    bool local_11 = {};
-    bool local_12 = {};
-    closest_2 = CylinderRoot {side.some, {}, side.lambda, SIDE};
-    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            real _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot {true, {}, _e9.lambda, TOP};
-    }
-    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            real _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot {true, {}, _e32.lambda, BOTTOM};
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    Root _e6 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot {side.some, {}, side.lambda, SIDE}, _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_7,
     Ray ray_6
 ) {
-    Root side_1 = {};
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_7, ray_6, _e5);
+    bool some_1 = !((_e5.discriminant < 0.0)) & _e6.some;
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_6, Root {some_1, {}, _e6.lambda});
+    return _e15;
 }
 
 metal::float3 vec3_load(
@@ -642,10 +533,10 @@ real exact_mul_add(
     real c,
     thread real& exact_one
 ) {
-    bool local_13 = {};
-    bool local_14 = {};
-    bool local_15 = {};
-    bool local_16 = {};
+    bool local = {};
+    bool local_1 = {};
+    bool local_2 = {};
+    bool local_3 = {};
     ExactSum _e3 = exact_two_product(a_6, b_3, exact_one);
     real _e6 = exact_one;
     ExactSum _e7 = exact_two_sum(c, _e3.error, _e6);
@@ -659,29 +550,29 @@ real exact_mul_add(
     real neighbor = (_e22.sum * _e25) + (_e22.error * 1.5);
     bool is_tie = (_e22.error + _e22.error) == (neighbor - _e22.sum);
     if (0.0 < _e22.error) {
-        local_13 = 0.0 < _e17.error;
+        local = 0.0 < _e17.error;
     } else {
-        local_13 = false;
+        local = false;
     }
-    bool _e45 = local_13;
+    bool _e45 = local;
     if (!(_e45)) {
         if (_e22.error < 0.0) {
-            local_15 = _e17.error < 0.0;
+            local_2 = _e17.error < 0.0;
         } else {
-            local_15 = false;
+            local_2 = false;
         }
-        bool _e56 = local_15;
-        local_14 = _e56;
+        bool _e56 = local_2;
+        local_1 = _e56;
     } else {
-        local_14 = true;
+        local_1 = true;
     }
-    bool same_side = local_14;
+    bool same_side = local_1;
     if (is_tie) {
-        local_16 = same_side;
+        local_3 = same_side;
     } else {
-        local_16 = false;
+        local_3 = false;
     }
-    bool _e63 = local_16;
+    bool _e63 = local_3;
     return _e63 ? neighbor : _e22.sum;
 }
 
@@ -697,21 +588,21 @@ Decision decision_miss(
 
 Decision decision_hit(
     real lambda_5,
-    uint part_1
+    uint part_2
 ) {
-    return Decision {true, true, {}, lambda_5, part_1};
+    return Decision {true, true, {}, lambda_5, part_2};
 }
 
 bool exact_in_scale(
     real length_squared
 ) {
-    bool local_17 = {};
+    bool local_4 = {};
     if (SHORTEST_SQUARED <= length_squared) {
-        local_17 = length_squared <= LONGEST_SQUARED;
+        local_4 = length_squared <= LONGEST_SQUARED;
     } else {
-        local_17 = false;
+        local_4 = false;
     }
-    bool _e8 = local_17;
+    bool _e8 = local_4;
     return _e8;
 }
 
@@ -746,27 +637,27 @@ Outcome error_bound_root(
     real numerator_1,
     real root_1
 ) {
-    bool local_18 = {};
-    bool local_19 = {};
-    real lambda_10 = numerator_1 / a_8;
+    bool local_5 = {};
+    bool local_6 = {};
+    real lambda_11 = numerator_1 / a_8;
     real share = bound_2.limits.share;
     real least = ((bound_2.size * share) + ERROR_UNDERFLOW) + ((numerator_1 * numerator_1) * (share * 4.0));
     bool accurate = least < (root_1 * numerator_1);
     bool finite = bound_2.size < ERROR_OVERFLOW;
     if (accurate) {
-        local_18 = finite;
+        local_5 = finite;
     } else {
-        local_18 = false;
+        local_5 = false;
     }
-    bool _e24 = local_18;
+    bool _e24 = local_5;
     if (_e24) {
-        local_19 = bound_2.limits.most <= lambda_10;
+        local_6 = bound_2.limits.most <= lambda_11;
     } else {
-        local_19 = false;
+        local_6 = false;
     }
-    bool hits = local_19;
+    bool hits = local_6;
     bool _e32 = error_bound_is_too_small(bound_2, a_8, numerator_1, root_1);
-    return Outcome {lambda_10, hits, _e32};
+    return Outcome {lambda_11, hits, _e32};
 }
 
 Limits exact_sphere_limits(
@@ -786,8 +677,8 @@ Decision exact_sphere_filtered(
     SphereRecord sphere_4,
     Ray ray_9
 ) {
-    bool local_20 = {};
-    bool local_21 = {};
+    bool local_7 = {};
+    bool local_8 = {};
     real _e4 = vec3_dot(ray_9.direction, ray_9.direction);
     SphereView _e6 = sphere_seen_from(sphere_4, ray_9.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_9.direction, _e4);
@@ -807,22 +698,22 @@ Decision exact_sphere_filtered(
     float root_6 = metal::sqrt(_e8.discriminant);
     Outcome _e23 = error_bound_root(_e12, _e4, _e8.h - root_6, root_6);
     if (!(_e23.fails)) {
-        local_20 = _e23.hits;
+        local_7 = _e23.hits;
     } else {
-        local_20 = false;
+        local_7 = false;
     }
-    bool _e30 = local_20;
+    bool _e30 = local_7;
     if (_e30) {
         Decision _e33 = decision_hit(_e23.lambda, SIDE);
         return _e33;
     }
     Outcome _e36 = error_bound_root(_e12, _e4, _e8.h + root_6, root_6);
     if (_e23.fails) {
-        local_21 = _e36.hits;
+        local_8 = _e36.hits;
     } else {
-        local_21 = false;
+        local_8 = false;
     }
-    bool _e42 = local_21;
+    bool _e42 = local_8;
     if (_e42) {
         Decision _e45 = decision_hit(_e36.lambda, SIDE);
         return _e45;
@@ -868,55 +759,55 @@ Decision exact_sphere_compensated(
     Ray ray_10,
     thread real& exact_one
 ) {
-    bool local_22 = {};
-    bool local_23 = {};
-    bool local_24 = {};
-    bool local_25 = {};
-    bool local_26 = {};
+    bool local_9 = {};
+    bool local_10 = {};
+    bool local_11 = {};
+    bool local_12 = {};
+    bool local_13 = {};
     real _e4 = vec3_dot(ray_10.direction, ray_10.direction);
     SphereView _e6 = sphere_seen_from(sphere_6, ray_10.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_10.direction, _e4);
     float root_7 = metal::sqrt(_e8.discriminant);
     SquareTerms _e12 = exact_square_terms(sphere_6, ray_10.origin, exact_one);
     float denominator = metal::abs(_e8.h) + root_7;
-    float lambda_11 = metal::abs(_e12.difference) / denominator;
+    float lambda_12 = metal::abs(_e12.difference) / denominator;
     real size_1 = _e4 * _e12.sum;
     if ((size_1 + ERROR_UNDERFLOW) < ((root_7 * denominator) * 4096.0)) {
-        local_22 = size_1 < ERROR_OVERFLOW;
+        local_9 = size_1 < ERROR_OVERFLOW;
     } else {
-        local_22 = false;
+        local_9 = false;
     }
-    bool accurate_1 = local_22;
+    bool accurate_1 = local_9;
     bool c_is_large = ((_e12.sum * 0.0000000000000071054274) + ERROR_UNDERFLOW) < metal::abs(_e12.difference);
     bool ahead = 0.0 < (_e8.h * _e12.difference);
     bool _e46 = exact_in_scale(_e4);
     if (_e46) {
-        local_23 = accurate_1;
+        local_10 = accurate_1;
     } else {
-        local_23 = false;
+        local_10 = false;
     }
-    bool _e50 = local_23;
+    bool _e50 = local_10;
     if (_e50) {
-        local_24 = c_is_large;
+        local_11 = c_is_large;
     } else {
-        local_24 = false;
+        local_11 = false;
     }
-    bool _e54 = local_24;
+    bool _e54 = local_11;
     if (_e54) {
-        local_25 = ahead;
+        local_12 = ahead;
     } else {
-        local_25 = false;
+        local_12 = false;
     }
-    bool _e58 = local_25;
+    bool _e58 = local_12;
     if (_e58) {
         Limits _e61 = exact_sphere_limits();
-        local_26 = _e61.most <= lambda_11;
+        local_13 = _e61.most <= lambda_12;
     } else {
-        local_26 = false;
+        local_13 = false;
     }
-    bool _e65 = local_26;
+    bool _e65 = local_13;
     if (_e65) {
-        Decision _e67 = decision_hit(lambda_11, SIDE);
+        Decision _e67 = decision_hit(lambda_12, SIDE);
         return _e67;
     }
     Decision _e68 = decision_uncertain();
@@ -1033,20 +924,20 @@ bool dd_less(
     DoubleDouble a_17,
     DoubleDouble b_9
 ) {
-    bool local_27 = {};
-    bool local_28 = {};
+    bool local_14 = {};
+    bool local_15 = {};
     if (!((a_17.high < b_9.high))) {
         if (a_17.high == b_9.high) {
-            local_28 = a_17.low < b_9.low;
+            local_15 = a_17.low < b_9.low;
         } else {
-            local_28 = false;
+            local_15 = false;
         }
-        bool _e17 = local_28;
-        local_27 = _e17;
+        bool _e17 = local_15;
+        local_14 = _e17;
     } else {
-        local_27 = true;
+        local_14 = true;
     }
-    bool _e19 = local_27;
+    bool _e19 = local_14;
     return _e19;
 }
 
@@ -1054,20 +945,20 @@ bool dd_less_equal(
     DoubleDouble a_18,
     DoubleDouble b_10
 ) {
-    bool local_29 = {};
-    bool local_30 = {};
+    bool local_16 = {};
+    bool local_17 = {};
     if (!((a_18.high < b_10.high))) {
         if (a_18.high == b_10.high) {
-            local_30 = a_18.low <= b_10.low;
+            local_17 = a_18.low <= b_10.low;
         } else {
-            local_30 = false;
+            local_17 = false;
         }
-        bool _e17 = local_30;
-        local_29 = _e17;
+        bool _e17 = local_17;
+        local_16 = _e17;
     } else {
-        local_29 = true;
+        local_16 = true;
     }
-    bool _e19 = local_29;
+    bool _e19 = local_16;
     return _e19;
 }
 
@@ -1151,11 +1042,11 @@ DoubleDouble dd3_magnitude(
 
 DoubleDouble3_ dd3_perpendicular_to(
     DoubleDouble3_ v_11,
-    DoubleDouble3_ axis_2,
+    DoubleDouble3_ axis_3,
     thread real& exact_one
 ) {
-    DoubleDouble _e2 = dd3_dot(v_11, axis_2, exact_one);
-    DoubleDouble3_ _e3 = dd3_scaled(axis_2, _e2, exact_one);
+    DoubleDouble _e2 = dd3_dot(v_11, axis_3, exact_one);
+    DoubleDouble3_ _e3 = dd3_scaled(axis_3, _e2, exact_one);
     DoubleDouble3_ _e4 = dd3_sub(v_11, _e3, exact_one);
     return _e4;
 }
@@ -1176,9 +1067,9 @@ PreciseDecision precise_miss(
 
 PreciseDecision precise_hit(
     DoubleDouble lambda_6,
-    uint part_2
+    uint part_3
 ) {
-    return PreciseDecision {true, true, {}, lambda_6, part_2};
+    return PreciseDecision {true, true, {}, lambda_6, part_3};
 }
 
 PreciseBound precise_bound_new(
@@ -1208,17 +1099,17 @@ bool precise_in_scale(
     DoubleDouble length_squared_3,
     thread real& exact_one
 ) {
-    bool local_31 = {};
+    bool local_18 = {};
     DoubleDouble _e2 = dd_constant(SHORTEST_SQUARED, exact_one);
     bool _e3 = dd_less_equal(_e2, length_squared_3);
     if (_e3) {
         DoubleDouble _e7 = dd_constant(LONGEST_SQUARED, exact_one);
         bool _e8 = dd_less_equal(length_squared_3, _e7);
-        local_31 = _e8;
+        local_18 = _e8;
     } else {
-        local_31 = false;
+        local_18 = false;
     }
-    bool _e10 = local_31;
+    bool _e10 = local_18;
     return _e10;
 }
 
@@ -1258,8 +1149,8 @@ PreciseOutcome precise_bound_root(
     DoubleDouble root_3,
     thread real& exact_one
 ) {
-    bool local_32 = {};
-    bool local_33 = {};
+    bool local_19 = {};
+    bool local_20 = {};
     DoubleDouble _e4 = dd_div(numerator_3, a_23, exact_one);
     real share_1 = bound_5.limits.share;
     DoubleDouble _e8 = dd_constant(share_1, exact_one);
@@ -1275,18 +1166,18 @@ PreciseOutcome precise_bound_root(
     DoubleDouble _e23 = dd_constant(ERROR_OVERFLOW, exact_one);
     bool _e24 = dd_less(bound_5.size, _e23);
     if (_e20) {
-        local_32 = _e24;
+        local_19 = _e24;
     } else {
-        local_32 = false;
+        local_19 = false;
     }
-    bool _e28 = local_32;
+    bool _e28 = local_19;
     if (_e28) {
         bool _e32 = precise_in_range(bound_5.limits, _e4, exact_one);
-        local_33 = _e32;
+        local_20 = _e32;
     } else {
-        local_33 = false;
+        local_20 = false;
     }
-    bool hits_1 = local_33;
+    bool hits_1 = local_20;
     bool _e35 = precise_bound_is_too_small(bound_5, a_23, numerator_3, root_3, exact_one);
     return PreciseOutcome {_e4, hits_1, _e35};
 }
@@ -1297,19 +1188,19 @@ PreciseLimits precise_sphere_limits(
 }
 
 PreciseDecision precise_sphere_filtered(
-    metal::float3 center_3,
-    real radius_2,
+    metal::float3 center_4,
+    real radius_3,
     Ray ray_11,
     thread real& exact_one
 ) {
-    bool local_34 = {};
-    bool local_35 = {};
+    bool local_21 = {};
+    bool local_22 = {};
     DoubleDouble3_ _e4 = dd3_of(ray_11.direction);
     DoubleDouble _e5 = dd3_dot(_e4, _e4, exact_one);
-    DoubleDouble _e6 = dd_of(radius_2);
-    DoubleDouble _e7 = dd_of(radius_2);
+    DoubleDouble _e6 = dd_of(radius_3);
+    DoubleDouble _e7 = dd_of(radius_3);
     DoubleDouble _e8 = dd_mul(_e6, _e7, exact_one);
-    DoubleDouble3_ _e9 = dd3_of(center_3);
+    DoubleDouble3_ _e9 = dd3_of(center_4);
     DoubleDouble3_ _e11 = dd3_of(ray_11.origin);
     DoubleDouble3_ _e12 = dd3_sub(_e9, _e11, exact_one);
     DoubleDouble _e13 = dd3_dot(_e12, _e12, exact_one);
@@ -1335,11 +1226,11 @@ PreciseDecision precise_sphere_filtered(
     DoubleDouble _e28 = dd_sub(_e15, _e27, exact_one);
     PreciseOutcome _e29 = precise_bound_root(_e21, _e5, _e28, _e27, exact_one);
     if (!(_e29.fails)) {
-        local_34 = _e29.hits;
+        local_21 = _e29.hits;
     } else {
-        local_34 = false;
+        local_21 = false;
     }
-    bool _e36 = local_34;
+    bool _e36 = local_21;
     if (_e36) {
         PreciseDecision _e39 = precise_hit(_e29.lambda, SIDE);
         return _e39;
@@ -1347,11 +1238,11 @@ PreciseDecision precise_sphere_filtered(
     DoubleDouble _e40 = dd_add(_e15, _e27, exact_one);
     PreciseOutcome _e41 = precise_bound_root(_e21, _e5, _e40, _e27, exact_one);
     if (_e29.fails) {
-        local_35 = _e41.hits;
+        local_22 = _e41.hits;
     } else {
-        local_35 = false;
+        local_22 = false;
     }
-    bool _e47 = local_35;
+    bool _e47 = local_22;
     if (_e47) {
         PreciseDecision _e50 = precise_hit(_e41.lambda, SIDE);
         return _e50;
@@ -1367,12 +1258,12 @@ PreciseDecision precise_sphere_filtered(
 real exact_code(
     bool certain,
     bool some,
-    uint part_3
+    uint part_4
 ) {
     if (!(certain)) {
         return 0.0;
     }
-    return some ? static_cast<float>(2u + part_3) : 1.0;
+    return some ? static_cast<float>(2u + part_4) : 1.0;
 }
 
 ExactReport exact_report(
@@ -1430,11 +1321,11 @@ kernel void exact_sphere(
     Ray _e16 = ray_load(_e15);
     PackedVec3_ _e21 = cases[id.x].center;
     metal::float3 _e22 = vec3_load(_e21);
-    real radius_3 = cases[id.x].radius;
-    SphereRecord _e28 = sphere_new(_e22, radius_3);
+    real radius_4 = cases[id.x].radius;
+    SphereRecord _e28 = sphere_new(_e22, radius_4);
     Decision _e29 = exact_sphere_filtered(_e28, _e16);
     Decision _e30 = exact_sphere_compensated(_e28, _e16, exact_one);
-    PreciseDecision _e34 = precise_sphere_filtered(_e22, radius_3, _e16, exact_one);
+    PreciseDecision _e34 = precise_sphere_filtered(_e22, radius_4, _e16, exact_one);
     ExactReport _e35 = exact_report(_e29, _e30, _e34);
     reports[id.x] = _e35;
     return;

@@ -80,17 +80,13 @@ struct PackedRay {
 struct PlacedSphere {
     PackedVec3_ center;
     float radius;
-    float radius_squared;
     uint order;
     uint material;
 };
 struct PlacedCylinder {
     PackedVec3_ center;
     PackedVec3_ axis;
-    PackedVec3_ top;
-    PackedVec3_ bottom;
     float radius;
-    float radius_squared;
     float half_height;
     uint order;
     uint material;
@@ -216,21 +212,7 @@ vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
 }
 
 bool vec3_is_negligible(vec3 v_3) {
-    bool local = false;
-    bool local_1 = false;
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) && (abs(v_3.y) < 1e-8)) && (abs(v_3.z) < 1e-8));
 }
 
 vec3 ray_at(Ray ray, float lambda) {
@@ -241,17 +223,14 @@ bool in_range(float lambda_1) {
     return (0.001 <= lambda_1);
 }
 
-Root root_none() {
-    return Root(false, 0.0);
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front_1 = (_e3 < 0.0);
-    if (front_1) {
-        return Hit(point, outward, front_1);
-    }
-    return Hit(point, -(outward), front_1);
+    return Hit(point, (front_1 ? outward : -(outward)), front_1);
+}
+
+SphereRecord sphere_new(vec3 center, float radius) {
+    return SphereRecord(center, radius, (radius * radius));
 }
 
 SphereView sphere_seen_from(SphereRecord sphere, vec3 origin) {
@@ -283,12 +262,8 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_1) {
     float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if ((_e8.discriminant < 0.0)) {
-        Root _e12 = root_none();
-        return _e12;
-    }
-    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    return _e15;
+    Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return Root((!((_e8.discriminant < 0.0)) && _e11.some), _e11.lambda);
 }
 
 bool tie_later_is_closer(float lambda_2, float closest) {
@@ -296,22 +271,13 @@ bool tie_later_is_closer(float lambda_2, float closest) {
 }
 
 bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order) {
-    bool local_2 = false;
-    bool local_3 = false;
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = (order >= closest_order);
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return (_e4 && ((lambda_3 < closest_1) || (order >= closest_order)));
+}
+
+CylinderRecord cylinder_with_unit_axis(vec3 center_1, float radius_1, vec3 axis_1, float half_height) {
+    vec3 to_cap = (axis_1 * half_height);
+    return CylinderRecord(center_1, axis_1, (center_1 + to_cap), (center_1 - to_cap), radius_1, (radius_1 * radius_1), half_height);
 }
 
 CylinderView cylinder_seen_from(CylinderRecord cylinder, vec3 origin_1) {
@@ -334,137 +300,57 @@ bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4
 }
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic) {
-    bool local_4 = false;
-    bool local_5 = false;
-    bool local_6 = false;
     float root_1 = sqrt(quadratic.discriminant);
     float near_1 = ((-(quadratic.h) - root_1) / quadratic.a);
     float far_1 = ((-(quadratic.h) + root_1) / quadratic.a);
     bool _e15 = in_range(near_1);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far_1);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root(_e31, (near_counts ? near_1 : far_1));
+    bool _e16 = cylinder_within_height(cylinder_3, ray_3, near_1);
+    bool near_counts = (_e15 && _e16);
+    bool _e18 = in_range(far_1);
+    bool _e19 = cylinder_within_height(cylinder_3, ray_3, far_1);
+    bool far_counts = (_e18 && _e19);
+    return Root((near_counts || far_counts), (near_counts ? near_1 : far_1));
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, vec3 center) {
-    bool local_7 = false;
-    bool local_8 = false;
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, vec3 center_2) {
     float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    float _e9 = vec3_dot((center - ray_4.origin), cylinder_4.axis);
+    float _e9 = vec3_dot((center_2 - ray_4.origin), cylinder_4.axis);
     float lambda_7 = (_e9 / _e5);
     vec3 _e11 = ray_at(ray_4, lambda_7);
-    float _e13 = vec3_length((_e11 - center));
+    float _e13 = vec3_length((_e11 - center_2));
     bool on_disc = (_e13 <= cylinder_4.radius);
-    if (!((abs(_e5) < 1e-8))) {
-        bool _e22 = in_range(lambda_7);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root(_e28, lambda_7);
+    bool _e20 = in_range(lambda_7);
+    return Root(((!((abs(_e5) < 1e-8)) && _e20) && on_disc), lambda_7);
 }
 
 vec3 cylinder_outward(CylinderRecord cylinder_5, uint part, vec3 point_2) {
-    switch(part) {
-        case 0u: {
-            vec3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    vec3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center), cylinder_5.axis);
+    vec3 cap = ((part == TOP) ? cylinder_5.axis : -(cylinder_5.axis));
+    return ((part == SIDE) ? _e6 : cap);
+}
+
+CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = (later.some && (!(closest_2.some) || _e8));
+    float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
+    return CylinderRoot((closest_2.some || later.some), lambda_8, (replaces ? part_1 : closest_2.part));
 }
 
 CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side) {
-    CylinderRoot closest_2 = CylinderRoot(false, 0.0, 0u);
-    bool local_9 = false;
-    bool local_10 = false;
-    bool local_11 = false;
-    bool local_12 = false;
-    closest_2 = CylinderRoot(side.some, side.lambda, SIDE);
-    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            float _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot(true, _e9.lambda, TOP);
-    }
-    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            float _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot(true, _e32.lambda, BOTTOM);
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    Root _e6 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot(side.some, side.lambda, SIDE), _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6) {
-    Root side_1 = Root(false, 0.0);
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_7, ray_6, _e5);
+    bool some = (!((_e5.discriminant < 0.0)) && _e6.some);
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_6, Root(some, _e6.lambda));
+    return _e15;
 }
 
 Ray camera_ray(Camera camera, float row, float column, vec2 offset) {
@@ -483,10 +369,7 @@ vec3 background_color(Background background, vec3 direction_2) {
 vec3 scatter_matte(vec3 normal, vec3 vector) {
     vec3 direction_8 = (normal + vector);
     bool _e3 = vec3_is_negligible(direction_8);
-    if (_e3) {
-        return normal;
-    }
-    return direction_8;
+    return (_e3 ? normal : direction_8);
 }
 
 vec3 scatter_reflect(vec3 direction_3, vec3 normal_1) {
@@ -545,15 +428,15 @@ PackedRay ray_store(Ray ray_8) {
 
 SphereRecord sphere_load(PlacedSphere sphere_3) {
     vec3 _e2 = vec3_load(sphere_3.center);
-    return SphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
+    SphereRecord _e4 = sphere_new(_e2, sphere_3.radius);
+    return _e4;
 }
 
 CylinderRecord cylinder_load(PlacedCylinder cylinder_8) {
-    vec3 _e2 = vec3_load(cylinder_8.center);
-    vec3 _e4 = vec3_load(cylinder_8.axis);
-    vec3 _e6 = vec3_load(cylinder_8.top);
-    vec3 _e8 = vec3_load(cylinder_8.bottom);
-    return CylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
+    vec3 _e2 = vec3_load(cylinder_8.axis);
+    vec3 _e4 = vec3_load(cylinder_8.center);
+    CylinderRecord _e7 = cylinder_with_unit_axis(_e4, cylinder_8.radius, _e2, cylinder_8.half_height);
+    return _e7;
 }
 
 Material material_load(PackedMaterial material) {
@@ -582,94 +465,78 @@ Background picture_background() {
 }
 
 bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1) {
-    bool local_13 = false;
-    if (!(!(closest_3.some))) {
-        bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
-        local_13 = _e10;
-    } else {
-        local_13 = true;
-    }
-    bool _e12 = local_13;
-    return _e12;
+    bool _e7 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+    return (!(closest_3.some) || _e7);
 }
 
 ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_9, uint index_1) {
-    bool local_14 = false;
-    PlacedSphere _e5 = _group_0_binding_1_cs[index_1];
-    SphereRecord _e6 = sphere_load(_e5);
+    ClosestHit result = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
+    PlacedSphere placed = _group_0_binding_1_cs[index_1];
+    SphereRecord _e6 = sphere_load(placed);
     Root _e7 = sphere_intersect(_e6, ray_9);
-    uint order_2 = _group_0_binding_1_cs[index_1].order;
-    if (_e7.some) {
-        bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
-        local_14 = _e16;
-    } else {
-        local_14 = false;
+    uint order_2 = placed.order;
+    result = closest_4;
+    bool _e12 = is_closer(closest_4, _e7.lambda, order_2);
+    if ((_e7.some && _e12)) {
+        result = ClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
     }
-    bool _e18 = local_14;
-    if (_e18) {
-        return ClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
-    }
-    return closest_4;
+    ClosestHit _e19 = result;
+    return _e19;
 }
 
 ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_10, uint index_2) {
-    bool local_15 = false;
-    PlacedCylinder _e5 = _group_0_binding_2_cs[index_2];
-    CylinderRecord _e6 = cylinder_load(_e5);
+    ClosestHit result_1 = ClosestHit(false, 0.0, 0u, false, 0u, 0u);
+    PlacedCylinder placed_1 = _group_0_binding_2_cs[index_2];
+    CylinderRecord _e6 = cylinder_load(placed_1);
     CylinderRoot _e7 = cylinder_intersect(_e6, ray_10);
-    uint order_3 = _group_0_binding_2_cs[index_2].order;
-    if (_e7.some) {
-        bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
-        local_15 = _e16;
-    } else {
-        local_15 = false;
+    uint order_3 = placed_1.order;
+    result_1 = closest_5;
+    bool _e12 = is_closer(closest_5, _e7.lambda, order_3);
+    if ((_e7.some && _e12)) {
+        result_1 = ClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
     }
-    bool _e18 = local_15;
-    if (_e18) {
-        return ClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
-    }
-    return closest_5;
+    ClosestHit _e19 = result_1;
+    return _e19;
 }
 
 SurfaceHit surface_at(ClosestHit closest_6, Ray ray_11) {
-    SurfaceHit surface = SurfaceHit(false, Hit(vec3(0.0), vec3(0.0), false), 0u, 0.0, 0u, 0u);
-    bool local_16 = false;
-    bool local_17 = false;
-    if (!(closest_6.some)) {
-        SurfaceHit _e5 = surface;
-        return _e5;
-    }
-    vec3 _e7 = ray_at(ray_11, closest_6.lambda);
+    vec3 outward_1 = vec3(0.0);
+    uint material_1 = 0u;
+    bool local = false;
+    bool local_1 = false;
+    vec3 _e3 = ray_at(ray_11, closest_6.lambda);
     if (has_spheres) {
-        local_16 = !(closest_6.is_cylinder);
+        local = !(closest_6.is_cylinder);
     } else {
-        local_16 = false;
+        local = false;
     }
-    bool _e14 = local_16;
-    if (_e14) {
-        PlacedSphere _e18 = _group_0_binding_1_cs[closest_6.index];
-        SphereRecord _e19 = sphere_load(_e18);
-        vec3 _e20 = sphere_outward(_e19, _e7);
-        Hit _e22 = hit_facing(ray_11.direction, _e7, _e20);
-        uint material_3 = _group_0_binding_1_cs[closest_6.index].material;
-        surface = SurfaceHit(true, _e22, material_3, closest_6.lambda, closest_6.order, closest_6.part);
+    bool _e12 = local;
+    if (_e12) {
+        PlacedSphere _e16 = _group_0_binding_1_cs[closest_6.index];
+        SphereRecord _e17 = sphere_load(_e16);
+        vec3 _e18 = sphere_outward(_e17, _e3);
+        outward_1 = _e18;
+        uint _e23 = _group_0_binding_1_cs[closest_6.index].material;
+        material_1 = _e23;
     }
     if (has_cylinders) {
-        local_17 = closest_6.is_cylinder;
+        local_1 = closest_6.is_cylinder;
     } else {
-        local_17 = false;
+        local_1 = false;
     }
-    bool _e38 = local_17;
-    if (_e38) {
-        PlacedCylinder _e42 = _group_0_binding_2_cs[closest_6.index];
-        CylinderRecord _e43 = cylinder_load(_e42);
-        vec3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
-        Hit _e47 = hit_facing(ray_11.direction, _e7, _e45);
-        uint material_4 = _group_0_binding_2_cs[closest_6.index].material;
-        surface = SurfaceHit(true, _e47, material_4, closest_6.lambda, closest_6.order, closest_6.part);
+    bool _e29 = local_1;
+    if (_e29) {
+        PlacedCylinder _e33 = _group_0_binding_2_cs[closest_6.index];
+        CylinderRecord _e34 = cylinder_load(_e33);
+        vec3 _e36 = cylinder_outward(_e34, closest_6.part, _e3);
+        outward_1 = _e36;
+        uint _e41 = _group_0_binding_2_cs[closest_6.index].material;
+        material_1 = _e41;
     }
-    SurfaceHit _e58 = surface;
-    return _e58;
+    vec3 _e43 = outward_1;
+    Hit _e44 = hit_facing(ray_11.direction, _e3, _e43);
+    uint _e46 = material_1;
+    return SurfaceHit(closest_6.some, _e44, _e46, closest_6.lambda, closest_6.order, closest_6.part);
 }
 
 ClosestHit intersect_every_object(Ray ray_12) {
@@ -730,64 +597,64 @@ SurfaceHit closest_hit(Ray ray_13) {
     return _e2;
 }
 
-bool bounce_attenuates(Material material_1) {
-    bool local_18 = false;
-    bool local_19 = false;
-    bool local_20 = false;
+bool bounce_attenuates(Material material_2) {
+    bool local_2 = false;
+    bool local_3 = false;
+    bool local_4 = false;
     if (has_matte) {
-        local_18 = (material_1.kind == MATTE);
+        local_2 = (material_2.kind == MATTE);
     } else {
-        local_18 = false;
+        local_2 = false;
     }
-    bool _e8 = local_18;
+    bool _e8 = local_2;
     if (!(_e8)) {
         if (has_metal) {
-            local_20 = (material_1.kind == METAL);
+            local_4 = (material_2.kind == METAL);
         } else {
-            local_20 = false;
+            local_4 = false;
         }
-        bool _e19 = local_20;
-        local_19 = _e19;
+        bool _e19 = local_4;
+        local_3 = _e19;
     } else {
-        local_19 = true;
+        local_3 = true;
     }
-    bool _e21 = local_19;
+    bool _e21 = local_3;
     return _e21;
 }
 
-Ray bounce_ray(Ray ray_14, Hit hit, Material material_2, vec3 scatter_vector) {
+Ray bounce_ray(Ray ray_14, Hit hit, Material material_3, vec3 scatter_vector) {
     vec3 direction_7 = vec3(0.0);
-    bool local_21 = false;
-    bool local_22 = false;
-    bool local_23 = false;
+    bool local_5 = false;
+    bool local_6 = false;
+    bool local_7 = false;
     if (has_matte) {
-        local_21 = (material_2.kind == MATTE);
+        local_5 = (material_3.kind == MATTE);
     } else {
-        local_21 = false;
+        local_5 = false;
     }
-    bool _e12 = local_21;
+    bool _e12 = local_5;
     if (_e12) {
         vec3 _e14 = scatter_matte(hit.normal, scatter_vector);
         direction_7 = _e14;
     }
     if (has_metal) {
-        local_22 = (material_2.kind == METAL);
+        local_6 = (material_3.kind == METAL);
     } else {
-        local_22 = false;
+        local_6 = false;
     }
-    bool _e22 = local_22;
+    bool _e22 = local_6;
     if (_e22) {
         vec3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
-        local_23 = (material_2.kind == REFRACTIVE);
+        local_7 = (material_3.kind == REFRACTIVE);
     } else {
-        local_23 = false;
+        local_7 = false;
     }
-    bool _e33 = local_23;
+    bool _e33 = local_7;
     if (_e33) {
-        float _e36 = scatter_index_ratio(material_2.index, hit.front);
+        float _e36 = scatter_index_ratio(material_3.index, hit.front);
         vec3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
@@ -828,72 +695,78 @@ vec3 bounce_attenuated(vec3 color, uint first, uint attenuation_count) {
 void trace_path(Ray primary, uint slot) {
     Ray ray_15 = Ray(vec3(0.0), vec3(0.0));
     uint attenuation_count_1 = 0u;
+    bool escapes = false;
     uint depth = 0u;
+    vec3 color_1 = vec3(0.0);
     ray_15 = primary;
     PackedVec3_ _e5 = _group_0_binding_0_cs.scatter_vector;
     vec3 _e6 = vec3_load(_e5);
     uint first_1 = (slot * max_depth);
-    uint _e13 = _group_0_binding_0_cs.first_depth;
-    if ((_e13 > 0u)) {
-        uint _e19 = _group_0_binding_6_cs[slot].ended;
-        if ((_e19 != 0u)) {
+    uint _e15 = _group_0_binding_0_cs.first_depth;
+    if ((_e15 > 0u)) {
+        uint _e21 = _group_0_binding_6_cs[slot].ended;
+        if ((_e21 != 0u)) {
             return;
         }
-        PackedRay _e25 = _group_0_binding_6_cs[slot].ray;
-        Ray _e26 = ray_load(_e25);
-        ray_15 = _e26;
-        uint _e30 = _group_0_binding_6_cs[slot].attenuation_count;
-        attenuation_count_1 = _e30;
+        PackedRay _e27 = _group_0_binding_6_cs[slot].ray;
+        Ray _e28 = ray_load(_e27);
+        ray_15 = _e28;
+        uint _e32 = _group_0_binding_6_cs[slot].attenuation_count;
+        attenuation_count_1 = _e32;
     }
-    uint _e33 = _group_0_binding_0_cs.first_depth;
-    depth = _e33;
+    uint _e35 = _group_0_binding_0_cs.first_depth;
+    depth = _e35;
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            uint _e77 = depth;
-            depth = (_e77 + 1u);
+            uint _e67 = depth;
+            depth = (_e67 + 1u);
         }
         loop_init_3 = false;
-        uint _e35 = depth;
-        uint _e39 = _group_0_binding_0_cs.end_depth;
-        if ((_e35 < min(max_depth, _e39))) {
+        uint _e37 = depth;
+        uint _e41 = _group_0_binding_0_cs.end_depth;
+        if ((_e37 < min(max_depth, _e41))) {
         } else {
             break;
         }
         {
-            Ray _e42 = ray_15;
-            SurfaceHit _e43 = closest_hit(_e42);
-            if (!(_e43.some)) {
-                Background _e46 = picture_background();
-                vec3 _e48 = ray_15.direction;
-                vec3 _e49 = background_color(_e46, _e48);
-                uint _e52 = attenuation_count_1;
-                vec3 _e53 = bounce_attenuated(_e49, first_1, _e52);
-                PackedVec3_ _e54 = vec3_store(_e53);
-                _group_0_binding_5_cs[slot] = _e54;
-                _group_0_binding_6_cs[slot].ended = 1u;
-                return;
+            Ray _e44 = ray_15;
+            SurfaceHit _e45 = closest_hit(_e44);
+            if (!(_e45.some)) {
+                escapes = true;
+                break;
             }
-            PackedMaterial _e62 = _group_0_binding_3_cs[_e43.material];
-            Material _e63 = material_load(_e62);
-            bool _e64 = bounce_attenuates(_e63);
-            if (_e64) {
-                uint _e66 = attenuation_count_1;
-                _group_0_binding_4_cs[(first_1 + _e66)] = _e43.material;
-                uint _e71 = attenuation_count_1;
-                attenuation_count_1 = (_e71 + 1u);
+            PackedMaterial _e52 = _group_0_binding_3_cs[_e45.material];
+            Material _e53 = material_load(_e52);
+            bool _e54 = bounce_attenuates(_e53);
+            if (_e54) {
+                uint _e56 = attenuation_count_1;
+                _group_0_binding_4_cs[(first_1 + _e56)] = _e45.material;
+                uint _e61 = attenuation_count_1;
+                attenuation_count_1 = (_e61 + 1u);
             }
-            Ray _e73 = ray_15;
-            Ray _e75 = bounce_ray(_e73, _e43.hit, _e63, _e6);
-            ray_15 = _e75;
+            Ray _e63 = ray_15;
+            Ray _e65 = bounce_ray(_e63, _e45.hit, _e53, _e6);
+            ray_15 = _e65;
         }
     }
-    PackedVec3_ _e82 = vec3_store(vec3(0.0));
-    _group_0_binding_5_cs[slot] = _e82;
-    Ray _e85 = ray_15;
-    PackedRay _e86 = ray_store(_e85);
-    uint _e87 = attenuation_count_1;
-    _group_0_binding_6_cs[slot] = PackedPath(_e86, _e87, 0u);
+    bool _e71 = escapes;
+    if (_e71) {
+        Background _e72 = picture_background();
+        vec3 _e74 = ray_15.direction;
+        vec3 _e75 = background_color(_e72, _e74);
+        uint _e76 = attenuation_count_1;
+        vec3 _e77 = bounce_attenuated(_e75, first_1, _e76);
+        color_1 = _e77;
+    }
+    vec3 _e80 = color_1;
+    PackedVec3_ _e81 = vec3_store(_e80);
+    _group_0_binding_5_cs[slot] = _e81;
+    Ray _e84 = ray_15;
+    PackedRay _e85 = ray_store(_e84);
+    uint _e86 = attenuation_count_1;
+    bool _e89 = escapes;
+    _group_0_binding_6_cs[slot] = PackedPath(_e85, _e86, (_e89 ? 1u : 0u));
     return;
 }
 

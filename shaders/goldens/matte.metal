@@ -92,21 +92,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 metal::float3 ray_at(
@@ -122,11 +108,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -134,10 +115,7 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front_1 = _e3 < 0.0;
-    if (front_1) {
-        return Hit {point, outward, front_1};
-    }
-    return Hit {point, -(outward), front_1};
+    return Hit {point, front_1 ? outward : -(outward), front_1};
 }
 
 metal::float3 scatter_matte(
@@ -146,10 +124,7 @@ metal::float3 scatter_matte(
 ) {
     metal::float3 direction_5 = normal + vector;
     bool _e3 = vec3_is_negligible(direction_5);
-    if (_e3) {
-        return normal;
-    }
-    return direction_5;
+    return _e3 ? normal : direction_5;
 }
 
 metal::float3 scatter_reflect(

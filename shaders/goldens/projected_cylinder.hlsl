@@ -158,22 +158,7 @@ float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 
 bool vec3_is_negligible(float3 v_3)
 {
-    bool local = (bool)0;
-    bool local_1 = (bool)0;
-
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) & (abs(v_3.y) < 1e-8)) & (abs(v_3.z) < 1e-8));
 }
 
 float3 ray_at(Ray ray, float lambda)
@@ -184,19 +169,6 @@ float3 ray_at(Ray ray, float lambda)
 bool in_range(float lambda_1)
 {
     return (0.001 <= lambda_1);
-}
-
-Root ConstructRoot(bool arg0, float arg1) {
-    Root ret = (Root)0;
-    ret.some = arg0;
-    ret.lambda = arg1;
-    return ret;
-}
-
-Root root_none()
-{
-    const Root root = ConstructRoot(false, 0.0);
-    return root;
 }
 
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
@@ -211,12 +183,8 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit_1 = ConstructHit(point_, outward, front);
-        return hit_1;
-    }
-    const Hit hit_2 = ConstructHit(point_, -(outward), front);
-    return hit_2;
+    const Hit hit_1 = ConstructHit(point_, (front ? outward : -(outward)), front);
+    return hit_1;
 }
 
 SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
@@ -262,16 +230,23 @@ SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
     return spherequadratic;
 }
 
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
 Root sphere_first_root(float a_2, float h, float discriminant)
 {
-    float root_1 = sqrt(discriminant);
-    float near = ((h - root_1) / a_2);
-    float far = ((h + root_1) / a_2);
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
     const bool _e8 = in_range(near);
     float lambda_6 = (_e8 ? near : far);
     const bool _e10 = in_range(lambda_6);
-    const Root root_2 = ConstructRoot(_e10, lambda_6);
-    return root_2;
+    const Root root_1 = ConstructRoot(_e10, lambda_6);
+    return root_1;
 }
 
 float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
@@ -284,14 +259,9 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_1)
     const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     const SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
     const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if ((_e8.discriminant < 0.0)) {
-        const Root _e12 = root_none();
-        const Root root_3 = _e12;
-        return root_3;
-    }
-    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    const Root root_4 = _e15;
-    return root_4;
+    const Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_2 = ConstructRoot((!((_e8.discriminant < 0.0)) & _e11.some), _e11.lambda);
+    return root_2;
 }
 
 UnitAndLength ConstructUnitAndLength(float3 arg0, float arg1) {
@@ -322,23 +292,8 @@ bool tie_later_is_closer(float lambda_2, float closest)
 
 bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
-
     const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = (order >= closest_order);
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
 }
 
 CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
@@ -353,15 +308,19 @@ CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, fl
     return ret;
 }
 
-CylinderRecord cylinder_new(float3 center_1, float radius_1, float3 axis_1)
+CylinderRecord cylinder_with_unit_axis(float3 center_1, float radius_1, float3 axis_1, float half_height)
 {
-    const UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    float half_height = (_e3.length_ / 2.0);
-    float3 half_axis = (_e3.direction * half_height);
-    float3 top = (center_1 + half_axis);
-    float3 bottom = (center_1 - half_axis);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_1, _e3.direction, top, bottom, radius_1, (radius_1 * radius_1), half_height);
+    float3 to_cap = (axis_1 * half_height);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_1, axis_1, (center_1 + to_cap), (center_1 - to_cap), radius_1, (radius_1 * radius_1), half_height);
     return cylinderrecord;
+}
+
+CylinderRecord cylinder_new(float3 center_2, float radius_2, float3 axis_2)
+{
+    const UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    const CylinderRecord _e8 = cylinder_with_unit_axis(center_2, radius_2, _e3.direction, (_e3.length_ / 2.0));
+    const CylinderRecord cylinderrecord_1 = _e8;
+    return cylinderrecord_1;
 }
 
 CylinderView ConstructCylinderView(float3 arg0, float arg1) {
@@ -405,81 +364,37 @@ bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_2, float lambda_4
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_3, CylinderQuadratic quadratic)
 {
-    bool local_4 = (bool)0;
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
-
-    float root_5 = sqrt(quadratic.discriminant);
-    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
-    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    float root_3 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_3) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_3) / quadratic.a);
     const bool _e15 = in_range(near_1);
-    if (_e15) {
-        const bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    const bool _e21 = in_range(far_1);
-    if (_e21) {
-        const bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
-    return root_6;
+    const bool _e16 = cylinder_within_height(cylinder_3, ray_3, near_1);
+    bool near_counts = (_e15 & _e16);
+    const bool _e18 = in_range(far_1);
+    const bool _e19 = cylinder_within_height(cylinder_3, ray_3, far_1);
+    bool far_counts = (_e18 & _e19);
+    const Root root_4 = ConstructRoot((near_counts | far_counts), (near_counts ? near_1 : far_1));
+    return root_4;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_2)
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_4, float3 center_3)
 {
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
-
     const float _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    const float _e9 = vec3_dot((center_2 - ray_4.origin), cylinder_4.axis);
+    const float _e9 = vec3_dot((center_3 - ray_4.origin), cylinder_4.axis);
     float lambda_7 = (_e9 / _e5);
     const float3 _e11 = ray_at(ray_4, lambda_7);
-    const float _e13 = vec3_length((_e11 - center_2));
+    const float _e13 = vec3_length((_e11 - center_3));
     bool on_disc = (_e13 <= cylinder_4.radius);
-    if (!((abs(_e5) < 1e-8))) {
-        const bool _e22 = in_range(lambda_7);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    const Root root_7 = ConstructRoot(_e28, lambda_7);
-    return root_7;
+    const bool _e20 = in_range(lambda_7);
+    const Root root_5 = ConstructRoot(((!((abs(_e5) < 1e-8)) & _e20) & on_disc), lambda_7);
+    return root_5;
 }
 
 float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
 {
-    switch(part) {
-        case 0u: {
-            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+    float3 cap = ((part == TOP) ? cylinder_5.axis : -(cylinder_5.axis));
+    return ((part == SIDE) ? _e6 : cap);
 }
 
 CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
@@ -490,72 +405,34 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
+CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
+{
+    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = (later.some & (!(closest_2.some) | _e8));
+    float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
+    const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_8, (replaces ? part_1 : closest_2.part));
+    return cylinderroot;
+}
+
 CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_5, Root side)
 {
-    CylinderRoot closest_2 = (CylinderRoot)0;
-    bool local_9 = (bool)0;
-    bool local_10 = (bool)0;
-    bool local_11 = (bool)0;
-    bool local_12 = (bool)0;
-
-    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
-    const Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            float _e21 = closest_2.lambda;
-            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
-    }
-    const Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            float _e44 = closest_2.lambda;
-            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
-    }
-    CylinderRoot _e54 = closest_2;
-    const CylinderRoot cylinderroot = _e54;
-    return cylinderroot;
+    const Root _e4 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    const Root _e6 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    const CylinderRoot _e12 = cylinder_closer(ConstructCylinderRoot(side.some, side.lambda, SIDE), _e4, TOP);
+    const CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    const CylinderRoot cylinderroot_1 = _e14;
+    return cylinderroot_1;
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_6)
 {
-    Root side_1 = (Root)0;
-
     const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        const Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
-    const CylinderRoot cylinderroot_1 = _e13;
-    return cylinderroot_1;
+    const Root _e6 = cylinder_side(cylinder_7, ray_6, _e5);
+    bool some = (!((_e5.discriminant < 0.0)) & _e6.some);
+    const CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_6, ConstructRoot(some, _e6.lambda));
+    const CylinderRoot cylinderroot_2 = _e15;
+    return cylinderroot_2;
 }
 
 Crossings ConstructCrossings(bool arg0, float arg1, float arg2) {
@@ -585,28 +462,28 @@ Crossings projected_crossings(float3 direction_2, float3 r_c, float radius_squar
 
 Root projected_sphere_intersect(SphereRecord sphere_3, Ray ray_7)
 {
-    bool local_13 = (bool)0;
+    bool local = (bool)0;
 
     const Crossings _e7 = projected_crossings(ray_7.direction, (sphere_3.center_ - ray_7.origin), sphere_3.radius_squared);
     const bool _e11 = in_range(_e7.near);
-    float lambda_8 = (_e11 ? _e7.near : _e7.far);
+    float lambda_9 = (_e11 ? _e7.near : _e7.far);
     if (_e7.some) {
-        const bool _e16 = in_range(lambda_8);
-        local_13 = _e16;
+        const bool _e16 = in_range(lambda_9);
+        local = _e16;
     } else {
-        local_13 = false;
+        local = false;
     }
-    bool _e18 = local_13;
-    const Root root_8 = ConstructRoot(_e18, lambda_8);
-    return root_8;
+    bool _e18 = local;
+    const Root root_6 = ConstructRoot(_e18, lambda_9);
+    return root_6;
 }
 
 CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
 {
-    Root side_2 = (Root)0;
-    bool local_14 = (bool)0;
-    bool local_15 = (bool)0;
-    bool local_16 = (bool)0;
+    Root side_1 = (Root)0;
+    bool local_1 = (bool)0;
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
 
     const float3 _e6 = vec3_perpendicular_to((cylinder_8.center_ - ray_8.origin), cylinder_8.axis);
     const float3 _e9 = vec3_perpendicular_to(ray_8.direction, cylinder_8.axis);
@@ -615,32 +492,32 @@ CylinderRoot projected_cylinder_intersect(CylinderRecord cylinder_8, Ray ray_8)
         const bool _e15 = in_range(_e11.near);
         if (_e15) {
             const bool _e19 = cylinder_within_height(cylinder_8, ray_8, _e11.near);
-            local_14 = _e19;
+            local_1 = _e19;
         } else {
-            local_14 = false;
+            local_1 = false;
         }
-        bool near_counts_1 = local_14;
+        bool near_counts_1 = local_1;
         const bool _e23 = in_range(_e11.far);
         if (_e23) {
             const bool _e27 = cylinder_within_height(cylinder_8, ray_8, _e11.far);
-            local_15 = _e27;
+            local_2 = _e27;
         } else {
-            local_15 = false;
+            local_2 = false;
         }
-        bool far_counts_1 = local_15;
-        float lambda_9 = (near_counts_1 ? _e11.near : _e11.far);
+        bool far_counts_1 = local_2;
+        float lambda_10 = (near_counts_1 ? _e11.near : _e11.far);
         if (!(near_counts_1)) {
-            local_16 = far_counts_1;
+            local_3 = far_counts_1;
         } else {
-            local_16 = true;
+            local_3 = true;
         }
-        bool _e37 = local_16;
-        side_2 = ConstructRoot(_e37, lambda_9);
+        bool _e37 = local_3;
+        side_1 = ConstructRoot(_e37, lambda_10);
     }
-    Root _e39 = side_2;
+    Root _e39 = side_1;
     const CylinderRoot _e40 = cylinder_with_caps(cylinder_8, ray_8, _e39);
-    const CylinderRoot cylinderroot_2 = _e40;
-    return cylinderroot_2;
+    const CylinderRoot cylinderroot_3 = _e40;
+    return cylinderroot_3;
 }
 
 float3 vec3_load(PackedVec3_ v_5)
@@ -714,12 +591,12 @@ HitReport hit_report_none()
     return hitreport;
 }
 
-HitReport hit_report(float lambda_5, uint part_1, Hit hit)
+HitReport hit_report(float lambda_5, uint part_2, Hit hit)
 {
     float front_1 = (hit.front ? 1.0 : 0.0);
     const PackedVec3_ _e10 = vec3_store(hit.point_);
     const PackedVec3_ _e12 = vec3_store(hit.normal);
-    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_1), front_1, _e10, _e12);
+    const HitReport hitreport_1 = ConstructHitReport(1.0, lambda_5, float(part_2), front_1, _e10, _e12);
     return hitreport_1;
 }
 

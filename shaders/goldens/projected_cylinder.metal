@@ -154,21 +154,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 metal::float3 ray_at(
@@ -184,11 +170,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -196,10 +177,7 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front = _e3 < 0.0;
-    if (front) {
-        return Hit {point, outward, front};
-    }
-    return Hit {point, -(outward), front};
+    return Hit {point, front ? outward : -(outward), front};
 }
 
 SphereRecord sphere_new(
@@ -255,12 +233,8 @@ Root sphere_intersect(
     real _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if (_e8.discriminant < 0.0) {
-        Root _e12 = root_none();
-        return _e12;
-    }
-    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    return _e15;
+    Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return Root {!((_e8.discriminant < 0.0)) & _e11.some, {}, _e11.lambda};
 }
 
 UnitAndLength vec3_unit_and_length(
@@ -289,35 +263,28 @@ bool tie_is_closer(
     real closest_1,
     uint closest_order
 ) {
-    bool local_2 = {};
-    bool local_3 = {};
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = order >= closest_order;
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+}
+
+CylinderRecord cylinder_with_unit_axis(
+    metal::float3 center_1,
+    real radius_1,
+    metal::float3 axis_1,
+    real half_height
+) {
+    metal::float3 to_cap = axis_1 * half_height;
+    return CylinderRecord {center_1, axis_1, center_1 + to_cap, center_1 - to_cap, radius_1, radius_1 * radius_1, half_height};
 }
 
 CylinderRecord cylinder_new(
-    metal::float3 center_1,
-    real radius_1,
-    metal::float3 axis_1
+    metal::float3 center_2,
+    real radius_2,
+    metal::float3 axis_2
 ) {
-    UnitAndLength _e3 = vec3_unit_and_length(axis_1);
-    real half_height = _e3.length / 2.0;
-    metal::float3 half_axis = _e3.direction * half_height;
-    metal::float3 top = center_1 + half_axis;
-    metal::float3 bottom = center_1 - half_axis;
-    return CylinderRecord {center_1, _e3.direction, top, bottom, radius_1, radius_1 * radius_1, half_height};
+    UnitAndLength _e3 = vec3_unit_and_length(axis_2);
+    CylinderRecord _e8 = cylinder_with_unit_axis(center_2, radius_2, _e3.direction, _e3.length / 2.0);
+    return _e8;
 }
 
 CylinderView cylinder_seen_from(
@@ -355,64 +322,31 @@ Root cylinder_side(
     Ray ray_3,
     CylinderQuadratic quadratic
 ) {
-    bool local_4 = {};
-    bool local_5 = {};
-    bool local_6 = {};
     float root_1 = metal::sqrt(quadratic.discriminant);
     real near_1 = (-(quadratic.h) - root_1) / quadratic.a;
     real far_1 = (-(quadratic.h) + root_1) / quadratic.a;
     bool _e15 = in_range(near_1);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far_1);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root {_e31, {}, near_counts ? near_1 : far_1};
+    bool _e16 = cylinder_within_height(cylinder_3, ray_3, near_1);
+    bool near_counts = _e15 & _e16;
+    bool _e18 = in_range(far_1);
+    bool _e19 = cylinder_within_height(cylinder_3, ray_3, far_1);
+    bool far_counts = _e18 & _e19;
+    return Root {near_counts | far_counts, {}, near_counts ? near_1 : far_1};
 }
 
 Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_4,
-    metal::float3 center_2
+    metal::float3 center_3
 ) {
-    bool local_7 = {};
-    bool local_8 = {};
     real _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    real _e9 = vec3_dot(center_2 - ray_4.origin, cylinder_4.axis);
+    real _e9 = vec3_dot(center_3 - ray_4.origin, cylinder_4.axis);
     real lambda_7 = _e9 / _e5;
     metal::float3 _e11 = ray_at(ray_4, lambda_7);
-    real _e13 = vec3_length(_e11 - center_2);
+    real _e13 = vec3_length(_e11 - center_3);
     bool on_disc = _e13 <= cylinder_4.radius;
-    if (!((metal::abs(_e5) < 0.00000001))) {
-        bool _e22 = in_range(lambda_7);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root {_e28, {}, lambda_7};
+    bool _e20 = in_range(lambda_7);
+    return Root {(!((metal::abs(_e5) < 0.00000001)) & _e20) & on_disc, {}, lambda_7};
 }
 
 metal::float3 cylinder_outward(
@@ -420,18 +354,20 @@ metal::float3 cylinder_outward(
     uint part,
     metal::float3 point_2
 ) {
-    switch(part) {
-        case 0u: {
-            metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
+    metal::float3 cap = (part == TOP) ? cylinder_5.axis : -(cylinder_5.axis);
+    return (part == SIDE) ? _e6 : cap;
+}
+
+CylinderRoot cylinder_closer(
+    CylinderRoot closest_2,
+    Root later,
+    uint part_1
+) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = later.some & (!(closest_2.some) | _e8);
+    real lambda_8 = replaces ? later.lambda : closest_2.lambda;
+    return CylinderRoot {closest_2.some | later.some, {}, lambda_8, replaces ? part_1 : closest_2.part};
 }
 
 CylinderRoot cylinder_with_caps(
@@ -439,68 +375,23 @@ CylinderRoot cylinder_with_caps(
     Ray ray_5,
     Root side
 ) {
-    CylinderRoot closest_2 = {};
-    bool local_9 = {};
-    bool local_10 = {};
-    bool local_11 = {};
-    bool local_12 = {};
-    closest_2 = CylinderRoot {side.some, {}, side.lambda, SIDE};
-    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            real _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot {true, {}, _e9.lambda, TOP};
-    }
-    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            real _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot {true, {}, _e32.lambda, BOTTOM};
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    Root _e6 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot {side.some, {}, side.lambda, SIDE}, _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_7,
     Ray ray_6
 ) {
-    Root side_1 = {};
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_7, ray_6, _e5);
+    bool some = !((_e5.discriminant < 0.0)) & _e6.some;
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_6, Root {some, {}, _e6.lambda});
+    return _e15;
 }
 
 Crossings projected_crossings(
@@ -525,28 +416,28 @@ Root projected_sphere_intersect(
     SphereRecord sphere_3,
     Ray ray_7
 ) {
-    bool local_13 = {};
+    bool local = {};
     Crossings _e7 = projected_crossings(ray_7.direction, sphere_3.center - ray_7.origin, sphere_3.radius_squared);
     bool _e11 = in_range(_e7.near);
-    real lambda_8 = _e11 ? _e7.near : _e7.far;
+    real lambda_9 = _e11 ? _e7.near : _e7.far;
     if (_e7.some) {
-        bool _e16 = in_range(lambda_8);
-        local_13 = _e16;
+        bool _e16 = in_range(lambda_9);
+        local = _e16;
     } else {
-        local_13 = false;
+        local = false;
     }
-    bool _e18 = local_13;
-    return Root {_e18, {}, lambda_8};
+    bool _e18 = local;
+    return Root {_e18, {}, lambda_9};
 }
 
 CylinderRoot projected_cylinder_intersect(
     CylinderRecord cylinder_8,
     Ray ray_8
 ) {
-    Root side_2 = {};
-    bool local_14 = {};
-    bool local_15 = {};
-    bool local_16 = {};
+    Root side_1 = {};
+    bool local_1 = {};
+    bool local_2 = {};
+    bool local_3 = {};
     metal::float3 _e6 = vec3_perpendicular_to(cylinder_8.center - ray_8.origin, cylinder_8.axis);
     metal::float3 _e9 = vec3_perpendicular_to(ray_8.direction, cylinder_8.axis);
     Crossings _e11 = projected_crossings(_e9, _e6, cylinder_8.radius_squared);
@@ -554,29 +445,29 @@ CylinderRoot projected_cylinder_intersect(
         bool _e15 = in_range(_e11.near);
         if (_e15) {
             bool _e19 = cylinder_within_height(cylinder_8, ray_8, _e11.near);
-            local_14 = _e19;
+            local_1 = _e19;
         } else {
-            local_14 = false;
+            local_1 = false;
         }
-        bool near_counts_1 = local_14;
+        bool near_counts_1 = local_1;
         bool _e23 = in_range(_e11.far);
         if (_e23) {
             bool _e27 = cylinder_within_height(cylinder_8, ray_8, _e11.far);
-            local_15 = _e27;
+            local_2 = _e27;
         } else {
-            local_15 = false;
+            local_2 = false;
         }
-        bool far_counts_1 = local_15;
-        real lambda_9 = near_counts_1 ? _e11.near : _e11.far;
+        bool far_counts_1 = local_2;
+        real lambda_10 = near_counts_1 ? _e11.near : _e11.far;
         if (!(near_counts_1)) {
-            local_16 = far_counts_1;
+            local_3 = far_counts_1;
         } else {
-            local_16 = true;
+            local_3 = true;
         }
-        bool _e37 = local_16;
-        side_2 = Root {_e37, {}, lambda_9};
+        bool _e37 = local_3;
+        side_1 = Root {_e37, {}, lambda_10};
     }
-    Root _e39 = side_2;
+    Root _e39 = side_1;
     CylinderRoot _e40 = cylinder_with_caps(cylinder_8, ray_8, _e39);
     return _e40;
 }
@@ -617,13 +508,13 @@ HitReport hit_report_none(
 
 HitReport hit_report(
     real lambda_5,
-    uint part_1,
+    uint part_2,
     Hit hit
 ) {
     float front_1 = hit.front ? 1.0 : 0.0;
     PackedVec3_ _e10 = vec3_store(hit.point);
     PackedVec3_ _e12 = vec3_store(hit.normal);
-    return HitReport {1.0, lambda_5, static_cast<float>(part_1), front_1, _e10, _e12};
+    return HitReport {1.0, lambda_5, static_cast<float>(part_2), front_1, _e10, _e12};
 }
 
 struct projected_cylinderInput {

@@ -76,21 +76,7 @@ vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
 }
 
 bool vec3_is_negligible(vec3 v_3) {
-    bool local = false;
-    bool local_1 = false;
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) && (abs(v_3.y) < 1e-8)) && (abs(v_3.z) < 1e-8));
 }
 
 vec3 ray_at(Ray ray, float lambda) {
@@ -101,26 +87,16 @@ bool in_range(float lambda_1) {
     return (0.001 <= lambda_1);
 }
 
-Root root_none() {
-    return Root(false, 0.0);
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front_1 = (_e3 < 0.0);
-    if (front_1) {
-        return Hit(point, outward, front_1);
-    }
-    return Hit(point, -(outward), front_1);
+    return Hit(point, (front_1 ? outward : -(outward)), front_1);
 }
 
 vec3 scatter_matte(vec3 normal, vec3 vector) {
     vec3 direction_5 = (normal + vector);
     bool _e3 = vec3_is_negligible(direction_5);
-    if (_e3) {
-        return normal;
-    }
-    return direction_5;
+    return (_e3 ? normal : direction_5);
 }
 
 vec3 scatter_reflect(vec3 direction_1, vec3 normal_1) {

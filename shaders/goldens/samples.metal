@@ -103,17 +103,13 @@ struct TracedSample {
 struct PlacedSphere {
     PackedVec3_ center;
     real radius;
-    real radius_squared;
     uint order;
     uint material;
 };
 struct PlacedCylinder {
     PackedVec3_ center;
     PackedVec3_ axis;
-    PackedVec3_ top;
-    PackedVec3_ bottom;
     real radius;
-    real radius_squared;
     real half_height;
     uint order;
     uint material;
@@ -253,21 +249,7 @@ metal::float3 vec3_perpendicular_to(
 bool vec3_is_negligible(
     metal::float3 v_3
 ) {
-    bool local = {};
-    bool local_1 = {};
-    if (metal::abs(v_3.x) < 0.00000001) {
-        local = metal::abs(v_3.y) < 0.00000001;
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = metal::abs(v_3.z) < 0.00000001;
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return ((metal::abs(v_3.x) < 0.00000001) & (metal::abs(v_3.y) < 0.00000001)) & (metal::abs(v_3.z) < 0.00000001);
 }
 
 metal::float3 ray_at(
@@ -283,11 +265,6 @@ bool in_range(
     return 0.001 <= lambda_1;
 }
 
-Root root_none(
-) {
-    return Root {false, {}, 0.0};
-}
-
 Hit hit_facing(
     metal::float3 direction,
     metal::float3 point,
@@ -295,10 +272,14 @@ Hit hit_facing(
 ) {
     real _e3 = vec3_dot(direction, outward);
     bool front_1 = _e3 < 0.0;
-    if (front_1) {
-        return Hit {point, outward, front_1};
-    }
-    return Hit {point, -(outward), front_1};
+    return Hit {point, front_1 ? outward : -(outward), front_1};
+}
+
+SphereRecord sphere_new(
+    metal::float3 center,
+    real radius
+) {
+    return SphereRecord {center, radius, radius * radius};
 }
 
 SphereView sphere_seen_from(
@@ -347,12 +328,8 @@ Root sphere_intersect(
     real _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     SphereView _e6 = sphere_seen_from(sphere_2, ray_1.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if (_e8.discriminant < 0.0) {
-        Root _e12 = root_none();
-        return _e12;
-    }
-    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    return _e15;
+    Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return Root {!((_e8.discriminant < 0.0)) & _e11.some, {}, _e11.lambda};
 }
 
 bool tie_later_is_closer(
@@ -368,22 +345,18 @@ bool tie_is_closer(
     real closest_1,
     uint closest_order
 ) {
-    bool local_2 = {};
-    bool local_3 = {};
     bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = order >= closest_order;
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return _e4 & ((lambda_3 < closest_1) | (order >= closest_order));
+}
+
+CylinderRecord cylinder_with_unit_axis(
+    metal::float3 center_1,
+    real radius_1,
+    metal::float3 axis_1,
+    real half_height
+) {
+    metal::float3 to_cap = axis_1 * half_height;
+    return CylinderRecord {center_1, axis_1, center_1 + to_cap, center_1 - to_cap, radius_1, radius_1 * radius_1, half_height};
 }
 
 CylinderView cylinder_seen_from(
@@ -421,64 +394,31 @@ Root cylinder_side(
     Ray ray_3,
     CylinderQuadratic quadratic
 ) {
-    bool local_4 = {};
-    bool local_5 = {};
-    bool local_6 = {};
     float root_1 = metal::sqrt(quadratic.discriminant);
     real near_1 = (-(quadratic.h) - root_1) / quadratic.a;
     real far_1 = (-(quadratic.h) + root_1) / quadratic.a;
     bool _e15 = in_range(near_1);
-    if (_e15) {
-        bool _e18 = cylinder_within_height(cylinder_3, ray_3, near_1);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    bool _e21 = in_range(far_1);
-    if (_e21) {
-        bool _e24 = cylinder_within_height(cylinder_3, ray_3, far_1);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    return Root {_e31, {}, near_counts ? near_1 : far_1};
+    bool _e16 = cylinder_within_height(cylinder_3, ray_3, near_1);
+    bool near_counts = _e15 & _e16;
+    bool _e18 = in_range(far_1);
+    bool _e19 = cylinder_within_height(cylinder_3, ray_3, far_1);
+    bool far_counts = _e18 & _e19;
+    return Root {near_counts | far_counts, {}, near_counts ? near_1 : far_1};
 }
 
 Root cylinder_cap(
     CylinderRecord cylinder_4,
     Ray ray_4,
-    metal::float3 center
+    metal::float3 center_2
 ) {
-    bool local_7 = {};
-    bool local_8 = {};
     real _e5 = vec3_dot(ray_4.direction, cylinder_4.axis);
-    real _e9 = vec3_dot(center - ray_4.origin, cylinder_4.axis);
+    real _e9 = vec3_dot(center_2 - ray_4.origin, cylinder_4.axis);
     real lambda_7 = _e9 / _e5;
     metal::float3 _e11 = ray_at(ray_4, lambda_7);
-    real _e13 = vec3_length(_e11 - center);
+    real _e13 = vec3_length(_e11 - center_2);
     bool on_disc = _e13 <= cylinder_4.radius;
-    if (!((metal::abs(_e5) < 0.00000001))) {
-        bool _e22 = in_range(lambda_7);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    return Root {_e28, {}, lambda_7};
+    bool _e20 = in_range(lambda_7);
+    return Root {(!((metal::abs(_e5) < 0.00000001)) & _e20) & on_disc, {}, lambda_7};
 }
 
 metal::float3 cylinder_outward(
@@ -486,18 +426,20 @@ metal::float3 cylinder_outward(
     uint part,
     metal::float3 point_2
 ) {
-    switch(part) {
-        case 0u: {
-            metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    metal::float3 _e6 = vec3_perpendicular_to(point_2 - cylinder_5.center, cylinder_5.axis);
+    metal::float3 cap = (part == TOP) ? cylinder_5.axis : -(cylinder_5.axis);
+    return (part == SIDE) ? _e6 : cap;
+}
+
+CylinderRoot cylinder_closer(
+    CylinderRoot closest_2,
+    Root later,
+    uint part_1
+) {
+    bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = later.some & (!(closest_2.some) | _e8);
+    real lambda_8 = replaces ? later.lambda : closest_2.lambda;
+    return CylinderRoot {closest_2.some | later.some, {}, lambda_8, replaces ? part_1 : closest_2.part};
 }
 
 CylinderRoot cylinder_with_caps(
@@ -505,68 +447,23 @@ CylinderRoot cylinder_with_caps(
     Ray ray_5,
     Root side
 ) {
-    CylinderRoot closest_2 = {};
-    bool local_9 = {};
-    bool local_10 = {};
-    bool local_11 = {};
-    bool local_12 = {};
-    closest_2 = CylinderRoot {side.some, {}, side.lambda, SIDE};
-    Root _e9 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            real _e21 = closest_2.lambda;
-            bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = CylinderRoot {true, {}, _e9.lambda, TOP};
-    }
-    Root _e32 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            real _e44 = closest_2.lambda;
-            bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = CylinderRoot {true, {}, _e32.lambda, BOTTOM};
-    }
-    CylinderRoot _e54 = closest_2;
-    return _e54;
+    Root _e4 = cylinder_cap(cylinder_6, ray_5, cylinder_6.top);
+    Root _e6 = cylinder_cap(cylinder_6, ray_5, cylinder_6.bottom);
+    CylinderRoot _e12 = cylinder_closer(CylinderRoot {side.some, {}, side.lambda, SIDE}, _e4, TOP);
+    CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    return _e14;
 }
 
 CylinderRoot cylinder_intersect(
     CylinderRecord cylinder_7,
     Ray ray_6
 ) {
-    Root side_1 = {};
     CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_6.origin);
     CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_6.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        Root _e11 = cylinder_side(cylinder_7, ray_6, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_6, _e12);
-    return _e13;
+    Root _e6 = cylinder_side(cylinder_7, ray_6, _e5);
+    bool some = !((_e5.discriminant < 0.0)) & _e6.some;
+    CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_6, Root {some, {}, _e6.lambda});
+    return _e15;
 }
 
 Ray camera_ray(
@@ -596,10 +493,7 @@ metal::float3 scatter_matte(
 ) {
     metal::float3 direction_8 = normal + vector;
     bool _e3 = vec3_is_negligible(direction_8);
-    if (_e3) {
-        return normal;
-    }
-    return direction_8;
+    return _e3 ? normal : direction_8;
 }
 
 metal::float3 scatter_reflect(
@@ -685,17 +579,17 @@ SphereRecord sphere_load(
     PlacedSphere sphere_3
 ) {
     metal::float3 _e2 = vec3_load(sphere_3.center);
-    return SphereRecord {_e2, sphere_3.radius, sphere_3.radius_squared};
+    SphereRecord _e4 = sphere_new(_e2, sphere_3.radius);
+    return _e4;
 }
 
 CylinderRecord cylinder_load(
     PlacedCylinder cylinder_8
 ) {
-    metal::float3 _e2 = vec3_load(cylinder_8.center);
-    metal::float3 _e4 = vec3_load(cylinder_8.axis);
-    metal::float3 _e6 = vec3_load(cylinder_8.top);
-    metal::float3 _e8 = vec3_load(cylinder_8.bottom);
-    return CylinderRecord {_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height};
+    metal::float3 _e2 = vec3_load(cylinder_8.axis);
+    metal::float3 _e4 = vec3_load(cylinder_8.center);
+    CylinderRecord _e7 = cylinder_with_unit_axis(_e4, cylinder_8.radius, _e2, cylinder_8.half_height);
+    return _e7;
 }
 
 Material material_load(
@@ -734,15 +628,8 @@ bool is_closer(
     real lambda_5,
     uint order_1
 ) {
-    bool local_13 = {};
-    if (!(!(closest_3.some))) {
-        bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
-        local_13 = _e10;
-    } else {
-        local_13 = true;
-    }
-    bool _e12 = local_13;
-    return _e12;
+    bool _e7 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+    return !(closest_3.some) | _e7;
 }
 
 ClosestHit intersect_sphere(
@@ -752,22 +639,18 @@ ClosestHit intersect_sphere(
     device type_4 const& spheres,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    bool local_14 = {};
-    PlacedSphere _e5 = spheres[index_1];
-    SphereRecord _e6 = sphere_load(_e5);
+    ClosestHit result = {};
+    PlacedSphere placed = spheres[index_1];
+    SphereRecord _e6 = sphere_load(placed);
     Root _e7 = sphere_intersect(_e6, ray_9);
-    uint order_2 = spheres[index_1].order;
-    if (_e7.some) {
-        bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
-        local_14 = _e16;
-    } else {
-        local_14 = false;
+    uint order_2 = placed.order;
+    result = closest_4;
+    bool _e12 = is_closer(closest_4, _e7.lambda, order_2);
+    if (_e7.some & _e12) {
+        result = ClosestHit {true, {}, _e7.lambda, order_2, false, {}, index_1, SIDE};
     }
-    bool _e18 = local_14;
-    if (_e18) {
-        return ClosestHit {true, {}, _e7.lambda, order_2, false, {}, index_1, SIDE};
-    }
-    return closest_4;
+    ClosestHit _e19 = result;
+    return _e19;
 }
 
 ClosestHit intersect_cylinder(
@@ -777,22 +660,18 @@ ClosestHit intersect_cylinder(
     device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    bool local_15 = {};
-    PlacedCylinder _e5 = cylinders[index_2];
-    CylinderRecord _e6 = cylinder_load(_e5);
+    ClosestHit result_1 = {};
+    PlacedCylinder placed_1 = cylinders[index_2];
+    CylinderRecord _e6 = cylinder_load(placed_1);
     CylinderRoot _e7 = cylinder_intersect(_e6, ray_10);
-    uint order_3 = cylinders[index_2].order;
-    if (_e7.some) {
-        bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
-        local_15 = _e16;
-    } else {
-        local_15 = false;
+    uint order_3 = placed_1.order;
+    result_1 = closest_5;
+    bool _e12 = is_closer(closest_5, _e7.lambda, order_3);
+    if (_e7.some & _e12) {
+        result_1 = ClosestHit {true, {}, _e7.lambda, order_3, true, {}, index_2, _e7.part};
     }
-    bool _e18 = local_15;
-    if (_e18) {
-        return ClosestHit {true, {}, _e7.lambda, order_3, true, {}, index_2, _e7.part};
-    }
-    return closest_5;
+    ClosestHit _e19 = result_1;
+    return _e19;
 }
 
 SurfaceHit surface_at(
@@ -802,44 +681,43 @@ SurfaceHit surface_at(
     device type_5 const& cylinders,
     constant _mslBufferSizes& _buffer_sizes
 ) {
-    SurfaceHit surface = {};
-    bool local_16 = {};
-    bool local_17 = {};
-    if (!(closest_6.some)) {
-        SurfaceHit _e5 = surface;
-        return _e5;
-    }
-    metal::float3 _e7 = ray_at(ray_11, closest_6.lambda);
+    metal::float3 outward_1 = {};
+    uint material_1 = {};
+    bool local = {};
+    bool local_1 = {};
+    metal::float3 _e3 = ray_at(ray_11, closest_6.lambda);
     if (has_spheres) {
-        local_16 = !(closest_6.is_cylinder);
+        local = !(closest_6.is_cylinder);
     } else {
-        local_16 = false;
+        local = false;
     }
-    bool _e14 = local_16;
-    if (_e14) {
-        PlacedSphere _e18 = spheres[closest_6.index];
-        SphereRecord _e19 = sphere_load(_e18);
-        metal::float3 _e20 = sphere_outward(_e19, _e7);
-        Hit _e22 = hit_facing(ray_11.direction, _e7, _e20);
-        uint material_3 = spheres[closest_6.index].material;
-        surface = SurfaceHit {true, {}, _e22, material_3, closest_6.lambda, closest_6.order, closest_6.part};
+    bool _e12 = local;
+    if (_e12) {
+        PlacedSphere _e16 = spheres[closest_6.index];
+        SphereRecord _e17 = sphere_load(_e16);
+        metal::float3 _e18 = sphere_outward(_e17, _e3);
+        outward_1 = _e18;
+        uint _e23 = spheres[closest_6.index].material;
+        material_1 = _e23;
     }
     if (has_cylinders) {
-        local_17 = closest_6.is_cylinder;
+        local_1 = closest_6.is_cylinder;
     } else {
-        local_17 = false;
+        local_1 = false;
     }
-    bool _e38 = local_17;
-    if (_e38) {
-        PlacedCylinder _e42 = cylinders[closest_6.index];
-        CylinderRecord _e43 = cylinder_load(_e42);
-        metal::float3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
-        Hit _e47 = hit_facing(ray_11.direction, _e7, _e45);
-        uint material_4 = cylinders[closest_6.index].material;
-        surface = SurfaceHit {true, {}, _e47, material_4, closest_6.lambda, closest_6.order, closest_6.part};
+    bool _e29 = local_1;
+    if (_e29) {
+        PlacedCylinder _e33 = cylinders[closest_6.index];
+        CylinderRecord _e34 = cylinder_load(_e33);
+        metal::float3 _e36 = cylinder_outward(_e34, closest_6.part, _e3);
+        outward_1 = _e36;
+        uint _e41 = cylinders[closest_6.index].material;
+        material_1 = _e41;
     }
-    SurfaceHit _e58 = surface;
-    return _e58;
+    metal::float3 _e43 = outward_1;
+    Hit _e44 = hit_facing(ray_11.direction, _e3, _e43);
+    uint _e46 = material_1;
+    return SurfaceHit {closest_6.some, {}, _e44, _e46, closest_6.lambda, closest_6.order, closest_6.part};
 }
 
 ClosestHit intersect_every_object(
@@ -919,70 +797,70 @@ SurfaceHit closest_hit(
 }
 
 bool bounce_attenuates(
-    Material material_1
+    Material material_2
 ) {
-    bool local_18 = {};
-    bool local_19 = {};
-    bool local_20 = {};
+    bool local_2 = {};
+    bool local_3 = {};
+    bool local_4 = {};
     if (has_matte) {
-        local_18 = material_1.kind == MATTE;
+        local_2 = material_2.kind == MATTE;
     } else {
-        local_18 = false;
+        local_2 = false;
     }
-    bool _e8 = local_18;
+    bool _e8 = local_2;
     if (!(_e8)) {
         if (has_metal) {
-            local_20 = material_1.kind == METAL;
+            local_4 = material_2.kind == METAL;
         } else {
-            local_20 = false;
+            local_4 = false;
         }
-        bool _e19 = local_20;
-        local_19 = _e19;
+        bool _e19 = local_4;
+        local_3 = _e19;
     } else {
-        local_19 = true;
+        local_3 = true;
     }
-    bool _e21 = local_19;
+    bool _e21 = local_3;
     return _e21;
 }
 
 Ray bounce_ray(
     Ray ray_14,
     Hit hit,
-    Material material_2,
+    Material material_3,
     metal::float3 scatter_vector
 ) {
     metal::float3 direction_7 = {};
-    bool local_21 = {};
-    bool local_22 = {};
-    bool local_23 = {};
+    bool local_5 = {};
+    bool local_6 = {};
+    bool local_7 = {};
     if (has_matte) {
-        local_21 = material_2.kind == MATTE;
+        local_5 = material_3.kind == MATTE;
     } else {
-        local_21 = false;
+        local_5 = false;
     }
-    bool _e12 = local_21;
+    bool _e12 = local_5;
     if (_e12) {
         metal::float3 _e14 = scatter_matte(hit.normal, scatter_vector);
         direction_7 = _e14;
     }
     if (has_metal) {
-        local_22 = material_2.kind == METAL;
+        local_6 = material_3.kind == METAL;
     } else {
-        local_22 = false;
+        local_6 = false;
     }
-    bool _e22 = local_22;
+    bool _e22 = local_6;
     if (_e22) {
         metal::float3 _e25 = scatter_metal(ray_14.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
-        local_23 = material_2.kind == REFRACTIVE;
+        local_7 = material_3.kind == REFRACTIVE;
     } else {
-        local_23 = false;
+        local_7 = false;
     }
-    bool _e33 = local_23;
+    bool _e33 = local_7;
     if (_e33) {
-        real _e36 = scatter_index_ratio(material_2.index, hit.front);
+        real _e36 = scatter_index_ratio(material_3.index, hit.front);
         metal::float3 _e39 = scatter_refract(ray_14.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
@@ -1088,7 +966,7 @@ ScatterVector scatter_vector_published(
 ) {
     uint next = {};
     uint tries = 0u;
-    bool local_24 = {};
+    bool local_8 = {};
     next = word_3;
     uint2 loop_bound_3 = uint2(4294967295u);
     bool loop_init_3 = true;
@@ -1112,11 +990,11 @@ ScatterVector scatter_vector_published(
             uint _e12 = next;
             next = _e12 + 3u;
             if (LEAST_SQUARED < _e11) {
-                local_24 = _e11 <= 1.0;
+                local_8 = _e11 <= 1.0;
             } else {
-                local_24 = false;
+                local_8 = false;
             }
-            bool _e22 = local_24;
+            bool _e22 = local_8;
             if (_e22) {
                 uint _e27 = next;
                 return ScatterVector {(_e10 / metal::float3(metal::sqrt(_e11))) * extent, _e27};
@@ -1185,89 +1063,94 @@ void trace_sample(
     Ray ray_15 = {};
     uint next_word = {};
     uint attenuation_count_1 = 0u;
+    bool escapes = false;
     uint depth = {};
     metal::float3 vector_2 = {};
+    metal::float3 color_1 = metal::float3 {};
     uint first_word = words[(3u * slot_1) + 2u].x;
     uint first_2 = slot_1 * max_depth;
     next_word = first_word;
-    uint _e17 = picture.first_depth;
-    if (_e17 > 0u) {
-        uint _e23 = sample_paths[slot_1].ended;
-        if (_e23 != 0u) {
+    uint _e19 = picture.first_depth;
+    if (_e19 > 0u) {
+        uint _e25 = sample_paths[slot_1].ended;
+        if (_e25 != 0u) {
             return;
         }
-        PackedRay _e29 = sample_paths[slot_1].ray;
-        Ray _e30 = ray_load(_e29);
-        ray_15 = _e30;
-        uint _e34 = sample_paths[slot_1].next_word;
-        next_word = _e34;
-        uint _e38 = sample_paths[slot_1].attenuation_count;
-        attenuation_count_1 = _e38;
+        PackedRay _e31 = sample_paths[slot_1].ray;
+        Ray _e32 = ray_load(_e31);
+        ray_15 = _e32;
+        uint _e36 = sample_paths[slot_1].next_word;
+        next_word = _e36;
+        uint _e40 = sample_paths[slot_1].attenuation_count;
+        attenuation_count_1 = _e40;
     } else {
-        Ray _e39 = sample_camera_ray(slot_1, picture, words, _buffer_sizes);
-        ray_15 = _e39;
+        Ray _e41 = sample_camera_ray(slot_1, picture, words, _buffer_sizes);
+        ray_15 = _e41;
     }
-    uint _e42 = picture.first_depth;
-    depth = _e42;
+    uint _e44 = picture.first_depth;
+    depth = _e44;
     uint2 loop_bound_4 = uint2(4294967295u);
     bool loop_init_4 = true;
     while(true) {
         if (metal::all(loop_bound_4 == uint2(0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            uint _e98 = depth;
-            depth = _e98 + 1u;
+            uint _e84 = depth;
+            depth = _e84 + 1u;
         }
         loop_init_4 = false;
-        uint _e44 = depth;
-        uint _e48 = picture.end_depth;
-        if (_e44 < metal::min(max_depth, _e48)) {
+        uint _e46 = depth;
+        uint _e50 = picture.end_depth;
+        if (_e46 < metal::min(max_depth, _e50)) {
         } else {
             break;
         }
         {
-            Ray _e51 = ray_15;
-            SurfaceHit _e52 = closest_hit(_e51, picture, spheres, cylinders, _buffer_sizes);
-            if (!(_e52.some)) {
-                Background _e55 = picture_background(picture);
-                metal::float3 _e57 = ray_15.direction;
-                metal::float3 _e58 = background_color(_e55, _e57);
-                uint _e59 = attenuation_count_1;
-                metal::float3 _e60 = bounce_attenuated(_e58, first_2, _e59, materials, attenuations, _buffer_sizes);
-                PackedVec3_ _e63 = vec3_store(_e60);
-                uint _e64 = next_word;
-                traced_samples[slot_1] = TracedSample {_e63, _e64 - first_word, 0u};
-                sample_paths[slot_1].ended = 1u;
-                return;
+            Ray _e53 = ray_15;
+            SurfaceHit _e54 = closest_hit(_e53, picture, spheres, cylinders, _buffer_sizes);
+            if (!(_e54.some)) {
+                escapes = true;
+                break;
             }
-            PackedMaterial _e75 = materials[_e52.material];
-            Material _e76 = material_load(_e75);
+            PackedMaterial _e61 = materials[_e54.material];
+            Material _e62 = material_load(_e61);
             vector_2 = metal::float3 {};
-            bool _e79 = bounce_attenuates(_e76);
-            if (_e79) {
-                uint _e81 = attenuation_count_1;
-                attenuations[first_2 + _e81] = _e52.material;
-                uint _e86 = attenuation_count_1;
-                attenuation_count_1 = _e86 + 1u;
-                uint _e88 = next_word;
-                ScatterVector _e90 = scatter_vector_next(_e88, _e76.extent, picture, words, _buffer_sizes);
-                vector_2 = _e90.vector;
-                next_word = _e90.next_word;
+            bool _e65 = bounce_attenuates(_e62);
+            if (_e65) {
+                uint _e67 = attenuation_count_1;
+                attenuations[first_2 + _e67] = _e54.material;
+                uint _e72 = attenuation_count_1;
+                attenuation_count_1 = _e72 + 1u;
+                uint _e74 = next_word;
+                ScatterVector _e76 = scatter_vector_next(_e74, _e62.extent, picture, words, _buffer_sizes);
+                vector_2 = _e76.vector;
+                next_word = _e76.next_word;
             }
-            Ray _e93 = ray_15;
-            metal::float3 _e95 = vector_2;
-            Ray _e96 = bounce_ray(_e93, _e52.hit, _e76, _e95);
-            ray_15 = _e96;
+            Ray _e79 = ray_15;
+            metal::float3 _e81 = vector_2;
+            Ray _e82 = bounce_ray(_e79, _e54.hit, _e62, _e81);
+            ray_15 = _e82;
         }
     }
-    PackedVec3_ _e103 = vec3_store(metal::float3 {});
-    uint _e104 = next_word;
-    traced_samples[slot_1] = TracedSample {_e103, _e104 - first_word, 0u};
-    Ray _e110 = ray_15;
-    PackedRay _e111 = ray_store(_e110);
-    uint _e112 = attenuation_count_1;
-    uint _e114 = next_word;
-    sample_paths[slot_1] = PackedSamplePath {_e111, _e112, 0u, _e114, 0u};
+    bool _e88 = escapes;
+    if (_e88) {
+        Background _e89 = picture_background(picture);
+        metal::float3 _e91 = ray_15.direction;
+        metal::float3 _e92 = background_color(_e89, _e91);
+        uint _e93 = attenuation_count_1;
+        metal::float3 _e94 = bounce_attenuated(_e92, first_2, _e93, materials, attenuations, _buffer_sizes);
+        color_1 = _e94;
+    }
+    metal::float3 _e97 = color_1;
+    PackedVec3_ _e98 = vec3_store(_e97);
+    uint _e99 = next_word;
+    traced_samples[slot_1] = TracedSample {_e98, _e99 - first_word, 0u};
+    Ray _e105 = ray_15;
+    PackedRay _e106 = ray_store(_e105);
+    uint _e107 = attenuation_count_1;
+    bool _e110 = escapes;
+    uint _e112 = next_word;
+    sample_paths[slot_1] = PackedSamplePath {_e106, _e107, _e110 ? 1u : 0u, _e112, 0u};
     return;
 }
 

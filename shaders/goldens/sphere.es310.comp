@@ -98,21 +98,7 @@ vec3 vec3_perpendicular_to(vec3 v_2, vec3 axis) {
 }
 
 bool vec3_is_negligible(vec3 v_3) {
-    bool local = false;
-    bool local_1 = false;
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) && (abs(v_3.y) < 1e-8)) && (abs(v_3.z) < 1e-8));
 }
 
 vec3 ray_at(Ray ray, float lambda) {
@@ -123,17 +109,10 @@ bool in_range(float lambda_1) {
     return (0.001 <= lambda_1);
 }
 
-Root root_none() {
-    return Root(false, 0.0);
-}
-
 Hit hit_facing(vec3 direction, vec3 point, vec3 outward) {
     float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        return Hit(point, outward, front);
-    }
-    return Hit(point, -(outward), front);
+    return Hit(point, (front ? outward : -(outward)), front);
 }
 
 SphereRecord sphere_new(vec3 center, float radius) {
@@ -169,12 +148,8 @@ Root sphere_intersect(SphereRecord sphere_3, Ray ray_1) {
     float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     SphereView _e6 = sphere_seen_from(sphere_3, ray_1.origin);
     SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if ((_e8.discriminant < 0.0)) {
-        Root _e12 = root_none();
-        return _e12;
-    }
-    Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    return _e15;
+    Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    return Root((!((_e8.discriminant < 0.0)) && _e11.some), _e11.lambda);
 }
 
 vec3 vec3_load(PackedVec3_ v_4) {

@@ -111,22 +111,7 @@ float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 
 bool vec3_is_negligible(float3 v_3)
 {
-    bool local = (bool)0;
-    bool local_1 = (bool)0;
-
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) & (abs(v_3.y) < 1e-8)) & (abs(v_3.z) < 1e-8));
 }
 
 float3 ray_at(Ray ray, float lambda)
@@ -137,19 +122,6 @@ float3 ray_at(Ray ray, float lambda)
 bool in_range(float lambda_1)
 {
     return (0.001 <= lambda_1);
-}
-
-Root ConstructRoot(bool arg0, float arg1) {
-    Root ret = (Root)0;
-    ret.some = arg0;
-    ret.lambda = arg1;
-    return ret;
-}
-
-Root root_none()
-{
-    const Root root = ConstructRoot(false, 0.0);
-    return root;
 }
 
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
@@ -164,12 +136,8 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
     bool front = (_e3 < 0.0);
-    if (front) {
-        const Hit hit_1 = ConstructHit(point_, outward, front);
-        return hit_1;
-    }
-    const Hit hit_2 = ConstructHit(point_, -(outward), front);
-    return hit_2;
+    const Hit hit_1 = ConstructHit(point_, (front ? outward : -(outward)), front);
+    return hit_1;
 }
 
 SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
@@ -215,16 +183,23 @@ SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
     return spherequadratic;
 }
 
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
 Root sphere_first_root(float a_2, float h, float discriminant)
 {
-    float root_1 = sqrt(discriminant);
-    float near = ((h - root_1) / a_2);
-    float far = ((h + root_1) / a_2);
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
     const bool _e8 = in_range(near);
     float lambda_3 = (_e8 ? near : far);
     const bool _e10 = in_range(lambda_3);
-    const Root root_2 = ConstructRoot(_e10, lambda_3);
-    return root_2;
+    const Root root_1 = ConstructRoot(_e10, lambda_3);
+    return root_1;
 }
 
 float3 sphere_outward(SphereRecord sphere_2, float3 point_1)
@@ -237,14 +212,9 @@ Root sphere_intersect(SphereRecord sphere_3, Ray ray_1)
     const float _e4 = vec3_dot(ray_1.direction, ray_1.direction);
     const SphereView _e6 = sphere_seen_from(sphere_3, ray_1.origin);
     const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_1.direction, _e4);
-    if ((_e8.discriminant < 0.0)) {
-        const Root _e12 = root_none();
-        const Root root_3 = _e12;
-        return root_3;
-    }
-    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    const Root root_4 = _e15;
-    return root_4;
+    const Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_2 = ConstructRoot((!((_e8.discriminant < 0.0)) & _e11.some), _e11.lambda);
+    return root_2;
 }
 
 float3 vec3_load(PackedVec3_ v_4)

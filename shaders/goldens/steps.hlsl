@@ -104,7 +104,6 @@ struct PackedVec3_ {
 struct PlacedSphere {
     PackedVec3_ center_;
     float radius;
-    float radius_squared;
     uint order;
     uint material;
 };
@@ -112,10 +111,7 @@ struct PlacedSphere {
 struct PlacedCylinder {
     PackedVec3_ center_;
     PackedVec3_ axis;
-    PackedVec3_ top;
-    PackedVec3_ bottom;
     float radius;
-    float radius_squared;
     float half_height;
     uint order;
     uint material;
@@ -255,22 +251,7 @@ float3 vec3_perpendicular_to(float3 v_2, float3 axis)
 
 bool vec3_is_negligible(float3 v_3)
 {
-    bool local = (bool)0;
-    bool local_1 = (bool)0;
-
-    if ((abs(v_3.x) < 1e-8)) {
-        local = (abs(v_3.y) < 1e-8);
-    } else {
-        local = false;
-    }
-    bool _e11 = local;
-    if (_e11) {
-        local_1 = (abs(v_3.z) < 1e-8);
-    } else {
-        local_1 = false;
-    }
-    bool _e18 = local_1;
-    return _e18;
+    return (((abs(v_3.x) < 1e-8) & (abs(v_3.y) < 1e-8)) & (abs(v_3.z) < 1e-8));
 }
 
 float3 ray_at(Ray ray_1, float lambda)
@@ -281,19 +262,6 @@ float3 ray_at(Ray ray_1, float lambda)
 bool in_range(float lambda_1)
 {
     return (0.001 <= lambda_1);
-}
-
-Root ConstructRoot(bool arg0, float arg1) {
-    Root ret = (Root)0;
-    ret.some = arg0;
-    ret.lambda = arg1;
-    return ret;
-}
-
-Root root_none()
-{
-    const Root root = ConstructRoot(false, 0.0);
-    return root;
 }
 
 Hit ConstructHit(float3 arg0, float3 arg1, bool arg2) {
@@ -308,12 +276,22 @@ Hit hit_facing(float3 direction, float3 point_, float3 outward)
 {
     const float _e3 = vec3_dot(direction, outward);
     bool front_1 = (_e3 < 0.0);
-    if (front_1) {
-        const Hit hit_1 = ConstructHit(point_, outward, front_1);
-        return hit_1;
-    }
-    const Hit hit_2 = ConstructHit(point_, -(outward), front_1);
-    return hit_2;
+    const Hit hit_1 = ConstructHit(point_, (front_1 ? outward : -(outward)), front_1);
+    return hit_1;
+}
+
+SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
+    SphereRecord ret = (SphereRecord)0;
+    ret.center_ = arg0;
+    ret.radius = arg1;
+    ret.radius_squared = arg2;
+    return ret;
+}
+
+SphereRecord sphere_new(float3 center_, float radius)
+{
+    const SphereRecord sphererecord = ConstructSphereRecord(center_, radius, (radius * radius));
+    return sphererecord;
 }
 
 SphereView ConstructSphereView(float3 arg0, float arg1) {
@@ -345,16 +323,23 @@ SphereQuadratic sphere_quadratic(SphereView view, float3 direction_1, float a_1)
     return spherequadratic;
 }
 
+Root ConstructRoot(bool arg0, float arg1) {
+    Root ret = (Root)0;
+    ret.some = arg0;
+    ret.lambda = arg1;
+    return ret;
+}
+
 Root sphere_first_root(float a_2, float h, float discriminant)
 {
-    float root_1 = sqrt(discriminant);
-    float near = ((h - root_1) / a_2);
-    float far = ((h + root_1) / a_2);
+    float root = sqrt(discriminant);
+    float near = ((h - root) / a_2);
+    float far = ((h + root) / a_2);
     const bool _e8 = in_range(near);
     float lambda_6 = (_e8 ? near : far);
     const bool _e10 = in_range(lambda_6);
-    const Root root_2 = ConstructRoot(_e10, lambda_6);
-    return root_2;
+    const Root root_1 = ConstructRoot(_e10, lambda_6);
+    return root_1;
 }
 
 float3 sphere_outward(SphereRecord sphere_1, float3 point_1)
@@ -367,14 +352,9 @@ Root sphere_intersect(SphereRecord sphere_2, Ray ray_2)
     const float _e4 = vec3_dot(ray_2.direction, ray_2.direction);
     const SphereView _e6 = sphere_seen_from(sphere_2, ray_2.origin);
     const SphereQuadratic _e8 = sphere_quadratic(_e6, ray_2.direction, _e4);
-    if ((_e8.discriminant < 0.0)) {
-        const Root _e12 = root_none();
-        const Root root_3 = _e12;
-        return root_3;
-    }
-    const Root _e15 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
-    const Root root_4 = _e15;
-    return root_4;
+    const Root _e11 = sphere_first_root(_e4, _e8.h, _e8.discriminant);
+    const Root root_2 = ConstructRoot((!((_e8.discriminant < 0.0)) & _e11.some), _e11.lambda);
+    return root_2;
 }
 
 bool tie_later_is_closer(float lambda_2, float closest)
@@ -384,23 +364,27 @@ bool tie_later_is_closer(float lambda_2, float closest)
 
 bool tie_is_closer(float lambda_3, uint order, float closest_1, uint closest_order)
 {
-    bool local_2 = (bool)0;
-    bool local_3 = (bool)0;
-
     const bool _e4 = tie_later_is_closer(lambda_3, closest_1);
-    if (_e4) {
-        if (!((lambda_3 < closest_1))) {
-            local_3 = (order >= closest_order);
-        } else {
-            local_3 = true;
-        }
-        bool _e13 = local_3;
-        local_2 = _e13;
-    } else {
-        local_2 = false;
-    }
-    bool _e15 = local_2;
-    return _e15;
+    return (_e4 & ((lambda_3 < closest_1) | (order >= closest_order)));
+}
+
+CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
+    CylinderRecord ret = (CylinderRecord)0;
+    ret.center_ = arg0;
+    ret.axis = arg1;
+    ret.top = arg2;
+    ret.bottom = arg3;
+    ret.radius = arg4;
+    ret.radius_squared = arg5;
+    ret.half_height = arg6;
+    return ret;
+}
+
+CylinderRecord cylinder_with_unit_axis(float3 center_1, float radius_1, float3 axis_1, float half_height)
+{
+    float3 to_cap = (axis_1 * half_height);
+    const CylinderRecord cylinderrecord = ConstructCylinderRecord(center_1, axis_1, (center_1 + to_cap), (center_1 - to_cap), radius_1, (radius_1 * radius_1), half_height);
+    return cylinderrecord;
 }
 
 CylinderView ConstructCylinderView(float3 arg0, float arg1) {
@@ -444,81 +428,37 @@ bool cylinder_within_height(CylinderRecord cylinder_2, Ray ray_3, float lambda_4
 
 Root cylinder_side(CylinderRecord cylinder_3, Ray ray_4, CylinderQuadratic quadratic)
 {
-    bool local_4 = (bool)0;
-    bool local_5 = (bool)0;
-    bool local_6 = (bool)0;
-
-    float root_5 = sqrt(quadratic.discriminant);
-    float near_1 = ((-(quadratic.h) - root_5) / quadratic.a);
-    float far_1 = ((-(quadratic.h) + root_5) / quadratic.a);
+    float root_3 = sqrt(quadratic.discriminant);
+    float near_1 = ((-(quadratic.h) - root_3) / quadratic.a);
+    float far_1 = ((-(quadratic.h) + root_3) / quadratic.a);
     const bool _e15 = in_range(near_1);
-    if (_e15) {
-        const bool _e18 = cylinder_within_height(cylinder_3, ray_4, near_1);
-        local_4 = _e18;
-    } else {
-        local_4 = false;
-    }
-    bool near_counts = local_4;
-    const bool _e21 = in_range(far_1);
-    if (_e21) {
-        const bool _e24 = cylinder_within_height(cylinder_3, ray_4, far_1);
-        local_5 = _e24;
-    } else {
-        local_5 = false;
-    }
-    bool far_counts = local_5;
-    if (!(near_counts)) {
-        local_6 = far_counts;
-    } else {
-        local_6 = true;
-    }
-    bool _e31 = local_6;
-    const Root root_6 = ConstructRoot(_e31, (near_counts ? near_1 : far_1));
-    return root_6;
+    const bool _e16 = cylinder_within_height(cylinder_3, ray_4, near_1);
+    bool near_counts = (_e15 & _e16);
+    const bool _e18 = in_range(far_1);
+    const bool _e19 = cylinder_within_height(cylinder_3, ray_4, far_1);
+    bool far_counts = (_e18 & _e19);
+    const Root root_4 = ConstructRoot((near_counts | far_counts), (near_counts ? near_1 : far_1));
+    return root_4;
 }
 
-Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_5, float3 center_)
+Root cylinder_cap(CylinderRecord cylinder_4, Ray ray_5, float3 center_2)
 {
-    bool local_7 = (bool)0;
-    bool local_8 = (bool)0;
-
     const float _e5 = vec3_dot(ray_5.direction, cylinder_4.axis);
-    const float _e9 = vec3_dot((center_ - ray_5.origin), cylinder_4.axis);
+    const float _e9 = vec3_dot((center_2 - ray_5.origin), cylinder_4.axis);
     float lambda_7 = (_e9 / _e5);
     const float3 _e11 = ray_at(ray_5, lambda_7);
-    const float _e13 = vec3_length((_e11 - center_));
+    const float _e13 = vec3_length((_e11 - center_2));
     bool on_disc = (_e13 <= cylinder_4.radius);
-    if (!((abs(_e5) < 1e-8))) {
-        const bool _e22 = in_range(lambda_7);
-        local_7 = _e22;
-    } else {
-        local_7 = false;
-    }
-    bool _e24 = local_7;
-    if (_e24) {
-        local_8 = on_disc;
-    } else {
-        local_8 = false;
-    }
-    bool _e28 = local_8;
-    const Root root_7 = ConstructRoot(_e28, lambda_7);
-    return root_7;
+    const bool _e20 = in_range(lambda_7);
+    const Root root_5 = ConstructRoot(((!((abs(_e5) < 1e-8)) & _e20) & on_disc), lambda_7);
+    return root_5;
 }
 
 float3 cylinder_outward(CylinderRecord cylinder_5, uint part, float3 point_2)
 {
-    switch(part) {
-        case 0u: {
-            const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
-            return _e6;
-        }
-        case 1u: {
-            return cylinder_5.axis;
-        }
-        default: {
-            return -(cylinder_5.axis);
-        }
-    }
+    const float3 _e6 = vec3_perpendicular_to((point_2 - cylinder_5.center_), cylinder_5.axis);
+    float3 cap = ((part == TOP) ? cylinder_5.axis : -(cylinder_5.axis));
+    return ((part == SIDE) ? _e6 : cap);
 }
 
 CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
@@ -529,72 +469,34 @@ CylinderRoot ConstructCylinderRoot(bool arg0, float arg1, uint arg2) {
     return ret;
 }
 
+CylinderRoot cylinder_closer(CylinderRoot closest_2, Root later, uint part_1)
+{
+    const bool _e8 = tie_later_is_closer(later.lambda, closest_2.lambda);
+    bool replaces = (later.some & (!(closest_2.some) | _e8));
+    float lambda_8 = (replaces ? later.lambda : closest_2.lambda);
+    const CylinderRoot cylinderroot = ConstructCylinderRoot((closest_2.some | later.some), lambda_8, (replaces ? part_1 : closest_2.part));
+    return cylinderroot;
+}
+
 CylinderRoot cylinder_with_caps(CylinderRecord cylinder_6, Ray ray_6, Root side)
 {
-    CylinderRoot closest_2 = (CylinderRoot)0;
-    bool local_9 = (bool)0;
-    bool local_10 = (bool)0;
-    bool local_11 = (bool)0;
-    bool local_12 = (bool)0;
-
-    closest_2 = ConstructCylinderRoot(side.some, side.lambda, SIDE);
-    const Root _e9 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top);
-    if (_e9.some) {
-        bool _e14 = closest_2.some;
-        if (!(!(_e14))) {
-            float _e21 = closest_2.lambda;
-            const bool _e22 = tie_later_is_closer(_e9.lambda, _e21);
-            local_10 = _e22;
-        } else {
-            local_10 = true;
-        }
-        bool _e24 = local_10;
-        local_9 = _e24;
-    } else {
-        local_9 = false;
-    }
-    bool _e26 = local_9;
-    if (_e26) {
-        closest_2 = ConstructCylinderRoot(true, _e9.lambda, TOP);
-    }
-    const Root _e32 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom);
-    if (_e32.some) {
-        bool _e37 = closest_2.some;
-        if (!(!(_e37))) {
-            float _e44 = closest_2.lambda;
-            const bool _e45 = tie_later_is_closer(_e32.lambda, _e44);
-            local_12 = _e45;
-        } else {
-            local_12 = true;
-        }
-        bool _e47 = local_12;
-        local_11 = _e47;
-    } else {
-        local_11 = false;
-    }
-    bool _e49 = local_11;
-    if (_e49) {
-        closest_2 = ConstructCylinderRoot(true, _e32.lambda, BOTTOM);
-    }
-    CylinderRoot _e54 = closest_2;
-    const CylinderRoot cylinderroot = _e54;
-    return cylinderroot;
+    const Root _e4 = cylinder_cap(cylinder_6, ray_6, cylinder_6.top);
+    const Root _e6 = cylinder_cap(cylinder_6, ray_6, cylinder_6.bottom);
+    const CylinderRoot _e12 = cylinder_closer(ConstructCylinderRoot(side.some, side.lambda, SIDE), _e4, TOP);
+    const CylinderRoot _e14 = cylinder_closer(_e12, _e6, BOTTOM);
+    const CylinderRoot cylinderroot_1 = _e14;
+    return cylinderroot_1;
 }
 
 CylinderRoot cylinder_intersect(CylinderRecord cylinder_7, Ray ray_7)
 {
-    Root side_1 = (Root)0;
-
     const CylinderView _e3 = cylinder_seen_from(cylinder_7, ray_7.origin);
     const CylinderQuadratic _e5 = cylinder_quadratic(cylinder_7, _e3, ray_7.direction);
-    if (!((_e5.discriminant < 0.0))) {
-        const Root _e11 = cylinder_side(cylinder_7, ray_7, _e5);
-        side_1 = _e11;
-    }
-    Root _e12 = side_1;
-    const CylinderRoot _e13 = cylinder_with_caps(cylinder_7, ray_7, _e12);
-    const CylinderRoot cylinderroot_1 = _e13;
-    return cylinderroot_1;
+    const Root _e6 = cylinder_side(cylinder_7, ray_7, _e5);
+    bool some = (!((_e5.discriminant < 0.0)) & _e6.some);
+    const CylinderRoot _e15 = cylinder_with_caps(cylinder_7, ray_7, ConstructRoot(some, _e6.lambda));
+    const CylinderRoot cylinderroot_2 = _e15;
+    return cylinderroot_2;
 }
 
 Ray ConstructRay(float3 arg0, float3 arg1) {
@@ -624,10 +526,7 @@ float3 scatter_matte(float3 normal, float3 vector_)
 {
     float3 direction_8 = (normal + vector_);
     const bool _e3 = vec3_is_negligible(direction_8);
-    if (_e3) {
-        return normal;
-    }
-    return direction_8;
+    return (_e3 ? normal : direction_8);
 }
 
 float3 scatter_reflect(float3 direction_3, float3 normal_1)
@@ -688,41 +587,21 @@ PackedVec3_ vec3_store(float3 v_5)
     return packedvec3_;
 }
 
-SphereRecord ConstructSphereRecord(float3 arg0, float arg1, float arg2) {
-    SphereRecord ret = (SphereRecord)0;
-    ret.center_ = arg0;
-    ret.radius = arg1;
-    ret.radius_squared = arg2;
-    return ret;
-}
-
 SphereRecord sphere_load(PlacedSphere sphere_3)
 {
     const float3 _e2 = vec3_load(sphere_3.center_);
-    const SphereRecord sphererecord = ConstructSphereRecord(_e2, sphere_3.radius, sphere_3.radius_squared);
-    return sphererecord;
-}
-
-CylinderRecord ConstructCylinderRecord(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float arg5, float arg6) {
-    CylinderRecord ret = (CylinderRecord)0;
-    ret.center_ = arg0;
-    ret.axis = arg1;
-    ret.top = arg2;
-    ret.bottom = arg3;
-    ret.radius = arg4;
-    ret.radius_squared = arg5;
-    ret.half_height = arg6;
-    return ret;
+    const SphereRecord _e4 = sphere_new(_e2, sphere_3.radius);
+    const SphereRecord sphererecord_1 = _e4;
+    return sphererecord_1;
 }
 
 CylinderRecord cylinder_load(PlacedCylinder cylinder_8)
 {
-    const float3 _e2 = vec3_load(cylinder_8.center_);
-    const float3 _e4 = vec3_load(cylinder_8.axis);
-    const float3 _e6 = vec3_load(cylinder_8.top);
-    const float3 _e8 = vec3_load(cylinder_8.bottom);
-    const CylinderRecord cylinderrecord = ConstructCylinderRecord(_e2, _e4, _e6, _e8, cylinder_8.radius, cylinder_8.radius_squared, cylinder_8.half_height);
-    return cylinderrecord;
+    const float3 _e2 = vec3_load(cylinder_8.axis);
+    const float3 _e4 = vec3_load(cylinder_8.center_);
+    const CylinderRecord _e7 = cylinder_with_unit_axis(_e4, cylinder_8.radius, _e2, cylinder_8.half_height);
+    const CylinderRecord cylinderrecord_1 = _e7;
+    return cylinderrecord_1;
 }
 
 Material ConstructMaterial(float3 arg0, float arg1, float arg2, uint arg3) {
@@ -737,8 +616,8 @@ Material ConstructMaterial(float3 arg0, float arg1, float arg2, uint arg3) {
 Material material_load(PackedMaterial material)
 {
     const float3 _e2 = vec3_load(material.reflectance);
-    const Material material_2 = ConstructMaterial(_e2, material.index, material.extent, material.kind);
-    return material_2;
+    const Material material_3 = ConstructMaterial(_e2, material.index, material.extent, material.kind);
+    return material_3;
 }
 
 Camera ConstructCamera(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
@@ -783,16 +662,8 @@ Background picture_background()
 
 bool is_closer(ClosestHit closest_3, float lambda_5, uint order_1)
 {
-    bool local_13 = (bool)0;
-
-    if (!(!(closest_3.some))) {
-        const bool _e10 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
-        local_13 = _e10;
-    } else {
-        local_13 = true;
-    }
-    bool _e12 = local_13;
-    return _e12;
+    const bool _e7 = tie_is_closer(lambda_5, order_1, closest_3.lambda, closest_3.order);
+    return (!(closest_3.some) | _e7);
 }
 
 ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint arg4, uint arg5) {
@@ -806,74 +677,60 @@ ClosestHit ConstructClosestHit(bool arg0, float arg1, uint arg2, bool arg3, uint
     return ret;
 }
 
-PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, float arg2, uint arg3, uint arg4) {
+PlacedSphere ConstructPlacedSphere(PackedVec3_ arg0, float arg1, uint arg2, uint arg3) {
     PlacedSphere ret = (PlacedSphere)0;
     ret.center_ = arg0;
     ret.radius = arg1;
-    ret.radius_squared = arg2;
-    ret.order = arg3;
-    ret.material = arg4;
+    ret.order = arg2;
+    ret.material = arg3;
     return ret;
 }
 
 ClosestHit intersect_sphere(ClosestHit closest_4, Ray ray_8, uint index_1)
 {
-    bool local_14 = (bool)0;
+    ClosestHit result = (ClosestHit)0;
 
-    PlacedSphere _e5 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(index_1*28+0+0)), asfloat(spheres.Load(index_1*28+0+4)), asfloat(spheres.Load(index_1*28+0+8))), asfloat(spheres.Load(index_1*28+12)), asfloat(spheres.Load(index_1*28+16)), asuint(spheres.Load(index_1*28+20)), asuint(spheres.Load(index_1*28+24)));
-    const SphereRecord _e6 = sphere_load(_e5);
+    PlacedSphere placed = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(index_1*24+0+0)), asfloat(spheres.Load(index_1*24+0+4)), asfloat(spheres.Load(index_1*24+0+8))), asfloat(spheres.Load(index_1*24+12)), asuint(spheres.Load(index_1*24+16)), asuint(spheres.Load(index_1*24+20)));
+    const SphereRecord _e6 = sphere_load(placed);
     const Root _e7 = sphere_intersect(_e6, ray_8);
-    uint order_2 = asuint(spheres.Load(20+index_1*28));
-    if (_e7.some) {
-        const bool _e16 = is_closer(closest_4, _e7.lambda, order_2);
-        local_14 = _e16;
-    } else {
-        local_14 = false;
+    uint order_2 = placed.order;
+    result = closest_4;
+    const bool _e12 = is_closer(closest_4, _e7.lambda, order_2);
+    if ((_e7.some & _e12)) {
+        result = ConstructClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
     }
-    bool _e18 = local_14;
-    if (_e18) {
-        const ClosestHit closesthit = ConstructClosestHit(true, _e7.lambda, order_2, false, index_1, SIDE);
-        return closesthit;
-    }
-    const ClosestHit closesthit_1 = closest_4;
-    return closesthit_1;
+    ClosestHit _e19 = result;
+    const ClosestHit closesthit = _e19;
+    return closesthit;
 }
 
-PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, PackedVec3_ arg2, PackedVec3_ arg3, float arg4, float arg5, float arg6, uint arg7, uint arg8) {
+PlacedCylinder ConstructPlacedCylinder(PackedVec3_ arg0, PackedVec3_ arg1, float arg2, float arg3, uint arg4, uint arg5) {
     PlacedCylinder ret = (PlacedCylinder)0;
     ret.center_ = arg0;
     ret.axis = arg1;
-    ret.top = arg2;
-    ret.bottom = arg3;
-    ret.radius = arg4;
-    ret.radius_squared = arg5;
-    ret.half_height = arg6;
-    ret.order = arg7;
-    ret.material = arg8;
+    ret.radius = arg2;
+    ret.half_height = arg3;
+    ret.order = arg4;
+    ret.material = arg5;
     return ret;
 }
 
 ClosestHit intersect_cylinder(ClosestHit closest_5, Ray ray_9, uint index_2)
 {
-    bool local_15 = (bool)0;
+    ClosestHit result_1 = (ClosestHit)0;
 
-    PlacedCylinder _e5 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+0+0)), asfloat(cylinders.Load(index_2*68+0+4)), asfloat(cylinders.Load(index_2*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+12+0)), asfloat(cylinders.Load(index_2*68+12+4)), asfloat(cylinders.Load(index_2*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+24+0)), asfloat(cylinders.Load(index_2*68+24+4)), asfloat(cylinders.Load(index_2*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*68+36+0)), asfloat(cylinders.Load(index_2*68+36+4)), asfloat(cylinders.Load(index_2*68+36+8))), asfloat(cylinders.Load(index_2*68+48)), asfloat(cylinders.Load(index_2*68+52)), asfloat(cylinders.Load(index_2*68+56)), asuint(cylinders.Load(index_2*68+60)), asuint(cylinders.Load(index_2*68+64)));
-    const CylinderRecord _e6 = cylinder_load(_e5);
+    PlacedCylinder placed_1 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(index_2*40+0+0)), asfloat(cylinders.Load(index_2*40+0+4)), asfloat(cylinders.Load(index_2*40+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(index_2*40+12+0)), asfloat(cylinders.Load(index_2*40+12+4)), asfloat(cylinders.Load(index_2*40+12+8))), asfloat(cylinders.Load(index_2*40+24)), asfloat(cylinders.Load(index_2*40+28)), asuint(cylinders.Load(index_2*40+32)), asuint(cylinders.Load(index_2*40+36)));
+    const CylinderRecord _e6 = cylinder_load(placed_1);
     const CylinderRoot _e7 = cylinder_intersect(_e6, ray_9);
-    uint order_3 = asuint(cylinders.Load(60+index_2*68));
-    if (_e7.some) {
-        const bool _e16 = is_closer(closest_5, _e7.lambda, order_3);
-        local_15 = _e16;
-    } else {
-        local_15 = false;
+    uint order_3 = placed_1.order;
+    result_1 = closest_5;
+    const bool _e12 = is_closer(closest_5, _e7.lambda, order_3);
+    if ((_e7.some & _e12)) {
+        result_1 = ConstructClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
     }
-    bool _e18 = local_15;
-    if (_e18) {
-        const ClosestHit closesthit_2 = ConstructClosestHit(true, _e7.lambda, order_3, true, index_2, _e7.part);
-        return closesthit_2;
-    }
-    const ClosestHit closesthit_3 = closest_5;
-    return closesthit_3;
+    ClosestHit _e19 = result_1;
+    const ClosestHit closesthit_1 = _e19;
+    return closesthit_1;
 }
 
 SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint arg4, uint arg5) {
@@ -889,47 +746,45 @@ SurfaceHit ConstructSurfaceHit(bool arg0, Hit arg1, uint arg2, float arg3, uint 
 
 SurfaceHit surface_at(ClosestHit closest_6, Ray ray_10)
 {
-    SurfaceHit surface = (SurfaceHit)0;
-    bool local_16 = (bool)0;
-    bool local_17 = (bool)0;
+    float3 outward_1 = (float3)0;
+    uint material_1 = (uint)0;
+    bool local = (bool)0;
+    bool local_1 = (bool)0;
 
-    if (!(closest_6.some)) {
-        SurfaceHit _e5 = surface;
-        const SurfaceHit surfacehit = _e5;
-        return surfacehit;
-    }
-    const float3 _e7 = ray_at(ray_10, closest_6.lambda);
+    const float3 _e3 = ray_at(ray_10, closest_6.lambda);
     if (has_spheres) {
-        local_16 = !(closest_6.is_cylinder);
+        local = !(closest_6.is_cylinder);
     } else {
-        local_16 = false;
+        local = false;
     }
-    bool _e14 = local_16;
-    if (_e14) {
-        PlacedSphere _e18 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(closest_6.index*28+0+0)), asfloat(spheres.Load(closest_6.index*28+0+4)), asfloat(spheres.Load(closest_6.index*28+0+8))), asfloat(spheres.Load(closest_6.index*28+12)), asfloat(spheres.Load(closest_6.index*28+16)), asuint(spheres.Load(closest_6.index*28+20)), asuint(spheres.Load(closest_6.index*28+24)));
-        const SphereRecord _e19 = sphere_load(_e18);
-        const float3 _e20 = sphere_outward(_e19, _e7);
-        const Hit _e22 = hit_facing(ray_10.direction, _e7, _e20);
-        uint material_3 = asuint(spheres.Load(24+closest_6.index*28));
-        surface = ConstructSurfaceHit(true, _e22, material_3, closest_6.lambda, closest_6.order, closest_6.part);
+    bool _e12 = local;
+    if (_e12) {
+        PlacedSphere _e16 = ConstructPlacedSphere(ConstructPackedVec3_(asfloat(spheres.Load(closest_6.index*24+0+0)), asfloat(spheres.Load(closest_6.index*24+0+4)), asfloat(spheres.Load(closest_6.index*24+0+8))), asfloat(spheres.Load(closest_6.index*24+12)), asuint(spheres.Load(closest_6.index*24+16)), asuint(spheres.Load(closest_6.index*24+20)));
+        const SphereRecord _e17 = sphere_load(_e16);
+        const float3 _e18 = sphere_outward(_e17, _e3);
+        outward_1 = _e18;
+        uint _e23 = asuint(spheres.Load(20+closest_6.index*24));
+        material_1 = _e23;
     }
     if (has_cylinders) {
-        local_17 = closest_6.is_cylinder;
+        local_1 = closest_6.is_cylinder;
     } else {
-        local_17 = false;
+        local_1 = false;
     }
-    bool _e38 = local_17;
-    if (_e38) {
-        PlacedCylinder _e42 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+0+0)), asfloat(cylinders.Load(closest_6.index*68+0+4)), asfloat(cylinders.Load(closest_6.index*68+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+12+0)), asfloat(cylinders.Load(closest_6.index*68+12+4)), asfloat(cylinders.Load(closest_6.index*68+12+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+24+0)), asfloat(cylinders.Load(closest_6.index*68+24+4)), asfloat(cylinders.Load(closest_6.index*68+24+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*68+36+0)), asfloat(cylinders.Load(closest_6.index*68+36+4)), asfloat(cylinders.Load(closest_6.index*68+36+8))), asfloat(cylinders.Load(closest_6.index*68+48)), asfloat(cylinders.Load(closest_6.index*68+52)), asfloat(cylinders.Load(closest_6.index*68+56)), asuint(cylinders.Load(closest_6.index*68+60)), asuint(cylinders.Load(closest_6.index*68+64)));
-        const CylinderRecord _e43 = cylinder_load(_e42);
-        const float3 _e45 = cylinder_outward(_e43, closest_6.part, _e7);
-        const Hit _e47 = hit_facing(ray_10.direction, _e7, _e45);
-        uint material_4 = asuint(cylinders.Load(64+closest_6.index*68));
-        surface = ConstructSurfaceHit(true, _e47, material_4, closest_6.lambda, closest_6.order, closest_6.part);
+    bool _e29 = local_1;
+    if (_e29) {
+        PlacedCylinder _e33 = ConstructPlacedCylinder(ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*40+0+0)), asfloat(cylinders.Load(closest_6.index*40+0+4)), asfloat(cylinders.Load(closest_6.index*40+0+8))), ConstructPackedVec3_(asfloat(cylinders.Load(closest_6.index*40+12+0)), asfloat(cylinders.Load(closest_6.index*40+12+4)), asfloat(cylinders.Load(closest_6.index*40+12+8))), asfloat(cylinders.Load(closest_6.index*40+24)), asfloat(cylinders.Load(closest_6.index*40+28)), asuint(cylinders.Load(closest_6.index*40+32)), asuint(cylinders.Load(closest_6.index*40+36)));
+        const CylinderRecord _e34 = cylinder_load(_e33);
+        const float3 _e36 = cylinder_outward(_e34, closest_6.part, _e3);
+        outward_1 = _e36;
+        uint _e41 = asuint(cylinders.Load(36+closest_6.index*40));
+        material_1 = _e41;
     }
-    SurfaceHit _e58 = surface;
-    const SurfaceHit surfacehit_1 = _e58;
-    return surfacehit_1;
+    float3 _e43 = outward_1;
+    const Hit _e44 = hit_facing(ray_10.direction, _e3, _e43);
+    uint _e46 = material_1;
+    const SurfaceHit surfacehit = ConstructSurfaceHit(closest_6.some, _e44, _e46, closest_6.lambda, closest_6.order, closest_6.part);
+    return surfacehit;
 }
 
 ClosestHit intersect_every_object(Ray ray_11)
@@ -989,53 +844,53 @@ ClosestHit intersect_every_object(Ray ray_11)
         }
     }
     ClosestHit _e30 = closest_7;
-    const ClosestHit closesthit_4 = _e30;
-    return closesthit_4;
+    const ClosestHit closesthit_2 = _e30;
+    return closesthit_2;
 }
 
 SurfaceHit closest_hit(Ray ray_12)
 {
     const ClosestHit _e1 = intersect_every_object(ray_12);
     const SurfaceHit _e2 = surface_at(_e1, ray_12);
-    const SurfaceHit surfacehit_2 = _e2;
-    return surfacehit_2;
+    const SurfaceHit surfacehit_1 = _e2;
+    return surfacehit_1;
 }
 
-Ray bounce_ray(Ray ray_13, Hit hit, Material material_1, float3 scatter_vector)
+Ray bounce_ray(Ray ray_13, Hit hit, Material material_2, float3 scatter_vector)
 {
     float3 direction_7 = (float3)0;
-    bool local_18 = (bool)0;
-    bool local_19 = (bool)0;
-    bool local_20 = (bool)0;
+    bool local_2 = (bool)0;
+    bool local_3 = (bool)0;
+    bool local_4 = (bool)0;
 
     if (has_matte) {
-        local_18 = (material_1.kind == MATTE);
+        local_2 = (material_2.kind == MATTE);
     } else {
-        local_18 = false;
+        local_2 = false;
     }
-    bool _e12 = local_18;
+    bool _e12 = local_2;
     if (_e12) {
         const float3 _e14 = scatter_matte(hit.normal, scatter_vector);
         direction_7 = _e14;
     }
     if (has_metal) {
-        local_19 = (material_1.kind == METAL);
+        local_3 = (material_2.kind == METAL);
     } else {
-        local_19 = false;
+        local_3 = false;
     }
-    bool _e22 = local_19;
+    bool _e22 = local_3;
     if (_e22) {
         const float3 _e25 = scatter_metal(ray_13.direction, hit.normal, scatter_vector);
         direction_7 = _e25;
     }
     if (has_refraction) {
-        local_20 = (material_1.kind == REFRACTIVE);
+        local_4 = (material_2.kind == REFRACTIVE);
     } else {
-        local_20 = false;
+        local_4 = false;
     }
-    bool _e33 = local_20;
+    bool _e33 = local_4;
     if (_e33) {
-        const float _e36 = scatter_index_ratio(material_1.index, hit.front);
+        const float _e36 = scatter_index_ratio(material_2.index, hit.front);
         const float3 _e39 = scatter_refract(ray_13.direction, hit.normal, _e36);
         direction_7 = _e39;
     }
@@ -1122,11 +977,11 @@ void steps(uint3 id : SV_DispatchThreadID)
         if (!(_e62)) {
             const float3 _e65 = vec3_load(last.point_);
             const float3 _e67 = vec3_load(last.normal);
-            Hit hit_3 = ConstructHit(_e65, _e67, (last.front == 1.0));
+            Hit hit_2 = ConstructHit(_e65, _e67, (last.front == 1.0));
             Ray _e72 = ray;
             PackedMaterial _e77 = ConstructPackedMaterial(ConstructPackedVec3_(asfloat(materials.Load(naga_f2u32(last.material)*28+0+0)), asfloat(materials.Load(naga_f2u32(last.material)*28+0+4)), asfloat(materials.Load(naga_f2u32(last.material)*28+0+8))), asfloat(materials.Load(naga_f2u32(last.material)*28+12)), asfloat(materials.Load(naga_f2u32(last.material)*28+16)), asuint(materials.Load(naga_f2u32(last.material)*28+20)), asuint(materials.Load(naga_f2u32(last.material)*28+24)));
             const Material _e78 = material_load(_e77);
-            const Ray _e79 = bounce_ray(_e72, hit_3, _e78, _e21);
+            const Ray _e79 = bounce_ray(_e72, hit_2, _e78, _e21);
             ray = _e79;
         }
     }

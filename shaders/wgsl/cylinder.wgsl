@@ -19,11 +19,13 @@ const BOTTOM: u32 = 2u;
 // CylinderRecord::new: returns the record of a cylinder. The length of `axis` is the height.
 fn cylinder_new(center: vec3<real>, radius: real, axis: vec3<real>) -> CylinderRecord {
     let unit = vec3_unit_and_length(axis);
-    let half_height = unit.length / real(2.0);
-    let half_axis = unit.direction * half_height;
-    let top = center + half_axis;
-    let bottom = center - half_axis;
-    return CylinderRecord(center, unit.direction, top, bottom, radius, radius * radius, half_height);
+    return cylinder_with_unit_axis(center, radius, unit.direction, unit.length / real(2.0));
+}
+
+// CylinderRecord::with_unit_axis: returns the record of a cylinder, for an `axis` of length one.
+fn cylinder_with_unit_axis(center: vec3<real>, radius: real, axis: vec3<real>, half_height: real) -> CylinderRecord {
+    let to_cap = axis * half_height;
+    return CylinderRecord(center, axis, center + to_cap, center - to_cap, radius, radius * radius, half_height);
 }
 
 // CylinderView: the values that all rays from one origin share.
@@ -65,9 +67,9 @@ fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadrati
     let root = sqrt(quadratic.discriminant);
     let near = (-quadratic.h - root) / quadratic.a;
     let far = (-quadratic.h + root) / quadratic.a;
-    let near_counts = in_range(near) && cylinder_within_height(cylinder, ray, near);
-    let far_counts = in_range(far) && cylinder_within_height(cylinder, ray, far);
-    return Root(near_counts || far_counts, select(far, near, near_counts));
+    let near_counts = in_range(near) & cylinder_within_height(cylinder, ray, near);
+    let far_counts = in_range(far) & cylinder_within_height(cylinder, ray, far);
+    return Root(near_counts | far_counts, select(far, near, near_counts));
 }
 
 // cap::intersect: returns the lambda at which the ray hits the cap around `center`, if it does. The limit 1e-8 is
@@ -76,23 +78,15 @@ fn cylinder_cap(cylinder: CylinderRecord, ray: Ray, center: vec3<real>) -> Root 
     let slope = vec3_dot(ray.direction, cylinder.axis);
     let lambda = vec3_dot(center - ray.origin, cylinder.axis) / slope;
     let on_disc = vec3_length(ray_at(ray, lambda) - center) <= cylinder.radius;
-    return Root(!(abs(slope) < real(1e-8)) && in_range(lambda) && on_disc, lambda);
+    return Root(!(abs(slope) < real(1e-8)) & in_range(lambda) & on_disc, lambda);
 }
 
 // CylinderRecord::outward: returns the outward normal of `part` at `point`. Its length is the radius on the side, 1 on
 // a cap.
 fn cylinder_outward(cylinder: CylinderRecord, part: u32, point: vec3<real>) -> vec3<real> {
-    switch part {
-        case SIDE: {
-            return vec3_perpendicular_to(point - cylinder.center, cylinder.axis);
-        }
-        case TOP: {
-            return cylinder.axis;
-        }
-        default: {
-            return -cylinder.axis;
-        }
-    }
+    let side = vec3_perpendicular_to(point - cylinder.center, cylinder.axis);
+    let cap = select(-cylinder.axis, cylinder.axis, part == TOP);
+    return select(cap, side, part == SIDE);
 }
 
 // Option<(T, CylinderPart)>: the lambda and the part of a hit, if there is one.
@@ -106,24 +100,23 @@ struct CylinderRoot {
 fn cylinder_intersect(cylinder: CylinderRecord, ray: Ray) -> CylinderRoot {
     let view = cylinder_seen_from(cylinder, ray.origin);
     let quadratic = cylinder_quadratic(cylinder, view, ray.direction);
-    var side: Root;
-    if !(quadratic.discriminant < real(0.0)) {
-        side = cylinder_side(cylinder, ray, quadratic);
-    }
-    return cylinder_with_caps(cylinder, ray, side);
+    let side = cylinder_side(cylinder, ray, quadratic);
+    let some = !(quadratic.discriminant < real(0.0)) & side.some;
+    return cylinder_with_caps(cylinder, ray, Root(some, side.lambda));
 }
 
 // The part of CylinderRecord::intersect after the side. Returns the closest hit of the side, the top cap and the bottom
 // cap. Of hits at equal lambdas, the later in this order counts.
 fn cylinder_with_caps(cylinder: CylinderRecord, ray: Ray, side: Root) -> CylinderRoot {
-    var closest = CylinderRoot(side.some, side.lambda, SIDE);
     let top = cylinder_cap(cylinder, ray, cylinder.top);
-    if top.some && (!closest.some || tie_later_is_closer(top.lambda, closest.lambda)) {
-        closest = CylinderRoot(true, top.lambda, TOP);
-    }
     let bottom = cylinder_cap(cylinder, ray, cylinder.bottom);
-    if bottom.some && (!closest.some || tie_later_is_closer(bottom.lambda, closest.lambda)) {
-        closest = CylinderRoot(true, bottom.lambda, BOTTOM);
-    }
-    return closest;
+    let closest = cylinder_closer(CylinderRoot(side.some, side.lambda, SIDE), top, TOP);
+    return cylinder_closer(closest, bottom, BOTTOM);
+}
+
+// Returns the closer of two hits: `closest`, and the hit of a later part.
+fn cylinder_closer(closest: CylinderRoot, later: Root, part: u32) -> CylinderRoot {
+    let replaces = later.some & (!closest.some | tie_later_is_closer(later.lambda, closest.lambda));
+    let lambda = select(closest.lambda, later.lambda, replaces);
+    return CylinderRoot(closest.some | later.some, lambda, select(closest.part, part, replaces));
 }

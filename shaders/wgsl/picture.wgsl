@@ -1,41 +1,30 @@
 // The buffers that a picture is rendered from and into. Their structures have only scalar fields, as in layout.wgsl.
 
-// cpu::internals::layout::Placed<SphereRecord<T>>
+// cpu::internals::layout::Placed<SphereRecord<T>>, without what sphere_new computes.
 struct PlacedSphere {
     center: PackedVec3,
     radius: real,
-    radius_squared: real,
     order: u32,
     material: u32,
 }
 
 fn sphere_load(sphere: PlacedSphere) -> SphereRecord {
-    return SphereRecord(vec3_load(sphere.center), sphere.radius, sphere.radius_squared);
+    return sphere_new(vec3_load(sphere.center), sphere.radius);
 }
 
-// cpu::internals::layout::Placed<CylinderRecord<T>>
+// cpu::internals::layout::Placed<CylinderRecord<T>>, without what cylinder_with_unit_axis computes.
 struct PlacedCylinder {
     center: PackedVec3,
     axis: PackedVec3,
-    top: PackedVec3,
-    bottom: PackedVec3,
     radius: real,
-    radius_squared: real,
     half_height: real,
     order: u32,
     material: u32,
 }
 
 fn cylinder_load(cylinder: PlacedCylinder) -> CylinderRecord {
-    return CylinderRecord(
-        vec3_load(cylinder.center),
-        vec3_load(cylinder.axis),
-        vec3_load(cylinder.top),
-        vec3_load(cylinder.bottom),
-        cylinder.radius,
-        cylinder.radius_squared,
-        cylinder.half_height,
-    );
+    let axis = vec3_load(cylinder.axis);
+    return cylinder_with_unit_axis(vec3_load(cylinder.center), cylinder.radius, axis, cylinder.half_height);
 }
 
 // twin::picture::PackedMaterial<T>, which is made from cpu::Material. `unused` makes the size a multiple of 8

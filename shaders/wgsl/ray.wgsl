@@ -22,10 +22,6 @@ struct Root {
     lambda: real,
 }
 
-fn root_none() -> Root {
-    return Root(false, real(0.0));
-}
-
 // Hit: a point where a ray hits a surface, and the normal on the side from which the ray comes. `front` tells whether
 // that side is the outside.
 struct Hit {
@@ -37,8 +33,5 @@ struct Hit {
 // Hit::facing: returns the hit at `point` of a ray along `direction`, given the normal that points `outward`.
 fn hit_facing(direction: vec3<real>, point: vec3<real>, outward: vec3<real>) -> Hit {
     let front = vec3_dot(direction, outward) < real(0.0);
-    if front {
-        return Hit(point, outward, front);
-    }
-    return Hit(point, -outward, front);
+    return Hit(point, select(-outward, outward, front), front);
 }

@@ -5,10 +5,7 @@
 // if the sum is negligible.
 fn scatter_matte(normal: vec3<real>, vector: vec3<real>) -> vec3<real> {
     let direction = normal + vector;
-    if vec3_is_negligible(direction) {
-        return normal;
-    }
-    return direction;
+    return select(direction, normal, vec3_is_negligible(direction));
 }
 
 // reflection::reflect: returns the mirror image of `direction` in a surface with this normal.

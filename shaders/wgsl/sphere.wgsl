@@ -56,8 +56,6 @@ fn sphere_outward(sphere: SphereRecord, point: vec3<real>) -> vec3<real> {
 fn sphere_intersect(sphere: SphereRecord, ray: Ray) -> Root {
     let a = vec3_dot(ray.direction, ray.direction);
     let quadratic = sphere_quadratic(sphere_seen_from(sphere, ray.origin), ray.direction, a);
-    if quadratic.discriminant < real(0.0) {
-        return root_none();
-    }
-    return sphere_first_root(a, quadratic.h, quadratic.discriminant);
+    let root = sphere_first_root(a, quadratic.h, quadratic.discriminant);
+    return Root(!(quadratic.discriminant < real(0.0)) & root.some, root.lambda);
 }

@@ -16,7 +16,7 @@ struct ClosestHit {
 
 // ClosestHit::update: returns whether a hit at `lambda` replaces the closest hit found so far.
 fn is_closer(closest: ClosestHit, lambda: real, order: u32) -> bool {
-    return !closest.some || tie_is_closer(lambda, order, closest.lambda, closest.order);
+    return !closest.some | tie_is_closer(lambda, order, closest.lambda, closest.order);
 }
 
 // The surface that a ray hits first, if `some` is true. Only steps.wgsl and debug views read `lambda`, `order` and
@@ -32,42 +32,41 @@ struct SurfaceHit {
 
 // Intersects the ray with the sphere at `index`, and updates `closest`.
 fn intersect_sphere(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
-    let root = sphere_intersect(sphere_load(spheres[index]), ray);
-    let order = spheres[index].order;
-    if root.some && is_closer(closest, root.lambda, order) {
-        return ClosestHit(true, root.lambda, order, false, index, SIDE);
+    let placed = spheres[index];
+    let root = sphere_intersect(sphere_load(placed), ray);
+    let order = placed.order;
+    var result = closest;
+    if root.some & is_closer(closest, root.lambda, order) {
+        result = ClosestHit(true, root.lambda, order, false, index, SIDE);
     }
-    return closest;
+    return result;
 }
 
 // Intersects the ray with the cylinder at `index`, and updates `closest`.
 fn intersect_cylinder(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
-    let root = cylinder_intersect(cylinder_load(cylinders[index]), ray);
-    let order = cylinders[index].order;
-    if root.some && is_closer(closest, root.lambda, order) {
-        return ClosestHit(true, root.lambda, order, true, index, root.part);
+    let placed = cylinders[index];
+    let root = cylinder_intersect(cylinder_load(placed), ray);
+    let order = placed.order;
+    var result = closest;
+    if root.some & is_closer(closest, root.lambda, order) {
+        result = ClosestHit(true, root.lambda, order, true, index, root.part);
     }
-    return closest;
+    return result;
 }
 
 // Returns the surface at the closest hit, if there is one.
 fn surface_at(closest: ClosestHit, ray: Ray) -> SurfaceHit {
-    var surface: SurfaceHit;
-    if !closest.some {
-        return surface;
-    }
     let point = ray_at(ray, closest.lambda);
+    var outward: vec3<real>;
+    var material: u32;
     if has_spheres && !closest.is_cylinder {
-        let outward = sphere_outward(sphere_load(spheres[closest.index]), point);
-        let hit = hit_facing(ray.direction, point, outward);
-        let material = spheres[closest.index].material;
-        surface = SurfaceHit(true, hit, material, closest.lambda, closest.order, closest.part);
+        outward = sphere_outward(sphere_load(spheres[closest.index]), point);
+        material = spheres[closest.index].material;
     }
     if has_cylinders && closest.is_cylinder {
-        let outward = cylinder_outward(cylinder_load(cylinders[closest.index]), closest.part, point);
-        let hit = hit_facing(ray.direction, point, outward);
-        let material = cylinders[closest.index].material;
-        surface = SurfaceHit(true, hit, material, closest.lambda, closest.order, closest.part);
+        outward = cylinder_outward(cylinder_load(cylinders[closest.index]), closest.part, point);
+        material = cylinders[closest.index].material;
     }
-    return surface;
+    let hit = hit_facing(ray.direction, point, outward);
+    return SurfaceHit(closest.some, hit, material, closest.lambda, closest.order, closest.part);
 }

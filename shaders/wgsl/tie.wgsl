@@ -9,5 +9,5 @@ fn tie_later_is_closer(lambda: real, closest: real) -> bool {
 // is_closer: returns whether the hit at `lambda` replaces the closest hit so far, which is at `closest`. Each order is
 // the object's place in the scene file. The objects may come in any order.
 fn tie_is_closer(lambda: real, order: u32, closest: real, closest_order: u32) -> bool {
-    return tie_later_is_closer(lambda, closest) && (lambda < closest || order >= closest_order);
+    return tie_later_is_closer(lambda, closest) & ((lambda < closest) | (order >= closest_order));
 }

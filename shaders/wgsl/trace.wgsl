@@ -21,6 +21,7 @@ fn trace_path(primary: Ray, slot: u32) {
     let scatter_vector = vec3_load(picture.scatter_vector);
     let first = slot * max_depth;
     var attenuation_count = 0u;
+    var escapes = false;
     if picture.first_depth > 0u {
         if paths[slot].ended != 0u {
             return;
@@ -31,10 +32,8 @@ fn trace_path(primary: Ray, slot: u32) {
     for (var depth = picture.first_depth; depth < min(max_depth, picture.end_depth); depth++) {
         let surface = closest_hit(ray);
         if !surface.some {
-            let color = background_color(picture_background(), ray.direction);
-            pixels[slot] = vec3_store(bounce_attenuated(color, first, attenuation_count));
-            paths[slot].ended = 1u;
-            return;
+            escapes = true;
+            break;
         }
         let material = material_load(materials[surface.material]);
         if bounce_attenuates(material) {
@@ -44,6 +43,10 @@ fn trace_path(primary: Ray, slot: u32) {
         ray = bounce_ray(ray, surface.hit, material, scatter_vector);
     }
     // A path that has reached the maximum depth contributes black. If it has not, a later run writes the colour.
-    pixels[slot] = vec3_store(vec3<real>());
-    paths[slot] = PackedPath(ray_store(ray), attenuation_count, 0u);
+    var color = vec3<real>();
+    if escapes {
+        color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);
+    }
+    pixels[slot] = vec3_store(color);
+    paths[slot] = PackedPath(ray_store(ray), attenuation_count, select(0u, 1u, escapes));
 }

@@ -35,6 +35,7 @@ fn trace_sample(slot: u32) {
     var ray: Ray;
     var next_word = first_word;
     var attenuation_count = 0u;
+    var escapes = false;
     if picture.first_depth > 0u {
         if sample_paths[slot].ended != 0u {
             return;
@@ -48,10 +49,8 @@ fn trace_sample(slot: u32) {
     for (var depth = picture.first_depth; depth < min(max_depth, picture.end_depth); depth++) {
         let surface = closest_hit(ray);
         if !surface.some {
-            let color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);
-            traced_samples[slot] = TracedSample(vec3_store(color), next_word - first_word, 0u);
-            sample_paths[slot].ended = 1u;
-            return;
+            escapes = true;
+            break;
         }
         let material = material_load(materials[surface.material]);
         var vector = vec3<real>();
@@ -65,6 +64,11 @@ fn trace_sample(slot: u32) {
         ray = bounce_ray(ray, surface.hit, material, vector);
     }
     // A path that has reached the maximum depth contributes black. If it has not, a later run writes its result.
-    traced_samples[slot] = TracedSample(vec3_store(vec3<real>()), next_word - first_word, 0u);
-    sample_paths[slot] = PackedSamplePath(ray_store(ray), attenuation_count, 0u, next_word, 0u);
+    var color = vec3<real>();
+    if escapes {
+        color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);
+    }
+    traced_samples[slot] = TracedSample(vec3_store(color), next_word - first_word, 0u);
+    sample_paths[slot] =
+        PackedSamplePath(ray_store(ray), attenuation_count, select(0u, 1u, escapes), next_word, 0u);
 }

@@ -26,5 +26,5 @@ fn vec3_perpendicular_to(v: vec3<real>, axis: vec3<real>) -> vec3<real> {
 // Vec3::is_negligible: returns whether every component is smaller than 1e-8 in magnitude.
 fn vec3_is_negligible(v: vec3<real>) -> bool {
     let limit = real(1e-8);
-    return abs(v.x) < limit && abs(v.y) < limit && abs(v.z) < limit;
+    return (abs(v.x) < limit) & (abs(v.y) < limit) & (abs(v.z) < limit);
 }

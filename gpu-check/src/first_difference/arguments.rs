@@ -41,12 +41,12 @@ impl<T: Float> Arguments<'_, T> {
         Hit { point: self.vector(), normal: self.vector(), front: self.flag() }
     }
 
-    /// Returns the next `SphereRecord`, or the first fields of a `PlacedSphere`.
+    /// Returns the next `SphereRecord`.
     pub fn sphere(&mut self) -> SphereRecord<T> {
         SphereRecord { center: self.vector(), radius: self.number(), radius_squared: self.number() }
     }
 
-    /// Returns the next `CylinderRecord`, or the first fields of a `PlacedCylinder`.
+    /// Returns the next `CylinderRecord`.
     pub fn cylinder(&mut self) -> CylinderRecord<T> {
         CylinderRecord {
             center: self.vector(),

@@ -62,7 +62,6 @@ fn of_rays<T: Float>(name: &str) -> Option<Twin<T>> {
         "ray_load" | "ray_store" => |_, mut of| ray(of.ray()),
         "ray_at" => |_, mut of| vector(of.ray().at(of.number())),
         "in_range" => |_, mut of| flag(in_range(of.number())),
-        "root_none" => |_, _| root(None),
         "hit_facing" => |_, mut of| hit(&Hit::facing(of.vector(), of.vector(), of.vector())),
         "tie_later_is_closer" => |_, mut of| flag(later_is_closer(of.number(), of.number())),
         _ => return None,
@@ -71,8 +70,7 @@ fn of_rays<T: Float>(name: &str) -> Option<Twin<T>> {
 
 fn of_spheres<T: Float>(name: &str) -> Option<Twin<T>> {
     Some(match name {
-        "sphere_new" => |_, mut of| sphere(&SphereRecord::new(of.vector(), of.number())),
-        "sphere_load" => |_, mut of| sphere(&of.sphere()),
+        "sphere_new" | "sphere_load" => |_, mut of| sphere(&SphereRecord::new(of.vector(), of.number())),
         "sphere_seen_from" => |_, mut of| {
             let view = of.sphere().seen_from(of.vector());
             join([vector(view.r_c), number(view.c)])
@@ -93,7 +91,14 @@ fn of_spheres<T: Float>(name: &str) -> Option<Twin<T>> {
 fn of_cylinders<T: Float>(name: &str) -> Option<Twin<T>> {
     Some(match name {
         "cylinder_new" => |_, mut of| cylinder(&CylinderRecord::new(of.vector(), of.number(), of.vector())),
-        "cylinder_load" => |_, mut of| cylinder(&of.cylinder()),
+        "cylinder_with_unit_axis" => |_, mut of| {
+            let (center, radius, axis) = (of.vector(), of.number(), of.vector());
+            cylinder(&CylinderRecord::with_unit_axis(center, radius, axis, of.number()))
+        },
+        "cylinder_load" => |_, mut of| {
+            let (center, axis, radius) = (of.vector(), of.vector(), of.number());
+            cylinder(&CylinderRecord::with_unit_axis(center, radius, axis, of.number()))
+        },
         "cylinder_seen_from" => |_, mut of| {
             let view = of.cylinder().seen_from(of.vector());
             join([vector(view.r_c), number(view.c)])

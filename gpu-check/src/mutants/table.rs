@@ -19,7 +19,7 @@ mutants! {
         "v / vec3_length(v)" => "v * (real(1.0) / vec3_length(v))",
         "v - axis *" => "v + axis *",
         "abs(v.x) < limit" => "abs(v.x) <= limit",
-        "abs(v.y) < limit &&" => "abs(v.y) < limit ||",
+        "(abs(v.y) < limit) &" => "(abs(v.y) < limit) |",
         "real(1e-8)" => "real(1e-9)",
     ;
     "exact":
@@ -51,27 +51,28 @@ mutants! {
     ;
     "tie":
         "return lambda <= closest" => "return lambda < closest",
-        "lambda < closest ||" => "lambda > closest ||",
+        "(lambda < closest) |" => "(lambda > closest) |",
         "order >= closest_order" => "order < closest_order",
     ;
     "cylinder":
         "unit.length / real(2.0)" => "unit.length / real(4.0)",
-        "center - half_axis" => "center + half_axis",
+        "center - to_cap" => "center + to_cap",
         "- cylinder.radius_squared" => "+ cylinder.radius_squared",
         "h * h - a * view.c" => "h * h + a * view.c",
         "<= cylinder.half_height" => "< cylinder.half_height",
         "(-quadratic.h - root)" => "(quadratic.h - root)",
-        "near_counts || far_counts" => "near_counts && far_counts",
+        "near_counts | far_counts" => "near_counts & far_counts",
         "<= cylinder.radius" => "< cylinder.radius",
         "abs(slope) < real(1e-8)" => "abs(slope) <= real(1e-8)",
         "center - ray.origin" => "center + ray.origin",
         "/ slope" => "* slope",
         "ray, cylinder.top)" => "ray, cylinder.bottom)",
         "ray, cylinder.bottom)" => "ray, cylinder.top)",
-        "return -cylinder.axis" => "return cylinder.axis",
+        "select(-cylinder.axis, cylinder.axis" => "select(cylinder.axis, cylinder.axis",
         "!(quadratic.discriminant < real(0.0))" => "!(quadratic.discriminant <= real(0.0))",
-        "tie_later_is_closer(top.lambda, closest.lambda)" => "top.lambda < closest.lambda",
-        "tie_later_is_closer(bottom.lambda, closest.lambda)" => "bottom.lambda < closest.lambda",
+        "tie_later_is_closer(later.lambda, closest.lambda)" => "later.lambda < closest.lambda",
+        "closest.some | later.some" => "later.some",
+        "bottom, BOTTOM" => "bottom, TOP",
     ;
     "projected":
         "direction * middle" => "direction + middle",
@@ -94,7 +95,7 @@ mutants! {
     ;
     "scatter":
         "normal + vector" => "normal - vector",
-        "if vec3_is_negligible" => "if !vec3_is_negligible",
+        "select(direction, normal, vec3" => "select(normal, direction, vec3",
         "direction - normal *" => "direction + normal *",
         "* real(2.0)" => "* real(1.0)",
         "vec3_unit(scatter_reflect(direction, normal))" => "scatter_reflect(direction, normal)",
@@ -118,8 +119,8 @@ mutants! {
         "vec3_load(ray.direction)" => "vec3_load(ray.origin)",
     ;
     "picture":
-        "sphere.radius, sphere.radius_squared" => "sphere.radius_squared, sphere.radius",
-        "vec3_load(cylinder.bottom)" => "vec3_load(cylinder.top)",
+        "vec3_load(sphere.center), sphere.radius" => "vec3_load(sphere.center), real(1.0)",
+        "cylinder.radius, axis, cylinder.half_height" => "cylinder.half_height, axis, cylinder.radius",
         "material.index, material.extent" => "material.index, real(1.0)",
         "vec3_load(picture.background.dark), vec3_load(picture.background.light)" => "vec3_load(picture.background.light), vec3_load(picture.background.dark)",
     ;
@@ -164,7 +165,7 @@ mutants! {
     ;
     "trace":
         "depth < min(max_depth, picture.end_depth)" => "depth + 1u < min(max_depth, picture.end_depth)",
-        "vec3_store(vec3<real>())" => "vec3_store(vec3<real>(real(1.0)))",
+        "var color = vec3<real>()" => "var color = vec3<real>(real(1.0))",
         "attenuation_count = paths[slot].attenuation_count" => "attenuation_count = 0u",
         "paths[slot].ended != 0u" => "paths[slot].ended != 1u",
     ;
@@ -213,8 +214,8 @@ mutants! {
         "scatter_vector_next(next_word, material.extent)" => "scatter_vector_next(next_word, real(1.0))",
         "vector = scatter_vector.vector" => "vector = scatter_vector.vector.zyx",
         "next_word = scatter_vector.next_word" => "next_word = next_word",
-        "vec3_store(vec3<real>()), next_word" => "vec3_store(vec3<real>(real(1.0))), next_word",
-        "vec3_store(vec3<real>()), next_word - first_word" => "vec3_store(vec3<real>()), next_word - first_word - 1u",
+        "var color = vec3<real>()" => "var color = vec3<real>(real(1.0))",
+        "vec3_store(color), next_word - first_word" => "vec3_store(color), next_word - first_word - 1u",
     ;
     "kernels/image":
         "pixel / picture.width" => "pixel % picture.width",

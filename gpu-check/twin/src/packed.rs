@@ -46,18 +46,20 @@ impl<T: Float> Packed for Vec3<T> {
 }
 
 impl<T: Float> Packed for SphereRecord<T> {
+    /// Appends the numbers from which the shaders compute the others.
     fn pack(&self, bytes: &mut Vec<u8>) {
-        let Self { center, radius, radius_squared } = self;
+        let Self { center, radius, .. } = self;
         center.pack(bytes);
-        [*radius, *radius_squared][..].pack(bytes);
+        [*radius][..].pack(bytes);
     }
 }
 
 impl<T: Float> Packed for CylinderRecord<T> {
+    /// Appends the numbers from which the shaders compute the others.
     fn pack(&self, bytes: &mut Vec<u8>) {
-        let Self { center, axis, top, bottom, radius, radius_squared, half_height } = self;
-        [center, axis, top, bottom].iter().for_each(|vector| vector.pack(bytes));
-        [*radius, *radius_squared, *half_height][..].pack(bytes);
+        let Self { center, axis, radius, half_height, .. } = self;
+        [center, axis].iter().for_each(|vector| vector.pack(bytes));
+        [*radius, *half_height][..].pack(bytes);
     }
 }
 

@@ -4,8 +4,9 @@ use crate::kernels::KERNELS;
 use shaders::{Library, Precision};
 
 /// Functions without a twin: parts of functions that have one, and functions that read buffers.
-const WITHOUT: [&str; 18] = [
+const WITHOUT: [&str; 19] = [
     "bounce_attenuated",
+    "cylinder_closer",
     "cylinder_side",
     "cylinder_with_caps",
     "hit_report",

@@ -39,11 +39,11 @@ fn accumulate(@builtin(global_invocation_id) id: vec3<u32>) {
     var ray = camera_ray(picture_camera(), real(pixel / picture.width), real(pixel % picture.width), offset);
     let first = id.x * max_depth;
     var attenuation_count = 0u;
-    var color = vec3<real>();
+    var escapes = false;
     for (var depth = 0u; depth < max_depth; depth++) {
         let surface = closest_hit(ray);
         if !surface.some {
-            color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);
+            escapes = true;
             break;
         }
         let material = material_load(materials[surface.material]);
@@ -59,6 +59,10 @@ fn accumulate(@builtin(global_invocation_id) id: vec3<u32>) {
             );
         }
         ray = bounce_ray(ray, surface.hit, material, vector);
+    }
+    var color = vec3<real>();
+    if escapes {
+        color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);
     }
     if frame.number > 0u {
         color = color + vec3_load(sums[id.x]);
