@@ -38,6 +38,18 @@ pub fn in_folder(folder: &Path) -> Result<Vec<Case>, Error> {
     folders.into_iter().map(|path| read(&path)).collect()
 }
 
+/// Returns all scenes of the repository, the edge cases, and `random` random scenes, each [within](Case::within)
+/// `tests`.
+///
+/// # Errors
+/// Those of [`in_folder`].
+pub fn all(random: u64, tests: usize) -> Result<Vec<Case>, Error> {
+    let mut cases = in_folder(&repository("tests/cases"))?;
+    cases.extend(in_folder(&repository("scenes"))?);
+    cases.extend(edges().into_iter().chain((0..random).map(self::random)));
+    Ok(cases.into_iter().map(|case| case.within(tests)).collect())
+}
+
 fn read(folder: &Path) -> Result<Case, Error> {
     let config = Config::read(&folder.join("config.txt"))?;
     let scene = Scene::read(&folder.join("scene.txt"))?;

@@ -1,8 +1,10 @@
-//! Serves the page of `shader-lab`: the files of `web/`, and the data that the page loads. [`loopback`] is the server,
-//! and [`chromium`] starts a browser.
+//! Runs shaders in a browser: serves two pages of `web/` and the data that they load, and takes their results.
+//! [`loopback`] is the server, and [`chromium`] starts a browser. The page `/jobs` runs a list of [`jobs`]. The page
+//! `/conformance` runs the probes of [`conformance`](crate::conformance).
 
 pub mod chromium;
-pub mod data;
+pub mod formulas;
+pub mod jobs;
 pub mod lowered;
 
 use std::collections::BTreeMap;
@@ -13,23 +15,11 @@ use std::net::SocketAddr;
 use loopback::Answer;
 use loopback::request::Request;
 
-/// The page's icon.
-const ICON: &str = include_str!("../web/icon.svg");
-
-/// The page's files: the path of the request, the content type and the text.
-const FILES: [(&str, &str, &str); 13] = [
-    ("/", "text/html", include_str!("../web/index.html")),
-    ("/?drive", "text/html", include_str!("../web/index.html")),
-    ("/icon.svg", "image/svg+xml", ICON),
-    // Browsers request this icon before they have read which icon the page names.
-    ("/favicon.ico", "image/svg+xml", ICON),
-    ("/lab.css", "text/css", include_str!("../web/lab.css")),
-    ("/page.js", "text/javascript", include_str!("../web/page.js")),
-    ("/lab.js", "text/javascript", include_str!("../web/lab.js")),
+/// The pages' files: the path of the request, the content type and the text.
+const FILES: [(&str, &str, &str); 5] = [
+    ("/jobs", "text/html", include_str!("../web/jobs.html")),
+    ("/jobs.js", "text/javascript", include_str!("../web/jobs.js")),
     ("/gpu.js", "text/javascript", include_str!("../web/gpu.js")),
-    ("/drive.js", "text/javascript", include_str!("../web/drive.js")),
-    ("/lowered", "text/html", include_str!("../web/lowered.html")),
-    ("/lowered.js", "text/javascript", include_str!("../web/lowered.js")),
     ("/conformance", "text/html", include_str!("../web/conformance.html")),
     ("/conformance.js", "text/javascript", include_str!("../web/conformance.js")),
 ];

@@ -12,7 +12,7 @@ use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::lowered::{check, operations};
 use gpu_check::pipeline::Content;
-use gpu_check::scenes::{self, Case};
+use gpu_check::scenes;
 use gpu_check::{Error, Gpu, Picture, Pipeline, Renderer};
 use shaders::lower::Arithmetic;
 use shaders::{Composition, Features, Library, Precision};
@@ -73,20 +73,11 @@ fn every_formula_gives_the_bits_of_cpu() {
     assert!(compared > 5_000_000);
 }
 
-/// Returns all scenes of the repository, the edge cases, and random scenes.
-fn pictures() -> Vec<Case> {
-    let files = ["tests/cases", "scenes"]
-        .map(|folder| scenes::in_folder(&scenes::repository(folder)).unwrap_or_else(|error| panic!("{error}")));
-    assert!(files.iter().flatten().count() >= 16, "the repository has scenes");
-    let others = scenes::edges().into_iter().chain((0..RANDOM_SCENES).map(scenes::random));
-    files.into_iter().flatten().chain(others).map(|case| case.within(TESTS)).collect()
-}
-
 #[test]
 fn every_picture_is_the_references_to_the_bit() {
     let gpu = common::gpu();
     let (mut pixels, mut lit, mut faults) = (0, 0, Vec::new());
-    let cases = pictures();
+    let cases = scenes::all(RANDOM_SCENES, TESTS).unwrap_or_else(|error| panic!("{error}"));
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
     let deepest = cases.iter().map(|case| case.config.max_depth as u32).max().expect("there are scenes");
     let renderer = Renderer::<f64>::new(&gpu, &library(), &Features::all(deepest)).expect("the kernel is valid");

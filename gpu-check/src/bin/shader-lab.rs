@@ -1,6 +1,5 @@
 //! Renders with the user's own WGSL modules, and reports the difference between that picture and the CPU's picture.
 
-use std::convert::Infallible;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::ExitCode;
@@ -8,9 +7,8 @@ use std::process::ExitCode;
 use gpu_check::shader_lab::args::{self, Command, USAGE};
 use gpu_check::shader_lab::files::shown;
 use gpu_check::shader_lab::png::STANDARD_OUTPUT;
-use gpu_check::shader_lab::{TEMPLATE, guard, sources, truth, watch::Lab};
-use gpu_check::web::{Server, data};
-use gpu_check::{Error, Gpu, terminal};
+use gpu_check::shader_lab::{TEMPLATE, guard, watch::Lab};
+use gpu_check::{Error, terminal};
 use output::{Options, Output, stop};
 
 /// Exit status with `--check` if the picture differs from the CPU's, as for `diff` and `render-lab`.
@@ -50,10 +48,6 @@ fn run() -> ExitCode {
     match command {
         Command::Help => said(&format!("{USAGE}\n")),
         Command::Template(path) => template(&path),
-        Command::Serve { port, config, scene } => match serve(port, &config, &scene) {
-            Ok(never) => match never {},
-            Err(message) => failed(&message),
-        },
         Command::Render(options) => {
             let (watch, check) = (options.watch, options.check);
             // If the picture goes to standard output, the report goes to standard error.
@@ -102,21 +96,6 @@ fn template(path: &Path) -> ExitCode {
         )),
         Err(error) => failed(&Error::from(error).to_string()),
     }
-}
-
-fn serve(port: u16, config: &Path, scene: &Path) -> Result<Infallible, String> {
-    let data = || {
-        let (config, scene) = sources::scene(config, scene)?;
-        truth::check_size(&config)?;
-        data::collect(&Gpu::open()?, &config, &scene)
-    };
-    let data = data().map_err(|error: Error| error.to_string())?;
-    let at_port = |error: std::io::Error| format!("port {port}: {error}");
-    let server = Server::new(port, data).map_err(at_port)?;
-    let address = server.address().map_err(at_port)?;
-    said(&format!("http://{address}/ for a browser with WebGPU; on Linux: chromium --enable-unsafe-webgpu\n"));
-    // Only the page of a test sends results, so this server ignores them.
-    server.serve(drop).map_err(at_port)
 }
 
 fn said(text: &str) -> ExitCode {

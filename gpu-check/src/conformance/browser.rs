@@ -48,7 +48,7 @@ pub fn run(chromium: &Path, probes: &[Probe]) -> Result<(Driver, Vec<Outcome>), 
     let (sender, receiver) = mpsc::channel();
     // The thread runs until the process ends. Results after the last one are ignored.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
-    let browser = Browser::open(chromium, profile.path(), &[], &url).map_err(broken)?;
+    let browser = Browser::open(chromium, profile.path(), &url).map_err(broken)?;
     let results = collect(&receiver, PATIENCE);
     drop(browser);
     let results = results?;

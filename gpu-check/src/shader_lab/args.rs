@@ -13,7 +13,6 @@ use crate::sampled::Convention;
 pub const USAGE: &str = "\
 shader-lab MODULES --config CONFIG --scene SCENE --out OUT [options]
 shader-lab --template NEW_FILE.wgsl
-shader-lab --serve PORT --config CONFIG --scene SCENE
 
 MODULES is a WGSL file or a folder of them. Each stands in for the module of shaders/wgsl that has its name, or that
 its first line names, as in: // module: kernels/image
@@ -30,7 +29,6 @@ its first line names, as in: // module: kernels/image
   --watch                 render again whenever a file changes, until interrupted
   --check                 exit with status 1 when a bit of the picture differs from the CPU's
   --template FILE         write a module to start from
-  --serve PORT            a page for a browser with WebGPU, at http://127.0.0.1:PORT/, until interrupted
 
 OUT ends in .png or .ppm; a name without an ending gives a PPM. A name of - is standard input or, as OUT, a PPM on
 standard output.
@@ -55,15 +53,6 @@ pub enum Command {
     Template(PathBuf),
     /// Render a picture with these options.
     Render(Options),
-    /// Serve the page that renders in a browser.
-    Serve {
-        /// The port on this machine.
-        port: u16,
-        /// The configuration's file.
-        config: PathBuf,
-        /// The scene's file.
-        scene: PathBuf,
-    },
 }
 
 /// The options for rendering a picture.
@@ -105,7 +94,7 @@ pub struct Options {
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, String> {
     let mut arguments = arguments.into_iter();
     let (mut modules, mut config, mut scene, mut out) = (None, None, None, None);
-    let (mut precision, mut port) = (Precision::F64, None);
+    let mut precision = Precision::F64;
     let (mut constants, mut view, mut pixel) = (Vec::new(), None, None);
     let (mut samples, mut scatter) = (false, None);
     let (mut watch, mut check, mut sync, mut first_difference) = (false, false, true, false);
@@ -118,10 +107,6 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
             Some("--config") => config = Some(PathBuf::from(value("a file")?)),
             Some("--scene") => scene = Some(PathBuf::from(value("a file")?)),
             Some("--out") => out = Some(PathBuf::from(value("a file")?)),
-            Some("--serve") => {
-                let text = shown(&value("a port")?);
-                port = Some(text.parse().map_err(|_| format!("--serve: [{text}] is not a port"))?);
-            }
             Some("--f32") => precision = Precision::F32,
             Some("--f64") => precision = Precision::F64,
             Some("--samples") => samples = true,
@@ -144,13 +129,8 @@ pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, S
             _ => modules = Some(PathBuf::from(&argument)),
         }
     }
-    let files = || Ok::<_, String>((config.ok_or("--config is missing")?, scene.ok_or("--scene is missing")?));
-    if let Some(port) = port {
-        let (config, scene) = files()?;
-        return Ok(Command::Serve { port, config, scene });
-    }
     let modules = modules.ok_or("the WGSL file or folder is missing; --template writes one to start from")?;
-    let (config, scene) = files()?;
+    let (config, scene) = (config.ok_or("--config is missing")?, scene.ok_or("--scene is missing")?);
     let out = out.ok_or("--out is missing")?;
     png::check_name(&out)?;
     let from_input = [&modules, &config, &scene].into_iter().filter(|path| path.as_os_str() == "-").count();
@@ -229,13 +209,12 @@ fn unknown(option: &str) -> String {
 }
 
 /// Names of all options.
-const OPTIONS: [&str; 17] = [
+const OPTIONS: [&str; 16] = [
     "--help",
     "--template",
     "--config",
     "--scene",
     "--out",
-    "--serve",
     "--f32",
     "--f64",
     "--samples",

@@ -37,14 +37,12 @@ impl Drop for Browser {
 }
 
 impl Browser {
-    /// Starts the browser with the page `url` and the options `more`. The browser keeps its files in the folder
-    /// `profile`.
+    /// Starts the browser with the page `url`. The browser keeps its files in the folder `profile`.
     ///
     /// # Errors
     /// The error of the system if the browser cannot be started.
-    pub fn open(chromium: &Path, profile: &Path, more: &[String], url: &str) -> io::Result<Self> {
+    pub fn open(chromium: &Path, profile: &Path, url: &str) -> io::Result<Self> {
         let mut command = Command::new(chromium);
-        command.args(more);
         command.args(["--headless", "--enable-unsafe-webgpu", "--no-sandbox", "--disable-quic", "--no-first-run"]);
         command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
         command.arg(format!("--user-data-dir={}", profile.display()));

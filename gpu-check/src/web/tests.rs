@@ -21,26 +21,16 @@ fn text(answer: &Answer) -> String {
 }
 
 #[test]
-fn the_page_and_its_data_are_served() {
-    let page = text(&got("/"));
-    assert!(page.contains("<title>shader-lab</title>"));
-    assert!(page.contains("width=device-width"));
+fn the_pages_and_their_data_are_served() {
+    for (path, title) in [("/jobs", "<title>jobs of a test</title>"), ("/conformance", "<title>conformance</title>")] {
+        assert!(text(&got(path)).contains(title), "{path}");
+    }
     assert_eq!(text(&got("/data/a")), "numbers");
 }
 
 #[test]
-fn the_icon_is_served_under_its_name_and_as_favicon_ico() {
-    assert!(text(&got("/")).contains("<link rel=\"icon\" type=\"image/svg+xml\" href=\"icon.svg\">"));
-    for path in ["/icon.svg", "/favicon.ico"] {
-        let answer = got(path);
-        assert_eq!((answer.status, answer.kind), ("200 OK", "image/svg+xml"));
-        assert!(text(&answer).starts_with("<svg "), "{answer:?}");
-    }
-}
-
-#[test]
 fn other_paths_are_not_found() {
-    for path in ["/data/b", "/../Cargo.toml", "//etc/passwd", ""] {
+    for path in ["/", "/data/b", "/../Cargo.toml", "//etc/passwd", ""] {
         assert!(got(path).status.starts_with("404"), "{path}");
     }
 }

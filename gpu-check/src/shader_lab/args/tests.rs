@@ -40,13 +40,6 @@ fn names_of_files_may_be_any_bytes() {
 }
 
 #[test]
-fn serving_the_page_needs_no_modules() {
-    let expected = Command::Serve { port: 8000, config: "c".into(), scene: "s".into() };
-    assert_eq!(parsed("--serve 8000 --config c --scene s"), Ok(expected));
-    assert_eq!(parsed("--serve x"), Err("--serve: [x] is not a port".to_owned()));
-}
-
-#[test]
 fn options_are_read() {
     let read = options("--f32 --show normal --pixel 3 4 --watch --set own=2.5");
     assert_eq!((read.precision, read.view, read.watch), (Precision::F32, Some(View::Normal), true));

@@ -1,4 +1,4 @@
-// Runs the shaders that the server lists as jobs, and posts the bytes of each result: for tests/browser_lowered.rs.
+// Runs the shaders that the server lists as jobs, and posts the bytes of each result to the server.
 
 import { compile, openDevice, run } from "./gpu.js";
 
@@ -19,16 +19,26 @@ async function content(item) {
     return buffers.get(item);
 }
 
+// Jobs with the same shader and constants share a pipeline, which takes many seconds to compile.
+const pipelines = new Map();
+async function pipeline(device, { wgsl, entry, written, constants }) {
+    const key = JSON.stringify([wgsl, constants]);
+    if (!pipelines.has(key)) {
+        const code = await (await fetched(wgsl)).text();
+        pipelines.set(key, await compile(device, code, entry, written, constants));
+    }
+    return pipelines.get(key);
+}
+
 async function work() {
     const { device, name } = await openDevice();
     await post("adapter", name);
     for (const job of await (await fetched("jobs")).json()) {
         show(job.name);
         const begun = performance.now();
-        const code = await (await fetched(job.wgsl)).text();
-        const pipeline = await compile(device, code, job.entry, job.written, job.constants);
+        const compiled = await pipeline(device, job);
         const contents = await Promise.all(job.contents.map(content));
-        const bytes = await run(device, pipeline, contents, job.output, job.invocations);
+        const bytes = await run(device, compiled, contents, job.output, job.invocations);
         const time = performance.now() - begun;
         await post(job.name, bytes);
         await post(`${job.name}/time`, time.toFixed(0));

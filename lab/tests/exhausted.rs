@@ -1,4 +1,4 @@
-//! Tests `shader-lab --serve` without a free file descriptor: it waits, and answers when descriptors are free again.
+//! Tests `render-lab view` without a free file descriptor: it waits, and answers when descriptors are free again.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -7,7 +7,6 @@ use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use gpu_check::scenes::repository;
 use test_support::folder::Folder;
 
 /// Time limit for the program, long enough for a busy machine.
@@ -21,9 +20,13 @@ impl Server {
         let folder = Folder::new();
         let config = folder.file("config.txt");
         fs::write(&config, "image_width: 8\nmax_depth: 2\n").expect("the folder is writable");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_shader-lab"));
-        command.args(["--serve", "0", "--config"]).arg(config).arg("--scene");
-        command.arg(repository("scenes/materials/scene.txt"));
+        let site = folder.file("site");
+        fs::create_dir(&site).expect("the folder is writable");
+        let page = "<meta name=\"served-by\" content=\"\">";
+        fs::write(site.join("index.html"), page).expect("the folder is writable");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_render-lab"));
+        command.args(["view", "--port", "0", "--site"]).args([&site, &config]);
+        command.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/materials/scene.txt"));
         let mut child = command.stdout(Stdio::piped()).spawn().expect("the program starts");
         let mut line = String::new();
         BufReader::new(child.stdout.take().expect("it is a pipe")).read_line(&mut line).expect("it is text");
