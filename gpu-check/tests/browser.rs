@@ -92,8 +92,8 @@ fn tint(chromium: &Path) -> Result<(), Failed> {
     let picture = Picture::<f32>::new(&config, &scene)?;
     let native = Renderer::<f32>::new(&gpu, &Library::standard(), &features)?.render(&picture)?;
     let mut jobs = Jobs::default();
-    add_formulas(&mut jobs)?;
-    jobs.add_pictures::<f32>(&Library::standard(), &[Case { name: String::new(), config, scene }], &features)?;
+    add_formulas::<f32>(&mut jobs, &Library::standard(), KERNELS.iter())?;
+    jobs.add_pictures::<f32>(&Library::standard(), &[(Case { name: String::new(), config, scene }, features)])?;
     let results = results(chromium, jobs)?;
     println!("browser: {}", String::from_utf8_lossy(&results["adapter"]));
     formulas(&gpu, &results)?;
@@ -120,7 +120,7 @@ fn formulas(gpu: &Gpu, results: &BTreeMap<String, Vec<u8>>) -> Result<(), Failed
     let (mut compared, mut flushed) = (0, 0);
     let mut faults = Vec::new();
     for kernel in &KERNELS {
-        let cases = cases(kernel);
+        let cases = cases::<f32>(kernel);
         let by_tint = floats(results.get(kernel.module).ok_or_else(|| format!("{} is missing", kernel.module))?)?;
         let pipeline = check::compile::<f32>(gpu, &Library::standard(), kernel)?;
         let native = check::results::<f32>(gpu, &pipeline, kernel, &cases)?;

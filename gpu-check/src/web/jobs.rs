@@ -53,22 +53,18 @@ impl Jobs {
         ));
     }
 
-    /// Adds jobs that render the scenes `cases` in deterministic mode, by one pipeline with these features. Their names
-    /// are `picture/` and an index. A result has the linear colours of the pixels.
+    /// Adds jobs that render the scenes `cases` in deterministic mode, by pipelines with these features. Their names are
+    /// `picture/` and an index. A result has the linear colours of the pixels.
     ///
     /// # Errors
     /// The errors of [`Library::compose`] and of [`Picture::new`].
-    pub fn add_pictures<T: Float>(
-        &mut self,
-        library: &Library,
-        cases: &[Case],
-        features: &Features,
-    ) -> Result<(), Error> {
+    pub fn add_pictures<T: Float>(&mut self, library: &Library, cases: &[(Case, Features)]) -> Result<(), Error> {
         let code = library.compose("kernels/image", T::PRECISION)?;
         self.add_bytes("wgsl/pictures", code.source().as_bytes().to_vec());
-        let constants: Vec<_> = features.constants().iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
-        let constants = format!("{{{}}}", constants.join(", "));
-        for (index, case) in cases.iter().enumerate() {
+        for (index, (case, features)) in cases.iter().enumerate() {
+            let constants = features.constants();
+            let constants: Vec<_> = constants.iter().map(|(name, value)| format!("{name:?}: {value}")).collect();
+            let constants = format!("{{{}}}", constants.join(", "));
             let picture = Picture::<T>::new(&case.config, &case.scene)?;
             let pixels = picture.size.pixels();
             let mut names = Vec::new();
