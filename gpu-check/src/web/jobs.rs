@@ -53,8 +53,8 @@ impl Jobs {
         ));
     }
 
-    /// Adds jobs that render the scenes `cases` in deterministic mode, by pipelines with these features. Their names are
-    /// `picture/` and an index. A result has the linear colours of the pixels.
+    /// Adds jobs that render the scenes `cases` in deterministic mode, by pipelines with these features. Their names
+    /// are `picture/` and an index. A result has the linear colours of the pixels.
     ///
     /// # Errors
     /// The errors of [`Library::compose`] and of [`Picture::new`].
