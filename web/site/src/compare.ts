@@ -146,7 +146,7 @@ export class Comparison {
     #failed(error: unknown): void {
         if (error instanceof Refused) {
             this.listener.refused(error);
-            this.#figures.textContent = say('liveRefused');
+            this.#figures.textContent = say(this.#difference ? 'liveRefused' : 'liveRefusedFirst');
         } else {
             const message = error instanceof Error ? error.message : String(error);
             this.#figures.textContent = error instanceof Faulty ? say('liveFault', message) : say('liveStopped', message);

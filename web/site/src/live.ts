@@ -223,7 +223,8 @@ export class Live {
         const now = performance.now();
         this.#times = [...this.#times.filter((time) => now - time < WINDOW), now];
         const first = this.#times[0] ?? now;
-        const rate = this.#times.length > 1 ? ((this.#times.length - 1) * 1000) / (now - first) : 0;
+        // A single frame has no rate.
+        const rate = this.#times.length > 1 ? ((this.#times.length - 1) * 1000) / (now - first) : null;
         const { width, height } = this.#canvas;
         const frames = Number(this.#canvas.dataset.frames ?? 0) + 1;
         this.#canvas.dataset.frames = String(frames);
@@ -232,14 +233,15 @@ export class Live {
         const name = this.device?.name ?? 'WebAssembly';
         const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
         const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
-        this.#status.textContent = `${width} × ${height}${samples}${probed}, ${say('liveRate', rate.toFixed(1))}, ${name}`;
+        const shownRate = rate === null ? '' : `, ${say('liveRate', rate.toFixed(1))}`;
+        this.#status.textContent = `${width} × ${height}${samples}${probed}${shownRate}, ${name}`;
     }
 
     #failed(error: unknown): void {
         if (error instanceof Refused) {
             this.#isRefused = true;
             this.listener.refused(error);
-            this.#status.textContent = say('liveRefused');
+            this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveRefused' : 'liveRefusedFirst');
         } else if (error instanceof Faulty) {
             this.#status.textContent = say('liveFault', error.message);
         } else {

@@ -75,6 +75,11 @@ class Page {
         element('said').textContent = text;
     }
 
+    /** Whether the user has typed something that is in no file. */
+    get isTyped(): boolean {
+        return this.#isTyped;
+    }
+
     /** Replaces both texts. What the user had typed becomes one of the earlier texts. */
     load(texts: Texts, isTyped = false): void {
         const own = store.modules();
@@ -194,9 +199,10 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
     }
     if (view.isServed) {
         const reload = (texts: Texts) => {
+            const wasTyped = page.isTyped;
             page.load(texts);
             void page.render();
-            page.say(say('reloaded'));
+            page.say(say(wasTyped ? 'reloadedTyped' : 'reloaded'));
         };
         const failed = (text: string | null) => page.say(text ?? say('unreachable'));
         return replaceBy(await view.watch({ changed: reload, failed }));

@@ -55,7 +55,8 @@ export class PixelView {
     #source: Source | null = null;
     #newest = 0;
 
-    constructor(private readonly names: readonly string[]) {
+    /** `find` returns the scene of the live view, for a place that is typed before a pixel has been clicked. */
+    constructor(private readonly names: readonly string[], private readonly find: () => Promise<Source | null>) {
         for (const id of ['pixel-column', 'pixel-row']) {
             element(id).addEventListener('change', () => void this.refresh());
         }
@@ -77,12 +78,14 @@ export class PixelView {
 
     /** Follows the path again, after a shader or the place has changed. */
     async refresh(): Promise<void> {
-        const source = this.#source;
-        if (!source) {
-            return;
-        }
         const own = ++this.#newest;
         this.#table.ariaBusy = 'true';
+        this.#source ??= await this.find();
+        const source = this.#source;
+        if (!source || own !== this.#newest) {
+            this.#table.ariaBusy = 'false';
+            return;
+        }
         const { width, height } = source.facts;
         const limited = (id: string, size: number): number => {
             const input = element<HTMLInputElement>(id);
@@ -102,6 +105,10 @@ export class PixelView {
                 element('pixel-plan').replaceChildren(plan(source.facts, this.#points(wgsl ?? rust)));
             }
         } catch (error) {
+            // The steps of another version of the shaders would mislead.
+            this.#table.replaceChildren();
+            element('pixel-plan').replaceChildren();
+            element('pixel-probe').textContent = '';
             element('pixel-first').textContent = error instanceof Error ? error.message : String(error);
         }
         if (own === this.#newest) {

@@ -1,5 +1,6 @@
-// A plan of the scene from above (x to the right, z upwards) and from the side (y upwards), with the way of a ray.
+// A plan of the scene from above (x to the right, z upwards) and along z (y upwards), with the way of a ray.
 import type { Facts, ShapeOf } from './preparer';
+import { say } from './words';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -60,6 +61,12 @@ function view(facts: Facts, points: readonly number[][], right: number, up: numb
 /** Returns both views of the scene. `points` are the starts and ends of the rays. */
 export function plan(facts: Facts, points: readonly number[][]): DocumentFragment {
     const both = document.createDocumentFragment();
-    both.append(view(facts, points, 0, 2, 'x, z'), view(facts, points, 0, 1, 'x, y'));
+    for (const [up, name] of [[2, say('planAbove')], [1, say('planFront')]] as const) {
+        const figure = document.createElement('figure');
+        const caption = document.createElement('figcaption');
+        caption.textContent = name;
+        figure.append(view(facts, points, 0, up, name), caption);
+        both.append(figure);
+    }
     return both;
 }

@@ -140,7 +140,7 @@ export class Studio {
         } else {
             this.#stale.add('compare-pane');
         }
-        if (this.#tabs.current === 'pixel-pane') {
+        if (this.#tabs.current === 'pixel-pane' && pixel.place) {
             void pixel.refresh();
         }
     }
@@ -148,7 +148,10 @@ export class Studio {
     async #make(): Promise<Parts> {
         const device = await Device.open((reason) => this.owner.say(say('liveStopped', reason)));
         const modules = this.renderer.wgsl();
-        const pixel = new PixelView(this.renderer.stepNames());
+        const pixel = new PixelView(this.renderer.stepNames(), async () => {
+            await this.#read(live);
+            return live.source;
+        });
         const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];
         shaders.forEach((one) => (one.edits = this.#editor?.edits ?? store.modules()));
         const refused = (fault: Refused | null) => this.#editor?.show(fault?.faults ?? []);
@@ -158,7 +161,7 @@ export class Studio {
                 void pixel.show(source, column, row);
             }
         };
-        const live = new Live(new Preparer(this.module), device, shaders[0] ?? null, {
+        const live: Live = new Live(new Preparer(this.module), device, shaders[0] ?? null, {
             refused,
             clicked: (column, row) => follow(live.source, column, row),
             taken: (camera, isSaved) => void this.#take(camera, isSaved),
