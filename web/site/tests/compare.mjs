@@ -1,5 +1,5 @@
 // Tests of the comparison with Rust, of a pixel's path, and of probed values.
-import { check, equal, frame, pixels, rmse, shoot, still } from './tools.mjs';
+import { check, digest, equal, frame, pixels, rmse, shoot, still } from './tools.mjs';
 import { openLive } from './live.mjs';
 import { edit, openModule } from './shaders.mjs';
 
@@ -72,6 +72,18 @@ export const tests = {
         await shoot(page, 'pixel');
         await page.click('#shader-reset');
         await page.waitForFunction(() => document.getElementById('pixel-first').textContent === 'No bit differs.');
+    },
+
+    async 'a typed place shows the path of a pixel before one is clicked'({ open, url }) {
+        const page = await open(url);
+        await digest(page);
+        await page.click('#tab-pixel');
+        await page.fill('#pixel-column', '30');
+        await page.fill('#pixel-row', '20');
+        await page.press('#pixel-row', 'Enter');
+        await page.waitForSelector('#pixel-steps .head');
+        equal(await page.textContent('#pixel-first'), 'No bit differs.', 'the two paths');
+        equal(await page.locator('#pixel-plan figcaption').count(), 2, 'the plans say their axes');
     },
 
     async 'the slider, the linear map and blinking show both pictures'({ open, url }) {
