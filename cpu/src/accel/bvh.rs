@@ -37,8 +37,8 @@ pub struct Bvh<B> {
     nodes: Vec<Node<B>>,
     /// The two highest levels of the tree, as one list of boxes.
     collapsed_root: CollapsedRoot,
-    /// For each axis, the part of a plane's move that does not depend on the ray; see [`slab_ray::steps`].
-    steps: [f32; 3],
+    /// For each axis, the part of a plane's move that does not depend on the ray; see [`slab_ray::margins`].
+    margins: [f32; 3],
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
     pub(super) isolated: Isolated,
@@ -66,9 +66,9 @@ impl<B: Boxes> Bvh<B> {
         objects.reorder(&mut spheres, &mut cylinders);
         let collapsed_root = CollapsedRoot::new(&mut nodes)?;
         let root = nodes.first().into_iter().flat_map(Node::children);
-        let steps = slab_ray::steps(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
+        let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
         let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate);
-        let mut bvh = Self { nodes, collapsed_root, steps, dominant, isolated, max_coordinate };
+        let mut bvh = Self { nodes, collapsed_root, margins, dominant, isolated, max_coordinate };
         if count <= MOST_FOR_ISOLATION {
             let find = FindIsolated { nodes: &bvh.nodes, objects, extent, dominant };
             bvh.isolated = InstructionSet::fused().run(find)?;
@@ -205,7 +205,7 @@ impl<B: Boxes> Accelerator for Bvh<B> {
             }
         }
         let from_kind = if (from as usize) < objects.sphere_count() { Kind::Sphere } else { Kind::Cylinder };
-        let query = Query { objects, ray, from, from_kind, slab_ray: SlabRay::<S::F32>::new(ray, &self.steps) };
+        let query = Query { objects, ray, from, from_kind, slab_ray: SlabRay::<S::F32>::new(ray, &self.margins) };
         if S::F32::LANES < WIDTH {
             self.traverse::<S, O>(&self.nodes[0], &query, &mut closest, stack);
             return closest;

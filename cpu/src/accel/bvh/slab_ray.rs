@@ -29,7 +29,7 @@
 //! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
 //! product with a coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their
 //! other operand, which keeps the box. The product `s r` may be subnormal, which changes a distance by at most
-//! `255 * 2^-150`. Each plane is moved by at least [`LEAST_STEP`] times `r`, which is more than 10 times as
+//! `255 * 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`] times `r`, which is more than 10 times as
 //! much.
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
@@ -37,9 +37,9 @@ use crate::accel::{bounds::Bounds, conservative::is_too_short};
 use crate::{geometry::ray::Ray, simd::SimdF32};
 
 /// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least
-/// `STEP (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
-/// same holds for y and z. `STEP` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
-const STEP: f32 = 8.0 * f32::EPSILON;
+/// `MARGIN (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
+/// same holds for y and z. `MARGIN` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
+const MARGIN: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
@@ -49,7 +49,7 @@ const LARGEST_RECIPROCAL: f32 = 1e28;
 /// its reciprocal is limited to [`LARGEST_RECIPROCAL`], this move is a lambda of 10^18. For a direction that is not
 /// [too short](is_too_short), that exceeds the lambda of every plane across the direction's largest component. So a
 /// slab that contains such a ray never excludes it.
-const LEAST_STEP: f32 = 1e-10;
+const LEAST_MARGIN: f32 = 1e-10;
 
 /// The square of the largest length of a direction for which boxes are tested. This length is 10^30. A component above
 /// the largest `f32`, 3.4 10^38, would round to infinity, and its reciprocal would be zero.
@@ -62,11 +62,11 @@ pub fn is_in_scale(length_squared: f64) -> bool {
     !is_too_short(length_squared) && length_squared <= LONGEST_SQUARED
 }
 
-/// Returns, for each axis, the part of a plane's move that does not depend on the ray: `STEP |p| + LEAST_STEP`, where
-/// `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
-pub fn steps(bounds: &Bounds) -> [f32; 3] {
+/// Returns, for each axis, the part of a plane's move that does not depend on the ray: `MARGIN |p| + LEAST_MARGIN`,
+/// where `p` is the plane of `bounds` with the larger magnitude. It serves all boxes within `bounds`.
+pub fn margins(bounds: &Bounds) -> [f32; 3] {
     let farthest = |axis: usize| bounds.low[axis].abs().max(bounds.high[axis].abs());
-    [0, 1, 2].map(|axis| farthest(axis) * STEP + LEAST_STEP)
+    [0, 1, 2].map(|axis| farthest(axis) * MARGIN + LEAST_MARGIN)
 }
 
 /// A ray prepared for slab tests, with the same numbers in all lanes.
@@ -83,10 +83,10 @@ pub struct SlabRay<F> {
 }
 
 impl<F: SimdF32> SlabRay<F> {
-    /// Prepares the ray for boxes whose planes are moved by these [steps]. There is no branch on the direction's signs,
-    /// because it would be mispredicted half of the time.
+    /// Prepares the ray for boxes whose planes are moved by these [margins]. There is no branch on the direction's
+    /// signs, because it would be mispredicted half of the time.
     #[inline(always)]
-    pub fn new(ray: &Ray, steps: &[f32; 3]) -> Self {
+    pub fn new(ray: &Ray, margins: &[f32; 3]) -> Self {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let zero = [F::splat(0.0); 3];
         let mut slab_ray = Self { reciprocal: zero, near_origin: zero, far_origin: zero, near: [0; 3], far: [0; 3] };
@@ -95,11 +95,11 @@ impl<F: SimdF32> SlabRay<F> {
             // With a comparison here, the compiler would make a branch, which costs 2 % of the time with 1,000 objects.
             let magnitude = (1.0 / narrow).abs().min(LARGEST_RECIPROCAL);
             let reciprocal = magnitude.copysign(narrow);
-            let step = (minus_origin.abs() * STEP + steps[axis]) * magnitude;
+            let margin = (minus_origin.abs() * MARGIN + margins[axis]) * magnitude;
             let distance = minus_origin * reciprocal;
             slab_ray.reciprocal[axis] = F::splat(reciprocal);
-            slab_ray.near_origin[axis] = F::splat(distance - step);
-            slab_ray.far_origin[axis] = F::splat(distance + step);
+            slab_ray.near_origin[axis] = F::splat(distance - margin);
+            slab_ray.far_origin[axis] = F::splat(distance + margin);
             // This uses the sign of the direction, which is known earlier than the reciprocal.
             let backwards = (direction[axis].to_bits() as i64 >> 63) as usize & (3 * WIDTH);
             slab_ray.near[axis] = axis * WIDTH + backwards;
@@ -158,7 +158,7 @@ mod tests {
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> [u32; 2] {
             let Self(ray, boxes, all, farthest) = self;
-            let slab_ray = SlabRay::<S::F32>::new(ray, &steps(&all));
+            let slab_ray = SlabRay::<S::F32>::new(ray, &margins(&all));
             let mut distances = [0.0; WIDTH];
             let wide = WideBoxes::new(boxes).intersect(&slab_ray, farthest, &mut distances);
             let bytes = ByteBoxes::new(boxes).intersect(&slab_ray, farthest, &mut distances);
