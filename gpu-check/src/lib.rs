@@ -16,7 +16,7 @@
 //! - [`hierarchy`] lets a device render scenes of any size, and [`closest_hits`] compares it ray by ray;
 //! - [`steps`] traces single pixels step by step on both, and [`first_difference`] finds the function that differs;
 //! - [`shader_lab`] renders with a user's own modules;
-//! - [`web`] serves a page that runs the f32 shader in a browser, which has another shader compiler;
+//! - [`web`] runs shaders in a browser, which has another shader compiler;
 //! - [`rewrites`] finds out how a driver rewrites formulas, and [`conformance`] holds drivers to IEEE 754 and WGSL;
 //! - [`mutants`] are deliberate errors that these checks must notice.
 //!

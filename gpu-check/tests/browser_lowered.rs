@@ -26,14 +26,14 @@ use test_support::folder::Folder;
 const CASES: u64 = 1_000_000;
 /// Number of random scenes among which those that a browser can render are found.
 const RANDOM_SCENES: u64 = 400;
-/// Number of pictures of each kind of material with `LOWERED_PICTURES=all`.
+/// Largest number of pictures of each kind of material with `LOWERED_PICTURES=all`.
 const PICTURES: usize = 10;
 /// The kernels that SwiftShader does not compile: the browser's process takes 7 GB of memory and ends after a minute.
 const TOO_LARGE: [&str; 2] = ["kernels/cylinder", "kernels/projected_cylinder"];
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 200_000;
-/// Time limit for the next result of the page. SwiftShader compiles the shader of all pictures in many minutes.
-const PATIENCE: Duration = Duration::from_secs(3000);
+/// Time limit for the next result of the page. SwiftShader compiles the largest shader in 23 s on an idle machine.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 fn main() -> ExitCode {
     let chromium = chromium::find();
@@ -52,7 +52,7 @@ fn pictures() -> Result<Vec<(Case, Features)>, Failed> {
     let (kinds, count) = if is_all { (2, PICTURES) } else { (1, 1) };
     let all = scenes::all(RANDOM_SCENES, TESTS)?;
     let deepest = all.iter().map(|case| case.config.max_depth as u32).max().ok_or("there are no scenes")?;
-    // Scenes of the same features share a pipeline, so all have the same depth.
+    // All pipelines have the largest depth, so that scenes with the same features share one.
     let matte = Features { has_cylinders: false, has_metal: false, has_refraction: false, ..Features::all(deepest) };
     let metal = Features { has_matte: false, has_metal: true, ..matte };
     let mut pictures = Vec::new();

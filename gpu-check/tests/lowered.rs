@@ -78,6 +78,7 @@ fn every_picture_is_the_references_to_the_bit() {
     let gpu = common::gpu();
     let (mut pixels, mut lit, mut faults) = (0, 0, Vec::new());
     let cases = scenes::all(RANDOM_SCENES, TESTS).unwrap_or_else(|error| panic!("{error}"));
+    assert!(cases.len() >= 16 + RANDOM_SCENES as usize + scenes::edges().len(), "the repository has scenes");
     // A pipeline of so many instructions takes seconds to compile, so all scenes share one.
     let deepest = cases.iter().map(|case| case.config.max_depth as u32).max().expect("there are scenes");
     let renderer = Renderer::<f64>::new(&gpu, &library(), &Features::all(deepest)).expect("the kernel is valid");

@@ -12,13 +12,8 @@ export async function openDevice() {
     return { device: await adapter.requestDevice(), name };
 }
 
-// A fault in a shader, with its place in the composed text.
-export class ShaderFault extends Error {
-    constructor(message, line, column) {
-        super(message);
-        Object.assign(this, { line, column });
-    }
-}
+// A fault in a shader.
+export class ShaderFault extends Error {}
 
 // Compiles the entry point `entry`; `written` says for each binding whether the shader writes it.
 export async function compile(device, code, entry, written, constants) {
@@ -41,8 +36,8 @@ export async function compile(device, code, entry, written, constants) {
         pipeline = await device.createComputePipelineAsync(descriptor).catch((error) => { refusal = error.message; });
     }
     const other = await device.popErrorScope();
-    if (fault) throw new ShaderFault(fault.message, fault.lineNum, fault.linePos);
-    if (refusal || other) throw new ShaderFault(refusal || other.message, 0, 0);
+    if (fault) throw new ShaderFault(fault.message);
+    if (refusal || other) throw new ShaderFault(refusal || other.message);
     return { pipeline, layout };
 }
 

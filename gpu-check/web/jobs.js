@@ -19,7 +19,7 @@ async function content(item) {
     return buffers.get(item);
 }
 
-// Jobs with the same shader and constants share a pipeline, which takes many seconds to compile.
+// Jobs with the same shader and constants share a pipeline, whose compilation may take many seconds.
 const pipelines = new Map();
 async function pipeline(device, { wgsl, entry, written, constants }) {
     const key = JSON.stringify([wgsl, constants]);

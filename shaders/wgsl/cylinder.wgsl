@@ -1,4 +1,6 @@
 // Intersects a ray with a closed cylinder; twin of cpu/src/geometry/cylinder.rs, which has the equations.
+//
+// As in sphere.wgsl, the functions have one exit and use select, & and |.
 
 // CylinderRecord: a cylinder, and the values that every intersection with it needs, computed once.
 struct CylinderRecord {
@@ -62,7 +64,8 @@ fn cylinder_within_height(cylinder: CylinderRecord, ray: Ray, lambda: real) -> b
 }
 
 // The part of CylinderRecord::intersect for the side. Returns the smaller root that is in range and between the caps,
-// or otherwise the larger root. `some` tells whether one of the two roots counts.
+// or otherwise the larger root. `some` tells whether one of the two roots counts. For a negative discriminant the
+// result has no meaning, and the caller discards it.
 fn cylinder_side(cylinder: CylinderRecord, ray: Ray, quadratic: CylinderQuadratic) -> Root {
     let root = sqrt(quadratic.discriminant);
     let near = (-quadratic.h - root) / quadratic.a;
@@ -114,7 +117,8 @@ fn cylinder_with_caps(cylinder: CylinderRecord, ray: Ray, side: Root) -> Cylinde
     return cylinder_closer(closest, bottom, BOTTOM);
 }
 
-// Returns the closer of two hits: `closest`, and the hit of a later part.
+// A step of CylinderRecord::intersect: returns the closer of `closest` and the hit `later` on `part`. Either may be
+// missing. At equal lambdas `later` counts.
 fn cylinder_closer(closest: CylinderRoot, later: Root, part: u32) -> CylinderRoot {
     let replaces = later.some & (!closest.some | tie_later_is_closer(later.lambda, closest.lambda));
     let lambda = select(closest.lambda, later.lambda, replaces);

@@ -1,6 +1,6 @@
 // The buffers that a picture is rendered from and into. Their structures have only scalar fields, as in layout.wgsl.
 
-// cpu::internals::layout::Placed<SphereRecord<T>>, without what sphere_new computes.
+// The fields of cpu::internals::layout::Placed<SphereRecord<T>> from which sphere_new computes the record.
 struct PlacedSphere {
     center: PackedVec3,
     radius: real,
@@ -12,7 +12,8 @@ fn sphere_load(sphere: PlacedSphere) -> SphereRecord {
     return sphere_new(vec3_load(sphere.center), sphere.radius);
 }
 
-// cpu::internals::layout::Placed<CylinderRecord<T>>, without what cylinder_with_unit_axis computes.
+// The fields of cpu::internals::layout::Placed<CylinderRecord<T>> from which cylinder_with_unit_axis computes the
+// record.
 struct PlacedCylinder {
     center: PackedVec3,
     axis: PackedVec3,

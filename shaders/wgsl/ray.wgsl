@@ -16,7 +16,7 @@ fn in_range(lambda: real) -> bool {
     return real(1e-3) <= lambda;
 }
 
-// Option<T>: the lambda of a hit, if `some` is true.
+// Option<T>: the lambda of a hit, if `some` is true. Otherwise `lambda` has no meaning.
 struct Root {
     some: bool,
     lambda: real,

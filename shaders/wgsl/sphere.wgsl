@@ -1,4 +1,7 @@
 // Intersects a ray with a sphere; twin of cpu/src/geometry/sphere.rs, which has the equations.
+//
+// The functions have one exit and use select, & and |. Drivers that calculate on the CPU execute both sides of a
+// branch, and with early returns a frame took 1.5 times as long on SwiftShader.
 
 // SphereRecord: a sphere, and the square of its radius, computed once.
 struct SphereRecord {
@@ -38,7 +41,7 @@ fn sphere_quadratic(view: SphereView, direction: vec3<real>, a: real) -> SphereQ
 }
 
 // The end of SphereRecord::intersect: the smaller root in range, else the larger root, and whether that one is in
-// range.
+// range. For a negative discriminant the result has no meaning, and the caller discards it.
 fn sphere_first_root(a: real, h: real, discriminant: real) -> Root {
     let root = sqrt(discriminant);
     let near = (h - root) / a;

@@ -54,7 +54,7 @@ fn intersect_cylinder(closest: ClosestHit, ray: Ray, index: u32) -> ClosestHit {
     return result;
 }
 
-// Returns the surface at the closest hit, if there is one.
+// Returns the surface at the closest hit. After a miss `some` is false, and the other fields have no meaning.
 fn surface_at(closest: ClosestHit, ray: Ray) -> SurfaceHit {
     let point = ray_at(ray, closest.lambda);
     var outward: vec3<real>;

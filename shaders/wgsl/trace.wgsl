@@ -42,7 +42,8 @@ fn trace_path(primary: Ray, slot: u32) {
         }
         ray = bounce_ray(ray, surface.hit, material, scatter_vector);
     }
-    // A path that has reached the maximum depth contributes black. If it has not, a later run writes the colour.
+    // A path that escapes gets the attenuated background, and one that has reached the maximum depth gets black. Every
+    // other path gets black here, and a later run writes its colour.
     var color = vec3<real>();
     if escapes {
         color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);

@@ -63,7 +63,8 @@ fn trace_sample(slot: u32) {
         }
         ray = bounce_ray(ray, surface.hit, material, vector);
     }
-    // A path that has reached the maximum depth contributes black. If it has not, a later run writes its result.
+    // A path that escapes gets the attenuated background, and one that has reached the maximum depth gets black. Every
+    // other path gets black here, and a later run writes its result.
     var color = vec3<real>();
     if escapes {
         color = bounce_attenuated(background_color(picture_background(), ray.direction), first, attenuation_count);

@@ -8,12 +8,12 @@
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
-//! With a [`SmallScene`] three more choices follow. With fewer than four objects, paths are traced with a lookahead
+//! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
 //! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
 //! ([`Accel::visit_boxes`]). The limits stand beside what they limit: `accel/extent.rs`, `accel/object_lanes.rs`,
-//! `accel/flat_filter.rs`, `accel/filter_ray.rs` and `accel/small_scene.rs`. In a filter or a tree, a sphere much
-//! larger than all other objects is tested apart (`accel/dominant_sphere.rs`).
+//! `accel/flat_filter.rs`, `accel/filter_ray.rs` and `accel/small_scene.rs`. [`FlatFilter`] and [`Bvh`] test a sphere
+//! much larger than all other objects separately (`accel/dominant_sphere.rs`).
 //!
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 

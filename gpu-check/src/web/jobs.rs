@@ -14,7 +14,7 @@ use crate::{Error, Float, Picture};
 pub struct Job<'a> {
     /// The name of the result.
     pub name: &'a str,
-    /// The name of the shader's text. Jobs with the same name and the same constants share a pipeline.
+    /// The name of the shader's text. Jobs with the same text and the same constants share a pipeline.
     pub shader: &'a str,
     /// The name of the kernel.
     pub entry: &'a str,

@@ -149,7 +149,8 @@ export class Comparison {
             this.#figures.textContent = say(this.#difference ? 'liveRefused' : 'liveRefusedFirst');
         } else {
             const message = error instanceof Error ? error.message : String(error);
-            this.#figures.textContent = error instanceof Faulty ? say('liveFault', message) : say('liveStopped', message);
+            const fault = this.#difference ? 'liveFault' : 'liveFaultFirst';
+            this.#figures.textContent = error instanceof Faulty ? say(fault, message) : say('failed', message);
         }
     }
 }

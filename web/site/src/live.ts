@@ -243,7 +243,7 @@ export class Live {
             this.listener.refused(error);
             this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveRefused' : 'liveRefusedFirst');
         } else if (error instanceof Faulty) {
-            this.#status.textContent = say('liveFault', error.message);
+            this.#status.textContent = say(this.#canvas.dataset.frames ? 'liveFault' : 'liveFaultFirst', error.message);
         } else {
             this.#status.textContent = say('liveStopped', String(error));
         }

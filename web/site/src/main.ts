@@ -75,19 +75,18 @@ class Page {
         element('said').textContent = text;
     }
 
-    /** Whether the user has typed something that is in no file. */
+    /** Whether the user or a button of the page has changed the texts since they were loaded. */
     get isTyped(): boolean {
         return this.#isTyped;
     }
 
-    /** Replaces both texts. What the user had typed becomes one of the earlier texts. */
-    load(texts: Texts, isTyped = false): void {
+    /** Replaces both texts. What the user had typed becomes one of the earlier texts; returns false if that failed. */
+    load(texts: Texts, isTyped = false): boolean {
         const own = store.modules();
         const losesModules = texts.modules !== undefined && Object.keys(own).length > 0
             && JSON.stringify(own) !== JSON.stringify(texts.modules);
-        if (this.#isTyped || losesModules) {
-            this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
-        }
+        const isKept = !(this.#isTyped || losesModules)
+            || this.#tryTo(() => store.keepEarlier({ ...this.#texts, modules: own }));
         this.#isLoading = true;
         this.#editors[0].text = texts.config;
         this.#editors[1].text = texts.scene;
@@ -99,6 +98,7 @@ class Page {
         if (texts.modules) {
             this.#studio.modules = texts.modules;
         }
+        return isKept;
     }
 
     /** Shows the view of a link. */
@@ -160,11 +160,14 @@ class Page {
         this.#tryTo(() => store.keep({ ...this.#texts, isTyped: this.#isTyped }));
     }
 
-    #tryTo(act: () => void): void {
+    /** Calls `act`. If it fails, tells so and returns false. */
+    #tryTo(act: () => void): boolean {
         try {
             act();
+            return true;
         } catch (error) {
             this.say(say('notKept', String(error)));
+            return false;
         }
     }
 
@@ -200,9 +203,11 @@ async function firstTexts(page: Page): Promise<store.Current & { view?: link.Vie
     if (view.isServed) {
         const reload = (texts: Texts) => {
             const wasTyped = page.isTyped;
-            page.load(texts);
+            const isKept = page.load(texts);
             void page.render();
-            page.say(say(wasTyped ? 'reloadedTyped' : 'reloaded'));
+            if (isKept) {
+                page.say(say(wasTyped ? 'reloadedTyped' : 'reloaded'));
+            }
         };
         const failed = (text: string | null) => page.say(text ?? say('unreachable'));
         return replaceBy(await view.watch({ changed: reload, failed }));

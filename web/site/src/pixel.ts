@@ -76,16 +76,26 @@ export class PixelView {
         await this.refresh();
     }
 
+    /** Forgets the scene, after the texts have changed. */
+    forget(): void {
+        this.#newest += 1;
+        this.#source = null;
+        this.#table.ariaBusy = 'false';
+    }
+
     /** Follows the path again, after a shader or the place has changed. */
     async refresh(): Promise<void> {
         const own = ++this.#newest;
         this.#table.ariaBusy = 'true';
-        this.#source ??= await this.find();
-        const source = this.#source;
-        if (!source || own !== this.#newest) {
+        const source = this.#source ?? await this.find();
+        if (own !== this.#newest) {
+            return;
+        }
+        if (!source) {
             this.#table.ariaBusy = 'false';
             return;
         }
+        this.#source = source;
         const { width, height } = source.facts;
         const limited = (id: string, size: number): number => {
             const input = element<HTMLInputElement>(id);
@@ -105,7 +115,10 @@ export class PixelView {
                 element('pixel-plan').replaceChildren(plan(source.facts, this.#points(wgsl ?? rust)));
             }
         } catch (error) {
-            // The steps of another version of the shaders would mislead.
+            if (own !== this.#newest) {
+                return;
+            }
+            // The page must not show steps of an earlier version of the shaders.
             this.#table.replaceChildren();
             element('pixel-plan').replaceChildren();
             element('pixel-probe').textContent = '';

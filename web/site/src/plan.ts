@@ -1,6 +1,7 @@
-// A plan of the scene from above (x to the right, z upwards) and along z (y upwards), with the way of a ray.
+// Two plans of the scene with the way of a ray: from above (x to the right, z downwards), and against z (x to the right,
+// y upwards).
 import type { Facts, ShapeOf } from './preparer';
-import { say } from './words';
+import { say, type Key } from './words';
 
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -11,14 +12,17 @@ function draw(name: string, attributes: Record<string, string | number>): SVGEle
     return element;
 }
 
-/** The outline of an object, seen along the axis that is neither `right` nor `up`. */
-function outline([kind, center, radius, axis]: ShapeOf, right: number, up: number): SVGElement {
-    const [x, y] = [center[right] ?? 0, -(center[up] ?? 0)];
+/** The axes of a plan: the number of the axis to the right, that of the vertical axis, and 1 if that axis points down. */
+type Axes = readonly [right: number, vertical: number, sign: 1 | -1];
+
+/** The outline of an object, seen along the axis that a plan does not have. */
+function outline([kind, center, radius, axis]: ShapeOf, [right, vertical, sign]: Axes): SVGElement {
+    const [x, y] = [center[right] ?? 0, sign * (center[vertical] ?? 0)];
     if (kind === 'sphere') {
         return draw('circle', { cx: x, cy: y, r: radius });
     }
     // Both caps are ellipses, and the outline is the hull of them: a thick line between their centres is near to it.
-    const [dx, dy] = [axis[right] ?? 0, -(axis[up] ?? 0)];
+    const [dx, dy] = [axis[right] ?? 0, sign * (axis[vertical] ?? 0)];
     if (Math.hypot(dx, dy) < radius / 100) {
         return draw('circle', { cx: x, cy: y, r: radius });
     }
@@ -32,11 +36,12 @@ function outline([kind, center, radius, axis]: ShapeOf, right: number, up: numbe
 /** Largest number of objects in a plan. */
 const MAX_OBJECTS = 2000;
 
-function view(facts: Facts, points: readonly number[][], right: number, up: number, name: string): SVGElement {
+function view(facts: Facts, points: readonly number[][], axes: Axes, key: Key): SVGElement {
+    const [right, vertical, sign] = axes;
     // Objects that are much larger than the distance to the target, such as the ground, do not count for the frame.
     const reach = 3 * Math.hypot(...facts.position.map((value, axis) => value - (facts.target[axis] ?? 0)));
     const near = facts.shapes.filter(([, , radius]) => radius < reach).slice(0, MAX_OBJECTS);
-    const [xs, ys] = [right, up].map((axis) => [
+    const [xs, ys] = [right, vertical].map((axis) => [
         ...points.map((point) => point[axis] ?? 0),
         facts.position[axis] ?? 0,
         ...near.flatMap(([, center, radius]) => [(center[axis] ?? 0) - radius, (center[axis] ?? 0) + radius]),
@@ -46,14 +51,14 @@ function view(facts: Facts, points: readonly number[][], right: number, up: numb
     const [low, high] = limits(ys);
     const size = Math.max(farRight - left, high - low, 1) * 1.25;
     const [middleX, middleY] = [(left + farRight) / 2, (low + high) / 2];
-    const box = [middleX - size / 2, -middleY - size / 2, size, size];
-    const svg = draw('svg', { viewBox: box.join(' '), role: 'img', 'aria-label': name });
-    facts.shapes.slice(0, MAX_OBJECTS).forEach((shape) => svg.append(outline(shape, right, up)));
-    const way = points.map((point) => `${point[right] ?? 0},${-(point[up] ?? 0)}`).join(' ');
+    const box = [middleX - size / 2, sign * middleY - size / 2, size, size];
+    const svg = draw('svg', { viewBox: box.join(' '), role: 'img', 'aria-label': say(key), 'data-label': key });
+    facts.shapes.slice(0, MAX_OBJECTS).forEach((shape) => svg.append(outline(shape, axes)));
+    const way = points.map((point) => `${point[right] ?? 0},${sign * (point[vertical] ?? 0)}`).join(' ');
     svg.append(draw('polyline', { points: way }));
     points.forEach((point, index) => index % 2 === 1
-        && svg.append(draw('circle', { class: 'hit', cx: point[right] ?? 0, cy: -(point[up] ?? 0), r: size / 90 })));
-    const [cameraX, cameraY] = [facts.position[right] ?? 0, -(facts.position[up] ?? 0)];
+        && svg.append(draw('circle', { class: 'hit', cx: point[right] ?? 0, cy: sign * (point[vertical] ?? 0), r: size / 90 })));
+    const [cameraX, cameraY] = [facts.position[right] ?? 0, sign * (facts.position[vertical] ?? 0)];
     svg.append(draw('circle', { class: 'camera', cx: cameraX, cy: cameraY, r: size / 60 }));
     return svg;
 }
@@ -61,11 +66,12 @@ function view(facts: Facts, points: readonly number[][], right: number, up: numb
 /** Returns both views of the scene. `points` are the starts and ends of the rays. */
 export function plan(facts: Facts, points: readonly number[][]): DocumentFragment {
     const both = document.createDocumentFragment();
-    for (const [up, name] of [[2, say('planAbove')], [1, say('planFront')]] as const) {
+    for (const [axes, key] of [[[0, 2, 1], 'planAbove'], [[0, 1, -1], 'planFront']] as const) {
         const figure = document.createElement('figure');
         const caption = document.createElement('figcaption');
-        caption.textContent = name;
-        figure.append(view(facts, points, 0, up, name), caption);
+        caption.textContent = say(key);
+        caption.dataset.words = key;
+        figure.append(view(facts, points, axes, key), caption);
         both.append(figure);
     }
     return both;

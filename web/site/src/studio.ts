@@ -57,6 +57,7 @@ export class Studio {
     /** Takes the texts of the editors, which are valid. */
     changed(): void {
         this.#stale = new Set(['live-pane', 'compare-pane']);
+        void this.#parts?.then(({ pixel }) => pixel.forget());
         void this.#shown(this.#tabs.current);
     }
 
@@ -150,6 +151,7 @@ export class Studio {
         const modules = this.renderer.wgsl();
         const pixel = new PixelView(this.renderer.stepNames(), async () => {
             await this.#read(live);
+            await live.settle();
             return live.source;
         });
         const shaders = device ? [new Shaders(device, modules), new Shaders(device, modules)] : [];

@@ -57,6 +57,7 @@ const ENGLISH = {
     liveRefused: 'A shader has an error, so the last good picture stays.',
     liveRefusedFirst: 'A shader has an error, so there is no picture yet. The editor of the shaders shows the line.',
     liveFault: 'The texts have an error, so the last good picture stays: {0}',
+    liveFaultFirst: 'The texts have an error, so there is no picture yet: {0}',
     liveStopped: 'The live view stopped: {0}',
     liveTaken: 'The camera is in the configuration.',
     liveSaved: 'The camera is saved in the configuration file.',
@@ -77,8 +78,8 @@ const ENGLISH = {
     compareHelp: 'Left of the line: by Rust. Right of it: by the shaders. Deterministic mode: one ray through the middle of '
         + 'each pixel. Click a pixel to follow its path.',
     noCompare: 'This browser has no WebGPU, so there are no shaders to compare.',
-    planAbove: 'from above: x to the right, z upwards',
-    planFront: 'along z: x to the right, y upwards',
+    planAbove: 'from above: x to the right, z downwards',
+    planFront: 'against z: x to the right, y upwards',
     pixel: 'Pixel',
     pixelHelp: 'Click a pixel of the live view or of the comparison, or type its place.',
     column: 'Column',
@@ -158,6 +159,7 @@ const SPANISH: Record<Key, string> = {
     liveRefused: 'Un sombreador tiene un error; queda la última imagen buena.',
     liveRefusedFirst: 'Un sombreador tiene un error; aún no hay imagen. El editor de sombreadores muestra la línea.',
     liveFault: 'Los textos tienen un error; queda la última imagen buena: {0}',
+    liveFaultFirst: 'Los textos tienen un error; aún no hay imagen: {0}',
     liveStopped: 'La vista en vivo se ha detenido: {0}',
     liveTaken: 'La cámara está en la configuración.',
     liveSaved: 'La cámara está guardada en el archivo de configuración.',
@@ -178,8 +180,8 @@ const SPANISH: Record<Key, string> = {
     compareHelp: 'A la izquierda de la línea: Rust. A la derecha: los sombreadores. Modo determinista: un rayo por el centro '
         + 'de cada píxel. Haga clic en un píxel para seguir su camino.',
     noCompare: 'Este navegador no tiene WebGPU; no hay sombreadores que comparar.',
-    planAbove: 'desde arriba: x a la derecha, z hacia arriba',
-    planFront: 'a lo largo de z: x a la derecha, y hacia arriba',
+    planAbove: 'desde arriba: x a la derecha, z hacia abajo',
+    planFront: 'en sentido contrario a z: x a la derecha, y hacia arriba',
     pixel: 'Píxel',
     pixelHelp: 'Haga clic en un píxel de la vista en vivo o de la comparación, o escriba su lugar.',
     column: 'Columna',
@@ -243,7 +245,7 @@ export function speak(language: Language): void {
     for (const element of document.querySelectorAll<HTMLElement>('[data-words]')) {
         element.textContent = words[element.dataset.words as Key];
     }
-    for (const element of document.querySelectorAll<HTMLElement>('[data-label]')) {
+    for (const element of document.querySelectorAll<HTMLElement | SVGElement>('[data-label]')) {
         element.ariaLabel = words[element.dataset.label as Key];
     }
 }

@@ -28,9 +28,8 @@
 //!
 //! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
 //! product with a coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their
-//! other operand, which keeps the box. The product `s r` may be subnormal, which changes a distance by at most
-//! `255 * 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`] times `r`, which is more than 10 times as
-//! much.
+//! other operand, which keeps the box. The product `s r` may be subnormal, which changes a distance by at most `255 *
+//! 2^-150`. Each plane is moved by at least [`LEAST_MARGIN`] times `r`, which is more than 10 times as much.
 
 use crate::accel::bvh::planes::{Plane, Planes, WIDTH};
 use crate::accel::{bounds::Bounds, conservative::is_too_short};
