@@ -41,12 +41,12 @@ impl<T: Float> Arguments<'_, T> {
         Hit { point: self.vector(), normal: self.vector(), front: self.flag() }
     }
 
-    /// Returns the next `SphereRecord`.
+    /// Returns the `SphereRecord` whose fields are the next five numbers.
     pub fn sphere(&mut self) -> SphereRecord<T> {
         SphereRecord { center: self.vector(), radius: self.number(), radius_squared: self.number() }
     }
 
-    /// Returns the next `CylinderRecord`.
+    /// Returns the `CylinderRecord` whose fields are the next 15 numbers.
     pub fn cylinder(&mut self) -> CylinderRecord<T> {
         CylinderRecord {
             center: self.vector(),

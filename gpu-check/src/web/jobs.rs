@@ -26,7 +26,7 @@ pub struct Job<'a> {
     pub contents: &'a str,
     /// The number of the binding that is the result.
     pub output: usize,
-    /// The number of invocations.
+    /// How often the kernel runs: once for each case or pixel.
     pub invocations: usize,
 }
 

@@ -16,8 +16,8 @@ impl PackedBounds {
     /// The empty box. Its union with another box is that other box.
     pub const EMPTY: Self = Self { low: [f32::INFINITY; 4], minus_high: [f32::INFINITY; 4] };
 
-    /// Returns the smallest box around both boxes. The comparison is written out, because `f32::min` may return either
-    /// zero for -0 and 0, which would depend on the processor.
+    /// Returns the smallest box around both boxes. Of -0 and 0, `f32::min` may return either, depending on the
+    /// processor. So the comparison is written out, and the box has the same bits everywhere.
     #[inline(always)]
     #[must_use]
     pub fn union(self, other: Self) -> Self {
@@ -29,8 +29,8 @@ impl PackedBounds {
 
     /// Returns the box in its usual form.
     pub fn unpacked(&self) -> Bounds {
-        let ([x, y, z, _], high) = (self.low, self.minus_high);
-        Bounds { low: [x, y, z], high: [-high[0], -high[1], -high[2]] }
+        let ([low_x, low_y, low_z, _], [x, y, z, _]) = (self.low, self.minus_high);
+        Bounds { low: [low_x, low_y, low_z], high: [-x, -y, -z] }
     }
 }
 

@@ -39,9 +39,9 @@ impl Bin {
     }
 }
 
-/// Splits the range in `children[0]` into several ranges. It always splits the child with the largest
-/// surface area times its number of objects, until all
-/// of `children` are used or every child has at most [`WIDTH`] objects. Returns the number of children.
+/// Splits the range in `children[0]` into several ranges. It always splits the child whose surface area times its
+/// number of objects is the largest, until all of `children` are used or every child has at most [`WIDTH`] objects.
+/// Returns the number of children.
 pub fn split_into_children(items: &mut [Item], children: &mut [Range], depth: u32) -> usize {
     let mut count = 1;
     while count < children.len() {
