@@ -18,10 +18,10 @@ use gpu_check::conformance::{browser, probes, report::Run};
 use gpu_check::difference::difference;
 use gpu_check::kernels::KERNELS;
 use gpu_check::scenes::Case;
+use gpu_check::web::Server;
 use gpu_check::web::chromium::{self, Browser};
 use gpu_check::web::formulas::{add_formulas, cases, expected};
 use gpu_check::web::jobs::Jobs;
-use gpu_check::web::{Posted, Server};
 use gpu_check::{Float, Gpu, Picture, Renderer, check, features_of};
 use libtest_mimic::{Arguments, Failed, Trial};
 use shaders::Library;
@@ -71,16 +71,7 @@ fn results(chromium: &Path, jobs: Jobs) -> Result<BTreeMap<String, Vec<u8>>, Fai
     let (sender, receiver) = mpsc::channel();
     // The thread runs until the process ends.
     std::thread::spawn(move || server.serve(move |posted| drop(sender.send(posted))));
-    let mut results = BTreeMap::new();
-    loop {
-        let posted = receiver.recv_timeout(PATIENCE);
-        let Posted { name, body } = posted.map_err(|_| format!("the page fell silent after {:?}", results.keys()))?;
-        match name.as_str() {
-            "failed" => return Err(String::from_utf8_lossy(&body).into_owned().into()),
-            "done" => return Ok(results),
-            _ => results.insert(name, body),
-        };
-    }
+    Ok(browser::collect(&receiver, PATIENCE)?)
 }
 
 /// Compares the formulas and a picture.
