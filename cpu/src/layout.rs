@@ -7,6 +7,7 @@
 
 pub mod aos;
 mod huge_pages;
+pub mod prefetch;
 pub mod soa;
 
 use crate::{
@@ -52,6 +53,9 @@ pub trait Objects: Sized {
     /// # Panics
     /// If there is no such sphere.
     fn sphere(&self, index: usize) -> Placed<SphereRecord>;
+    /// Asks the processor to bring the sphere at `index` among the spheres into its nearest cache. Nothing happens if
+    /// there is no such sphere.
+    fn prefetch_sphere(&self, index: usize);
     /// Returns the cylinder at `index` among the cylinders.
     ///
     /// # Panics

@@ -11,15 +11,16 @@ pub mod stack;
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree, bvh::build::build, bvh::collapsed_root::CollapsedRoot,
-    bvh::find_isolated::FindIsolated, bvh::node::Kind, bvh::node::Node, bvh::planes::WIDTH, bvh::slab_ray::SlabRay,
-    bvh::slab_ray::is_in_scale, bvh::stack::Stack, closest_hit::ClosestHit, conservative::ConservativeRay,
-    dominant_sphere::DominantSphere, every_object::intersect_every_object, extent::Extent, find::Accelerator,
-    find::Origin, isolated::Isolated, object::NO_OBJECT, object::ObjectId, object::count,
+    bvh::find_isolated::FindIsolated, bvh::node::Kind, bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH,
+    bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::stack::Stack, closest_hit::ClosestHit,
+    conservative::ConservativeRay, dominant_sphere::DominantSphere, every_object::intersect_every_object,
+    extent::Extent, find::Accelerator, find::Origin, isolated::Isolated, object::NO_OBJECT, object::ObjectId,
+    object::count,
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
-    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, simd::Simd,
-    simd::SimdF32,
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects,
+    layout::prefetch::prefetch, simd::Simd, simd::SimdF32,
 };
 
 /// Maximum number of objects of a scene in which the isolated objects are sought. In a larger scene no object counts as
@@ -98,18 +99,21 @@ impl<B: Boxes> Bvh<B> {
             let mut distances = [0.0; WIDTH];
             let bits =
                 node.boxes.intersect(slab_ray, farthest(closest), &mut distances) & !node.lane_of(from_kind, from);
-            let [nodes, spheres, cylinders] = node.lanes();
-            let (mut nodes, mut spheres, mut cylinders) = (nodes & bits, spheres & bits, cylinders & bits);
-            while spheres != 0 {
-                let lane = spheres.trailing_zeros() as usize % WIDTH;
-                spheres &= spheres - 1;
-                closest.intersect_sphere(objects, node.number(Kind::Sphere, lane) as usize, ray);
+            let [nodes, spheres, cylinders] = node.lanes().map(|lanes| lanes & bits);
+            for lane in lanes_in(spheres) {
+                objects.prefetch_sphere(node.number(Kind::Sphere, lane) as usize);
             }
-            while cylinders != 0 {
-                let lane = cylinders.trailing_zeros() as usize % WIDTH;
-                cylinders &= cylinders - 1;
-                let id = node.number(Kind::Cylinder, lane) as usize;
-                closest.intersect_cylinder(objects, id - objects.sphere_count(), ray);
+            for lane in lanes_in(spheres) {
+                // An earlier object may have been hit before the ray enters this box.
+                if distances[lane] <= farthest(closest) {
+                    closest.intersect_sphere(objects, node.number(Kind::Sphere, lane) as usize, ray);
+                }
+            }
+            for lane in lanes_in(cylinders) {
+                if distances[lane] <= farthest(closest) {
+                    let id = node.number(Kind::Cylinder, lane) as usize;
+                    closest.intersect_cylinder(objects, id - objects.sphere_count(), ray);
+                }
             }
             if nodes == 0 && depth == 0 {
                 return;
@@ -120,10 +124,10 @@ impl<B: Boxes> Bvh<B> {
                 continue;
             }
             let first = depth;
-            while nodes != 0 {
-                let lane = nodes.trailing_zeros() as usize % WIDTH;
-                nodes &= nodes - 1;
-                stack.push_sorted(&mut depth, first, (node.number(Kind::Node, lane), distances[lane]));
+            for lane in lanes_in(nodes) {
+                let child = node.number(Kind::Node, lane);
+                self.nodes.get(child as usize).into_iter().for_each(prefetch);
+                stack.push_sorted(&mut depth, first, (child, distances[lane]));
             }
             loop {
                 if depth == 0 {

@@ -4,7 +4,7 @@
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
 use crate::input::{error::Error, scene::Scene, size::Size};
-use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
+use crate::layout::{self, Layout, Objects, Placed, count_kinds, prefetch::prefetch, with_room};
 use crate::math::vec3::Vec3;
 
 /// The layout with arrays of structures. This type only names the layout and has no values.
@@ -73,6 +73,11 @@ impl Objects for AosObjects {
     #[inline(always)]
     fn sphere(&self, index: usize) -> Placed<SphereRecord> {
         self.spheres[index]
+    }
+
+    #[inline(always)]
+    fn prefetch_sphere(&self, index: usize) {
+        self.spheres.get(index).into_iter().for_each(prefetch);
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
 use crate::input::{error::Error, scene::MaterialId, scene::Scene, size::Size};
-use crate::layout::{self, Layout, Objects, Placed, count_kinds, with_room};
+use crate::layout::{self, Layout, Objects, Placed, count_kinds, prefetch::prefetch, with_room};
 use crate::math::vec3::Vec3;
 
 /// The layout with structures of arrays. This type only names the layout and has no values.
@@ -167,6 +167,15 @@ impl Objects for SoaObjects {
         let Common { center, radius, order, material } = &self.spheres;
         let record = SphereRecord::new(center.get(index), at(radius, index));
         Placed { record, order: at(order, index), material: at(material, index) }
+    }
+
+    #[inline(always)]
+    fn prefetch_sphere(&self, index: usize) {
+        let Common { center, radius, order, .. } = &self.spheres;
+        for numbers in [&center.x, &center.y, &center.z, radius] {
+            numbers.get(index).into_iter().for_each(prefetch);
+        }
+        order.get(index).into_iter().for_each(prefetch);
     }
 
     #[inline(always)]

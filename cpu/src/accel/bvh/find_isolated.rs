@@ -1,7 +1,7 @@
 //! Finds the isolated objects of a tree, those whose box no other box overlaps. See
 //! [`isolated`](crate::accel::isolated) for what they are good for.
 
-use crate::accel::bvh::{boxes::Boxes, node::Kind, node::Node};
+use crate::accel::bvh::{boxes::Boxes, node::Kind, node::Node, node::lanes_in};
 use crate::accel::{bounds::Bounds, dominant_sphere::DominantSphere, extent::Extent, isolated::Isolated};
 use crate::accel::{object::ObjectId, object::count};
 use crate::{input::error::Error, layout::Objects, simd::Kernel, simd::Simd};
@@ -58,20 +58,16 @@ impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
             let node = &self.nodes[pending[count] as usize];
             let overlapping = node.boxes.overlaps::<S::F32>(bounds);
             let [nodes, spheres, cylinders] = node.lanes();
-            let mut nodes = nodes & overlapping;
-            while nodes != 0 {
+            for lane in lanes_in(nodes & overlapping) {
                 if count == MOST_VISITS {
                     return true;
                 }
-                pending[count] = node.number(Kind::Node, nodes.trailing_zeros() as usize);
-                nodes &= nodes - 1;
+                pending[count] = node.number(Kind::Node, lane);
                 count += 1;
             }
             for (kind, lanes) in [(Kind::Sphere, spheres), (Kind::Cylinder, cylinders)] {
-                let mut lanes = lanes & overlapping;
-                while lanes != 0 {
-                    let other = node.number(kind, lanes.trailing_zeros() as usize);
-                    lanes &= lanes - 1;
+                for lane in lanes_in(lanes & overlapping) {
+                    let other = node.number(kind, lane);
                     // The boxes in the tree may be larger than those of the objects.
                     if other != id && self.bounds_of(other).overlaps(bounds) {
                         return true;

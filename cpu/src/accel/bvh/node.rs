@@ -127,6 +127,16 @@ impl<B: Boxes> Node<B> {
     }
 }
 
+/// Returns the lanes whose bits are 1, from the lowest.
+#[inline(always)]
+pub fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = (bits != 0).then(|| bits.trailing_zeros() as usize % WIDTH);
+        bits &= bits.wrapping_sub(1);
+        lane
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
