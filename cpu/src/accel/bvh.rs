@@ -58,6 +58,7 @@ impl<B: Boxes> Bvh<B> {
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));
         let Tree { mut nodes, mut spheres, mut cylinders } = build(count, sphere_count, boxes)?;
+        let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
         // The dominant sphere is behind all spheres of the tree.
         let dominant = DominantSphere(dominant.0.map(|id| {
             spheres.push(id);
@@ -65,7 +66,6 @@ impl<B: Boxes> Bvh<B> {
         }));
         cylinders.iter_mut().for_each(|id| *id -= sphere_count as ObjectId);
         objects.reorder(&mut spheres, &mut cylinders);
-        let collapsed_root = CollapsedRoot::new(&mut nodes)?;
         let root = nodes.first().into_iter().flat_map(Node::children);
         let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
         let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate);
@@ -210,16 +210,22 @@ impl<B: Boxes> Accelerator for Bvh<B> {
         }
         let from_kind = if (from as usize) < objects.sphere_count() { Kind::Sphere } else { Kind::Cylinder };
         let query = Query { objects, ray, from, from_kind, slab_ray: SlabRay::<S::F32>::new(ray, &self.margins) };
-        if S::F32::LANES < WIDTH {
-            self.traverse::<S, O>(&self.nodes[0], &query, &mut closest, stack);
-            return closest;
-        }
-        let mut boxes = self.collapsed_root.intersect(&query.slab_ray, farthest(&closest));
+        // The root is known at once, but the place of another node only after a test of boxes.
+        let (mut node, mut boxes) = (&self.nodes[0], 0);
         let backwards = self.collapsed_root.is_passed_backwards(ray.direction);
-        while boxes != 0 {
-            let index = self.collapsed_root.take_nearest(&mut boxes, backwards);
-            self.traverse::<S, O>(&self.nodes[index], &query, &mut closest, stack);
+        if S::F32::LANES >= collapsed_root::LEAST_LANES && !self.collapsed_root.is_empty() {
+            boxes = self.collapsed_root.intersect(&query.slab_ray, farthest(&closest));
+            if boxes == 0 {
+                return closest;
+            }
+            node = &self.nodes[self.collapsed_root.take_nearest(&mut boxes, backwards)];
         }
-        closest
+        loop {
+            self.traverse::<S, O>(node, &query, &mut closest, stack);
+            if boxes == 0 {
+                return closest;
+            }
+            node = &self.nodes[self.collapsed_root.take_nearest(&mut boxes, backwards)];
+        }
     }
 }
