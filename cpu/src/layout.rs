@@ -116,18 +116,21 @@ fn cylinders(scene: &Scene) -> impl Iterator<Item = (Placed<CylinderRecord>, Vec
 /// # Errors
 /// [`Error::OutOfMemory`] if there are more objects than `u32` counts.
 fn count_kinds(scene: &Scene) -> Result<(usize, usize), Error> {
-    u32::try_from(scene.objects.len()).map_err(|_| Error::OutOfMemory { what: "the objects" })?;
+    u32::try_from(scene.objects.len()).map_err(|_| Error::OutOfMemory { what: OBJECTS })?;
     let spheres = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Sphere(_))).count();
     Ok((spheres, scene.objects.len() - spheres))
 }
 
-/// Returns an empty list with room for `count` items, for a list of objects. A large list is in huge pages if the
-/// system has them.
+/// The words for the objects in the message of [`Error::OutOfMemory`].
+pub(crate) const OBJECTS: &str = "the objects";
+
+/// Returns an empty list with room for `count` items, for a list that grows with the number of objects. A large list is
+/// in huge pages if the system has them.
 ///
 /// # Errors
-/// [`Error::OutOfMemory`] if memory is short.
-pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, Error> {
-    let mut list = error::with_room(count, "the objects")?;
+/// [`Error::OutOfMemory`] with the words `what` if memory is short.
+pub(crate) fn with_room<T>(count: usize, what: &'static str) -> Result<Vec<T>, Error> {
+    let mut list = error::with_room(count, what)?;
     huge_pages::ask(&mut list);
     Ok(list)
 }
@@ -174,8 +177,8 @@ mod tests {
     fn room_is_made_for_as_many_as_there_are() {
         let scene = Scene::parse(SCENE.as_bytes()).expect("the scene is valid");
         assert!(matches!(count_kinds(&scene), Ok((2, 1))));
-        assert!(with_room::<u64>(5).is_ok_and(|list| list.is_empty() && list.capacity() >= 5));
-        assert!(matches!(with_room::<u64>(usize::MAX / 8), Err(Error::OutOfMemory { .. })));
+        assert!(with_room::<u64>(5, OBJECTS).is_ok_and(|list| list.is_empty() && list.capacity() >= 5));
+        assert!(matches!(with_room::<u64>(usize::MAX / 8, "a name"), Err(Error::OutOfMemory { what: "a name" })));
     }
 
     #[test]

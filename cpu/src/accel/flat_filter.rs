@@ -10,8 +10,8 @@ use crate::accel::{
     target::Target,
 };
 use crate::{
-    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::Objects, layout::with_room,
-    materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
+    counters::Counter, counters::add, geometry::ray::Ray, input::error::Error, layout::OBJECTS, layout::Objects,
+    layout::with_room, materials::prepared::PreparedMaterial, math::vec3::Vec3, simd::Simd, simd::SimdF32,
 };
 
 /// Maximum number of spheres, and maximum number of cylinders, in a [`FlatFilter`]. Each object of a kind has one bit
@@ -111,7 +111,7 @@ fn without_filter<O: Objects>(objects: &O, ray: Ray) -> ClosestHit {
 
 /// Returns as many empty blocks as `count` objects need.
 fn blocks<T: Clone>(count: usize, empty: T) -> Result<Vec<T>, Error> {
-    let mut blocks = with_room(count.div_ceil(BLOCK))?;
+    let mut blocks = with_room(count.div_ceil(BLOCK), OBJECTS)?;
     blocks.resize(count.div_ceil(BLOCK), empty);
     Ok(blocks)
 }

@@ -10,7 +10,7 @@
 //! overflow.
 
 use crate::accel::object::ObjectId;
-use crate::{input::error::Error, layout::with_room};
+use crate::{input::error::Error, layout::OBJECTS, layout::with_room};
 
 /// The set of the isolated objects, which no other object overlaps. If a ray starts on an isolated object and hits it
 /// again, this is the closest hit, and no other object is intersected. By default the set is empty.
@@ -23,7 +23,7 @@ impl Isolated {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn none(count: usize) -> Result<Self, Error> {
-        let mut words = with_room(count.div_ceil(64))?;
+        let mut words = with_room(count.div_ceil(64), OBJECTS)?;
         words.resize(count.div_ceil(64), 0);
         Ok(Self(words))
     }

@@ -1,6 +1,6 @@
 //! Numbers for the objects of a scene.
 
-use crate::{input::error::Error, layout::Objects, layout::with_room, math::vec3::Vec3};
+use crate::{input::error::Error, layout::OBJECTS, layout::Objects, layout::with_room, math::vec3::Vec3};
 
 /// The number of an object. Spheres come first: for a sphere it is the index among the spheres. For a cylinder it is
 /// the number of spheres plus the index among the cylinders. [`ObjectRef`] distinguishes the two kinds.
@@ -39,7 +39,7 @@ pub fn count(objects: &impl Objects) -> usize {
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
 pub fn in_order(objects: &impl Objects) -> Result<Vec<ObjectId>, Error> {
-    let mut all = with_room(count(objects))?;
+    let mut all = with_room(count(objects), OBJECTS)?;
     all.extend(0..count(objects) as ObjectId);
     all.sort_unstable_by_key(|&id| order_of(objects, id));
     Ok(all)

@@ -4,7 +4,7 @@
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
 use crate::input::{error::Error, scene::Scene, size::Size};
-use crate::layout::{self, Layout, Objects, Placed, count_kinds, prefetch::prefetch, with_room};
+use crate::layout::{self, Layout, OBJECTS, Objects, Placed, count_kinds, prefetch::prefetch, with_room};
 use crate::math::vec3::Vec3;
 
 /// The layout with arrays of structures. This type only names the layout and has no values.
@@ -55,8 +55,8 @@ pub struct AosObjects {
 impl Objects for AosObjects {
     fn build(scene: &Scene) -> Result<Self, Error> {
         let (sphere_count, cylinder_count) = count_kinds(scene)?;
-        let mut spheres = with_room(sphere_count)?;
-        let mut cylinders = (with_room(cylinder_count)?, with_room(cylinder_count)?);
+        let mut spheres = with_room(sphere_count, OBJECTS)?;
+        let mut cylinders = (with_room(cylinder_count, OBJECTS)?, with_room(cylinder_count, OBJECTS)?);
         spheres.extend(layout::spheres(scene));
         cylinders.extend(layout::cylinders(scene));
         Ok(Self { spheres, cylinders: cylinders.0, axes: cylinders.1 })

@@ -3,7 +3,7 @@
 use crate::geometry::{cylinder::CylinderRecord, sphere::SphereRecord};
 use crate::image::{Image, Rgb, zeroed};
 use crate::input::{error::Error, scene::MaterialId, scene::Scene, size::Size};
-use crate::layout::{self, Layout, Objects, Placed, count_kinds, prefetch::prefetch, with_room};
+use crate::layout::{self, Layout, OBJECTS, Objects, Placed, count_kinds, prefetch::prefetch, with_room};
 use crate::math::vec3::Vec3;
 
 /// The layout with structures of arrays. This type only names the layout and has no values.
@@ -57,7 +57,7 @@ struct Vectors {
 
 impl Vectors {
     fn with_room(count: usize) -> Result<Self, Error> {
-        Ok(Self { x: with_room(count)?, y: with_room(count)?, z: with_room(count)? })
+        Ok(Self { x: with_room(count, OBJECTS)?, y: with_room(count, OBJECTS)?, z: with_room(count, OBJECTS)? })
     }
 
     fn push(&mut self, vector: Vec3) {
@@ -100,9 +100,9 @@ impl Common {
     fn with_room(count: usize) -> Result<Self, Error> {
         Ok(Self {
             center: Vectors::with_room(count)?,
-            radius: with_room(count)?,
-            order: with_room(count)?,
-            material: with_room(count)?,
+            radius: with_room(count, OBJECTS)?,
+            order: with_room(count, OBJECTS)?,
+            material: with_room(count, OBJECTS)?,
         })
     }
 
@@ -140,7 +140,7 @@ impl Objects for SoaObjects {
             cylinders: Common::with_room(cylinder_count)?,
             axis: Vectors::with_room(cylinder_count)?,
             file_axis: Vectors::with_room(cylinder_count)?,
-            half_height: with_room(cylinder_count)?,
+            half_height: with_room(cylinder_count, OBJECTS)?,
         };
         for Placed { record, order, material } in layout::spheres(scene) {
             objects.spheres.push(record.center, record.radius, order, material);

@@ -11,8 +11,8 @@ use crate::render::{prepared::Prepared, span::Span};
 use crate::{
     accel::bounds::Bounds, accel::object, accel::object::ObjectId, accel::object::ObjectRef, counters::Counter,
     counters::add, geometry::camera::HALF_PIXEL, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
-    geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::Objects,
-    layout::with_room, math::vec3::Vec3,
+    geometry::sphere::SphereRecord, geometry::sphere::SphereView, input::error::Error, layout::Layout, layout::OBJECTS,
+    layout::Objects, layout::with_room, math::vec3::Vec3,
 };
 
 /// An object that a span's rays may hit, with the terms of its formula that are constant for all camera rays.
@@ -108,7 +108,8 @@ impl Candidates {
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Self, Error> {
         let all = object::in_order(&prepared.objects)?;
-        let (boxed, row, span) = (with_room(all.len())?, with_room(all.len())?, with_room(all.len())?);
+        let boxed = with_room(all.len(), OBJECTS)?;
+        let (row, span) = (with_room(all.len(), OBJECTS)?, with_room(all.len(), OBJECTS)?);
         Ok(Self { all, boxed, row, span, are_culled: prepared.moderate })
     }
 

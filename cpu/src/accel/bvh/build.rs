@@ -32,11 +32,11 @@ pub fn build<B: Boxes>(
     sphere_count: usize,
     objects: impl Iterator<Item = (Bounds, ObjectId)>,
 ) -> Result<Tree<B>, Error> {
-    let mut items = with_room(most)?;
+    let mut items = with_room(most, HIERARCHY)?;
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
-    let (spheres, cylinders) = (with_room(sphere_count)?, with_room(most - sphere_count)?);
+    let (spheres, cylinders) = (with_room(sphere_count, HIERARCHY)?, with_room(most - sphere_count, HIERARCHY)?);
     // A node has about eight objects, by measurement (`bench/nearest`). The list grows if there are more nodes.
-    let mut tree = Tree { nodes: with_room(most / 8 + 1)?, spheres, cylinders };
+    let mut tree = Tree { nodes: with_room(most / 8 + 1, HIERARCHY)?, spheres, cylinders };
     if items.is_empty() {
         return Ok(tree);
     }

@@ -57,7 +57,7 @@ impl CollapsedRoot {
         if planned(objects).is_none() {
             return Ok(root);
         }
-        let mut boxes = with_room(MOST)?;
+        let mut boxes = with_room(MOST, HIERARCHY)?;
         // The length of the list if no further child of the root gives way to its children.
         let mut count = nodes.first().map_or(0, |root| root.children().count());
         for (bounds, child) in nodes.first().into_iter().flat_map(Node::children) {
@@ -76,7 +76,7 @@ impl CollapsedRoot {
         let middle = |(bounds, _): &(Bounds, Child)| bounds.twice_middle(root.axis);
         boxes.sort_unstable_by(|left, right| middle(left).total_cmp(&middle(right)));
         root.occupied = u64::MAX >> (MOST - boxes.len());
-        root.rows = with_room(MOST / WIDTH)?;
+        root.rows = with_room(MOST / WIDTH, HIERARCHY)?;
         for row in boxes.chunks(WIDTH) {
             let mut bounds = [Bounds::EMPTY; WIDTH];
             for (to, (from, _)) in bounds.iter_mut().zip(row) {
