@@ -58,6 +58,7 @@ impl<B: Boxes> Bvh<B> {
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));
         let Tree { mut nodes, mut spheres, mut cylinders } = build(count, sphere_count, boxes)?;
+        // The builder planned it for the objects of the tree, without the dominant sphere, which is added below.
         let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
         // The dominant sphere is behind all spheres of the tree.
         let dominant = DominantSphere(dominant.0.map(|id| {
@@ -100,11 +101,13 @@ impl<B: Boxes> Bvh<B> {
             let bits =
                 node.boxes.intersect(slab_ray, farthest(closest), &mut distances) & !node.lane_of(from_kind, from);
             let [nodes, spheres, cylinders] = node.lanes().map(|lanes| lanes & bits);
+            // All spheres are asked for before the first is tested, so that they arrive together.
             for lane in lanes_in(spheres) {
                 objects.prefetch_sphere(node.number(Kind::Sphere, lane) as usize);
             }
             for lane in lanes_in(spheres) {
-                // An earlier object may have been hit before the ray enters this box.
+                // Another object of this node may have been hit before the ray enters this box. A box at the same
+                // lambda counts, because its object may be hit at that lambda and be later in the scene file.
                 if distances[lane] <= farthest(closest) {
                     closest.intersect_sphere(objects, node.number(Kind::Sphere, lane) as usize, ray);
                 }
@@ -210,7 +213,8 @@ impl<B: Boxes> Accelerator for Bvh<B> {
         }
         let from_kind = if (from as usize) < objects.sphere_count() { Kind::Sphere } else { Kind::Cylinder };
         let query = Query { objects, ray, from, from_kind, slab_ray: SlabRay::<S::F32>::new(ray, &self.margins) };
-        // The root is known at once, but the place of another node only after a test of boxes.
+        // The traversal begins at the root if there is no collapsed root. The root's address needs no test of boxes, so
+        // its boxes can be loaded at once. `boxes` are those of the collapsed root that are still to be visited.
         let (mut node, mut boxes) = (&self.nodes[0], 0);
         let backwards = self.collapsed_root.is_passed_backwards(ray.direction);
         if S::F32::LANES >= collapsed_root::LEAST_LANES && !self.collapsed_root.is_empty() {

@@ -1,5 +1,6 @@
-//! Prefetching: asking the processor to bring data into its nearest cache before they are needed. A traversal knows
-//! which nodes and objects it will read some time before it reads them. In a large scene they are in no near cache.
+//! Prefetching: asking the processor to bring data into its nearest cache before they are needed. After a test of boxes
+//! a traversal knows which nodes and spheres it will read, but it reads them one after the other. In a large scene they
+//! are often not in the two nearest caches. Prefetched together, they arrive together.
 
 #![allow(unsafe_code)]
 
@@ -14,8 +15,9 @@ pub fn prefetch<T>(value: &T) {
     use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
 
     let start = std::ptr::from_ref(value).cast::<i8>();
-    // A value that may begin within a line may also end in one more line.
-    let end = (align_of::<T>() < CACHE_LINE && size_of::<T>() > 0).then(|| size_of::<T>() - 1);
+    // A value that is larger than its alignment may begin within a line and end in one more line.
+    let is_in_more_lines = align_of::<T>() < CACHE_LINE && size_of::<T>() > align_of::<T>();
+    let end = is_in_more_lines.then(|| size_of::<T>() - 1);
     for at in (0..size_of::<T>()).step_by(CACHE_LINE).chain(end) {
         // SAFETY: every x86-64 processor has this instruction. It changes no data, and it does nothing for an address
         // that cannot be read. This address is within `value`.
@@ -23,7 +25,7 @@ pub fn prefetch<T>(value: &T) {
     }
 }
 
-/// The twin for other processors does nothing.
+/// Does nothing. Other processors have no such instruction in Rust's stable library, and Miri does not interpret it.
 #[cfg(not(all(target_arch = "x86_64", not(miri))))]
 #[inline(always)]
 pub fn prefetch<T>(_: &T) {}

@@ -127,7 +127,8 @@ impl<B: Boxes> Node<B> {
     }
 }
 
-/// Returns the lanes whose bits are 1, from the lowest.
+/// Returns the lanes whose bits are 1, from the lowest. All are below [`WIDTH`], which the remainder shows to the
+/// compiler.
 #[inline(always)]
 pub fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {

@@ -24,7 +24,8 @@
 //! a plane where it leaves is not too small.
 //!
 //! A ray that hits a box enters all three slabs before it leaves one of them. This is then also true for the computed
-//! distances. So no box is lost that the ray hits before the closest hit so far.
+//! distances. So no box is lost that the ray hits before the closest hit so far. Nor is an object left out that can be
+//! hit before it, for being entered behind it.
 //!
 //! The direction must be [in scale](is_in_scale). Then reciprocals have magnitudes between 10^-31 and 10^28, and no
 //! product with a coordinate exceeds 10^38. If a distance is NaN all the same, the maximum and the minimum return their

@@ -7,8 +7,8 @@ use crate::accel::bvh::planes::WIDTH;
 /// Number of bins along the axis of a split.
 const BINS: usize = 16;
 
-/// The time of a node's visit, in times of an object's test: with 16 the hits are 4 % faster than without the tests of
-/// objects. With 4 or 64 they are slower than with 16 (`bench/nearest`).
+/// The cost of visiting a node, where testing an object costs 1. With 16, nearest hits take 4 % less time than if only
+/// visits counted. With 4 or 64 there is no gain (`bench/nearest`).
 const VISIT_COST: usize = 16;
 
 /// From this depth on, a range is split into two halves with equal numbers of objects, and not by the surface area
@@ -31,9 +31,8 @@ impl Bin {
         Self { bounds, middles, count: self.count + other.count }
     }
 
-    /// Returns the cost: the surface area times the time for the items. Each item adds the time of an object's test,
-    /// and each node that holds them adds that of a visit, which tests all boxes of a node at once. A visit counts as
-    /// [`VISIT_COST`] tests.
+    /// Returns the cost: the surface area times the time for the items. The time is one test for each item, and
+    /// [`VISIT_COST`] tests for each node that is needed to hold the items. A visit tests all boxes of a node at once.
     fn cost(&self) -> f32 {
         self.bounds.unpacked().half_area() * (self.count + VISIT_COST * self.count.div_ceil(WIDTH)) as f32
     }
