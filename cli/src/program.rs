@@ -29,11 +29,11 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
 /// process without a message. All other allocations that grow with the input return an error when they fail. The
 /// programs have only one thread, so one stack is enough.
 ///
-/// Rendering 10,000 objects needs a stack of 384 KiB in test builds and of 288 KiB in release builds. These are the
+/// Rendering 10,000 objects needs a stack of 256 KiB in test builds and of 160 KiB in release builds. These are the
 /// smallest values of `ulimit -s` with which the programs rendered them.
 #[inline(never)]
 fn reserve_stack() {
-    const BYTES: usize = 512 << 10;
+    const BYTES: usize = 320 << 10;
     std::hint::black_box(&mut [0_u8; BYTES]);
 }
 

@@ -38,7 +38,7 @@ impl PathTracer {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Boxed<Self>, Error> {
-        Boxed::new(Self {
+        Boxed::new(|| Self {
             scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed),
             queue: PathQueue::EMPTY,
             ends: PathEnds::new(),

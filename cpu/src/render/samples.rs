@@ -35,7 +35,7 @@ impl Batch {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new() -> Result<Boxed<Self>, Error> {
-        Boxed::new(Self {
+        Boxed::new(|| Self {
             count: 0,
             column: [0.0; ROOM],
             offset: Columns::ZERO,
