@@ -30,7 +30,7 @@ pub fn run<L: Layout>(arguments: impl IntoIterator<Item = OsString>) -> Result<(
 /// programs have only one thread, so one stack is enough.
 ///
 /// Rendering 10,000 objects needs a stack of 256 KiB in test builds and of 160 KiB in release builds. These are the
-/// smallest values of `ulimit -s` with which the programs rendered them.
+/// smallest values of `ulimit -s` with which the programs rendered them without this reserve.
 #[inline(never)]
 fn reserve_stack() {
     const BYTES: usize = 320 << 10;

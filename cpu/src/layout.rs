@@ -53,8 +53,8 @@ pub trait Objects: Sized {
     /// # Panics
     /// If there is no such sphere.
     fn sphere(&self, index: usize) -> Placed<SphereRecord>;
-    /// Asks the processor to bring the sphere at `index` among the spheres into its nearest cache. Nothing happens if
-    /// there is no such sphere.
+    /// Prefetches the sphere at `index` among the spheres: the processor loads it into its nearest cache, and the
+    /// program does not wait. If there is no such sphere, nothing happens.
     fn prefetch_sphere(&self, index: usize);
     /// Returns the cylinder at `index` among the cylinders.
     ///

@@ -57,7 +57,7 @@ pub enum Error {
     TooManyIterations {
         /// Number of spheres and cylinders.
         objects: u64,
-        /// Largest number of rays of a path. If the last one hits, the path is black.
+        /// Maximum number of rays of a path. If the last of them hits an object, the path is black.
         depth: u64,
         /// Largest number of iterations of all loops of an invocation together.
         limit: u64,

@@ -32,7 +32,8 @@ const PICTURES: usize = 10;
 const TOO_LARGE: [&str; 2] = ["kernels/cylinder", "kernels/projected_cylinder"];
 /// Limit on the number of pixels times objects of one picture; see [`Case::within`].
 const TESTS: usize = 200_000;
-/// Time limit for the next result of the page. SwiftShader compiles the largest shader in 23 s on an idle machine.
+/// How long to wait for the next result of the page. The largest shader is compiled before its first result, by
+/// Chromium's software renderer in 23 s on an idle machine. The limit leaves room for a busy one.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 fn main() -> ExitCode {

@@ -9,8 +9,8 @@ use crate::input::error::{Error, with_room};
 pub struct Boxed<T>(Vec<T>);
 
 impl<T> Boxed<T> {
-    /// Places the result of `make` on the heap, and calls `make` once. A value that was passed as an argument would be
-    /// made on the stack first, where the largest one takes 180 KiB.
+    /// Calls `make` once, and places its result on the heap. The parameter is a function and not the value, because the
+    /// compiler would make a value on the stack and then copy it. The largest one has 180 KiB.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.

@@ -52,7 +52,7 @@ pub struct Picture<T> {
     pub cylinders: Vec<Placed<CylinderRecord<T>>>,
     /// The materials, in the order of the file.
     pub materials: Vec<PackedMaterial<T>>,
-    /// Largest number of rays of a path. If the last one hits, the path is black.
+    /// Maximum number of rays of a path. If the last of them hits an object, the path is black.
     pub max_depth: u32,
 }
 

@@ -14,7 +14,7 @@ pub struct Features {
     pub has_metal: bool,
     /// Whether any object has a refractive material.
     pub has_refraction: bool,
-    /// Largest number of rays of a path. If the last one hits, the path is black.
+    /// Maximum number of rays of a path. If the last of them hits an object, the path is black.
     pub max_depth: u32,
 }
 

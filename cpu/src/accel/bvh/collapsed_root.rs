@@ -1,5 +1,5 @@
-//! The collapsed root: the two highest levels of the tree as one list of up to 64 boxes. Most of them are the boxes of
-//! the root's grandchildren.
+//! The collapsed root: one list of up to 64 boxes, which a ray tests instead of the root and its children. Most of them
+//! are the boxes of the children's children.
 //!
 //! A traversal is bound by latency: the next node is known after some sixty cycles. Testing up to four nodes together
 //! takes hardly longer than testing one, with at least [`LEAST_LANES`] lanes. So the collapsed root saves the time of a
@@ -185,6 +185,33 @@ mod tests {
             let middles = boxes_of(&row).map(|bounds| bounds.twice_middle(row.axis));
             assert!(middles.is_sorted());
         }
+    }
+
+    #[test]
+    fn children_of_the_root_stay_in_a_list_that_their_children_would_overfill() {
+        // Eight clusters of 18 objects and eight of 110, far apart, become the children of the root. Each small one
+        // gets two children, although its share of the 64 planned ones is little more than one.
+        let mut draws = Uniform::new(1);
+        let clusters = (0..16).flat_map(|at| vec![at; if at % 2 == 0 { 18 } else { 110 }]);
+        let bounds: Vec<_> = clusters
+            .map(|at| {
+                let low = [100.0 * f64::from(at), 0.0, 0.0].map(|middle| (middle + draws.draw(0.0, 1.0)) as f32);
+                Bounds { low, high: low.map(|value| value + 0.1) }
+            })
+            .collect();
+        let items = bounds.iter().copied().zip(0..);
+        let mut nodes = build::<ByteBoxes>(bounds.len(), bounds.len(), items).expect("it fits").nodes;
+        let grandchildren = |(_, child): (Bounds, Child)| nodes[child.number as usize].children().count();
+        let all: usize = nodes[0].children().map(grandchildren).sum();
+        assert_eq!((bounds.len(), planned(bounds.len())), (1024, Some(MOST)));
+        assert!(all > MOST, "{all} grandchildren would fit");
+        let row = CollapsedRoot::new(&mut nodes, bounds.len()).expect("it fits");
+        let count = boxes_of(&row).count();
+        assert!((MOST - 6..=MOST).contains(&count), "{count} boxes");
+        let mut reached: Vec<_> =
+            row.nodes[..count].iter().flat_map(|&index| objects(&nodes, &nodes[index as usize])).collect();
+        reached.sort_unstable();
+        assert!(reached.into_iter().eq(0..1024));
     }
 
     #[test]

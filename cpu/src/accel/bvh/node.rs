@@ -127,8 +127,8 @@ impl<B: Boxes> Node<B> {
     }
 }
 
-/// Returns the lanes whose bits are 1, from the lowest. All are below [`WIDTH`], which the remainder shows to the
-/// compiler.
+/// Returns the lanes whose bits are 1, from the lowest. Only the 16 lowest bits may be 1. The remainder by [`WIDTH`]
+/// changes no lane. Because of it the compiler checks no index.
 #[inline(always)]
 pub fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
