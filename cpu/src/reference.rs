@@ -23,8 +23,8 @@ use crate::{
 };
 
 /// Renders a picture by the specification, slowly and literally, with the plain formulas for intersections. Where
-/// rounding decides a hit, the picture may differ from that of [`crate::render`]. For a picture with the same bytes use
-/// [`render_with`] and [`Exact`].
+/// rounding decides a hit, the picture may differ from that of [`crate::render()`]. For a picture with the same bytes
+/// use [`render_with`] and [`Exact`].
 ///
 /// # Errors
 /// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position
