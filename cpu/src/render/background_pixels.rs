@@ -117,18 +117,21 @@ impl BackgroundPixels {
     /// interval may give different bytes.
     #[inline(always)]
     fn bytes_within(&mut self, table: &Quantizer, means: [f64; 6], derivative: &DerivativeBound) -> Option<[u8; 3]> {
+        // A local copy: reading three bytes at once that were just stored one by one would delay the processor.
+        let mut bytes = self.last;
         for (channel, &[low, high]) in means.as_chunks().0.iter().enumerate() {
-            self.last[channel] = match self.constant[channel] {
+            bytes[channel] = match self.constant[channel] {
                 Some(byte) if derivative.weight_is_in_unit_interval() => byte,
-                _ => table.quantize_interval(low, high, self.last[channel])?,
+                _ => table.quantize_interval(low, high, bytes[channel])?,
             };
         }
-        Some(self.last)
+        self.last = bytes;
+        Some(bytes)
     }
 }
 
-/// Returns the sum of the values. It has eight partial sums in lanes, so its rounding differs from that of a sum in
-/// order. The bound `rounding` covers the difference.
+/// Returns the sum of the values. It has eight partial sums in lanes, which are added in pairs, so that few additions
+/// wait for one another. Its rounding differs from that of a sum in order. The bound `rounding` covers the difference.
 #[inline(always)]
 fn sum(values: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
@@ -138,7 +141,9 @@ fn sum(values: &[f64]) -> f64 {
             *sum += value;
         }
     }
-    sums.iter().chain(remainder).sum()
+    let [a, b, c, d, e, f, g, h] = sums;
+    let remainder: f64 = remainder.iter().sum();
+    (((a + e) + (c + g)) + ((b + f) + (d + h))) + remainder
 }
 
 /// The distance of each lane from the first.
