@@ -89,7 +89,7 @@ pub fn render_into<L: Layout>(
     image: &mut L::Image,
     mut after_row: impl FnMut(usize, &L::Image) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, Error> {
-    let (state, accumulator) = (SpanState::new(prepared)?, Accumulator::new(prepared.samples));
+    let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     set.run(Picture { state, accumulator, target: Target::Image(image, &mut after_row) })
 }
 
@@ -102,7 +102,7 @@ pub fn render_linear<L: Layout>(
     set: InstructionSet,
     mut pixel: impl FnMut(usize, Vec3),
 ) -> Result<(), Error> {
-    let (state, accumulator) = (SpanState::new(prepared)?, Accumulator::new(prepared.samples));
+    let (state, accumulator) = (SpanState::new(prepared, set)?, Accumulator::new(prepared.samples));
     // The result is always `Continue`.
     let _ = set.run(Picture { state, accumulator, target: Target::Means(&mut pixel) })?;
     Ok(())

@@ -24,9 +24,10 @@ impl Stages {
     fn new(prepared: &'static Prepared<Aos>, row: usize, column: usize) -> Self {
         let mut spans = spans_of_row(prepared.size.width(), prepared.samples);
         let span = spans.find(|span| span.first >= column).expect("the row is longer");
-        let mut state = SpanState::new(prepared).expect("it fits");
+        let set = InstructionSet::chosen();
+        let mut state = SpanState::new(prepared, set).expect("it fits");
         state.row = row;
-        let mut stages = Self { state, set: InstructionSet::chosen(), span };
+        let mut stages = Self { state, set, span };
         stages.cull();
         stages
     }

@@ -191,7 +191,7 @@ mod tests {
     fn no_ray_is_needed(color: &str) {
         let text = format!("image_width: 40\nbackground_dark_color: {color}\nbackground_light_color: {color}\n");
         let prepared = prepared(&text);
-        let mut state = SpanState::new(&prepared).expect("it fits");
+        let mut state = SpanState::new(&prepared, InstructionSet::Portable).expect("it fits");
         state.row = 3;
         let span = Span { first: 8, first_sample: 0, count: 640, last: 39 };
         let find = FindBytes { state: &mut state, span: &span, done: 0 };

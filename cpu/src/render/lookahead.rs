@@ -78,13 +78,13 @@ impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(mut self, simd: S) {
-        self.tracer.scatter_samples.prepare(simd);
+    fn call<S: Simd>(mut self, _: S) {
+        self.tracer.scatter_samples.prepare();
         let mut lookahead = Lookahead::<S::F64>::new(self.small_scene, self.tracer, 0);
         let mut at = 0;
         while at < self.tracer.queue.count {
             let tracer = &mut *self.tracer;
-            tracer.scatter_samples.prepare(simd);
+            tracer.scatter_samples.prepare();
             if lookahead.at != at || lookahead.position != tracer.scatter_samples.position() {
                 lookahead = Lookahead::new(self.small_scene, tracer, at);
             }
@@ -96,7 +96,7 @@ impl<L: Layout> Kernel for TraceWithLookahead<'_, L> {
             if escaping < tested {
                 tracer.scatter_samples.skip(1);
                 add(Counter::PathRays, 1);
-                self.trace(simd, at, may_hit.of_lane(escaping), &mut lookahead);
+                self.trace(at, may_hit.of_lane(escaping), &mut lookahead);
                 at += 1;
             }
         }
@@ -108,7 +108,7 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
     /// `may_hit`. For each ray, tests the first rays of the next paths, under the guess that this path escapes with
     /// that ray. The last of these tests is then in `if_escapes`.
     #[inline(always)]
-    fn trace<S: Simd>(&mut self, simd: S, at: usize, mut may_hit: u32, if_escapes: &mut Lookahead<S::F64>) {
+    fn trace<V: SimdF64>(&mut self, at: usize, mut may_hit: u32, if_escapes: &mut Lookahead<V>) {
         let Self { prepared, tracer, small_scene } = self;
         let vertex = PathVertex::of(tracer.queue.entries.get(at));
         let mut ray = Ray { origin: vertex.point, direction: tracer.ends.direction.get(at).into() };
@@ -119,14 +119,14 @@ impl<L: Layout> TraceWithLookahead<'_, L> {
                 return tracer.ends.escape(at, ray.direction);
             }
             rays = rays.minus_one();
-            let Some(scattered) = tracer.scatter((simd, prepared), (at, rays), &ray, &hit) else {
+            let Some(scattered) = tracer.scatter(prepared, (at, rays), &ray, &hit) else {
                 return;
             };
             ray = scattered.ray;
             add(Counter::PathRays, 1);
-            tracer.scatter_samples.prepare(simd);
+            tracer.scatter_samples.prepare();
             *if_escapes = Lookahead::new(small_scene, tracer, at + 1);
-            may_hit = small_scene.objects_may_hit::<S::F64, _>(&prepared.objects, &ray);
+            may_hit = small_scene.objects_may_hit::<V, _>(&prepared.objects, &ray);
             // This is the most frequent case, so one branch decides it as early as possible.
             if may_hit == 0 {
                 return tracer.ends.escape(at, ray.direction);

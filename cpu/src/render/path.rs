@@ -7,7 +7,8 @@ use crate::render::{
 };
 use crate::{
     accel::bvh::stack::Stack, accel::closest_hit::ClosestHit, geometry::ray::Ray, input::error::Error, layout::Layout,
-    materials::prepared::PreparedMaterial, math::vec3::Vec3, sampling::scatter_stream::ScatterSamples, simd::Simd,
+    materials::prepared::PreparedMaterial, math::vec3::Vec3, sampling::scatter_stream::ScatterSamples,
+    simd::instruction_set::InstructionSet,
 };
 
 /// The next ray of a path: scattered by a matte or metal surface, or refracted.
@@ -33,13 +34,14 @@ pub struct PathTracer {
 }
 
 impl PathTracer {
-    /// Returns the data before the first path, with the stream of scatter samples at its beginning.
+    /// Returns the data before the first path, with the stream of scatter samples at its beginning. The samples are
+    /// made with the instruction set `set`.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new<L: Layout>(prepared: &Prepared<L>) -> Result<Boxed<Self>, Error> {
+    pub fn new<L: Layout>(prepared: &Prepared<L>, set: InstructionSet) -> Result<Boxed<Self>, Error> {
         Boxed::new(|| Self {
-            scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed),
+            scatter_samples: ScatterSamples::new(prepared.scatter_stream, prepared.material_seed, set),
             queue: PathQueue::EMPTY,
             ends: PathEnds::new(),
             stack: Stack::EMPTY,
@@ -64,9 +66,9 @@ impl PathTracer {
     /// that the path may still send. If there are none, or if memory is short, the path ends in black and the result is
     /// `None`. A matte or metal surface takes a scatter sample, even at the maximum depth.
     #[inline(always)]
-    pub fn scatter<'a, S: Simd, L: Layout>(
+    pub fn scatter<'a, L: Layout>(
         &mut self,
-        (simd, prepared): (S, &'a Prepared<L>),
+        prepared: &'a Prepared<L>,
         (at, rays): (usize, RaysLeft),
         ray: &Ray,
         hit: &ClosestHit,
@@ -76,7 +78,7 @@ impl PathTracer {
             // Only the material of the surface is used, so LLVM removes the rest.
             let surface_hit = SurfaceHit::new(&prepared.objects, ray, hit);
             if prepared.materials[surface_hit.material as usize].takes_scatter_sample() {
-                scatter_samples.prepare(simd);
+                scatter_samples.prepare();
                 self.end_at_max_depth(at);
             } else {
                 ends.terminate(at, queue);
@@ -94,7 +96,7 @@ impl PathTracer {
             ends.terminate(at, queue);
             return None;
         }
-        scatter_samples.prepare(simd);
+        scatter_samples.prepare();
         let scatter_sample = scatter_samples.next();
         let ray = Ray { origin, direction: material.scatter_params.scatter_around(direction, scatter_sample) };
         Some(Scattered { ray, cause: Some((material, material.scatter_params.vector(scatter_sample))) })

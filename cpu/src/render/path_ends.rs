@@ -148,7 +148,7 @@ mod tests {
         let direction = Vec3::new(0.3, -0.7, 0.2);
         let background = prepared.background.color(direction);
         for set in InstructionSet::available() {
-            let mut state = SpanState::new(&prepared).expect("it fits");
+            let mut state = SpanState::new(&prepared, set).expect("it fits");
             let (PathTracer { queue, ends, .. }, batch) = (&mut *state.tracer, &mut *state.batch);
             batch.count = 11;
             for sample in 0..batch.count {

@@ -4,7 +4,9 @@ use crate::render::{
     background_pixels::BackgroundPixels, boxed::Boxed, frustum::Candidates, path::PathTracer, prepared::Prepared,
     samples::Batch,
 };
-use crate::{input::error::Error, layout::Layout, sampling::draw_order::PixelJitter};
+use crate::{
+    input::error::Error, layout::Layout, sampling::draw_order::PixelJitter, simd::instruction_set::InstructionSet,
+};
 
 /// The prepared scene, and all that the stages of a span read and write. It is reused for every span.
 pub struct SpanState<'a, L: Layout> {
@@ -25,11 +27,11 @@ pub struct SpanState<'a, L: Layout> {
 }
 
 impl<'a, L: Layout> SpanState<'a, L> {
-    /// Returns the state before the first span.
+    /// Returns the state before the first span. The scatter samples are made with the instruction set `set`.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(prepared: &'a Prepared<L>) -> Result<Self, Error> {
+    pub fn new(prepared: &'a Prepared<L>, set: InstructionSet) -> Result<Self, Error> {
         Ok(Self {
             prepared,
             row: 0,
@@ -37,7 +39,7 @@ impl<'a, L: Layout> SpanState<'a, L> {
             pixel_jitter: PixelJitter::new(prepared.ray_seed),
             background_pixels: BackgroundPixels::new(prepared),
             batch: Batch::new()?,
-            tracer: PathTracer::new(prepared)?,
+            tracer: PathTracer::new(prepared, set)?,
         })
     }
 }

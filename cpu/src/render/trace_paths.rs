@@ -49,16 +49,16 @@ impl<L: Layout, A: Accelerator> Kernel for OneByOne<'_, L, A> {
     type Output = ();
 
     #[inline(always)]
-    fn call<S: Simd>(mut self, simd: S) {
+    fn call<S: Simd>(mut self, _: S) {
         for at in 0..self.tracer.queue.count {
-            self.tracer.scatter_samples.prepare(simd);
+            self.tracer.scatter_samples.prepare();
             self.tracer.ends.begin();
             let vertex = PathVertex::of(self.tracer.queue.entries.get(at));
             if RaysLeft::of_bits(vertex.rays).is_none() {
                 self.tracer.end_at_max_depth(at);
             } else {
                 let scatter_sample = self.tracer.scatter_samples.next();
-                self.trace(simd, at, &vertex, scatter_sample);
+                self.trace::<S>(at, &vertex, scatter_sample);
             }
         }
     }
@@ -68,7 +68,7 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
     /// Traces the path at index `at` of the queue to its end. The path begins at `vertex`, and `scatter_sample` gives
     /// its first ray.
     #[inline(always)]
-    fn trace<S: Simd>(&mut self, simd: S, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
+    fn trace<S: Simd>(&mut self, at: usize, vertex: &PathVertex, scatter_sample: Vec3) {
         let Self { prepared, tracer, accel } = self;
         let objects = &prepared.objects;
         let mut ray = vertex.scattered_ray(scatter_sample);
@@ -81,7 +81,7 @@ impl<L: Layout, A: Accelerator> OneByOne<'_, L, A> {
                 return tracer.ends.escape(at, ray.direction);
             }
             rays = rays.minus_one();
-            let Some(scattered) = tracer.scatter((simd, prepared), (at, rays), &ray, &hit) else {
+            let Some(scattered) = tracer.scatter(prepared, (at, rays), &ray, &hit) else {
                 return;
             };
             origin = match scattered.cause {

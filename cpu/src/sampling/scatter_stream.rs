@@ -1,12 +1,13 @@
 //! The stream of scatter samples that all materials share, in the order of [`draw_order`](crate::sampling::draw_order).
-//! The samples are made 512 at a time with the widest instruction set, even if the path tracing loop is compiled for
-//! another one.
+//! The samples are made 512 at a time with the widest instruction set, even if the path tracing loop is compiled for a
+//! narrower one.
 
 use crate::sampling::{
     block::BlockUniform, draw_order::DRAWS_OF_SCATTER_SAMPLE, scatter_vectors::Scatter, scatter_vectors::unit_vector,
 };
 use crate::{
-    counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64, simd::columns::Columns,
+    counters::Counter, counters::add, math::vec3::Vec3, simd::Kernel, simd::Simd, simd::SimdF64,
+    simd::columns::Columns, simd::instruction_set::InstructionSet,
 };
 
 /// Number of places at the front of the buffer that are kept free for samples left over from the last filling. Before
@@ -26,6 +27,8 @@ const ROOM: usize = PLACES_FOR_OLD + MADE;
 #[derive(Debug)]
 pub struct ScatterSamples {
     convention: Scatter,
+    /// The instruction set with which the samples are made.
+    set: InstructionSet,
     generator: BlockUniform,
     draws: [f64; DRAWS_OF_SCATTER_SAMPLE * MADE],
     samples: Columns<DRAWS_OF_SCATTER_SAMPLE, ROOM>,
@@ -37,16 +40,16 @@ pub struct ScatterSamples {
 
 impl ScatterSamples {
     /// Returns the stream of the given convention, with a generator that starts from `seed`. No sample is made yet.
-    pub fn new(convention: Scatter, seed: u64) -> Self {
-        let draws = [0.0; DRAWS_OF_SCATTER_SAMPLE * MADE];
-        Self { convention, generator: BlockUniform::new(seed), draws, samples: Columns::ZERO, next: ROOM, before: 0 }
+    pub fn new(convention: Scatter, seed: u64, set: InstructionSet) -> Self {
+        let (generator, draws) = (BlockUniform::new(seed), [0.0; DRAWS_OF_SCATTER_SAMPLE * MADE]);
+        Self { convention, set, generator, draws, samples: Columns::ZERO, next: ROOM, before: 0 }
     }
 
     /// Makes new samples if fewer than [`RESERVE`] are left.
     #[inline(always)]
-    pub fn prepare<S: Simd>(&mut self, simd: S) {
+    pub fn prepare(&mut self) {
         if self.next > ROOM - RESERVE {
-            simd.run(Make(self));
+            self.set.run(Make(self));
         }
     }
 
@@ -88,7 +91,7 @@ impl Kernel for Make<'_> {
 
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
-        let ScatterSamples { convention, generator, draws, samples, next, before } = self.0;
+        let ScatterSamples { convention, generator, draws, samples, next, before, .. } = self.0;
         let kept = ROOM - *next;
         for column in &mut samples.0 {
             column.copy_within(ROOM - kept.., PLACES_FOR_OLD - kept);
@@ -128,19 +131,21 @@ mod tests {
     use crate::sampling::scatter_vectors::ScatterVectors;
     use crate::simd::portable::Portable;
 
+    const SET: InstructionSet = InstructionSet::Portable;
+
     #[test]
     fn samples_in_bulk_are_the_vectors_drawn_singly() {
         for convention in [Scatter::Published, Scatter::Deterministic] {
-            let (mut bulk, mut single) = (ScatterSamples::new(convention, 3), ScatterVectors::new(convention, 3));
+            let (mut bulk, mut single) = (ScatterSamples::new(convention, 3, SET), ScatterVectors::new(convention, 3));
             for _ in 0..3 * MADE {
-                bulk.prepare(Portable);
+                bulk.prepare();
                 assert_eq!(bulk.next(), single.next(1.0));
             }
         }
         let (mut bulk, mut single) =
-            (ScatterSamples::new(Scatter::Statement, 3), ScatterVectors::new(Scatter::Statement, 3));
+            (ScatterSamples::new(Scatter::Statement, 3, SET), ScatterVectors::new(Scatter::Statement, 3));
         for _ in 0..3 * MADE {
-            bulk.prepare(Portable);
+            bulk.prepare();
             assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
         }
     }
@@ -149,15 +154,15 @@ mod tests {
     fn lanes_see_the_next_samples_and_take_none() {
         type V = <Portable as Simd>::F64;
         let (mut lanes, mut single) =
-            (ScatterSamples::new(Scatter::Statement, 3), ScatterSamples::new(Scatter::Statement, 3));
+            (ScatterSamples::new(Scatter::Statement, 3, SET), ScatterSamples::new(Scatter::Statement, 3, SET));
         for round in 0..2 * MADE {
-            lanes.prepare(Portable);
+            lanes.prepare();
             let mut seen = [0.0; V::LANES];
             lanes.peek::<V>().y.store(&mut seen);
             let used = round % V::LANES;
             lanes.skip(used);
             for &y in &seen[..used] {
-                single.prepare(Portable);
+                single.prepare();
                 assert_eq!(single.next().y, y);
             }
         }
