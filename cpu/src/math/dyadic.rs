@@ -20,16 +20,12 @@ pub struct Dyadic {
 impl Dyadic {
     /// Returns `value` without rounding, or `None` if `value` is infinite or NaN.
     pub fn new(value: f64) -> Option<Self> {
-        const FRACTION: u64 = (1 << 52) - 1;
         if !value.is_finite() {
             return None;
         }
-        let bits = value.to_bits();
-        let biased = (bits >> 52 & 0x7ff) as i64;
-        let implicit = if biased == 0 { 0 } else { 1 << 52 };
-        let integer = bits & FRACTION | implicit;
+        let (integer, exponent) = integer_and_exponent(value);
         let magnitude = if integer == 0 { Vec::new() } else { vec![integer] };
-        Some(Self { negative: value < 0.0, magnitude, exponent: biased.max(1) - 1075 })
+        Some(Self { negative: value < 0.0, magnitude, exponent })
     }
 
     /// Returns `magnitude * 2^exponent`. The highest limb of `magnitude` must not be zero.
@@ -102,6 +98,13 @@ impl Dyadic {
     fn aligned(&self, exponent: i64) -> Vec<u64> {
         limbs::shifted(&self.magnitude, self.exponent.abs_diff(exponent))
     }
+}
+
+/// Returns `(integer, exponent)`, so that the magnitude of the finite number `value` is `integer * 2^exponent`. The
+/// integer is below 2^53, and the exponent is at least -1074 (IEEE 754, binary64).
+pub const fn integer_and_exponent(value: f64) -> (u64, i64) {
+    let (fraction, biased) = (value.to_bits() & ((1 << 52) - 1), (value.to_bits() >> 52 & 0x7FF) as i64);
+    if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) }
 }
 
 /// Returns `value 2^power`. The result is infinite if it is too large for `f64`, and zero if it is too small.
@@ -179,6 +182,15 @@ mod tests {
 
     fn exact(value: f64) -> Dyadic {
         Dyadic::new(value).expect("the value is finite")
+    }
+
+    #[test]
+    fn a_number_is_an_integer_times_a_power_of_two() {
+        assert_eq!([0.0, -0.0].map(integer_and_exponent), [(0, -1074); 2]);
+        assert_eq!(integer_and_exponent(-1.5), (3 << 51, -52));
+        assert_eq!(integer_and_exponent(f64::MIN_POSITIVE.next_down()), ((1 << 52) - 1, -1074));
+        assert_eq!(integer_and_exponent(f64::MIN_POSITIVE), (1 << 52, -1074));
+        assert_eq!(integer_and_exponent(f64::MAX), ((1 << 53) - 1, 971));
     }
 
     fn high(number: &Dyadic) -> f64 {

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::math::dyadic::Dyadic;
+use crate::math::dyadic::{Dyadic, integer_and_exponent};
 
 /// The number `integer * 2^exponent`, which lies halfway between two neighbouring `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,11 +20,8 @@ impl Midpoint {
     /// Returns the midpoint between `below` and the next larger `f64`. `below` is finite and not negative. The number
     /// after the largest `f64` is 2^1024.
     const fn above(below: f64) -> Self {
-        let (bits, biased) = (below.to_bits(), below.to_bits() >> 52);
-        let implicit = if biased == 0 { 0 } else { 1 << 52 };
-        let integer = 2 * (bits & ((1 << 52) - 1) | implicit) + 1;
-        let biased = if biased == 0 { 1 } else { biased as i64 };
-        Self { integer, exponent: biased - 1076 }
+        let (integer, exponent) = integer_and_exponent(below);
+        Self { integer: 2 * integer + 1, exponent: exponent - 1 }
     }
 }
 

@@ -9,7 +9,7 @@ mod tables;
 
 use std::cmp::Ordering;
 
-use crate::math::dyadic::Dyadic;
+use crate::math::dyadic::{Dyadic, integer_and_exponent};
 use crate::math::fixed_point::logarithm;
 use crate::math::nearest::{Midpoint, certain_sign, nearest};
 use crate::math::power::quick::Quick;
@@ -114,8 +114,7 @@ fn is_equal(base: f64, exponent: f64, midpoint: Midpoint) -> bool {
 
 /// Returns `(odd, power)`, so that the positive finite `number` is `odd 2^power` with an odd integer.
 fn odd_part(number: f64) -> (u64, i64) {
-    let (fraction, biased) = (number.to_bits() & ((1 << 52) - 1), number.to_bits() >> 52);
-    let (integer, power) = if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased as i64 - 1075) };
+    let (integer, power) = integer_and_exponent(number);
     let zeros = integer.trailing_zeros();
     (integer >> zeros, power + i64::from(zeros))
 }

@@ -1,6 +1,6 @@
 //! The tangent of an angle, correctly rounded, so that it has the same bits on every system.
 
-use crate::math::dyadic::Dyadic;
+use crate::math::dyadic::{Dyadic, integer_and_exponent};
 use crate::math::fixed_point::sine_and_cosine;
 use crate::math::nearest::{Midpoint, certain_sign, nearest};
 
@@ -31,8 +31,7 @@ pub fn tangent(angle: f64) -> f64 {
 
 /// Returns the tangent if `bits` bits decide its rounding, and otherwise `None`.
 fn rounded(angle: f64, bits: usize) -> Option<f64> {
-    let integer = angle.to_bits() & ((1 << 52) - 1) | 1 << 52;
-    let exponent = (angle.to_bits() >> 52) as i64 - 1075;
+    let (integer, exponent) = integer_and_exponent(angle);
     let ([sine, cosine], error) = sine_and_cosine(integer, exponent, bits);
     let candidate = sine.to_double_double().high / cosine.to_double_double().high;
     nearest(candidate, |Midpoint { integer, exponent }| {
