@@ -32,7 +32,7 @@ fn scale(results: &Results, parameter: &str) -> Option<Chart> {
     let (label, title) = match parameter {
         "width" => ("width of the picture in pixels (height follows)", "Time against the picture's width"),
         "samples" => ("samples a pixel", "Time against samples"),
-        "depth" => ("largest number of surfaces that a ray may meet", "Time against depth"),
+        "depth" => ("maximum depth", "Time against the maximum depth"),
         "density" => ("objects in the same view", "Time against the number of objects in one view"),
         _ => ("objects in the scene", "Time against the number of objects"),
     };

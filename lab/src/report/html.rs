@@ -14,7 +14,7 @@ h1{font-size:1.6rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.2rem}figure
 svg{width:100%;min-width:27rem;max-width:46rem;height:auto;display:block}dt{font-weight:600;margin-top:.6rem}dd{margin:0}\
 .wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.9rem}\
 th,td{padding:.25rem .7rem .25rem 0;text-align:right;border-bottom:1px solid var(--grid);white-space:nowrap}\
-th.t,td.t{text-align:left}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
+th.t,td.t{text-align:left}td.t:last-child{white-space:normal}nav ol{columns:2;padding-left:1.4rem}a{color:inherit}\
 figcaption{font-size:.9rem;max-width:46rem}.scenes{display:flex;flex-wrap:wrap;gap:1rem}.scenes figure{margin:0}\
 .scenes img{display:block;width:14rem;max-width:100%;height:auto}footer{margin-top:2rem;font-size:.9rem}";
 

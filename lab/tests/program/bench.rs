@@ -40,7 +40,7 @@ fn times_are_kept_with_their_machine_and_their_pictures() {
 
     printed(&["report", &folder.name("depth.json"), "--out", &folder.name("report")]);
     let page = fs::read_to_string(folder.file("report/index.html")).expect("it was written");
-    assert!(page.contains("Time against depth") && page.contains("aria-label"), "{page}");
+    assert!(page.contains("Time against the maximum depth") && page.contains("aria-label"), "{page}");
     assert!(page.contains("<p>Measured on ") && !page.contains("literal"), "{page}");
     let links = ["src=", "href=", "@import", "url("].map(|link| page.matches(link).count());
     let own = ["src=\"data:image/png;base64,", "href=\"#"].map(|link| page.matches(link).count());
