@@ -21,7 +21,7 @@ pub(crate) mod fallback;
 pub mod frustum;
 pub(crate) mod hit_lanes;
 pub(crate) mod lookahead;
-pub(crate) mod max_depth;
+pub mod max_depth;
 pub mod path;
 pub mod path_ends;
 pub(crate) mod path_vertex;

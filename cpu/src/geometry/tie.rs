@@ -24,6 +24,6 @@ pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
 /// are equal and its object is later in the scene file. Each hit is a pair of lambda and the object's place in the
 /// scene file. The objects may come in any order.
 #[inline(always)]
-pub fn is_closer((lambda, order): (f64, u32), (closest, closest_order): (f64, u32)) -> bool {
-    later_is_closer(lambda, closest) && (lambda < closest || order >= closest_order)
+pub fn is_closer<T: Real<Mask = bool>>((lambda, order): (T, u32), (closest, closest_order): (T, u32)) -> bool {
+    later_is_closer(lambda, closest) && (lambda.less(closest) || order >= closest_order)
 }

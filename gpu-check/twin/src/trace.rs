@@ -4,7 +4,7 @@
 
 use cpu::internals::Hit;
 use cpu::internals::geometry::cylinder::CylinderPart;
-use cpu::internals::geometry::tie::later_is_closer;
+use cpu::internals::geometry::tie::is_closer;
 use cpu::internals::layout::Placed;
 use cpu::internals::materials::{reflection, refraction, scatter};
 use cpu::internals::math::real::Real;
@@ -124,10 +124,7 @@ pub fn scattered<T: Real<Mask = bool>>(
 /// Replaces the closest hit by the one that the parameters describe, if that one is closer. The objects may come in any
 /// order.
 fn update<T: Real<Mask = bool>>(closest: &mut Option<ClosestHit<T>>, lambda: T, order: u32, surface: Surface) {
-    let closer = closest.as_ref().is_none_or(|best| {
-        if order >= best.order { later_is_closer(lambda, best.lambda) } else { !later_is_closer(best.lambda, lambda) }
-    });
-    if closer {
+    if closest.as_ref().is_none_or(|best| is_closer((lambda, order), (best.lambda, best.order))) {
         *closest = Some(ClosestHit { lambda, order, surface });
     }
 }

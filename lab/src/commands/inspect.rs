@@ -9,6 +9,7 @@ use cpu::internals::accel::bounds::Bounds;
 use cpu::internals::accel::choice::Accel;
 use cpu::internals::accel::extent::Extent;
 use cpu::internals::input::scene::Shape;
+use cpu::internals::render::max_depth::RaysLeft;
 use cpu::{Aos, Config, Material, Scatter, Scene};
 use serde::Serialize;
 
@@ -161,7 +162,7 @@ fn not_needed(config: &Config, scene: &Scene) -> Vec<&'static str> {
         ),
         (config.background_dark_color == config.background_light_color, "a background that varies"),
         (config.gamma == 1.0, "gamma correction"),
-        (config.max_depth == 1, "scattered rays"),
+        (RaysLeft::after_camera_ray(config.max_depth).is_none(), "scattered rays"),
     ];
     facts.into_iter().filter_map(|(is_absent, name)| is_absent.then_some(name)).collect()
 }

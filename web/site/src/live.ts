@@ -52,6 +52,7 @@ export class Live {
     #isRefused = false;
     /** The smallest and the largest value that is probed. */
     #range: [number, number] = [0, 1];
+    /** The ends of the last frames, and the start of the first of them, in milliseconds. */
     #times: number[] = [];
 
     constructor(
@@ -168,6 +169,11 @@ export class Live {
 
     /** Renders frames until there is nothing to change. */
     async #run(): Promise<void> {
+        const start = performance.now();
+        // After a pause the rate is counted anew, from the start of the first frame.
+        if (start - (this.#times.at(-1) ?? -WINDOW) >= WINDOW) {
+            this.#times = [start];
+        }
         while (this.#isShown && this.#facts && (this.#samples === 0 || (this.#adds && this.#samples < ENOUGH))) {
             this.#seen = this.#version;
             await this.settle();
@@ -221,10 +227,10 @@ export class Live {
 
     #tell(): void {
         const now = performance.now();
-        this.#times = [...this.#times.filter((time) => now - time < WINDOW), now];
+        // The last time stays, so that a frame that takes longer than the window has a rate too.
+        this.#times = [...this.#times.filter((time, at, all) => now - time < WINDOW || at === all.length - 1), now];
         const first = this.#times[0] ?? now;
-        // A single frame has no rate.
-        const rate = this.#times.length > 1 ? ((this.#times.length - 1) * 1000) / (now - first) : null;
+        const rate = ((this.#times.length - 1) * 1000) / Math.max(now - first, 1);
         const { width, height } = this.#canvas;
         const frames = Number(this.#canvas.dataset.frames ?? 0) + 1;
         this.#canvas.dataset.frames = String(frames);
@@ -233,8 +239,8 @@ export class Live {
         const name = this.device?.name ?? 'WebAssembly';
         const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
         const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
-        const shownRate = rate === null ? '' : `, ${say('liveRate', rate.toFixed(1))}`;
-        this.#status.textContent = `${width} × ${height}${samples}${probed}${shownRate}, ${name}`;
+        const shownRate = say('liveRate', rate.toFixed(1));
+        this.#status.textContent = `${width} × ${height}${samples}${probed}, ${shownRate}, ${name}`;
     }
 
     #failed(error: unknown): void {

@@ -79,7 +79,11 @@ export const tests = {
         const first = await pixels(page, 'live-canvas');
         await page.focus('#live-canvas');
         check(await change(page, () => page.keyboard.press('ArrowLeft')) > 1, 'the view turns');
+        // A single frame after a pause has a rate too.
+        await page.waitForTimeout(1200);
         await change(page, () => page.keyboard.press('Home'));
+        const status = await page.textContent('#live-status');
+        check(/, \d+\.\d frames\/s, /.test(status), `the rate in: ${status}`);
         equal(rmse((await pixels(page, 'live-canvas')).bytes, first.bytes), 0, 'the difference from the first view');
     },
 
