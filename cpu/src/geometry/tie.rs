@@ -22,7 +22,7 @@ pub fn later_is_closer<T: Real>(lambda: T, closest: T) -> T::Mask {
 
 /// Whether the first hit replaces the second, which is the closest hit so far: its lambda is smaller, or the lambdas
 /// are equal and its object is later in the scene file. Each hit is a pair of lambda and the object's place in the
-/// scene file. The objects may come in any order.
+/// scene file. The objects may come in any order. It serves one ray; lanes call [`later_is_closer`].
 #[inline(always)]
 pub fn is_closer<T: Real<Mask = bool>>((lambda, order): (T, u32), (closest, closest_order): (T, u32)) -> bool {
     later_is_closer(lambda, closest) && (lambda.less(closest) || order >= closest_order)

@@ -50,7 +50,8 @@ pub struct BackgroundPixels {
     /// Bound of the rounding error of a channel's mean. It covers the errors of the samples' colours, each at most 1,
     /// and of their sum.
     rounding: f64,
-    /// The bytes of the last pixel. They are tried first for the next pixel, which mostly has the same bytes.
+    /// The bytes of the last pixel whose bytes the bounds gave. They are tried first for the next pixel, which mostly
+    /// has the same bytes.
     last: [u8; 3],
 }
 
@@ -117,7 +118,7 @@ impl BackgroundPixels {
     /// interval may give different bytes.
     #[inline(always)]
     fn bytes_within(&mut self, table: &Quantizer, means: [f64; 6], derivative: &DerivativeBound) -> Option<[u8; 3]> {
-        // A local copy: reading three bytes at once that were just stored one by one would delay the processor.
+        // A local copy: a load of three bytes that were just stored one by one waits until the stores are in the cache.
         let mut bytes = self.last;
         for (channel, &[low, high]) in means.as_chunks().0.iter().enumerate() {
             bytes[channel] = match self.constant[channel] {
@@ -130,8 +131,9 @@ impl BackgroundPixels {
     }
 }
 
-/// Returns the sum of the values. It has eight partial sums in lanes, which are added in pairs, so that few additions
-/// wait for one another. Its rounding differs from that of a sum in order. The bound `rounding` covers the difference.
+/// Returns the sum of the values. It has eight partial sums in lanes, which are added in pairs: three dependent
+/// additions instead of eight. Its rounding differs from that of a sum in order. The bound `rounding` covers the
+/// difference.
 #[inline(always)]
 fn sum(values: &[f64]) -> f64 {
     let mut sums = [0.0; 8];

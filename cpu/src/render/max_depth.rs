@@ -9,7 +9,8 @@
 //! chain by `terminate` in `render/samples.rs`. A matte or metal surface takes its scatter sample at the same time
 //! (`end_at_max_depth` in `render/path.rs`). A lookahead may skip the hit of a last ray (`render/lookahead.rs`). At a
 //! maximum depth of 1 no scatter sample is drawn at all (`needs_samples` in `render/prepared.rs`). The reference has a
-//! copy of this rule in the loop of `color` in `reference.rs`, and WGSL has one in the loop of `trace.wgsl`.
+//! copy of this rule in the loop of `color` in `reference.rs`. WGSL has it in the loops of `trace.wgsl`,
+//! `trace_samples.wgsl` and `kernels/steps.wgsl`.
 
 use crate::math::real::Real;
 

@@ -34,8 +34,8 @@ pub struct PathTracer {
 }
 
 impl PathTracer {
-    /// Returns the data before the first path, with the stream of scatter samples at its beginning. The samples are
-    /// made with the instruction set `set`.
+    /// Returns the data before the first path, with the stream of scatter samples at its beginning. `set` is the
+    /// instruction set that makes the samples: the one that renders the picture.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.

@@ -27,7 +27,8 @@ pub struct SpanState<'a, L: Layout> {
 }
 
 impl<'a, L: Layout> SpanState<'a, L> {
-    /// Returns the state before the first span. The scatter samples are made with the instruction set `set`.
+    /// Returns the state before the first span. `set` is the instruction set that makes the scatter samples: the one
+    /// that renders the picture.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.

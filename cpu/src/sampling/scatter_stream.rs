@@ -1,6 +1,6 @@
 //! The stream of scatter samples that all materials share, in the order of [`draw_order`](crate::sampling::draw_order).
-//! The samples are made 512 at a time with the widest instruction set, even if the path tracing loop is compiled for a
-//! narrower one.
+//! The samples are made 512 at a time with the picture's instruction set. The path tracing loop may be compiled for a
+//! narrower one ([`Simd::run_promptly`]).
 
 use crate::sampling::{
     block::BlockUniform, draw_order::DRAWS_OF_SCATTER_SAMPLE, scatter_vectors::Scatter, scatter_vectors::unit_vector,
@@ -27,7 +27,7 @@ const ROOM: usize = PLACES_FOR_OLD + MADE;
 #[derive(Debug)]
 pub struct ScatterSamples {
     convention: Scatter,
-    /// The instruction set with which the samples are made.
+    /// The instruction set that makes the samples: the one that renders the picture.
     set: InstructionSet,
     generator: BlockUniform,
     draws: [f64; DRAWS_OF_SCATTER_SAMPLE * MADE],
@@ -131,30 +131,27 @@ mod tests {
     use crate::sampling::scatter_vectors::ScatterVectors;
     use crate::simd::portable::Portable;
 
-    const SET: InstructionSet = InstructionSet::Portable;
-
     #[test]
-    fn samples_in_bulk_are_the_vectors_drawn_singly() {
-        for convention in [Scatter::Published, Scatter::Deterministic] {
-            let (mut bulk, mut single) = (ScatterSamples::new(convention, 3, SET), ScatterVectors::new(convention, 3));
-            for _ in 0..3 * MADE {
-                bulk.prepare();
-                assert_eq!(bulk.next(), single.next(1.0));
+    fn samples_in_bulk_are_the_vectors_drawn_singly_on_every_instruction_set() {
+        for set in InstructionSet::available() {
+            for convention in [Scatter::Statement, Scatter::Published, Scatter::Deterministic] {
+                let (mut bulk, mut single) =
+                    (ScatterSamples::new(convention, 3, set), ScatterVectors::new(convention, 3));
+                for _ in 0..3 * MADE {
+                    bulk.prepare();
+                    let is_in_unit_cube = convention == Scatter::Statement;
+                    let sample = bulk.next().map(|u| if is_in_unit_cube { u * 2.0 - 1.0 } else { u });
+                    assert_eq!(sample, single.next(1.0), "{convention:?}, {}", set.name());
+                }
             }
-        }
-        let (mut bulk, mut single) =
-            (ScatterSamples::new(Scatter::Statement, 3, SET), ScatterVectors::new(Scatter::Statement, 3));
-        for _ in 0..3 * MADE {
-            bulk.prepare();
-            assert_eq!(bulk.next().map(|u| u * 2.0 - 1.0), single.next(1.0));
         }
     }
 
     #[test]
     fn lanes_see_the_next_samples_and_take_none() {
         type V = <Portable as Simd>::F64;
-        let (mut lanes, mut single) =
-            (ScatterSamples::new(Scatter::Statement, 3, SET), ScatterSamples::new(Scatter::Statement, 3, SET));
+        let new = || ScatterSamples::new(Scatter::Statement, 3, InstructionSet::Portable);
+        let (mut lanes, mut single) = (new(), new());
         for round in 0..2 * MADE {
             lanes.prepare();
             let mut seen = [0.0; V::LANES];

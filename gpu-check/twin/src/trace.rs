@@ -121,8 +121,7 @@ pub fn scattered<T: Real<Mask = bool>>(
     Ray { origin: hit.point, direction }
 }
 
-/// Replaces the closest hit by the one that the parameters describe, if that one is closer. The objects may come in any
-/// order.
+/// Replaces the closest hit by the hit at `lambda` if that hit is closer. The objects may come in any order.
 fn update<T: Real<Mask = bool>>(closest: &mut Option<ClosestHit<T>>, lambda: T, order: u32, surface: Surface) {
     if closest.as_ref().is_none_or(|best| is_closer((lambda, order), (best.lambda, best.order))) {
         *closest = Some(ClosestHit { lambda, order, surface });

@@ -52,7 +52,6 @@ export class Live {
     #isRefused = false;
     /** The smallest and the largest value that is probed. */
     #range: [number, number] = [0, 1];
-    /** The ends of the last frames, and the start of the first of them, in milliseconds. */
     #times: number[] = [];
 
     constructor(
@@ -169,12 +168,8 @@ export class Live {
 
     /** Renders frames until there is nothing to change. */
     async #run(): Promise<void> {
-        const start = performance.now();
-        // After a pause the rate is counted anew, from the start of the first frame.
-        if (start - (this.#times.at(-1) ?? -WINDOW) >= WINDOW) {
-            this.#times = [start];
-        }
         while (this.#isShown && this.#facts && (this.#samples === 0 || (this.#adds && this.#samples < ENOUGH))) {
+            const start = performance.now();
             this.#seen = this.#version;
             await this.settle();
             const image = this.shaders ? await this.#frame(this.shaders) : await this.#slow();
@@ -183,7 +178,7 @@ export class Live {
             }
             // The next frame shows a change during this one.
             this.#samples = this.#seen === this.#version ? this.#samples + 1 : 0;
-            this.#tell();
+            this.#tell(performance.now() - start);
             await new Promise(requestAnimationFrame);
         }
     }
@@ -225,12 +220,13 @@ export class Live {
         return shownConfig(this.#config, facts, this.device ? WIDTH : WIDTH_WITHOUT, this.#camera);
     }
 
-    #tell(): void {
+    /** Writes the status after a frame that took `duration` milliseconds. */
+    #tell(duration: number): void {
         const now = performance.now();
-        // The last time stays, so that a frame that takes longer than the window has a rate too.
-        this.#times = [...this.#times.filter((time, at, all) => now - time < WINDOW || at === all.length - 1), now];
+        this.#times = [...this.#times.filter((time) => now - time < WINDOW), now];
         const first = this.#times[0] ?? now;
-        const rate = ((this.#times.length - 1) * 1000) / Math.max(now - first, 1);
+        // A single frame has no rate. If it takes longer than the window, its time is shown.
+        const rate = this.#times.length > 1 ? ((this.#times.length - 1) * 1000) / (now - first) : null;
         const { width, height } = this.#canvas;
         const frames = Number(this.#canvas.dataset.frames ?? 0) + 1;
         this.#canvas.dataset.frames = String(frames);
@@ -239,8 +235,9 @@ export class Live {
         const name = this.device?.name ?? 'WebAssembly';
         const isProbe = !element('live-probe-line').hidden && this.#probes.checked;
         const probed = isProbe ? `, ${say('probeRange', ...this.#range.map((value) => value.toPrecision(4)))}` : '';
-        const shownRate = say('liveRate', rate.toFixed(1));
-        this.#status.textContent = `${width} × ${height}${samples}${probed}, ${shownRate}, ${name}`;
+        const seconds = duration < WINDOW ? '' : `, ${say('liveDuration', (duration / 1000).toFixed(1))}`;
+        const shownRate = rate === null ? seconds : `, ${say('liveRate', rate.toFixed(1))}`;
+        this.#status.textContent = `${width} × ${height}${samples}${probed}${shownRate}, ${name}`;
     }
 
     #failed(error: unknown): void {
