@@ -49,8 +49,15 @@ impl ScatterSamples {
     #[inline(always)]
     pub fn prepare(&mut self) {
         if self.next > ROOM - RESERVE {
-            self.set.run(Make(self));
+            self.make();
         }
+    }
+
+    /// Makes new samples. It is not inlined, because each caller would then contain the choice of the instruction set.
+    #[cold]
+    #[inline(never)]
+    fn make(&mut self) {
+        self.set.run(Make(self));
     }
 
     /// Takes the next sample. At most [`RESERVE`] samples may be taken between two calls of
