@@ -22,9 +22,9 @@ use crate::{
     sampling::scatter_vectors::ScatterVectors, sampling::uniform::Uniform,
 };
 
-/// Renders a picture by the specification, slowly and literally, with the plain formulas for intersections. Where
-/// rounding decides a hit, the picture may differ from that of [`crate::render()`]. For a picture with the same bytes
-/// use [`render_with`] and [`Exact`].
+/// Renders a picture by the specification, slowly and literally, with the plain formulas for intersections. Their
+/// rounding errors may decide that a ray hits where it misses, or the reverse. Then the picture differs from that of
+/// [`crate::render()`]. To get the bytes of that picture, call [`render_with`] with [`Exact`].
 ///
 /// # Errors
 /// [`Error::Picture`] if the picture has more than 2^30 pixels, or if the camera has no projection window: its position

@@ -57,7 +57,8 @@ pub enum Error {
     TooManyIterations {
         /// Number of spheres and cylinders.
         objects: u64,
-        /// Maximum number of rays of a path. If the last of them hits an object, the path is black.
+        /// The maximum depth: the number of rays that a sample may send, the camera ray included. If the last of them
+        /// hits an object, the sample is black.
         depth: u64,
         /// Largest number of iterations of all loops of an invocation together.
         limit: u64,

@@ -11,5 +11,5 @@ override has_matte: bool = true;
 override has_metal: bool = true;
 // Whether any object has a refractive material.
 override has_refraction: bool = true;
-// Config::max_depth: the maximum number of rays of a path. If the last of them hits an object, the path is black.
+// Config::max_depth: how many rays a sample may send. If the last of them hits an object, the sample is black.
 override max_depth: u32 = 5u;

@@ -5,7 +5,7 @@
 //! for the live view. Tests of WGSL compare the means. The power is slow, so [`Quantizer`] has a table with the
 //! interval of means of each of the 256 bytes. It calls [`quantize`] only for means close to a boundary, where the
 //! rounding of the power decides, for means below -1/16, and for NaN. With an extreme gamma the boundaries are
-//! uncertain, and most means take the power.
+//! uncertain, so [`quantize`] is called for most means.
 //!
 //! A mean can be negative: if the length of a ray underflows, the weight of the background is outside of `[0, 1]`. The
 //! power of a negative mean is NaN, except if `1 / gamma` is a whole number. It is positive if that number is even.

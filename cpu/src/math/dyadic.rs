@@ -101,7 +101,7 @@ impl Dyadic {
 }
 
 /// Returns `(integer, exponent)` with `|value| = integer * 2^exponent`. `value` must be finite. The integer is below
-/// 2^53, and the exponent is at least -1074 (IEEE 754, binary64).
+/// 2^53 and the exponent is at least -1074, because this is how an `f64` stores numbers (IEEE 754, binary64).
 pub const fn integer_and_exponent(value: f64) -> (u64, i64) {
     let (fraction, biased) = (value.to_bits() & ((1 << 52) - 1), (value.to_bits() >> 52 & 0x7FF) as i64);
     if biased == 0 { (fraction, -1074) } else { (fraction | 1 << 52, biased - 1075) }

@@ -53,7 +53,7 @@ impl ScatterSamples {
         }
     }
 
-    /// Makes new samples. It is not inlined, because each caller would then contain the choice of the instruction set.
+    /// Makes new samples. This function is not inlined, so that the code that selects the instruction set exists once.
     #[cold]
     #[inline(never)]
     fn make(&mut self) {

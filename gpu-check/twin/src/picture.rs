@@ -52,7 +52,8 @@ pub struct Picture<T> {
     pub cylinders: Vec<Placed<CylinderRecord<T>>>,
     /// The materials, in the order of the file.
     pub materials: Vec<PackedMaterial<T>>,
-    /// Maximum number of rays of a path. If the last of them hits an object, the path is black.
+    /// The maximum depth: the number of rays that a sample may send, the camera ray included. If the last of them
+    /// hits an object, the sample is black.
     pub max_depth: u32,
 }
 

@@ -14,7 +14,8 @@ pub struct Features {
     pub has_metal: bool,
     /// Whether any object has a refractive material.
     pub has_refraction: bool,
-    /// Maximum number of rays of a path. If the last of them hits an object, the path is black.
+    /// The maximum depth: the number of rays that a sample may send, the camera ray included. If the last of them
+    /// hits an object, the sample is black.
     pub max_depth: u32,
 }
 

@@ -127,8 +127,8 @@ impl<B: Boxes> Node<B> {
     }
 }
 
-/// Returns the lanes whose bits are 1, from the lowest. Only the 16 lowest bits may be 1. The remainder by [`WIDTH`]
-/// changes no lane. Because of it the compiler checks no index.
+/// Returns the lanes whose bits are 1, from the lowest. Only the 16 lowest bits may be 1, so the remainder by [`WIDTH`]
+/// does not change a lane. It tells the compiler that each lane is below [`WIDTH`], and so a valid index.
 #[inline(always)]
 pub fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
