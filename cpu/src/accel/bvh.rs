@@ -2,20 +2,24 @@
 
 pub(crate) mod boxes;
 mod build;
+pub(crate) mod byte_boxes;
 pub(crate) mod collapsed_root;
 mod find_isolated;
 pub(crate) mod node;
 mod planes;
 pub mod slab_ray;
+pub(crate) mod sphere_leaf;
+mod sphere_ray;
 pub mod stack;
+mod visit;
 
 use crate::accel::{
     bounds::Bounds, bvh::boxes::Boxes, bvh::build::Tree, bvh::build::build, bvh::collapsed_root::CollapsedRoot,
     bvh::find_isolated::FindIsolated, bvh::node::Kind, bvh::node::Node, bvh::node::lanes_in, bvh::planes::WIDTH,
-    bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::stack::Stack, closest_hit::ClosestHit,
-    conservative::ConservativeRay, dominant_sphere::DominantSphere, every_object::intersect_every_object,
-    extent::Extent, find::Accelerator, find::Origin, isolated::Isolated, object::NO_OBJECT, object::ObjectId,
-    object::count,
+    bvh::slab_ray::SlabRay, bvh::slab_ray::is_in_scale, bvh::sphere_ray::SphereRay, bvh::stack::Stack,
+    closest_hit::ClosestHit, conservative::ConservativeRay, dominant_sphere::DominantSphere,
+    every_object::intersect_every_object, extent::Extent, find::Accelerator, find::Origin, isolated::Isolated,
+    object::NO_OBJECT, object::ObjectId, object::count,
 };
 use crate::simd::instruction_set::InstructionSet;
 use crate::{
@@ -28,8 +32,8 @@ use crate::{
 const MOST_FOR_ISOLATION: usize = 1 << 17;
 
 /// Maximum number of objects for which the nodes have the boxes of the form [`WideBoxes`](boxes::WideBoxes). With up to
-/// 100,000 objects these are up to a fifth faster than [`ByteBoxes`](boxes::ByteBoxes). With a million objects, which
-/// fit into no cache, they are slower by a tenth to a quarter (`bench/nearest`).
+/// 100,000 objects these are up to a fifth faster than [`ByteBoxes`](byte_boxes::ByteBoxes). With a million objects,
+/// which fit into no cache, they are slower by a tenth to a quarter (`bench/nearest`).
 pub const MOST_WIDE: usize = 200_000;
 
 /// The tree over all objects of a scene but the dominant sphere, which is tested separately.
@@ -43,6 +47,8 @@ pub struct Bvh<B> {
     /// The dominant sphere, which is not in the tree.
     dominant: DominantSphere,
     pub(super) isolated: Isolated,
+    /// Whether there are sphere leaves: nodes with only spheres have bounding spheres instead of boxes.
+    has_sphere_leaves: bool,
     /// A bound of the scene's coordinates for the conservative test of the origin object: twice the largest coordinate.
     max_coordinate: f64,
 }
@@ -53,11 +59,17 @@ impl<B: Boxes> Bvh<B> {
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
     pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
+        let has_sphere_leaves = count(objects) >= sphere_leaf::LEAST_OBJECTS;
+        Self::build(objects, extent, has_sphere_leaves)
+    }
+
+    /// Does what [`Bvh::new`] does, with sphere leaves or without them.
+    pub(super) fn build(objects: &mut impl Objects, extent: &Extent, has_sphere_leaves: bool) -> Result<Self, Error> {
         let count = count(objects);
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));
-        let Tree { mut nodes, mut spheres, mut cylinders } = build(count, sphere_count, boxes)?;
+        let Tree { mut nodes, mut spheres, mut cylinders } = build(count, sphere_count, boxes, has_sphere_leaves)?;
         // The builder planned it for the objects of the tree, without the dominant sphere, which is added below.
         let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
         // The dominant sphere is behind all spheres of the tree.
@@ -70,7 +82,7 @@ impl<B: Boxes> Bvh<B> {
         let root = nodes.first().into_iter().flat_map(Node::children);
         let margins = slab_ray::margins(&root.fold(Bounds::EMPTY, |all, (bounds, _)| all.union(&bounds)));
         let (isolated, max_coordinate) = (Isolated::default(), 2.0 * extent.max_coordinate);
-        let mut bvh = Self { nodes, collapsed_root, margins, dominant, isolated, max_coordinate };
+        let mut bvh = Self { nodes, collapsed_root, margins, dominant, isolated, has_sphere_leaves, max_coordinate };
         if count <= MOST_FOR_ISOLATION {
             let find = FindIsolated { nodes: &bvh.nodes, objects, extent, dominant };
             bvh.isolated = InstructionSet::fused().run(find)?;
@@ -83,6 +95,12 @@ impl<B: Boxes> Bvh<B> {
         self.nodes.capacity() * size_of::<Node<B>>() + self.collapsed_root.list_bytes() + self.isolated.list_bytes()
     }
 
+    /// Returns the number of nodes with bounding spheres.
+    #[cfg(test)]
+    pub(super) fn sphere_leaf_count(&self) -> usize {
+        self.nodes.iter().filter(|node| node.spheres().is_some()).count()
+    }
+
     /// Intersects the objects below `node` whose boxes the ray hits, and updates `closest`. It leaves out the object on
     /// which the ray starts.
     #[inline(always)]
@@ -93,14 +111,20 @@ impl<B: Boxes> Bvh<B> {
         closest: &mut ClosestHit,
         stack: &mut Stack,
     ) {
-        let &Query { objects, ray, from, from_kind, ref slab_ray } = query;
+        let &Query { objects, ray, from, from_kind, ref slab_ray, sphere_ray } = query;
         let mut depth = 0;
         loop {
             add(Counter::NodeVisits, 1);
             let mut distances = [0.0; WIDTH];
-            let bits =
-                node.boxes.intersect(slab_ray, farthest(closest), &mut distances) & !node.lane_of(from_kind, from);
-            let [nodes, spheres, cylinders] = node.lanes().map(|lanes| lanes & bits);
+            let (bits, lanes) = match node.spheres() {
+                Some(leaf) => {
+                    let bits = sphere_ray.intersect::<_, S::F32>(&leaf, farthest(closest), &mut distances);
+                    (bits, [0, node.occupied(), 0])
+                }
+                None => (node.boxes.intersect(slab_ray, farthest(closest), &mut distances), node.lanes()),
+            };
+            let bits = bits & !node.lane_of(from_kind, from);
+            let [nodes, spheres, cylinders] = lanes.map(|lanes| lanes & bits);
             // All spheres are asked for before the first is tested, so that they arrive together.
             for lane in lanes_in(spheres) {
                 objects.prefetch_sphere(node.number(Kind::Sphere, lane) as usize);
@@ -144,28 +168,6 @@ impl<B: Boxes> Bvh<B> {
             }
         }
     }
-
-    /// Calls `visit` with the dominant sphere, and with every object for which `may_reach` accepts the object's box and
-    /// the boxes of all nodes above it.
-    pub fn visit(&self, mut may_reach: impl FnMut(&Bounds) -> bool, mut visit: impl FnMut(ObjectId)) {
-        let mut pending = Vec::with_capacity(stack::CAPACITY);
-        if !self.nodes.is_empty() {
-            pending.push(0);
-        }
-        if let Some(id) = self.dominant.0 {
-            visit(id);
-        }
-        while let Some(index) = pending.pop() {
-            for (bounds, child) in self.nodes[index as usize].children() {
-                if may_reach(&bounds) {
-                    match child.kind {
-                        Kind::Node => pending.push(child.number),
-                        Kind::Sphere | Kind::Cylinder => visit(child.number),
-                    }
-                }
-            }
-        }
-    }
 }
 
 /// The data that do not change during a traversal.
@@ -177,6 +179,8 @@ struct Query<'a, O, F> {
     /// Whether that object is a sphere or a cylinder.
     from_kind: Kind,
     slab_ray: SlabRay<F>,
+    /// The sphere ray is unused if the tree has no sphere leaves.
+    sphere_ray: &'a SphereRay,
 }
 
 /// Returns the lambda of the closest hit so far, rounded up to single precision. It is infinite before the first hit.
@@ -212,7 +216,16 @@ impl<B: Boxes> Accelerator for Bvh<B> {
             }
         }
         let from_kind = if (from as usize) < objects.sphere_count() { Kind::Sphere } else { Kind::Cylinder };
-        let query = Query { objects, ray, from, from_kind, slab_ray: SlabRay::<S::F32>::new(ray, &self.margins) };
+        let slab_ray = SlabRay::<S::F32>::new(ray, &self.margins);
+        let sphere_ray = if self.has_sphere_leaves {
+            SphereRay::new(ray, &self.margins, conservative.length_squared)
+        } else {
+            SphereRay::UNUSED
+        };
+        // This keeps the ray in memory. Otherwise the compiler copies its numbers to lanes for each ray, even in a tree
+        // without sphere leaves, which takes 2 % more instructions.
+        let sphere_ray = std::hint::black_box(&sphere_ray);
+        let query = Query { objects, ray, from, from_kind, slab_ray, sphere_ray };
         // The traversal begins at the root if there is no collapsed root. The root's address needs no test of boxes, so
         // its boxes can be loaded at once. `boxes` are those of the collapsed root that are still to be visited.
         let (mut node, mut boxes) = (&self.nodes[0], 0);

@@ -8,6 +8,7 @@
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
+//! From 20,000 objects on, a [`Bvh`] has bounding spheres instead of boxes where it can (`accel/bvh/sphere_leaf.rs`).
 //! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
 //! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
@@ -18,7 +19,7 @@
 //! Every structure gives the same closest hits. The reference and WGSL have no structure: they intersect every object.
 
 use crate::accel::{
-    bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::ByteBoxes, bvh::boxes::WideBoxes, bvh::stack::Stack,
+    bounds::Bounds, bvh, bvh::Bvh, bvh::boxes::WideBoxes, bvh::byte_boxes::ByteBoxes, bvh::stack::Stack,
     closest_hit::ClosestHit, every_object::EveryObject, extent::Extent, find::Accelerator, flat_filter,
     flat_filter::FlatFilter, isolated::Isolated, object::ObjectId, object::count, object_lanes,
     small_scene::SmallScene,

@@ -1,6 +1,6 @@
 //! Compares each acceleration structure with the one that intersects every object.
 
-use crate::accel::bvh::{Bvh, MOST_WIDE, stack::Stack};
+use crate::accel::bvh::{Bvh, MOST_WIDE, sphere_leaf::LEAST_OBJECTS, stack::Stack};
 use crate::accel::choice::Accel;
 use crate::accel::closest_hit::ClosestHit;
 use crate::accel::dominant_sphere::DominantSphere;
@@ -20,6 +20,10 @@ use crate::simd::{Kernel, Simd};
 /// Returns `count` objects, spheres and cylinders in turn, whose centres are in a cube of side 20, and one more sphere
 /// below them, of radius 110. The radii of the `count` objects are between a tenth of `size` and `size`.
 fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
+    parsed(&objects_text(count, size, seed))
+}
+
+fn objects_text(count: usize, size: f64, seed: u64) -> String {
     let mut draws = Uniform::new(seed);
     let mut text = String::from("matte: m 1 1 1\nsphere: 0 -120 0 110 m\n");
     for index in 0..count {
@@ -32,8 +36,19 @@ fn objects(count: usize, size: f64, seed: u64) -> AosObjects {
             text += &format!("cylinder: {x} {y} {z} {radius} {ax} {ay} {az} m\n");
         }
     }
+    text
+}
+
+/// Returns the objects of a scene.
+fn parsed(text: &str) -> AosObjects {
     let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
     AosObjects::build(&scene).expect("it fits")
+}
+
+/// Returns the spheres of a scene.
+fn spheres_of(text: &str) -> AosObjects {
+    let is_kept = |line: &&str| !line.starts_with("cylinder");
+    parsed(&text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect::<String>())
 }
 
 /// A kernel that finds the closest hit of one ray with a structure.
@@ -150,6 +165,43 @@ fn boxes_of_bytes_give_the_closest_hits() {
     }
 }
 
+/// Returns both forms of the tree over `objects` with bounding spheres, each with its objects. `max_coordinate` bounds
+/// their coordinates.
+fn with_bounding_spheres(mut objects: AosObjects, max_coordinate: f64) -> [(Accel, AosObjects); 2] {
+    let (extent, mut again) = (Extent { max_coordinate, moderate: true }, objects.clone());
+    let wide = Bvh::build(&mut objects, &extent, true).expect("it fits");
+    let bytes = Bvh::build(&mut again, &extent, true).expect("it fits");
+    assert!(wide.sphere_leaf_count() > 0 && wide.sphere_leaf_count() == bytes.sphere_leaf_count());
+    [(Accel::Bvh(wide), objects), (Accel::LargeBvh(bytes), again)]
+}
+
+#[test]
+fn bounding_spheres_give_the_closest_hits() {
+    for (text, rays) in [(objects_text(40, 2.0, 6), 600), (objects_text(900, 0.7, 6), 300)] {
+        for (accel, objects) in with_bounding_spheres(spheres_of(&text), 240.0) {
+            agrees_with_plain(&accel, &objects, rays);
+            agrees_for_directions_of_any_length(&accel, &objects, 10.0);
+        }
+    }
+    for scale in [1e-4, 1.6e8] {
+        for (accel, objects) in with_bounding_spheres(spheres_of(&ring_text(100, scale)), 6.0 * scale) {
+            agrees_for_directions_of_any_length(&accel, &objects, 6.0 * scale);
+        }
+    }
+}
+
+#[test]
+fn many_objects_get_bounding_spheres() {
+    for (count, has_spheres) in [(LEAST_OBJECTS, true), (LEAST_OBJECTS - 1, false)] {
+        let mut objects = spheres_of(&objects_text(2 * count - 2, 0.05, 4));
+        assert_eq!(objects.sphere_count(), count);
+        let accel = accel(&mut objects);
+        let Accel::Bvh(bvh) = &accel else { panic!("the tree has byte boxes") };
+        assert_eq!(bvh.sphere_leaf_count() > 0, has_spheres);
+        agrees_with_plain(&accel, &objects, 30);
+    }
+}
+
 /// Returns a dominant sphere of radius 60, which ends at y = 0, and `count` spheres and cylinders. The first
 /// `overlapping` of them overlap the dominant sphere, and the others are at least `above` over y = 0. They do not
 /// overlap each other.
@@ -168,8 +220,7 @@ fn above_a_dominant_sphere(count: usize, above: f64, overlapping: usize) -> AosO
             text += &format!("cylinder: {x} {y} {z} {half_height} {lean} {radius} 0 m\n");
         }
     }
-    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
-    AosObjects::build(&scene).expect("it fits")
+    parsed(&text)
 }
 
 #[test]
@@ -261,6 +312,10 @@ fn directions_of_any_length_give_the_closest_hit() {
 
 /// Returns a ring of spheres and cylinders around the origin, with radius `5 scale`, and a cylinder in its middle.
 fn ring(count: usize, scale: f64) -> AosObjects {
+    parsed(&ring_text(count, scale))
+}
+
+fn ring_text(count: usize, scale: f64) -> String {
     let mut text = format!("matte: m 1 1 1\ncylinder: 0 0 0 {} 0 {scale} 0 m\n", 0.01 * scale);
     for index in 0..count {
         let angle = index as f64 / count as f64 * std::f64::consts::TAU;
@@ -272,8 +327,7 @@ fn ring(count: usize, scale: f64) -> AosObjects {
             text += &format!("sphere: {x} 0 {z} {radius} m\n");
         }
     }
-    let scene = Scene::parse(text.as_bytes()).expect("the scene is valid");
-    AosObjects::build(&scene).expect("it fits")
+    text
 }
 
 #[test]

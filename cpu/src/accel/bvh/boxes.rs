@@ -1,13 +1,20 @@
-//! The boxes of a node's children, in two forms: [`WideBoxes`] with coordinates, for small trees, and [`ByteBoxes`],
-//! for trees that do not fit into the processor's caches.
+//! The boxes of a node's children, in two forms: [`WideBoxes`] with coordinates, for small trees, and
+//! [`ByteBoxes`](crate::accel::bvh::byte_boxes::ByteBoxes), for trees that do not fit into the processor's caches.
+//!
+//! Both forms can hold [bounding spheres](crate::accel::bvh::sphere_leaf) instead of boxes. These use the same memory,
+//! and the node knows which of the two it has.
 
 use std::array;
 
+use crate::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
 use crate::accel::bvh::{planes::Plane, planes::Planes, planes::WIDTH, slab_ray::SlabRay};
 use crate::{accel::bounds::Bounds, simd::SimdF32};
 
 /// Up to 16 boxes, which are tested together.
 pub trait Boxes: Clone + std::fmt::Debug {
+    /// The numbers that stand for the coordinates.
+    type Number: Plane;
+
     /// No boxes.
     const EMPTY: Self;
 
@@ -22,9 +29,15 @@ pub trait Boxes: Clone + std::fmt::Debug {
     /// it, or 0 if the ray starts inside. If there are fewer boxes, the caller must ignore the other bits.
     fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32;
 
-    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. For [`ByteBoxes`] it may also be 1 if the
+    /// Returns 16 bits. Bit `i` is 1 if box `i` overlaps or touches `bounds`. For byte boxes it may also be 1 if the
     /// box is near. If there are fewer boxes, the caller must ignore the other bits.
     fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32;
+
+    /// Returns bounding spheres of spheres whose boxes are `boxes`, at most 16, in their order.
+    fn of_spheres(boxes: &[Bounds]) -> Self;
+
+    /// Returns the bounding spheres, if this comes from [`Boxes::of_spheres`].
+    fn spheres(&self) -> SphereLeaf<'_, Self::Number>;
 }
 
 /// Up to 16 boxes in 384 bytes. Each plane is stored as its coordinate, in scene units.
@@ -32,6 +45,8 @@ pub trait Boxes: Clone + std::fmt::Debug {
 pub struct WideBoxes(Planes<f32>);
 
 impl Boxes for WideBoxes {
+    type Number = f32;
+
     const EMPTY: Self = Self([[[0.0; WIDTH]; 3]; 2]);
 
     fn new(boxes: &[Bounds]) -> Self {
@@ -56,86 +71,30 @@ impl Boxes for WideBoxes {
     fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
         overlapping::<f32, F>(&self.0, &bounds.low, &bounds.high)
     }
-}
 
-/// Up to 16 boxes in 112 bytes. Each plane is stored as a whole number of steps from an origin: the plane with the
-/// number `n` is at the coordinate `origin + n step`. Origin and steps are the same for all boxes.
-#[derive(Clone, Copy, Debug)]
-pub struct ByteBoxes {
-    /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up.
-    planes: Planes<u8>,
-    /// For each axis, the coordinate of the plane with the number 0, in scene units.
-    origin: [f32; 3],
-    /// For each axis, the exponent of the step, as in the bits of an `f32`. A step is a power of two, so a number is
-    /// multiplied by it without rounding.
-    exponents: [u8; 3],
-}
-
-impl ByteBoxes {
-    /// Returns the length of a step along each axis, in scene units.
-    #[inline(always)]
-    fn steps(&self) -> [f32; 3] {
-        let [x, y, z] = self.exponents;
-        [f32::from_bits(u32::from(x) << 23), f32::from_bits(u32::from(y) << 23), f32::from_bits(u32::from(z) << 23)]
-    }
-}
-
-impl Boxes for ByteBoxes {
-    const EMPTY: Self = Self { planes: [[[0; WIDTH]; 3]; 2], origin: [0.0; 3], exponents: [1; 3] };
-
-    fn new(boxes: &[Bounds]) -> Self {
-        let all = boxes.iter().fold(Bounds::EMPTY, |all, bounds| all.union(bounds));
-        let mut result = Self { origin: all.low, ..Self::EMPTY };
-        for axis in 0..3 {
-            let origin = f64::from(all.low[axis]);
-            // The exponent is that of the next larger power of two, so rounding cannot make 255 steps too short.
-            let least_step = ((f64::from(all.high[axis]) - origin) / 255.0) as f32;
-            result.exponents[axis] = (least_step.to_bits() >> 23) as u8 + 1;
-            let steps_per_unit = 1.0 / f64::from(result.steps()[axis]);
-            for (lane, bounds) in boxes.iter().enumerate() {
-                let steps = |plane: f32| (f64::from(plane) - origin) * steps_per_unit;
-                // The conversion to an integer rounds down, as no number is negative.
-                let high = steps(bounds.high[axis]);
-                let whole = high as u8;
-                result.planes[0][axis][lane] = steps(bounds.low[axis]) as u8;
-                result.planes[1][axis][lane] = whole + u8::from(f64::from(whole) < high);
+    fn of_spheres(boxes: &[Bounds]) -> Self {
+        let mut leaf = Self::EMPTY;
+        let rows = leaf.0.as_flattened_mut();
+        for (lane, bounds) in boxes.iter().enumerate() {
+            let sphere = BoundingSphere::of(bounds);
+            let center = sphere.center.map(|coordinate| coordinate as f32);
+            for axis in 0..3 {
+                rows[axis][lane] = center[axis];
             }
+            rows[3][lane] = (sphere.radius_around(center.map(f64::from)) as f32).next_up();
         }
-        result
-    }
-
-    fn bounds(&self, lane: usize) -> Bounds {
-        let steps = self.steps();
-        let plane = |side: usize, axis: usize| {
-            f64::from(self.origin[axis]) + f64::from(steps[axis]) * f64::from(self.planes[side][axis][lane])
-        };
-        Bounds {
-            low: [0, 1, 2].map(|axis| (plane(0, axis) as f32).next_down()),
-            high: [0, 1, 2].map(|axis| (plane(1, axis) as f32).next_up()),
-        }
+        leaf
     }
 
     #[inline(always)]
-    fn intersect<F: SimdF32>(&self, slab_ray: &SlabRay<F>, farthest: f32, distances: &mut [f32; WIDTH]) -> u32 {
-        slab_ray.in_frame(&self.origin, &self.steps()).intersect(&self.planes, farthest, distances)
-    }
-
-    #[inline(always)]
-    fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
-        let (mut low, mut high, steps) = ([0.0; 3], [0.0; 3], self.steps());
-        for axis in 0..3 {
-            let (origin, step) = (f64::from(self.origin[axis]), f64::from(steps[axis]));
-            // A hundredth of a step covers the rounding of up to 256 steps to single precision.
-            low[axis] = ((f64::from(bounds.low[axis]) - origin) / step - 0.01) as f32;
-            high[axis] = ((f64::from(bounds.high[axis]) - origin) / step + 0.01) as f32;
-        }
-        overlapping::<u8, F>(&self.planes, &low, &high)
+    fn spheres(&self) -> SphereLeaf<'_, f32> {
+        SphereLeaf { rows: self.0.as_flattened(), frame: Frame::SCENE }
     }
 }
 
 /// Returns a bit for each box with these planes, which is 1 if it overlaps the box from `low` to `high`.
 #[inline(always)]
-fn overlapping<P: Plane, F: SimdF32>(planes: &Planes<P>, low: &[f32; 3], high: &[f32; 3]) -> u32 {
+pub fn overlapping<P: Plane, F: SimdF32>(planes: &Planes<P>, low: &[f32; 3], high: &[f32; 3]) -> u32 {
     let mut bits = 0;
     for at in (0..WIDTH).step_by(F::LANES) {
         let mut overlaps = u32::MAX;
@@ -146,90 +105,4 @@ fn overlapping<P: Plane, F: SimdF32>(planes: &Planes<P>, low: &[f32; 3], high: &
         bits |= overlaps << at;
     }
     bits
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sampling::uniform::Uniform;
-    use crate::simd::{Kernel, Simd, instruction_set::InstructionSet};
-
-    /// A kernel that finds the boxes that overlap another box.
-    struct Overlaps<'a, B>(&'a B, &'a Bounds);
-
-    impl<B: Boxes> Kernel for Overlaps<'_, B> {
-        type Output = u32;
-
-        #[inline(always)]
-        fn call<S: Simd>(self, _: S) -> u32 {
-            self.0.overlaps::<S::F32>(self.1)
-        }
-    }
-
-    #[test]
-    fn the_sizes_are_as_documented() {
-        assert_eq!([size_of::<WideBoxes>(), size_of::<ByteBoxes>()], [384, 112]);
-    }
-
-    /// Returns `count` random boxes. Their coordinates differ from `offset` by at most `2 scale`.
-    fn boxes(draws: &mut Uniform, count: usize, scale: f64, offset: f64) -> Vec<Bounds> {
-        (0..count)
-            .map(|_| {
-                let low = [(); 3].map(|()| (offset + draws.draw(-scale, scale)) as f32);
-                Bounds { low, high: low.map(|low| low + draws.draw(0.0, scale) as f32) }
-            })
-            .collect()
-    }
-
-    #[test]
-    fn a_box_of_bytes_contains_the_box_that_was_given_and_is_hardly_larger() {
-        let mut draws = Uniform::new(3);
-        for number in 0..2000 {
-            let scale = 10.0_f64.powf(draws.draw(-5.0, 9.0));
-            let offset = if number % 2 == 0 { 0.0 } else { draws.draw(-1e9, 1e9) };
-            let given = boxes(&mut draws, 1 + number % WIDTH, scale, offset);
-            let all = given.iter().fold(Bounds::EMPTY, |all, bounds| all.union(bounds));
-            let (bytes, wide) = (ByteBoxes::new(&given), WideBoxes::new(&given));
-            for (lane, given) in given.iter().enumerate() {
-                assert_eq!(wide.bounds(lane), *given);
-                let actual = bytes.bounds(lane);
-                for axis in 0..3 {
-                    let step = (f64::from(all.high[axis]) - f64::from(all.low[axis])) / 127.0;
-                    let largest = f64::from(all.low[axis].abs().max(all.high[axis].abs()));
-                    let most = step + 3.0 * f64::from(f32::EPSILON) * largest;
-                    let below = f64::from(given.low[axis]) - f64::from(actual.low[axis]);
-                    let above = f64::from(actual.high[axis]) - f64::from(given.high[axis]);
-                    for outside in [below, above] {
-                        assert!(outside > 0.0 && outside <= most, "{given:?} in {actual:?}");
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn boxes_that_overlap_are_found_by_every_set() {
-        let mut draws = Uniform::new(4);
-        let (mut overlaps, mut more) = (0, 0);
-        for number in 0..2000 {
-            let given = boxes(&mut draws, WIDTH, 1.0, (number % 3) as f64 * 1000.0);
-            let mut other = boxes(&mut draws, 1, 1.0, (number % 3) as f64 * 1000.0)[0];
-            if number % 2 == 0 {
-                // The other box only touches the first box.
-                other.low[0] = given[0].high[0];
-                other.high[0] = other.low[0] + 1.0;
-            }
-            let expected = (0..WIDTH).fold(0, |bits, lane| bits | u32::from(given[lane].overlaps(&other)) << lane);
-            let (bytes, wide) = (ByteBoxes::new(&given), WideBoxes::new(&given));
-            let found = InstructionSet::Portable.run(Overlaps(&bytes, &other));
-            assert_eq!(expected & !found, 0, "{given:?}, {other:?}");
-            for set in InstructionSet::available() {
-                assert_eq!(set.run(Overlaps(&wide, &other)), expected, "{}", set.name());
-                assert_eq!(set.run(Overlaps(&bytes, &other)), found, "{}", set.name());
-            }
-            overlaps += expected.count_ones();
-            more += (found & !expected).count_ones();
-        }
-        assert!(overlaps > 2000 && more < overlaps / 10, "{overlaps}, and {more} that are only near");
-    }
 }

@@ -23,7 +23,8 @@ pub struct Tree<B> {
 }
 
 /// Builds the tree over `objects`, which are at most `most` pairs of a box and an object's number. The first
-/// `sphere_count` numbers belong to spheres. Objects get new numbers, so that those in one node follow one another.
+/// `sphere_count` numbers belong to spheres. Objects get new numbers, so that those in one node follow one another. If
+/// `has_sphere_leaves` is set, nodes with only spheres have bounding spheres instead of boxes.
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -31,6 +32,7 @@ pub fn build<B: Boxes>(
     most: usize,
     sphere_count: usize,
     objects: impl Iterator<Item = (Bounds, ObjectId)>,
+    has_sphere_leaves: bool,
 ) -> Result<Tree<B>, Error> {
     let mut items = with_room(most, HIERARCHY)?;
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
@@ -88,7 +90,12 @@ pub fn build<B: Boxes>(
                 }
             }
         }
-        tree.nodes[index] = Node::new(&boxes[..count], counts, first.map(|number| number as u32));
+        let (boxes, first) = (&boxes[..count], first.map(|number| number as u32));
+        tree.nodes[index] = if has_sphere_leaves && counts[Kind::Sphere as usize] == count {
+            Node::of_spheres(boxes, first[Kind::Sphere as usize])
+        } else {
+            Node::new(boxes, counts, first)
+        };
     }
     Ok(tree)
 }

@@ -56,7 +56,7 @@ impl<B: Boxes, O: Objects> FindIsolated<'_, B, O> {
             }
             count -= 1;
             let node = &self.nodes[pending[count] as usize];
-            let overlapping = node.boxes.overlaps::<S::F32>(bounds);
+            let overlapping = node.overlaps::<S::F32>(bounds);
             let [nodes, spheres, cylinders] = node.lanes();
             for lane in lanes_in(nodes & overlapping) {
                 if count == MOST_VISITS {

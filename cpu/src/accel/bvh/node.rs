@@ -2,9 +2,12 @@
 //!
 //! A node stores one number for each kind of child, and not one for each child: children of the same kind follow one
 //! another, both in the node's lanes and in their list. So a node with [byte
-//! boxes](crate::accel::bvh::boxes::ByteBoxes) has 128 bytes, two cache lines.
+//! boxes](crate::accel::bvh::byte_boxes::ByteBoxes) has 128 bytes, two cache lines.
 
-use crate::accel::{bounds::Bounds, bvh::boxes::Boxes, bvh::planes::WIDTH, object::ObjectId};
+use crate::accel::{
+    bounds::Bounds, bvh::boxes::Boxes, bvh::planes::WIDTH, bvh::sphere_leaf::SphereLeaf, object::ObjectId,
+};
+use crate::simd::SimdF32;
 
 /// The words for the tree in the message of [`Error::OutOfMemory`](crate::input::error::Error::OutOfMemory).
 pub const HIERARCHY: &str = "the hierarchy over the objects";
@@ -46,16 +49,29 @@ pub struct Node<B> {
     base: [u32; 3],
     /// For each kind, the first lane behind the children of this kind.
     ends: [u8; 3],
+    /// Whether `boxes` holds bounding spheres.
+    has_spheres: bool,
 }
 
 impl<B: Boxes> Node<B> {
     /// A node without children.
-    pub const EMPTY: Self = Self { boxes: B::EMPTY, base: [0; 3], ends: [0; 3] };
+    pub const EMPTY: Self = Self { boxes: B::EMPTY, base: [0; 3], ends: [0; 3], has_spheres: false };
 
     /// Returns the node with these children: `boxes` are their boxes, ordered by kind. `counts` says how many
     /// children of each kind there are, and `first` has the [number](Child::number) of the first child of each kind.
     pub fn new(boxes: &[Bounds], counts: [usize; 3], first: [u32; 3]) -> Self {
-        let mut node = Self { boxes: B::new(boxes), ..Self::EMPTY };
+        Self::of_boxes(B::new(boxes), counts, first)
+    }
+
+    /// Returns the node with these spheres as its children, which holds bounding spheres instead of their `boxes`.
+    /// `first` is the number of the first sphere.
+    pub fn of_spheres(boxes: &[Bounds], first: u32) -> Self {
+        let node = Self::of_boxes(B::of_spheres(boxes), [0, boxes.len(), 0], [first; 3]);
+        Self { has_spheres: true, ..node }
+    }
+
+    fn of_boxes(boxes: B, counts: [usize; 3], first: [u32; 3]) -> Self {
+        let mut node = Self { boxes, ..Self::EMPTY };
         let mut end = 0;
         for kind in Kind::ALL.map(|kind| kind as usize) {
             node.base[kind] = first[kind].wrapping_sub(end);
@@ -69,6 +85,23 @@ impl<B: Boxes> Node<B> {
     pub fn of_child(bounds: Bounds, child: Child) -> Self {
         let counts = Kind::ALL.map(|kind| usize::from(kind == child.kind));
         Self::new(&[bounds], counts, [child.number; 3])
+    }
+
+    /// Returns the bounding spheres of the children, if this node has them instead of boxes. Then every child is a
+    /// sphere.
+    #[inline(always)]
+    pub fn spheres(&self) -> Option<SphereLeaf<'_, B::Number>> {
+        self.has_spheres.then(|| self.boxes.spheres())
+    }
+
+    /// Returns 16 bits. Bit `i` is 1 if the box or the bounding sphere of child `i` overlaps `bounds`. It may also be 1
+    /// if the two are near each other. If there are fewer children, the caller must ignore the other bits.
+    #[inline(always)]
+    pub fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
+        match self.spheres() {
+            Some(spheres) => spheres.overlaps::<F>(bounds),
+            None => self.boxes.overlaps::<F>(bounds),
+        }
     }
 
     /// Whether every child is a node.
@@ -120,9 +153,14 @@ impl<B: Boxes> Node<B> {
                 Kind::Cylinder
             }
         };
+        let spheres = self.spheres();
         (0..self.ends[2]).map(move |lane| {
             let (kind, lane) = (kind(lane), usize::from(lane));
-            (self.boxes.bounds(lane), Child { kind, number: self.number(kind, lane) })
+            let bounds = match &spheres {
+                Some(spheres) => spheres.bounds(lane),
+                None => self.boxes.bounds(lane),
+            };
+            (bounds, Child { kind, number: self.number(kind, lane) })
         })
     }
 }
@@ -141,7 +179,7 @@ pub fn lanes_in(mut bits: u32) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::boxes::{ByteBoxes, WideBoxes};
+    use crate::accel::bvh::{boxes::WideBoxes, byte_boxes::ByteBoxes};
 
     #[test]
     fn a_node_of_bytes_has_two_cache_lines() {

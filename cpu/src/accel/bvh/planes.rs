@@ -10,7 +10,7 @@ pub const WIDTH: usize = 16;
 pub type Planes<P> = [[[P; WIDTH]; 3]; 2];
 
 /// A number that stands for the coordinate of a plane.
-pub trait Plane: Copy {
+pub trait Plane: Copy + Into<f64> {
     /// Returns the first numbers of `planes`, as many as `F` has lanes.
     fn load<F: SimdF32>(planes: &[Self]) -> F;
 }

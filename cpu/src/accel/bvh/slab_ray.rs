@@ -39,7 +39,7 @@ use crate::{geometry::ray::Ray, simd::SimdF32};
 /// A slab test moves each plane of a box outward to cover rounding. Along the x axis it moves a plane by at least
 /// `MARGIN (|o| + p)`. Here `o` is the x coordinate of the ray's origin, and `p` is the largest `|x|` of all boxes. The
 /// same holds for y and z. `MARGIN` is `16 u`, where `u = 2^-24` is the unit roundoff of `f32`.
-const MARGIN: f32 = 8.0 * f32::EPSILON;
+pub(super) const MARGIN: f32 = 8.0 * f32::EPSILON;
 
 /// The largest magnitude of a reciprocal. Its product with a coordinate of a
 /// [moderate](crate::accel::extent::Extent::moderate) scene cannot overflow.
@@ -143,7 +143,7 @@ impl<F: SimdF32> SlabRay<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::bvh::boxes::{Boxes, ByteBoxes, WideBoxes};
+    use crate::accel::bvh::{boxes::Boxes, boxes::WideBoxes, byte_boxes::ByteBoxes};
     use crate::math::vec3::Vec3;
     use crate::sampling::uniform::Uniform;
     use crate::simd::instruction_set::InstructionSet;

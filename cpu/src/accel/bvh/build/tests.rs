@@ -1,6 +1,6 @@
 //! Tests trees of any number of boxes, also of equal boxes.
 
-use crate::accel::bvh::{boxes::ByteBoxes, build::*};
+use crate::accel::bvh::{build::*, byte_boxes::ByteBoxes};
 use crate::sampling::uniform::Uniform;
 
 /// Checks that every object is in the tree once, inside all boxes above it. Two thirds of the objects are spheres.
@@ -53,7 +53,7 @@ fn random(count: usize, size: f64) -> Vec<Bounds> {
 }
 
 fn build_all(bounds: &[Bounds]) -> Tree<ByteBoxes> {
-    build(bounds.len(), spheres(bounds.len()), bounds.iter().copied().zip(0..)).expect("it fits")
+    build(bounds.len(), spheres(bounds.len()), bounds.iter().copied().zip(0..), false).expect("it fits")
 }
 
 #[test]

@@ -1,0 +1,168 @@
+//! A sphere ray: a ray prepared for tests against the bounding spheres of a sphere leaf.
+//!
+//! Let `x` be the vector from the ray's origin to the centre of a bounding sphere with the radius `R`. Let `e` be the
+//! unit vector along the ray. The distance between the centre and the line is the length of the cross product of `e`
+//! and `x`. Along the ray, the centre is at `b = e . x`. So the ray hits the bounding sphere only if that length is at
+//! most `R`. It enters at a distance of at least `b - R`, and leaves at a distance of at most `b + R`. The quadratic
+//! formula would lose more digits, because it subtracts two squares of distances.
+//!
+//! Let `u = 2^-24`, and let `o` be the ray's origin. `M` is the sum, over the three axes, of `|o|` and the largest
+//! magnitude of a plane of the scene. So `|x| <= M` and `R <= M`. Fused or not, rounding changes at most:
+//!
+//! | Number | Rounding of | changes it by at most |
+//! |---|---|---|
+//! | `x` | `o`, the frame's origin minus `o`, and the last sum | `3 u M` |
+//! | `e` | the direction, its length and the quotient | `5 u` |
+//! | the cross product | `x`, `e`, and the products and differences | `12 u M` |
+//! | `b` | `x`, `e`, and the products and sums | `11 u M` |
+//! | both sides of the comparison | the squares and sums, as a part of `R` | `4 u M` |
+//! | `b - R` as a lambda | the difference, and its product with the reciprocal of the length | `9 u M` |
+//!
+//! The code enlarges each radius by `32 u M`. This exceeds `12 + 4` and `11 + 9`. So no bounding sphere is lost that
+//! the ray hits before the closest hit so far.
+//!
+//! The directions are [in scale](crate::accel::bvh::slab_ray::is_in_scale). If a direction's squared length is infinite
+//! in single precision, `e` and the reciprocal are 0, and the ray hits every bounding sphere. Coordinates are at most
+//! 10^9, so no square overflows. Each radius is enlarged by at least 6 `LEAST_MARGIN`, so underflow is negligible
+//! ([`margins`](crate::accel::bvh::slab_ray::margins)).
+
+use crate::accel::bvh::slab_ray::MARGIN;
+use crate::accel::bvh::{planes::Plane, planes::WIDTH, sphere_leaf::SphereLeaf};
+use crate::{geometry::ray::Ray, simd::SimdF32};
+
+/// A ray prepared for tests against the bounding spheres of a [`SphereLeaf`].
+#[derive(Clone, Copy, Debug)]
+pub struct SphereRay {
+    origin: [f32; 3],
+    /// The unit vector along the ray.
+    along: [f32; 3],
+    /// The reciprocal of the direction's length, which makes a lambda of a distance.
+    reciprocal: f32,
+    /// The length by which each radius is enlarged.
+    margin: f32,
+}
+
+impl SphereRay {
+    /// A ray that is never tested, for trees without sphere leaves.
+    pub const UNUSED: Self = Self { origin: [0.0; 3], along: [0.0; 3], reciprocal: 0.0, margin: 0.0 };
+
+    /// Prepares the ray for a tree with these [margins](crate::accel::bvh::slab_ray::margins). `length_squared` is the
+    /// square of the direction's length.
+    #[inline(always)]
+    pub fn new(ray: &Ray, margins: &[f32; 3], length_squared: f64) -> Self {
+        let origin = ray.origin.to_array().map(|coordinate| coordinate as f32);
+        let reciprocal = 1.0 / (length_squared as f32).sqrt();
+        let along = ray.direction.to_array().map(|component| component as f32 * reciprocal);
+        let [x, y, z] = [0, 1, 2].map(|axis| origin[axis].abs() * MARGIN + margins[axis]);
+        Self { origin, along, reciprocal, margin: 2.0 * (x + y + z) }
+    }
+
+    /// Returns 16 bits. Bit `i` is 1 if the ray hits bounding sphere `i` at a lambda of at most `farthest`. It may also
+    /// be 1 if the ray just misses it. For each bounding sphere that is hit, stores a lower bound of the lambda at
+    /// which the ray enters it. This is negative if the ray starts inside. If there are fewer bounding spheres, the
+    /// caller must ignore the other bits.
+    #[inline(always)]
+    pub fn intersect<P: Plane, F: SimdF32>(
+        &self,
+        leaf: &SphereLeaf<'_, P>,
+        farthest: f32,
+        distances: &mut [f32; WIDTH],
+    ) -> u32 {
+        let [e_x, e_y, e_z] = self.along;
+        let (e_x, e_y, e_z) = (F::splat(e_x), F::splat(e_y), F::splat(e_z));
+        let mut bits = 0;
+        for at in (0..WIDTH).step_by(F::LANES) {
+            let ([x, y, z], radius) = leaf.load::<F>(at, &self.origin);
+            let radius = radius + F::splat(self.margin);
+            let cross_x = z.negative_mul_add(e_y, y * e_z);
+            let cross_y = x.negative_mul_add(e_z, z * e_x);
+            let cross_z = y.negative_mul_add(e_x, x * e_y);
+            // The third square is subtracted on the other side, so that the two sides do not wait for each other.
+            let two_squares = cross_x.mul_add(cross_x, cross_y * cross_y);
+            let rest = cross_z.negative_mul_add(cross_z, radius * radius);
+            let middle = x.mul_add(e_x, y.mul_add(e_y, z * e_z));
+            let (enters, leaves) = ((middle - radius) * F::splat(self.reciprocal), middle + radius);
+            enters.store(&mut distances[at..]);
+            let in_range = F::splat(0.0).less_equal(leaves) & enters.less_equal(F::splat(farthest));
+            bits |= (two_squares.less_equal(rest) & in_range) << at;
+        }
+        bits
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::bvh::boxes::{Boxes, WideBoxes};
+    use crate::accel::bvh::slab_ray::{is_in_scale, margins};
+    use crate::accel::{bounds::Bounds, bvh::byte_boxes::ByteBoxes};
+    use crate::math::vec3::Vec3;
+    use crate::sampling::uniform::Uniform;
+    use crate::simd::instruction_set::InstructionSet;
+    use crate::simd::{Kernel, Simd};
+
+    /// A kernel that tests bounding spheres up to a largest lambda, in both forms. Returns the bits of the first one.
+    struct Intersect<'a>(&'a Ray, &'a [Bounds], f32);
+
+    impl Kernel for Intersect<'_> {
+        type Output = [u32; 2];
+
+        #[inline(always)]
+        fn call<S: Simd>(self, _: S) -> [u32; 2] {
+            let Self(ray, boxes, farthest) = self;
+            let all = boxes.iter().fold(Bounds::EMPTY, |all, bounds| all.union(bounds));
+            let sphere_ray = SphereRay::new(ray, &margins(&all), ray.direction.dot(ray.direction));
+            let (wide, bytes) = (WideBoxes::of_spheres(boxes), ByteBoxes::of_spheres(boxes));
+            let mut distances = [0.0; WIDTH];
+            let wide = sphere_ray.intersect::<_, S::F32>(&wide.spheres(), farthest, &mut distances);
+            let bytes = sphere_ray.intersect::<_, S::F32>(&bytes.spheres(), farthest, &mut distances);
+            [wide & 1, bytes & 1]
+        }
+    }
+
+    /// Returns the box of a sphere.
+    fn bounds(center: Vec3, radius: f64) -> Bounds {
+        let around = |offset: f64| (center + Vec3::splat(offset)).to_array().map(|coordinate| coordinate as f32);
+        Bounds { low: around(-radius).map(f32::next_down), high: around(radius).map(f32::next_up) }
+    }
+
+    #[test]
+    fn a_ray_that_grazes_a_sphere_at_any_scale_hits_it_and_one_beside_it_does_not() {
+        let mut draws = Uniform::new(5);
+        let (mut tests, mut beside) = (0, 0);
+        for number in 0..4000 {
+            let scale = 10.0_f64.powf(draws.draw(-4.0, 8.0));
+            let mut vector = |scale: f64| Vec3::from([(); 3].map(|()| draws.draw(-scale, scale)));
+            let (center, to_center, other) = (vector(scale), vector(scale), vector(scale));
+            // Every fourth ray comes from afar, where rounding is larger than the room in the bounding sphere.
+            let to_center = to_center * if number % 4 == 0 { 300.0 } else { 1.0 };
+            let aside = vector(1.0).perpendicular_to(to_center.unit()).unit();
+            let radius = scale * 10.0_f64.powf(draws.draw(-5.0, -1.0));
+            // A second sphere determines the frame of the byte form.
+            let boxes = [bounds(center, radius), bounds(other, radius)];
+            let lambda = 10.0_f64.powf(draws.draw(-3.0, 3.0));
+            // The ray is parallel to `to_center`, and passes the centre at this share of the radius.
+            let passing = |share: f64| Ray {
+                origin: center + aside * (radius * share) - to_center,
+                direction: to_center / lambda,
+            };
+            let grazing = passing(1.0 - 1e-12);
+            if !is_in_scale(grazing.direction.dot(grazing.direction)) {
+                continue;
+            }
+            tests += 1;
+            let farthest = (lambda as f32).next_up();
+            for set in InstructionSet::available() {
+                let hits = |ray: &Ray, farthest| set.run(Intersect(ray, &boxes, farthest));
+                assert_eq!(hits(&grazing, farthest), [1; 2], "{}: {boxes:?}, {grazing:?}", set.name());
+                let behind = Ray { direction: -grazing.direction, ..grazing };
+                let misses = [(passing(1.5), f32::INFINITY), (grazing, farthest / 4.0), (behind, f32::INFINITY)];
+                // A radius near the margin, or a centre moved by a step, may be hit all the same.
+                beside += misses.into_iter().filter(|(ray, farthest)| hits(ray, *farthest)[0] == 0).count();
+            }
+        }
+        let sets = InstructionSet::available().count();
+        // Of the three rays for each test, those miss whose radius is well above the margin.
+        assert!(tests > 3000 && 4 * beside > 11 * tests * sets, "{beside} of {tests} rays for each of {sets} sets");
+    }
+}
