@@ -113,7 +113,12 @@ impl Kernel for Find<'_> {
     #[inline(always)]
     fn call<S: Simd>(self, _: S) {
         let Ours { objects, accel, .. } = self.ours;
-        for PreparedRay { ray, from } in self.rays {
+        for (index, PreparedRay { ray, from }) in self.rays.iter().enumerate() {
+            // In a picture, a ray starts on the object that the ray before it has hit, whose record is in the nearest
+            // cache. Here the rays are in no order, so the record is asked for while the ray before is traced.
+            if let Some(next) = self.rays.get(index + 1) {
+                objects.prefetch_sphere(next.from as usize);
+            }
             let hit = accel.closest_hit::<S, _>(objects, ray, *from, self.stack);
             self.hits.push(nearest(&hit));
         }

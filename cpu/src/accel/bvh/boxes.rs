@@ -36,11 +36,12 @@ pub trait Boxes: Clone + std::fmt::Debug {
     /// Returns bounding spheres of spheres whose boxes are `boxes`, at most 16, in their order.
     fn of_spheres(boxes: &[Bounds]) -> Self;
 
-    /// Returns the bounding spheres, if this comes from [`Boxes::of_spheres`].
-    fn spheres(&self) -> SphereLeaf<'_, Self::Number>;
+    /// Returns the bounding spheres. They have no meaning unless this comes from [`Boxes::of_spheres`].
+    fn bounding_spheres(&self) -> SphereLeaf<'_, Self::Number>;
 }
 
-/// Up to 16 boxes in 384 bytes. Each plane is stored as its coordinate, in scene units.
+/// Up to 16 boxes in 384 bytes. Each plane is stored as its coordinate, in scene units. Bounding spheres have the
+/// centres in place of the lower planes, and the radii in place of the first upper planes.
 #[derive(Clone, Copy, Debug)]
 pub struct WideBoxes(Planes<f32>);
 
@@ -87,8 +88,8 @@ impl Boxes for WideBoxes {
     }
 
     #[inline(always)]
-    fn spheres(&self) -> SphereLeaf<'_, f32> {
-        SphereLeaf { rows: self.0.as_flattened(), frame: Frame::SCENE }
+    fn bounding_spheres(&self) -> SphereLeaf<'_, f32> {
+        SphereLeaf { rows: self.0.as_flattened(), frame: Frame::IDENTITY }
     }
 }
 

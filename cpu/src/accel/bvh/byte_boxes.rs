@@ -1,4 +1,4 @@
-//! The boxes of a node's children in a quarter of the memory: coordinates are stored as bytes.
+//! The boxes of a node's children in little memory: coordinates are stored as bytes.
 
 use crate::accel::bvh::boxes::{Boxes, overlapping};
 use crate::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
@@ -9,7 +9,8 @@ use crate::{accel::bounds::Bounds, simd::SimdF32};
 /// number `n` is at the coordinate `origin + n step`. Origin and steps are the same for all boxes.
 #[derive(Clone, Copy, Debug)]
 pub struct ByteBoxes {
-    /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up.
+    /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up. Bounding spheres
+    /// have the centres in place of the lower planes, and the radii in place of the first upper planes.
     planes: Planes<u8>,
     /// For each axis, the coordinate of the plane with the number 0, in scene units.
     origin: [f32; 3],
@@ -29,13 +30,13 @@ impl ByteBoxes {
     }
 }
 
-/// Returns the number whose bits as an `f32` have this exponent and are 0 otherwise.
+/// Returns the `f32` with these exponent bits, whose other bits are 0.
 #[inline(always)]
 const fn power_of_two(exponent: u8) -> f32 {
     f32::from_bits((exponent as u32) << 23)
 }
 
-/// Returns the exponent of a power of two, as in the bits of an `f32`. 255 of these powers are longer than `length`.
+/// Returns the exponent of a step, as in the bits of an `f32`. 255 of these steps exceed `length`.
 fn exponent_of_step(length: f64) -> u8 {
     // The exponent is that of the next larger power of two, so rounding cannot make 255 steps too short.
     (((length / 255.0) as f32).to_bits() >> 23) as u8 + 1
@@ -124,7 +125,7 @@ impl Boxes for ByteBoxes {
     }
 
     #[inline(always)]
-    fn spheres(&self) -> SphereLeaf<'_, u8> {
+    fn bounding_spheres(&self) -> SphereLeaf<'_, u8> {
         let frame = Frame { origin: self.origin, steps: self.steps(), radius_step: power_of_two(self.radius_exponent) };
         SphereLeaf { rows: self.planes.as_flattened(), frame }
     }

@@ -42,7 +42,7 @@ pub struct Child {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Node<B> {
-    /// The boxes of the children.
+    /// The boxes of the children, or their bounding spheres.
     pub boxes: B,
     /// For each kind, the number that the child in lane 0 would have if all lanes had this kind. It wraps around at
     /// 2^32.
@@ -50,27 +50,27 @@ pub struct Node<B> {
     /// For each kind, the first lane behind the children of this kind.
     ends: [u8; 3],
     /// Whether `boxes` holds bounding spheres.
-    has_spheres: bool,
+    has_bounding_spheres: bool,
 }
 
 impl<B: Boxes> Node<B> {
     /// A node without children.
-    pub const EMPTY: Self = Self { boxes: B::EMPTY, base: [0; 3], ends: [0; 3], has_spheres: false };
+    pub const EMPTY: Self = Self { boxes: B::EMPTY, base: [0; 3], ends: [0; 3], has_bounding_spheres: false };
 
     /// Returns the node with these children: `boxes` are their boxes, ordered by kind. `counts` says how many
     /// children of each kind there are, and `first` has the [number](Child::number) of the first child of each kind.
     pub fn new(boxes: &[Bounds], counts: [usize; 3], first: [u32; 3]) -> Self {
-        Self::of_boxes(B::new(boxes), counts, first)
+        Self::with_bounds(B::new(boxes), counts, first)
     }
 
-    /// Returns the node with these spheres as its children, which holds bounding spheres instead of their `boxes`.
-    /// `first` is the number of the first sphere.
+    /// Returns the node whose children are spheres with these boxes. It holds their bounding spheres. `first` is the
+    /// number of the first sphere.
     pub fn of_spheres(boxes: &[Bounds], first: u32) -> Self {
-        let node = Self::of_boxes(B::of_spheres(boxes), [0, boxes.len(), 0], [first; 3]);
-        Self { has_spheres: true, ..node }
+        let node = Self::with_bounds(B::of_spheres(boxes), [0, boxes.len(), 0], [first; 3]);
+        Self { has_bounding_spheres: true, ..node }
     }
 
-    fn of_boxes(boxes: B, counts: [usize; 3], first: [u32; 3]) -> Self {
+    fn with_bounds(boxes: B, counts: [usize; 3], first: [u32; 3]) -> Self {
         let mut node = Self { boxes, ..Self::EMPTY };
         let mut end = 0;
         for kind in Kind::ALL.map(|kind| kind as usize) {
@@ -90,15 +90,15 @@ impl<B: Boxes> Node<B> {
     /// Returns the bounding spheres of the children, if this node has them instead of boxes. Then every child is a
     /// sphere.
     #[inline(always)]
-    pub fn spheres(&self) -> Option<SphereLeaf<'_, B::Number>> {
-        self.has_spheres.then(|| self.boxes.spheres())
+    pub fn bounding_spheres(&self) -> Option<SphereLeaf<'_, B::Number>> {
+        self.has_bounding_spheres.then(|| self.boxes.bounding_spheres())
     }
 
     /// Returns 16 bits. Bit `i` is 1 if the box or the bounding sphere of child `i` overlaps `bounds`. It may also be 1
     /// if the two are near each other. If there are fewer children, the caller must ignore the other bits.
     #[inline(always)]
     pub fn overlaps<F: SimdF32>(&self, bounds: &Bounds) -> u32 {
-        match self.spheres() {
+        match self.bounding_spheres() {
             Some(spheres) => spheres.overlaps::<F>(bounds),
             None => self.boxes.overlaps::<F>(bounds),
         }
@@ -153,7 +153,7 @@ impl<B: Boxes> Node<B> {
                 Kind::Cylinder
             }
         };
-        let spheres = self.spheres();
+        let spheres = self.bounding_spheres();
         (0..self.ends[2]).map(move |lane| {
             let (kind, lane) = (kind(lane), usize::from(lane));
             let bounds = match &spheres {

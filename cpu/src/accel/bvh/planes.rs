@@ -1,4 +1,4 @@
-//! The planes of the boxes of a node, as numbers in lanes.
+//! The planes of the boxes of a node, as numbers in lanes. The numbers of bounding spheres have the same form.
 
 use crate::simd::SimdF32;
 

@@ -1,28 +1,29 @@
 //! Sphere leaves: nodes whose children are all spheres, and which have bounding spheres instead of boxes.
 //!
 //! Almost half of the rays that hit a sphere's box miss the sphere. A bounding sphere excludes these rays, so the
-//! sphere's record is not loaded for them. It also takes four numbers instead of six. On the other hand, its test takes
-//! more operations. In a large tree, whose nodes and records come from far memory, the first two count more. So trees
+//! sphere's record is not loaded for them. Its test also reads four numbers instead of six, but takes more operations.
+//! In a large tree, whose nodes and records come from far memory, the two savings outweigh the operations. So trees
 //! with at least [`LEAST_OBJECTS`] objects have sphere leaves. All other nodes have boxes.
 //!
 //! A bounding sphere is computed from the sphere's box. Let `u = 2^-24`, and let `P` be the largest magnitude of the
 //! box's coordinates. Without rounding, the box would be a cube around the sphere. Rounding moves each plane outward by
 //! at most 1.5 units in the last place, which is `3 u P` ([`Bounds::of_object`]). So the middle of the box is at most
-//! `1.5 u P` from the sphere's centre along each axis, and `3 u P` in space. Half of the longest side, enlarged by
-//! `3 u P`, is the radius of a bounding sphere. It is enlarged by `16 u P` instead. The rest, `13 u P`, covers the
-//! rounding in [`SphereLeaf::overlaps`]: at most `u P` for a centre, and `2 u P` for its sum with a radius.
+//! `1.5 u P` from the sphere's centre along each axis, and `3 u P` in space. A radius of half of the longest side plus
+//! `3 u P` would be enough. The code adds `16 u P`. The other `13 u P` cover the rounding in [`SphereLeaf::overlaps`]:
+//! at most `u P` for a centre, and `2 u P` for the centre plus or minus the radius. This is true for coordinates. Trees
+//! with bytes are so large that isolated objects, for which boxes are tested for overlaps, are not sought.
 
 use crate::accel::bounds::Bounds;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH};
 use crate::simd::SimdF32;
 
-/// The least number of objects with which a tree has sphere leaves. With 100,000 or a million dense spheres they save 7
-/// to 14 % of a ray's time, with 30,000 dense ones 4 % on average. With up to 10,000 sparse ones they would cost up to
-/// 9 % (`bench/nearest`).
+/// The least number of objects with which a tree has sphere leaves. In dense scenes, sphere leaves save 7 to 14 % of a
+/// ray's time with 100,000 or a million spheres, 2 to 10 % with 300,000, and 4 % on average with 30,000. In sparse
+/// scenes of up to 10,000 spheres they would cost up to 9 % (`bench/nearest`).
 pub const LEAST_OBJECTS: usize = 20_000;
 
 /// The part of a box's largest coordinate by which the radius is enlarged: `16 u`.
-const ROOM: f64 = 8.0 * f32::EPSILON as f64;
+const ENLARGEMENT: f64 = 8.0 * f32::EPSILON as f64;
 
 /// A bounding sphere of a sphere, in scene units.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +43,7 @@ impl BoundingSphere {
         let largest = most(|low, high| low.abs().max(high.abs()));
         Self {
             center: [0, 1, 2].map(|axis| (low[axis] + high[axis]) / 2.0),
-            radius: most(|low, high| (high - low) / 2.0) + ROOM * largest,
+            radius: most(|low, high| (high - low) / 2.0) + ENLARGEMENT * largest,
         }
     }
 
@@ -53,7 +54,7 @@ impl BoundingSphere {
     }
 }
 
-/// The coordinates that numbers stand for: along each axis, the number `n` is at `origin + n step`, in scene units.
+/// The scale of stored numbers, in scene units: along each axis, the number `n` means `origin + n step`.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     /// The coordinates of the number 0.
@@ -65,8 +66,8 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame in which numbers are the coordinates themselves.
-    pub const SCENE: Self = Self { origin: [0.0; 3], steps: [1.0; 3], radius_step: 1.0 };
+    /// The scale with which numbers are the coordinates themselves.
+    pub const IDENTITY: Self = Self { origin: [0.0; 3], steps: [1.0; 3], radius_step: 1.0 };
 }
 
 /// The bounding spheres of up to 16 children, which are tested together.
@@ -74,7 +75,7 @@ impl Frame {
 pub struct SphereLeaf<'a, P> {
     /// At least four rows: the x, y and z coordinates of the centres, and the radii.
     pub rows: &'a [[P; WIDTH]],
-    /// The coordinates that the numbers stand for.
+    /// The scale of the numbers.
     pub frame: Frame,
 }
 
@@ -186,10 +187,10 @@ mod tests {
             let (objects, bounds, side) = spheres(&mut draws);
             let largest = bounds[0].low.into_iter().chain(bounds[0].high).fold(0.0_f32, |most, at| most.max(at.abs()));
             let room = 1e-5 * (f64::from(largest) + side);
-            contain(&WideBoxes::of_spheres(&bounds).spheres(), &objects, &bounds, room);
+            contain(&WideBoxes::of_spheres(&bounds).bounding_spheres(), &objects, &bounds, room);
             // A step is at most a 127th of a length, and a centre moves by half a step along each axis.
             contain(
-                &ByteBoxes::of_spheres(&bounds).spheres(),
+                &ByteBoxes::of_spheres(&bounds).bounding_spheres(),
                 &objects,
                 &bounds,
                 room + side / 100.0 + 1.1 * side / 127.0,
@@ -209,13 +210,16 @@ mod tests {
             let expected = (0..WIDTH).fold(0, |bits, lane| bits | u32::from(bounds[lane].overlaps(&other)) << lane);
             let (wide, bytes) = (WideBoxes::of_spheres(&bounds), ByteBoxes::of_spheres(&bounds));
             for set in InstructionSet::available() {
-                let found = [set.run(Overlaps(wide.spheres(), &other)), set.run(Overlaps(bytes.spheres(), &other))];
+                let found = [
+                    set.run(Overlaps(wide.bounding_spheres(), &other)),
+                    set.run(Overlaps(bytes.bounding_spheres(), &other)),
+                ];
                 assert_eq!(found.map(|found| expected & !found), [0; 2], "{}, {bounds:?}, {other:?}", set.name());
                 overlaps += expected.count_ones();
                 more += (found[1] & !expected).count_ones();
             }
             for (lane, inner) in bounds.iter().enumerate() {
-                let around = [wide.spheres().bounds(lane), bytes.spheres().bounds(lane)];
+                let around = [wide.bounding_spheres().bounds(lane), bytes.bounding_spheres().bounds(lane)];
                 assert!(around.iter().all(|around| around.union(inner) == *around), "{inner:?} in {around:?}");
             }
         }

@@ -6,8 +6,9 @@
 //! most `R`. It enters at a distance of at least `b - R`, and leaves at a distance of at most `b + R`. The quadratic
 //! formula would lose more digits, because it subtracts two squares of distances.
 //!
-//! Let `u = 2^-24`, and let `o` be the ray's origin. `M` is the sum, over the three axes, of `|o|` and the largest
-//! magnitude of a plane of the scene. So `|x| <= M` and `R <= M`. Fused or not, rounding changes at most:
+//! Let `u = 2^-24`, and let `o` be the ray's origin. `M` is the sum of `|o|` and `P` over the three axes, where `P` is
+//! the largest magnitude of a plane of the scene along the axis. So `|x| <= M` and `R <= M`, apart from the step of up
+//! to a 127th of a node by which bytes may move a centre or a radius. Fused or not, rounding changes at most:
 //!
 //! | Number | Rounding of | changes it by at most |
 //! |---|---|---|
@@ -15,11 +16,13 @@
 //! | `e` | the direction, its length and the quotient | `5 u` |
 //! | the cross product | `x`, `e`, and the products and differences | `12 u M` |
 //! | `b` | `x`, `e`, and the products and sums | `11 u M` |
-//! | both sides of the comparison | the squares and sums, as a part of `R` | `4 u M` |
-//! | `b - R` as a lambda | the difference, and its product with the reciprocal of the length | `9 u M` |
+//! | both sides of the comparison | the enlarged radius, the squares and the sums, as a change of `R` | `4 u M` |
+//! | `b - R` as a lambda | the enlarged radius, the difference, and the product with the reciprocal | `10 u M` |
+//! | `b + R` | the enlarged radius | `u M` |
 //!
-//! The code enlarges each radius by `32 u M`. This exceeds `12 + 4` and `11 + 9`. So no bounding sphere is lost that
-//! the ray hits before the closest hit so far.
+//! The code enlarges each radius by `32 u M`. This exceeds `12 + 4` for the distance from the line, `11 + 10` for the
+//! entry, and `11 + 1` for the exit, with room for the steps of bytes. So every bounding sphere is kept that the ray
+//! hits before the closest hit so far.
 //!
 //! The directions are [in scale](crate::accel::bvh::slab_ray::is_in_scale). If a direction's squared length is infinite
 //! in single precision, `e` and the reciprocal are 0, and the ray hits every bounding sphere. Coordinates are at most
@@ -59,7 +62,7 @@ impl SphereRay {
 
     /// Returns 16 bits. Bit `i` is 1 if the ray hits bounding sphere `i` at a lambda of at most `farthest`. It may also
     /// be 1 if the ray just misses it. For each bounding sphere that is hit, stores a lower bound of the lambda at
-    /// which the ray enters it. This is negative if the ray starts inside. If there are fewer bounding spheres, the
+    /// which the ray enters it. This is at most 0 if the ray starts inside. If there are fewer bounding spheres, the
     /// caller must ignore the other bits.
     #[inline(always)]
     pub fn intersect<P: Plane, F: SimdF32>(
@@ -77,11 +80,11 @@ impl SphereRay {
             let cross_x = z.negative_mul_add(e_y, y * e_z);
             let cross_y = x.negative_mul_add(e_z, z * e_x);
             let cross_z = y.negative_mul_add(e_x, x * e_y);
-            // The third square is subtracted on the other side, so that the two sides do not wait for each other.
+            // The third square is subtracted on the other side, so that the processor computes both sides at once.
             let two_squares = cross_x.mul_add(cross_x, cross_y * cross_y);
             let rest = cross_z.negative_mul_add(cross_z, radius * radius);
-            let middle = x.mul_add(e_x, y.mul_add(e_y, z * e_z));
-            let (enters, leaves) = ((middle - radius) * F::splat(self.reciprocal), middle + radius);
+            let center_along = x.mul_add(e_x, y.mul_add(e_y, z * e_z));
+            let (enters, leaves) = ((center_along - radius) * F::splat(self.reciprocal), center_along + radius);
             enters.store(&mut distances[at..]);
             let in_range = F::splat(0.0).less_equal(leaves) & enters.less_equal(F::splat(farthest));
             bits |= (two_squares.less_equal(rest) & in_range) << at;
@@ -114,8 +117,8 @@ mod tests {
             let sphere_ray = SphereRay::new(ray, &margins(&all), ray.direction.dot(ray.direction));
             let (wide, bytes) = (WideBoxes::of_spheres(boxes), ByteBoxes::of_spheres(boxes));
             let mut distances = [0.0; WIDTH];
-            let wide = sphere_ray.intersect::<_, S::F32>(&wide.spheres(), farthest, &mut distances);
-            let bytes = sphere_ray.intersect::<_, S::F32>(&bytes.spheres(), farthest, &mut distances);
+            let wide = sphere_ray.intersect::<_, S::F32>(&wide.bounding_spheres(), farthest, &mut distances);
+            let bytes = sphere_ray.intersect::<_, S::F32>(&bytes.bounding_spheres(), farthest, &mut distances);
             [wide & 1, bytes & 1]
         }
     }
@@ -162,7 +165,7 @@ mod tests {
             }
         }
         let sets = InstructionSet::available().count();
-        // Of the three rays for each test, those miss whose radius is well above the margin.
+        // The three rays miss unless the radius is near the margin.
         assert!(tests > 3000 && 4 * beside > 11 * tests * sets, "{beside} of {tests} rays for each of {sets} sets");
     }
 }

@@ -1,4 +1,5 @@
-//! Visits the objects of a tree whose boxes pass a test. Frustum culling uses this.
+//! Visits the objects of a tree whose boxes pass a test. A sphere leaf has the boxes around its bounding spheres.
+//! Frustum culling uses this.
 
 use crate::accel::bvh::{Bvh, boxes::Boxes, node::Kind, stack};
 use crate::accel::{bounds::Bounds, object::ObjectId};
