@@ -55,21 +55,17 @@ pub struct Bvh<B> {
 
 impl<B: Boxes> Bvh<B> {
     /// Builds the tree over `objects`, and reorders them so that the objects of a node follow one another.
+    /// `sphere_leaves` says whether it has sphere leaves; `None` leaves this to [`sphere_leaf::save_time`].
     ///
     /// # Errors
     /// [`Error::OutOfMemory`] if memory is short.
-    pub fn new(objects: &mut impl Objects, extent: &Extent) -> Result<Self, Error> {
-        let has_sphere_leaves = count(objects) >= sphere_leaf::LEAST_OBJECTS;
-        Self::build(objects, extent, has_sphere_leaves)
-    }
-
-    /// Does what [`Bvh::new`] does, with sphere leaves or without them.
-    pub(super) fn build(objects: &mut impl Objects, extent: &Extent, has_sphere_leaves: bool) -> Result<Self, Error> {
+    pub fn new(objects: &mut impl Objects, extent: &Extent, sphere_leaves: Option<bool>) -> Result<Self, Error> {
         let count = count(objects);
         let (dominant, sphere_count) = (DominantSphere::of(objects), objects.sphere_count());
         let others = (0..count as ObjectId).filter(|&id| !dominant.is(id));
         let boxes = others.map(|id| (Bounds::of_object(objects, id, extent), id));
-        let Tree { mut nodes, mut spheres, mut cylinders } = build(count, sphere_count, boxes, has_sphere_leaves)?;
+        let tree = build(count, sphere_count, boxes, sphere_leaves)?;
+        let Tree { mut nodes, mut spheres, mut cylinders, has_sphere_leaves } = tree;
         // The builder planned it for the objects of the tree, without the dominant sphere, which is added below.
         let collapsed_root = CollapsedRoot::new(&mut nodes, spheres.len() + cylinders.len())?;
         // The dominant sphere is behind all spheres of the tree.

@@ -8,7 +8,8 @@
 //! 4. [`Bvh`] for up to 200,000 objects, with boxes of the form [`WideBoxes`];
 //! 5. [`Bvh`] for all other scenes, with [`ByteBoxes`].
 //!
-//! From 20,000 objects on, a [`Bvh`] has bounding spheres instead of boxes where it can (`accel/bvh/sphere_leaf.rs`).
+//! From 20,000 objects on, unless they are sparse, a [`Bvh`] has bounding spheres instead of boxes where it can
+//! (`accel/bvh/sphere_leaf.rs`).
 //! With a [`SmallScene`] two more choices follow. With fewer than four objects, paths are traced with a lookahead
 //! (`render/trace_paths.rs`). With four or more, lanes hold several objects for one ray (`accel/small_scene.rs`).
 //! Specular chains are traced in lanes ([`Accel::in_lanes`]). Frustum culling visits the boxes of a [`Bvh`]
@@ -57,9 +58,9 @@ impl Accel {
         } else if most_of_a_kind <= flat_filter::CAPACITY && extent.max_coordinate <= flat_filter::MAX_COORDINATE {
             Self::FlatFilter(FlatFilter::new(objects, extent)?)
         } else if count(objects) <= bvh::MOST_WIDE {
-            Self::Bvh(Bvh::new(objects, extent)?)
+            Self::Bvh(Bvh::new(objects, extent, None)?)
         } else {
-            Self::LargeBvh(Bvh::new(objects, extent)?)
+            Self::LargeBvh(Bvh::new(objects, extent, None)?)
         })
     }
 

@@ -151,7 +151,7 @@ fn boxes_of_bytes_give_the_closest_hits() {
     for (count, size) in [(1, 1.0), (20, 2.0), (300, 1.0)] {
         let mut objects = objects(count, size, 6);
         let extent = Extent { max_coordinate: 240.0, moderate: true };
-        let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent).expect("it fits"));
+        let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent, None).expect("it fits"));
         agrees_for_directions_of_any_length(&accel, &objects, 10.0);
         if count == 300 {
             agrees_with_plain(&accel, &objects, 200);
@@ -160,7 +160,7 @@ fn boxes_of_bytes_give_the_closest_hits() {
     for scale in [1e-4, 1.6e8] {
         let mut objects = ring(100, scale);
         let extent = Extent { max_coordinate: 6.0 * scale, moderate: true };
-        let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent).expect("it fits"));
+        let accel = Accel::LargeBvh(Bvh::new(&mut objects, &extent, None).expect("it fits"));
         agrees_for_directions_of_any_length(&accel, &objects, 6.0 * scale);
     }
 }
@@ -169,8 +169,8 @@ fn boxes_of_bytes_give_the_closest_hits() {
 /// their coordinates.
 fn with_bounding_spheres(mut objects: AosObjects, max_coordinate: f64) -> [(Accel, AosObjects); 2] {
     let (extent, mut again) = (Extent { max_coordinate, moderate: true }, objects.clone());
-    let wide = Bvh::build(&mut objects, &extent, true).expect("it fits");
-    let bytes = Bvh::build(&mut again, &extent, true).expect("it fits");
+    let wide = Bvh::new(&mut objects, &extent, Some(true)).expect("it fits");
+    let bytes = Bvh::new(&mut again, &extent, Some(true)).expect("it fits");
     assert!(wide.sphere_leaf_count() > 0 && wide.sphere_leaf_count() == bytes.sphere_leaf_count());
     [(Accel::Bvh(wide), objects), (Accel::LargeBvh(bytes), again)]
 }
@@ -191,10 +191,13 @@ fn bounding_spheres_give_the_closest_hits() {
 }
 
 #[test]
-fn many_objects_get_bounding_spheres() {
-    for (count, has_spheres) in [(LEAST_OBJECTS, true), (LEAST_OBJECTS - 1, false)] {
-        let mut objects = spheres_of(&objects_text(2 * count - 2, 0.05, 4));
-        assert_eq!(objects.sphere_count(), count);
+fn many_objects_that_are_not_sparse_get_bounding_spheres() {
+    for (count, size, has_spheres) in
+        [(LEAST_OBJECTS, 0.2, true), (LEAST_OBJECTS, 0.05, false), (LEAST_OBJECTS - 1, 0.2, false)]
+    {
+        // The tree has all spheres but the dominant one.
+        let mut objects = spheres_of(&objects_text(2 * count, size, 4));
+        assert_eq!(objects.sphere_count(), count + 1);
         let accel = accel(&mut objects);
         let Accel::Bvh(bvh) = &accel else { panic!("the tree has byte boxes") };
         assert_eq!(bvh.sphere_leaf_count() > 0, has_spheres);

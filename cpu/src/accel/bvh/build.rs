@@ -6,7 +6,9 @@ mod split;
 
 use crate::accel::bvh::build::item::{Item, Range};
 use crate::accel::bvh::build::split::{dissolve_small_children, split_into_children};
-use crate::accel::bvh::{boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, planes::WIDTH};
+use crate::accel::bvh::{
+    boxes::Boxes, collapsed_root, node::HIERARCHY, node::Kind, node::Node, planes::WIDTH, sphere_leaf,
+};
 use crate::accel::{bounds::Bounds, object::ObjectId};
 use crate::{input::error::Error, input::error::push, layout::with_room};
 
@@ -20,11 +22,13 @@ pub struct Tree<B> {
     /// The old number of each cylinder. The cylinder's new number is its index in this list plus the number of all
     /// spheres of the scene.
     pub cylinders: Vec<ObjectId>,
+    /// Whether nodes with only spheres are sphere leaves.
+    pub has_sphere_leaves: bool,
 }
 
 /// Builds the tree over `objects`, which are at most `most` pairs of a box and an object's number. The first
-/// `sphere_count` numbers belong to spheres. Objects get new numbers, so that those in one node follow one another. If
-/// `has_sphere_leaves` is set, nodes with only spheres have bounding spheres instead of boxes.
+/// `sphere_count` numbers belong to spheres. Objects get new numbers, so that those in one node follow one another.
+/// `sphere_leaves` says whether the tree has sphere leaves; `None` leaves this to [`sphere_leaf::save_time`].
 ///
 /// # Errors
 /// [`Error::OutOfMemory`] if memory is short.
@@ -32,13 +36,18 @@ pub fn build<B: Boxes>(
     most: usize,
     sphere_count: usize,
     objects: impl Iterator<Item = (Bounds, ObjectId)>,
-    has_sphere_leaves: bool,
+    sphere_leaves: Option<bool>,
 ) -> Result<Tree<B>, Error> {
     let mut items = with_room(most, HIERARCHY)?;
     items.extend(objects.map(|(bounds, id)| Item::new(&bounds, id)));
     let (spheres, cylinders) = (with_room(sphere_count, HIERARCHY)?, with_room(most - sphere_count, HIERARCHY)?);
     // A node has about eight objects, by measurement (`bench/nearest`). The list grows if there are more nodes.
-    let mut tree = Tree { nodes: with_room(most / 8 + 1, HIERARCHY)?, spheres, cylinders };
+    let nodes = with_room(most / 8 + 1, HIERARCHY)?;
+    let all = Range::new(&items, 0, items.len());
+    let half_areas = items.iter().map(|item| f64::from(item.bounds().unpacked().half_area()));
+    let has_sphere_leaves = sphere_leaves
+        .unwrap_or_else(|| sphere_leaf::save_time(items.len(), half_areas.sum(), all.bounds.unpacked().half_area()));
+    let mut tree = Tree { nodes, spheres, cylinders, has_sphere_leaves };
     if items.is_empty() {
         return Ok(tree);
     }
@@ -47,7 +56,7 @@ pub fn build<B: Boxes>(
     let planned = collapsed_root::planned(items.len());
     // The nodes that are not filled yet: index, range of items and depth.
     let mut pending = Vec::new();
-    push(&mut pending, (0, Range::new(&items, 0, items.len()), 0), HIERARCHY)?;
+    push(&mut pending, (0, all, 0), HIERARCHY)?;
     push(&mut tree.nodes, Node::EMPTY, HIERARCHY)?;
     while let Some((index, range, depth)) = pending.pop() {
         let most = match planned {

@@ -166,7 +166,7 @@ mod tests {
                 let low = [(); 3].map(|()| draws.draw(-10.0, 10.0) as f32);
                 (Bounds { low, high: low.map(|value| value + 0.1) }, id)
             });
-            let mut nodes = build::<ByteBoxes>(count, count, bounds, false).expect("it fits").nodes;
+            let mut nodes = build::<ByteBoxes>(count, count, bounds, Some(false)).expect("it fits").nodes;
             let row = CollapsedRoot::new(&mut nodes, count).expect("it fits");
             let children = boxes_of(&row).count();
             if let Some(planned) = planned(count) {
@@ -200,7 +200,7 @@ mod tests {
             })
             .collect();
         let items = bounds.iter().copied().zip(0..);
-        let mut nodes = build::<ByteBoxes>(bounds.len(), bounds.len(), items, true).expect("it fits").nodes;
+        let mut nodes = build::<ByteBoxes>(bounds.len(), bounds.len(), items, Some(true)).expect("it fits").nodes;
         let grandchildren = |(_, child): (Bounds, Child)| nodes[child.number as usize].children().count();
         let all: usize = nodes[0].children().map(grandchildren).sum();
         assert_eq!((bounds.len(), planned(bounds.len())), (1024, Some(MOST)));

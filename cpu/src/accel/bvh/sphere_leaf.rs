@@ -2,8 +2,8 @@
 //!
 //! Almost half of the rays that hit a sphere's box miss the sphere. A bounding sphere excludes these rays, so the
 //! sphere's record is not loaded for them. Its test also reads four numbers instead of six, but takes more operations.
-//! In a large tree, whose nodes and records come from far memory, the two savings outweigh the operations. So trees
-//! with at least [`LEAST_OBJECTS`] objects have sphere leaves. All other nodes have boxes.
+//! In a large tree, whose nodes and records come from far memory, the two savings outweigh the operations, if rays
+//! test many objects. [`save_time`] has the rule. All other nodes have boxes.
 //!
 //! A bounding sphere is computed from the sphere's box. Let `u = 2^-24`, and let `P` be the largest magnitude of the
 //! box's coordinates. Without rounding, the box would be a cube around the sphere. Rounding moves each plane outward by
@@ -18,9 +18,17 @@ use crate::accel::bvh::{planes::Plane, planes::WIDTH};
 use crate::simd::SimdF32;
 
 /// The least number of objects with which a tree has sphere leaves. In dense scenes, sphere leaves save 7 to 14 % of a
-/// ray's time with 100,000 or a million spheres, 2 to 10 % with 300,000, and 4 % on average with 30,000. In sparse
-/// scenes of up to 10,000 spheres they would cost up to 9 % (`bench/nearest`).
+/// ray's time with 100,000 or a million spheres, 2 to 10 % with 300,000, and 4 % on average with 30,000
+/// (`bench/nearest`). In smaller trees they save nothing.
 pub const LEAST_OBJECTS: usize = 20_000;
+
+/// Whether sphere leaves save time in a tree over `objects` objects. `half_areas` is the sum of the half surface areas
+/// of their boxes, and `half_area` that of the box around all of them. The quotient of the two is the average number of
+/// objects' boxes that a line through the scene crosses. If it is below 1, rays test few objects, and sphere leaves
+/// would cost up to 8 % of the time of a picture.
+pub fn save_time(objects: usize, half_areas: f64, half_area: f32) -> bool {
+    objects >= LEAST_OBJECTS && half_areas >= f64::from(half_area)
+}
 
 /// The part of a box's largest coordinate by which the radius is enlarged: `16 u`.
 const ENLARGEMENT: f64 = 8.0 * f32::EPSILON as f64;

@@ -53,7 +53,7 @@ fn random(count: usize, size: f64) -> Vec<Bounds> {
 }
 
 fn build_all(bounds: &[Bounds]) -> Tree<ByteBoxes> {
-    build(bounds.len(), spheres(bounds.len()), bounds.iter().copied().zip(0..), false).expect("it fits")
+    build(bounds.len(), spheres(bounds.len()), bounds.iter().copied().zip(0..), Some(false)).expect("it fits")
 }
 
 #[test]
