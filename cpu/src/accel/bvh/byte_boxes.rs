@@ -5,8 +5,8 @@ use crate::accel::bvh::sphere_leaf::{BoundingSphere, Frame, SphereLeaf};
 use crate::accel::bvh::{planes::Planes, planes::WIDTH, slab_ray::SlabRay};
 use crate::{accel::bounds::Bounds, simd::SimdF32};
 
-/// Up to 16 boxes in 112 bytes. Each plane is stored as a whole number of steps from an origin: the plane with the
-/// number `n` is at the coordinate `origin + n step`. Origin and steps are the same for all boxes.
+/// Up to 16 boxes in 112 bytes. The coordinate of a plane is stored as a byte. The byte `n` means `origin + n * step`.
+/// All boxes of a node share one origin, and one step for each axis.
 #[derive(Clone, Copy, Debug)]
 pub struct ByteBoxes {
     /// The planes, as numbers of steps. The lower planes are rounded down, and the upper planes up. Bounding spheres

@@ -42,7 +42,7 @@ pub struct Child {
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct Node<B> {
-    /// The boxes of the children, or their bounding spheres.
+    /// The boxes of the children. If `has_bounding_spheres` is set, their bounding spheres are stored here instead.
     pub boxes: B,
     /// For each kind, the number that the child in lane 0 would have if all lanes had this kind. It wraps around at
     /// 2^32.

@@ -20,14 +20,13 @@
 //! | `b - R` as a lambda | the enlarged radius, the difference, and the product with the reciprocal | `10 u M` |
 //! | `b + R` | the enlarged radius | `u M` |
 //!
-//! The code enlarges each radius by `32 u M`. This exceeds `12 + 4` for the distance from the line, `11 + 10` for the
-//! entry, and `11 + 1` for the exit, with room for the steps of bytes. So every bounding sphere is kept that the ray
-//! hits before the closest hit so far.
+//! The test decides about three things, and each needs a margin: the distance from the line `12 + 4 = 16 u M`, the
+//! entry `11 + 10 = 21 u M`, and the exit `11 + 1 = 12 u M`. The code enlarges each radius by `32 u M`. The rest covers the
+//! steps of bytes. So the test never discards a bounding sphere that the ray hits before the closest hit so far.
 //!
-//! The directions are [in scale](crate::accel::bvh::slab_ray::is_in_scale). If a direction's squared length is infinite
-//! in single precision, `e` and the reciprocal are 0, and the ray hits every bounding sphere. Coordinates are at most
-//! 10^9, so no square overflows. Each radius is enlarged by at least 6 `LEAST_MARGIN`, so underflow is negligible
-//! ([`margins`](crate::accel::bvh::slab_ray::margins)).
+//! What happens at extreme magnitudes? Coordinates are at most 10^9, so no square overflows. The squared length of a
+//! direction may overflow to infinity. Then `e` and the reciprocal are 0, and every bounding sphere counts as hit. This
+//! is slow but right. The margin is at least 6 10^-10, so no square of a radius underflows.
 
 use crate::accel::bvh::slab_ray::MARGIN;
 use crate::accel::bvh::{planes::Plane, planes::WIDTH, sphere_leaf::SphereLeaf};
@@ -41,7 +40,7 @@ pub struct SphereRay {
     along: [f32; 3],
     /// The reciprocal of the direction's length, which makes a lambda of a distance.
     reciprocal: f32,
-    /// The length by which each radius is enlarged.
+    /// The margin that covers rounding, in scene units. It is added to each radius.
     margin: f32,
 }
 
@@ -56,8 +55,9 @@ impl SphereRay {
         let origin = ray.origin.to_array().map(|coordinate| coordinate as f32);
         let reciprocal = 1.0 / (length_squared as f32).sqrt();
         let along = ray.direction.to_array().map(|component| component as f32 * reciprocal);
-        let [x, y, z] = [0, 1, 2].map(|axis| origin[axis].abs() * MARGIN + margins[axis]);
-        Self { origin, along, reciprocal, margin: 2.0 * (x + y + z) }
+        // `MARGIN` is `16 u`, and the head of this module asks for twice as much.
+        let [x, y, z] = [0, 1, 2].map(|axis| 2.0 * (origin[axis].abs() * MARGIN + margins[axis]));
+        Self { origin, along, reciprocal, margin: x + y + z }
     }
 
     /// Returns 16 bits. Bit `i` is 1 if the ray hits bounding sphere `i` at a lambda of at most `farthest`. It may also
