@@ -21,8 +21,8 @@
 //! | `b + R` | the enlarged radius | `u M` |
 //!
 //! The test decides about three things, and each needs a margin: the distance from the line `12 + 4 = 16 u M`, the
-//! entry `11 + 10 = 21 u M`, and the exit `11 + 1 = 12 u M`. The code enlarges each radius by `32 u M`. The rest covers the
-//! steps of bytes. So the test never discards a bounding sphere that the ray hits before the closest hit so far.
+//! entry `11 + 10 = 21 u M`, and the exit `11 + 1 = 12 u M`. The code enlarges each radius by `32 u M`. The rest covers
+//! the steps of bytes. So the test never discards a bounding sphere that the ray hits before the closest hit so far.
 //!
 //! What happens at extreme magnitudes? Coordinates are at most 10^9, so no square overflows. The squared length of a
 //! direction may overflow to infinity. Then `e` and the reciprocal are 0, and every bounding sphere counts as hit. This
