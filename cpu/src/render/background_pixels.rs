@@ -27,7 +27,7 @@ use crate::image::quantize::Quantizer;
 use crate::layout::Layout;
 use crate::math::real::Real;
 use crate::render::background::interval;
-use crate::render::background_slope::{DerivativeBound, pixel_radius};
+use crate::render::background_slope::{DerivativeBound, PixelReach};
 use crate::render::span::{Span, WIDEST};
 use crate::render::{fallback::MOST_LANES, prepared::Prepared, samples::Batch};
 use crate::sampling::draw_order::PixelJitter;
@@ -84,10 +84,10 @@ impl BackgroundPixels {
     #[inline(always)]
     pub(super) fn begin<V: SimdF64, L: Layout>(&mut self, prepared: &Prepared<L>, row: usize, span: &Span) {
         let (camera, row) = (prepared.camera.lanes(), V::of(row as f64));
-        let radius = V::of(pixel_radius(&prepared.camera));
+        let reach = PixelReach::new(&prepared.camera, &prepared.ray_error).lanes();
         for at in (0..span.width()).step_by(V::LANES) {
             let column = V::of((span.first + at) as f64) + V::load(&LANES);
-            let derivative = DerivativeBound::new(&camera, row, column, radius);
+            let derivative = DerivativeBound::new(&camera, row, column, reach);
             self.derivatives.store(at, derivative.numbers());
             self.intervals.store(at, intervals(prepared, derivative.anywhere(), self.rounding));
         }

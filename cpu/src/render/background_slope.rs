@@ -8,14 +8,37 @@
 //!
 //! where `j` is the unit vector along y and `e = d - d0`. The bound of `R` follows because the second derivative of `s`
 //! is at most `6 / |d|^2`.
+//!
+//! The renderer computes `s` of rounded directions. Let `r` bound the error of a direction
+//! ([`RayError::length`]). Here `d0` is the rounded direction through the pixel's middle, and `d` another one. So `e` is
+//! longer by up to `2 r`. The linear term has the additional error `g.(e - x dx - y dy)`, at most `2 r / |d0|`, which is
+//! at most twice [`RayError::turn`].
 
+use crate::render::ray_error::RayError;
 use crate::{geometry::camera::Camera, geometry::camera::HALF_PIXEL, math::real::Real, math::vec3::Vec3};
 
-/// Returns an upper bound of the distance of a pixel's points from the pixel's centre, in the projection window and in
-/// scene units: half of the sum of the pixel's width and height. It bounds `|e|` in the documentation of [this
-/// module](self).
-pub fn pixel_radius(camera: &Camera) -> f64 {
-    (camera.delta_x.length() + camera.delta_y.length()) / 2.0
+/// Bounds of the directions of the camera rays through one pixel, which hold for every pixel of a picture.
+#[derive(Clone, Copy, Debug)]
+pub struct PixelReach<T = f64> {
+    /// An upper bound of the distance between the computed directions through a point of a pixel and through the pixel's
+    /// middle, in scene units. It bounds `|e|` in the documentation of [this module](self).
+    radius: T,
+    /// An upper bound of the error of the linear term that comes from the rounding of directions.
+    linear: T,
+}
+
+impl PixelReach {
+    /// Returns the bounds for a camera and the error of its rays.
+    pub fn new(camera: &Camera, error: &RayError) -> Self {
+        let half_sides = (camera.delta_x.length() + camera.delta_y.length()) / 2.0;
+        Self { radius: half_sides + 2.0 * error.length, linear: 2.0 * error.turn }
+    }
+
+    /// Returns the bounds with all lanes equal.
+    #[inline(always)]
+    pub fn lanes<T: Real>(&self) -> PixelReach<T> {
+        PixelReach { radius: T::of(self.radius), linear: T::of(self.linear) }
+    }
 }
 
 /// The derivative of `s` over a pixel, with a bound of the remaining error. The documentation of [this module](self)
@@ -26,14 +49,14 @@ pub struct DerivativeBound<T = f64> {
     middle: T,
     /// `g.dx` and `g.dy`, the derivatives along the pixel's sides.
     along: [T; 2],
-    /// An upper bound of `|R|`.
+    /// An upper bound of `|R|` and of the errors that come from the rounding of directions.
     remainder: T,
 }
 
 impl<T: Real> DerivativeBound<T> {
-    /// Returns the derivative bound of the pixel at `row` and `column`. `radius` is the camera's [`pixel_radius`].
+    /// Returns the derivative bound of the pixel at `row` and `column`.
     #[inline(always)]
-    pub fn new(camera: &Camera<T>, row: T, column: T, radius: T) -> Self {
+    pub fn new(camera: &Camera<T>, row: T, column: T, PixelReach { radius, linear }: PixelReach<T>) -> Self {
         let zero = T::of(0.0);
         let d0 = camera.ray(row, column, [zero; 2]).direction;
         let length = d0.length();
@@ -42,7 +65,7 @@ impl<T: Real> DerivativeBound<T> {
         // A negative difference or NaN becomes 0, so that the bound is infinite.
         let closest = T::select(zero.less(length - radius), length - radius, zero);
         let share = radius / closest;
-        let remainder = share * share * T::of(3.0 * (1.0 + 1e-9));
+        let remainder = share * share * T::of(3.0 * (1.0 + 1e-9)) + linear;
         Self { middle, along: [g.dot(camera.delta_x), g.dot(camera.delta_y)], remainder }
     }
 
@@ -89,47 +112,66 @@ mod tests {
     use crate::simd::instruction_set::InstructionSet;
     use crate::simd::{Kernel, Simd, SimdF64, columns::Columns};
 
-    fn camera(text: &str) -> Camera {
+    fn camera(text: &str) -> (Camera, PixelReach) {
         let config = Config::parse(text.as_bytes()).expect("the configuration is valid");
-        Camera::new(&config, config.image_size().expect("it has a size")).expect("there is a window")
+        let size = config.image_size().expect("it has a size");
+        let camera = Camera::new(&config, size).expect("there is a window");
+        (camera, PixelReach::new(&camera, &RayError::new(&camera, size)))
+    }
+
+    /// Counts the samples of a picture, and those in pixels whose bound is below 1/2. Fails if a sample is out of
+    /// bounds.
+    fn count_tight(text: &str) -> [u32; 2] {
+        let (camera, reach) = camera(&format!("image_width: 12\ncamera_north: 1 2 0\n{text}"));
+        let mut draws = crate::sampling::uniform::Uniform::new(3);
+        let [mut tight, mut all] = [0; 2];
+        for (row, column) in (0..6).flat_map(|row| (0..12).map(move |column| (f64::from(row), f64::from(column)))) {
+            let bound = DerivativeBound::new(&camera, row, column, reach);
+            for _ in 0..50 {
+                let offset = [draws.draw(-0.5, 0.5), draws.draw(-0.5, 0.5)];
+                let direction = camera.ray(row, column, offset).direction;
+                let s = direction.y / direction.length();
+                for (middle, radius) in [bound.anywhere(), bound.at(offset)] {
+                    assert!((s - middle).abs() <= radius + 1e-14, "{text}, pixel {row}, {column}");
+                }
+                all += 1;
+                tight += u32::from(bound.remainder < 0.5);
+            }
+        }
+        [tight, all]
     }
 
     #[test]
     fn the_slope_bounds_the_background_over_the_pixel() {
-        let mut draws = crate::sampling::uniform::Uniform::new(3);
         for fov in [1.0, 20.0, 90.0, 150.0, 175.0] {
-            let camera = camera(&format!("image_width: 12\nfield_of_view: {fov}\ncamera_north: 1 2 0\n"));
-            let (mut tight, mut all) = (0, 0);
-            for (row, column) in (0..6).flat_map(|row| (0..12).map(move |column| (f64::from(row), f64::from(column)))) {
-                let bound = DerivativeBound::new(&camera, row, column, pixel_radius(&camera));
-                for _ in 0..50 {
-                    let offset = [draws.draw(-0.5, 0.5), draws.draw(-0.5, 0.5)];
-                    let direction = camera.ray(row, column, offset).direction;
-                    let s = direction.y / direction.length();
-                    for (middle, radius) in [bound.anywhere(), bound.at(offset)] {
-                        assert!((s - middle).abs() <= radius + 1e-14, "{fov} degrees, pixel {row}, {column}");
-                    }
-                    all += 1;
-                    tight += u32::from(bound.remainder < 0.5);
-                }
-            }
+            let [tight, all] = count_tight(&format!("field_of_view: {fov}\n"));
             assert!(fov > 90.0 || tight > all / 2, "the bound says nothing at {fov} degrees");
         }
     }
 
+    #[test]
+    fn the_slope_bounds_rays_whose_direction_is_rounded_to_few_digits() {
+        for (position, target, fov) in [("1e9 1e9 1e9", "1e9 1e9 1000000000.01", 20.0), ("1e8 0 0", "1e8 0 1e-5", 1e-3)]
+        {
+            let camera = format!("camera_position: {position}\ncamera_target: {target}\nfield_of_view: {fov}\n");
+            let [tight, all] = count_tight(&camera);
+            assert!(tight > all / 2, "the bound says nothing at {position}");
+        }
+    }
+
     /// A kernel that computes the bounds of eight pixels of a row, in lanes.
-    struct Row<'a>(&'a Camera);
+    struct Row<'a>(&'a Camera, PixelReach);
 
     impl Kernel for Row<'_> {
         type Output = Columns<4, 16>;
 
         #[inline(always)]
         fn call<S: Simd>(self, _: S) -> Self::Output {
-            let (camera, radius) = (self.0.lanes::<S::F64>(), S::F64::of(pixel_radius(self.0)));
+            let (camera, reach) = (self.0.lanes::<S::F64>(), self.1.lanes());
             let mut bounds = Columns::ZERO;
             for at in (0..8).step_by(S::F64::LANES) {
                 let column = S::F64::of(40.0) + S::F64::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0][at..]);
-                bounds.store(at, DerivativeBound::new(&camera, S::F64::of(7.0), column, radius).numbers());
+                bounds.store(at, DerivativeBound::new(&camera, S::F64::of(7.0), column, reach).numbers());
             }
             bounds
         }
@@ -137,11 +179,11 @@ mod tests {
 
     #[test]
     fn bounds_in_lanes_are_those_of_single_pixels_on_every_instruction_set() {
-        let camera = camera("image_width: 100\ncamera_north: 1 2 0\n");
+        let (camera, reach) = camera("image_width: 100\ncamera_north: 1 2 0\n");
         for set in InstructionSet::available() {
-            let bounds = set.run(Row(&camera));
+            let bounds = set.run(Row(&camera, reach));
             for at in 0..8 {
-                let single = DerivativeBound::new(&camera, 7.0, 40.0 + at as f64, pixel_radius(&camera));
+                let single = DerivativeBound::new(&camera, 7.0, 40.0 + at as f64, reach);
                 assert_eq!(DerivativeBound::of(bounds.get(at)).numbers(), single.numbers(), "{}, {at}", set.name());
             }
         }
@@ -149,10 +191,11 @@ mod tests {
 
     #[test]
     fn a_pixel_around_the_camera_has_no_bound() {
-        let camera = Camera { position: Vec3::ZERO, origin: Vec3::new(0.0, 0.0, 1.0), ..camera("") };
-        for pixel_radius in [1.0, 2.0, f64::NAN] {
-            let (_, radius) = DerivativeBound::new(&camera, 0.0, 0.0, pixel_radius).anywhere();
-            assert!(!radius.is_finite(), "{pixel_radius}: {radius}");
+        let camera = Camera { position: Vec3::ZERO, origin: Vec3::new(0.0, 0.0, 1.0), ..camera("").0 };
+        for radius in [1.0, 2.0, f64::NAN] {
+            let reach = PixelReach { radius, linear: 0.0 };
+            let (_, radius) = DerivativeBound::new(&camera, 0.0, 0.0, reach).anywhere();
+            assert!(!radius.is_finite(), "{reach:?}: {radius}");
         }
     }
 }

@@ -6,8 +6,20 @@
 //! An object is culled only if a comparison is true. A comparison with NaN is false, so NaN never culls. No value
 //! overflows, because objects are culled only in [moderate](crate::accel::extent::Extent::moderate) scenes
 //! ([`Candidates::are_culled`]).
+//!
+//! The margin of the comparisons is [`TURNS`] times [`RayError::turn`] `t`, relative to the distance `l` from the camera
+//! to the farthest point of the object. `t` is at least `8 u` with `u = 2^-53`. These errors are in the margin, each
+//! relative to `l`:
+//!
+//! - A computed camera ray leaves the exact half-space by an angle of up to `t`. So its hit point may lie beyond the
+//!   plane by `t`.
+//! - With the terms of `render/ray_error.rs`, the vectors to the window have an error of at most `3 u s`, and the cross
+//!   product `n` adds `3 u s`, relative to the other side of the pixel. The length of `n`, relative to the same side, is
+//!   at least `D`. So the error of the unit normal is at most `12 u s / D + 4 u`, which is at most `2 t`.
+//! - The centre, the dot products and the extent of the object across the plane have at most 12 roundings, `1.5 t`.
 
 use crate::render::{prepared::Prepared, span::Span};
+
 use crate::{
     accel::bounds::Bounds, accel::object, accel::object::ObjectId, accel::object::ObjectRef, counters::Counter,
     counters::add, geometry::camera::HALF_PIXEL, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
@@ -24,13 +36,9 @@ pub enum Candidate {
     Cylinder(CylinderRecord, Vec3, CylinderView),
 }
 
-/// Margin of the culling tests, relative to distance and size of the object. It is about a million times the rounding
-/// errors of these tests, of the rays and of the hits.
-const MARGIN: f64 = 1e-9;
-
-/// Additional margin relative to a cylinder's radius. It covers the rounding errors of the side for rays along the
-/// axis.
-const MARGIN_OF_CYLINDERS: f64 = 1e-7;
+/// The margin of the culling tests, in units of [`RayError::turn`]. The documentation of [this module](self) derives
+/// that 4.5 suffices.
+const TURNS: f64 = 8.0;
 
 /// A half-space, as the normal of its plane, which goes through the camera. It contains the points `v`, relative to the
 /// camera, with `normal.v >= 0`. The normal has length one.
@@ -52,19 +60,19 @@ struct Outline {
 
 impl Outline {
     fn new<L: Layout>(prepared: &Prepared<L>, id: ObjectId) -> Self {
-        let (objects, from) = (&prepared.objects, prepared.camera.position);
-        let (center, axis, half_height, radius, margin) = match ObjectRef::of(objects, id) {
+        let objects = &prepared.objects;
+        let (center, axis, half_height, radius) = match ObjectRef::of(objects, id) {
             ObjectRef::Sphere(index) => {
                 let SphereRecord { center, radius, .. } = objects.sphere(index).record;
-                (center, Vec3::ZERO, 0.0, radius, 0.0)
+                (center, Vec3::ZERO, 0.0, radius)
             }
             ObjectRef::Cylinder(index) => {
                 let CylinderRecord { center, axis, half_height, radius, .. } = objects.cylinder(index).record;
-                (center, axis, half_height, radius, MARGIN_OF_CYLINDERS * radius)
+                (center, axis, half_height, radius)
             }
         };
-        let center = center - from;
-        let margin = MARGIN * (center.length() + from.length() + radius + half_height) + margin;
+        let center = center - prepared.camera.position;
+        let margin = TURNS * prepared.ray_error.turn * (center.length() + radius + half_height);
         Self { id, center, axis, half_height, radius, margin }
     }
 
@@ -76,8 +84,8 @@ impl Outline {
             // The bounding sphere decides for most cylinders, and for all spheres.
             beyond(self.radius + self.half_height)
                 || self.half_height > 0.0 && {
-                    let along = normal.dot(self.axis);
-                    let across = (1.0 - along * along).max(0.0).sqrt();
+                    // `sqrt(1 - along^2)` would lose half of its digits where the axis is close to the normal.
+                    let (along, across) = (normal.dot(self.axis), normal.cross(self.axis).length());
                     beyond(self.half_height * along.abs() + self.radius * across)
                 }
         };
@@ -117,11 +125,13 @@ impl Candidates {
     pub fn begin_row<L: Layout>(&mut self, prepared: &Prepared<L>, row: usize) {
         let camera = &prepared.camera;
         let at = |row: f64| camera.origin - camera.position + camera.delta_y * row;
-        let inside = at(row as f64);
-        let planes = [-HALF_PIXEL, HALF_PIXEL].map(|side| half_space(camera.delta_x, at(row as f64 + side), inside));
+        let row = row as f64;
+        let above = half_space(at(row - HALF_PIXEL), camera.delta_x);
+        let below = half_space(camera.delta_x, at(row + HALF_PIXEL));
+        let (planes, margin) = ([above, below], TURNS * prepared.ray_error.turn);
         self.row.clear();
         if prepared.accel.has_boxes() {
-            let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes);
+            let may_overlap = |bounds: &Bounds| box_may_overlap(bounds, camera.position, &planes, margin);
             self.boxed.clear();
             let accel = &prepared.accel;
             accel.visit_boxes(may_overlap, |id| self.boxed.push((object::order_of(&prepared.objects, id), id)));
@@ -138,9 +148,9 @@ impl Candidates {
         let (camera, objects) = (&prepared.camera, &prepared.objects);
         let center = camera.origin - camera.position + camera.delta_y * row as f64;
         let at = |column: f64| center + camera.delta_x * column;
-        let (first, last) = (span.first as f64, span.last as f64);
-        let inside = at((first + last) / 2.0);
-        let planes = [first - HALF_PIXEL, last + HALF_PIXEL].map(|side| half_space(camera.delta_y, at(side), inside));
+        let left = half_space(camera.delta_y, at(span.first as f64 - HALF_PIXEL));
+        let right = half_space(at(span.last as f64 + HALF_PIXEL), camera.delta_y);
+        let planes = [left, right];
         self.span.clear();
         for outline in self.row.iter().filter(|outline| !self.are_culled || outline.may_overlap(&planes)) {
             let candidate = match ObjectRef::of(objects, outline.id) {
@@ -160,21 +170,31 @@ impl Candidates {
     }
 }
 
-/// Returns the half-space that contains `inside` and whose plane goes through the camera along `first` and `second`.
-fn half_space(first: Vec3, second: Vec3, inside: Vec3) -> HalfSpace {
-    let normal = first.cross(second).unit();
-    if normal.dot(inside) < 0.0 { -normal } else { normal }
+/// Returns the half-space whose plane goes through the camera along `first` and `second`, and whose normal is along
+/// `first x second`.
+///
+/// The side follows from the order of the two vectors. Seen from the camera, `delta_y` is a quarter of a turn clockwise
+/// from `delta_x`. So for a point `at` of the window, `delta_y x at` points to the right, and `delta_x x at` points
+/// down.
+fn half_space(first: Vec3, second: Vec3) -> HalfSpace {
+    first.cross(second).unit()
 }
 
-/// Returns false only if the box certainly lies outside of one of the half-spaces. `from` is the camera's position.
-fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2]) -> bool {
+/// Returns false only if the box certainly lies outside of one of the half-spaces. `from` is the camera's position, and
+/// `margin` is relative to the distance of the box's farthest corner.
+fn box_may_overlap(bounds: &Bounds, from: Vec3, planes: &[HalfSpace; 2], margin: f64) -> bool {
+    let (low, high) = (Vec3::from(bounds.low.map(f64::from)) - from, Vec3::from(bounds.high.map(f64::from)) - from);
+    let larger = |low: f64, high: f64| low.abs().max(high.abs());
+    let reach = larger(low.x, high.x) + larger(low.y, high.y) + larger(low.z, high.z);
     planes.iter().all(|normal| {
-        // `farthest` is the corner that is farthest along the normal.
-        let corner = |axis: usize, component: f64| {
-            f64::from(if component >= 0.0 { bounds.high[axis] } else { bounds.low[axis] })
-        };
-        let farthest = Vec3::new(corner(0, normal.x), corner(1, normal.y), corner(2, normal.z)) - from;
-        let outside = normal.dot(farthest) < -MARGIN * (farthest.length() + from.length());
+        // The corner that is farthest along the normal.
+        let corner = |component: f64, low: f64, high: f64| if component >= 0.0 { high } else { low };
+        let farthest = Vec3::new(
+            corner(normal.x, low.x, high.x),
+            corner(normal.y, low.y, high.y),
+            corner(normal.z, low.z, high.z),
+        );
+        let outside = normal.dot(farthest) < -margin * reach;
         !outside
     })
 }

@@ -4,8 +4,9 @@ use crate::render::fallback::precise;
 use crate::{
     accel::object::ObjectId, counters::Counter, counters::add, exact, exact::error_bound::in_scale,
     geometry::cylinder::CylinderPart, geometry::cylinder::CylinderRecord, geometry::cylinder::CylinderView,
-    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView, geometry::tie::later_is_closer,
-    math::vec3::Vec3, simd::LaneMask, simd::SimdF64,
+    geometry::ray::Ray, geometry::sphere::SphereRecord, geometry::sphere::SphereView,
+    geometry::tie::later_cap_is_closer, geometry::tie::later_is_closer, math::vec3::Vec3, simd::LaneMask,
+    simd::SimdF64,
 };
 
 /// A bound of the rounding error of a discriminant, relative to `|d|^2 (|O - C|^2 + r^2)`, for the ray `O + lambda d`
@@ -22,7 +23,7 @@ type Cylinder<'a> = (&'a CylinderRecord, &'a Vec3);
 pub struct HitLanes<V: SimdF64> {
     /// The lambda of each hit. It is infinite in lanes without a hit.
     pub lambda: V,
-    /// The number of the object that is hit. It has no meaning in lanes without a hit.
+    /// The number of the object that is hit. It is negative in lanes without a hit.
     pub object: V,
     /// The part of a cylinder that is hit, as its [number](CylinderPart::number). It is the side for a sphere.
     pub part: V,
@@ -69,17 +70,17 @@ impl<V: SimdF64> HitLanes<V> {
     /// Returns the value before any hit.
     #[inline(always)]
     pub fn none() -> Self {
-        Self { lambda: V::of(f64::INFINITY), object: V::of(0.0), part: V::of(0.0), bits: 0 }
+        Self { lambda: V::of(f64::INFINITY), object: V::of(-1.0), part: V::of(0.0), bits: 0 }
     }
 
-    /// Replaces the hit of a lane by the hit with `object`, if the lambda of that hit is smaller or equal. `object`
-    /// must be later in the scene file than all objects before it, because the later of two hits at the same lambda
-    /// counts. In `certain` lanes an infinite lambda means a miss. In all other lanes NaN means a miss, because a hit's
-    /// lambda may overflow to infinity there. `valid` has a bit for each lane that holds a ray.
+    /// Replaces the hit of a lane by the hit with `object`, if that hit is closer. `object` must be later in the scene
+    /// file than all objects before it, because the [rule for ties](crate::geometry::tie) depends on the order. `closer`
+    /// has the lanes in which the hit is closer by that rule, if it is a hit. In `certain` lanes an infinite lambda means
+    /// a miss. In all other lanes NaN means a miss, because a hit's lambda may overflow to infinity there. `valid` has a
+    /// bit for each lane that holds a ray.
     #[inline(always)]
-    fn update(&mut self, object: ObjectId, (lambda, part): (V, V), certain: V::Mask, valid: u32) {
-        let is_hit = lambda.less(V::of(f64::INFINITY)) | !certain;
-        let closer = is_hit & later_is_closer(lambda, self.lambda);
+    fn update(&mut self, object: ObjectId, (lambda, part): (V, V), closer: V::Mask, certain: V::Mask, valid: u32) {
+        let closer = closer & (lambda.less(V::of(f64::INFINITY)) | !certain);
         self.lambda = V::select(closer, lambda, self.lambda);
         self.object = V::select(closer, V::of(f64::from(object)), self.object);
         self.part = V::select(closer, part, self.part);
@@ -116,7 +117,7 @@ impl<V: SimdF64> HitLanes<V> {
                 hits = precise(ray, hits, still_uncertain, &intersect);
             }
         }
-        self.update(id, hits, certain, valid);
+        self.update(id, hits, later_is_closer(hits.0, self.lambda), certain, valid);
     }
 
     /// Intersects camera rays with a cylinder, and updates the hits. `cylinder` is the record and the axis of the scene
@@ -147,6 +148,12 @@ impl<V: SimdF64> HitLanes<V> {
         if uncertain != 0 {
             hits = precise(ray, hits, uncertain, &|ray| exact::cylinder::precise(record, axis, ray));
         }
-        self.update(id, hits, certain, valid);
+        let (lambda, part) = hits;
+        let is_side = part.less(CylinderPart::Top.number());
+        // The first hit counts even if its lambda is infinite.
+        let is_first = self.object.less(V::of(0.0));
+        let closer =
+            later_is_closer(lambda, self.lambda) & (is_side | is_first | later_cap_is_closer(lambda, self.lambda));
+        self.update(id, hits, closer, certain, valid);
     }
 }

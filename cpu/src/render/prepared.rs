@@ -2,7 +2,7 @@
 
 use std::borrow::Borrow;
 
-use crate::render::{background::Background, max_depth::RaysLeft};
+use crate::render::{background::Background, max_depth::RaysLeft, ray_error::RayError};
 use crate::{
     accel::choice::Accel, accel::extent::Extent, geometry::camera::Camera, image::quantize::Quantizer,
     input::config::Config, input::error::Error, input::error::with_room, input::material::Material,
@@ -17,6 +17,8 @@ pub struct Prepared<L: Layout> {
     pub size: Size,
     /// The origin of the camera rays, and the projection window.
     pub camera: Camera,
+    /// Bounds of the rounding error of all camera rays.
+    pub ray_error: RayError,
     /// The background: the colour of rays that hit no object.
     pub background: Background,
     /// The scene's objects, stored in the layout `L`.
@@ -67,6 +69,7 @@ impl<L: Layout> Prepared<L> {
         Ok(Self {
             size,
             camera,
+            ray_error: RayError::new(&camera, size),
             background: Background::new(config),
             moderate: extent.moderate,
             accel: Accel::new(&mut objects, &extent)?,
